@@ -1,0 +1,139 @@
+// One description per struct.
+//
+// A struct that a user can see names its fields once, in `describe`; the YAML reader and writer, parameter paths, log
+// columns, the JSON Schema and the reference tables are all visitors of that one list:
+//
+//     struct DamperParams {
+//         double bump = kRequired;   // no default: the file must say
+//         double friction = 0;       // default = neutral = effect absent
+//
+//         static constexpr void describe(auto& self, auto&& field) {
+//             field(TREAD_FIELD(bump), About{"N s/m", "damping in compression", kNonNegative});
+//             field(TREAD_FIELD(friction), About{"N", "dry friction", kNonNegative});
+//         }
+//     };
+//     static_assert(describesEveryMember<DamperParams>());   // a forgotten member does not compile
+//
+// A field is a double, int, bool, std::string, enum (with `enumNames`), Curve, another described struct, or a
+// std::vector, std::optional or std::variant of these. The alternatives of a variant carry their name as `kName`.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#define TREAD_FIELD(name) #name, self.name
+
+namespace tread {
+
+// Marks a number without a default: the reader rejects a file that does not give it.
+inline constexpr double kRequired = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// The values a number may take; the ends belong to the range unless they are open.
+struct Limits {
+    double lowest = -kInfinity;
+    double highest = kInfinity;
+    bool lowest_open = false;
+    bool highest_open = false;
+
+    constexpr bool allow(double value) const {
+        const bool above = lowest_open ? value > lowest : value >= lowest;
+        const bool below = highest_open ? value < highest : value <= highest;
+        return above && below;
+    }
+};
+inline constexpr Limits kAny{};
+inline constexpr Limits kPositive{0, kInfinity, true, true};
+inline constexpr Limits kNonNegative{0, kInfinity, false, true};
+inline constexpr Limits kFraction{0, 1};
+
+// What a user has to know about a field. The unit is the SI unit in which the program holds the value ("" for fields
+// that are not numbers, "-" for pure numbers).
+struct About {
+    std::string_view unit;
+    std::string_view meaning;
+    Limits limits = kAny;
+    double tolerance = 0;           // how well a real car's value is usually known, as a fraction of it (0: not said)
+    std::string_view argument = {};  // for a Curve: SI unit of its argument
+};
+
+template <class T>
+concept Described = requires(T& object) { T::describe(object, [](auto&&...) {}); };
+
+template <class T>
+concept DescribedEnum = std::is_enum_v<T> && requires(T value) { enumNames(value); };
+
+// ---- Proof that a description is complete --------------------------------------------------------------------------
+
+namespace detail {
+
+struct ConvertsToAnything {
+    template <class T>
+    operator T() const;  // declared only: used in unevaluated brace initialisers
+};
+
+template <class T, std::size_t... I>
+constexpr bool bracesTake(std::index_sequence<I...>) {
+    return requires { T{((void)I, ConvertsToAnything{})...}; };
+}
+
+// Number of members of an aggregate: the longest brace initialiser that it takes.
+template <class T, std::size_t N = 0>
+constexpr std::size_t memberCount() {
+    if constexpr (bracesTake<T>(std::make_index_sequence<N + 1>{})) {
+        return memberCount<T, N + 1>();
+    } else {
+        return N;
+    }
+}
+
+template <class T>
+struct Prototype {
+    T value;
+};
+template <class T>
+extern Prototype<T> prototype;  // never defined: only the addresses of its members are named, at compile time
+
+#if defined(__clang__)
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wundefined-var-template"
+#endif
+template <class T>
+constexpr std::size_t describedCount() {
+    std::size_t count = 0;
+    T::describe(prototype<T>.value, [&count](auto&&...) { ++count; });
+    return count;
+}
+#if defined(__clang__)
+#pragma clang diagnostic pop
+#endif
+
+template <class T>
+struct IsVector : std::false_type {};
+template <class T>
+struct IsVector<std::vector<T>> : std::true_type {};
+template <class T>
+struct IsOptional : std::false_type {};
+template <class T>
+struct IsOptional<std::optional<T>> : std::true_type {};
+template <class T>
+struct IsVariant : std::false_type {};
+template <class... T>
+struct IsVariant<std::variant<T...>> : std::true_type {};
+
+}  // namespace detail
+
+// True when `T::describe` visits as many fields as `T` has members.
+template <class T>
+constexpr bool describesEveryMember() {
+    return detail::describedCount<T>() == detail::memberCount<T>();
+}
+
+}  // namespace tread

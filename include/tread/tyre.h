@@ -1,0 +1,307 @@
+// A tyre after Delft Tyre 97: parameters, state, and the two things one can ask of it: the steady-state forces at a
+// given slip, and the advance of contact patch (and wheel spin) over one time step.
+//
+// Source: H.B. Pacejka, I.J.M. Besselink, "Magic Formula Tyre Model with Transient Properties", Vehicle System Dynamics
+// 27:S1 (1997) 234-249; numbers in brackets are its equations, names are its symbols.
+//
+// Everything in this header is in the paper's axes: x forward, y right, z down, forces oppose the slip velocity, and
+// positive camber leans the top of the wheel to the right. `tyre_axes.h` converts to ISO 8855.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "tread/describe.h"
+
+namespace tread {
+
+// The numbers p, q, r, s of the paper's appendix and of its transient part.
+struct TyreCoefficients {
+    // Size and nominal state
+    double Fzo = kRequired;
+    double Ro = kRequired;
+    double Re = kRequired;
+    // Longitudinal force at pure slip (36)-(45)
+    double pCx1 = kRequired;
+    double pDx1 = kRequired;
+    double pDx2 = 0;
+    double pEx1 = 0;
+    double pEx2 = 0;
+    double pEx3 = 0;
+    double pEx4 = 0;
+    double pKx1 = kRequired;
+    double pKx2 = 0;
+    double pKx3 = 0;
+    double pHx1 = 0;
+    double pHx2 = 0;
+    double pVx1 = 0;
+    double pVx2 = 0;
+    // Longitudinal force at combined slip (71)-(75)
+    double rBx1 = 0;
+    double rBx2 = 0;
+    double rCx1 = 0;
+    double rHx1 = 0;
+    // Lateral force at pure slip (46)-(56)
+    double pCy1 = kRequired;
+    double pDy1 = kRequired;
+    double pDy2 = 0;
+    double pDy3 = 0;
+    double pEy1 = 0;
+    double pEy2 = 0;
+    double pEy3 = 0;
+    double pEy4 = 0;
+    double pKy1 = kRequired;
+    double pKy2 = kRequired;
+    double pKy3 = 0;
+    double pHy1 = 0;
+    double pHy2 = 0;
+    double pHy3 = 0;
+    double pVy1 = 0;
+    double pVy2 = 0;
+    double pVy3 = 0;
+    double pVy4 = 0;
+    // Lateral force at combined slip (76)-(82)
+    double rBy1 = 0;
+    double rBy2 = 0;
+    double rBy3 = 0;
+    double rCy1 = 0;
+    double rHy1 = 0;
+    double rVy1 = 0;
+    double rVy2 = 0;
+    double rVy3 = 0;
+    double rVy4 = 0;
+    double rVy5 = 0;
+    double rVy6 = 0;
+    // Aligning torque (57)-(70), (86)-(92)
+    double qBz1 = 0;
+    double qBz2 = 0;
+    double qBz3 = 0;
+    double qBz4 = 0;
+    double qBz5 = 0;
+    double qBz9 = 0;
+    double qBz10 = 0;
+    double qCz1 = 0;
+    double qDz1 = 0;
+    double qDz2 = 0;
+    double qDz3 = 0;
+    double qDz4 = 0;
+    double qDz6 = 0;
+    double qDz7 = 0;
+    double qDz8 = 0;
+    double qDz9 = 0;
+    double qEz1 = 0;
+    double qEz2 = 0;
+    double qEz3 = 0;
+    double qEz4 = 0;
+    double qEz5 = 0;
+    double qHz1 = 0;
+    double qHz2 = 0;
+    double qHz3 = 0;
+    double qHz4 = 0;
+    double ssz1 = 0;
+    double ssz2 = 0;
+    double ssz3 = 0;
+    double ssz4 = 0;
+    // Overturning, rolling resistance, normal load (83)-(85)
+    double qx1 = 0;
+    double qx2 = 0;
+    double qy1 = 0;
+    double qy2 = 0;
+    double pz1 = kRequired;
+    double pz2 = 0;
+    // Contact-patch mass, carcass and belt (17)-(28)
+    double pTy8 = 0;
+    double pTy9 = 0;
+    double mc = kRequired;
+    double kFx = 0;
+    double kFy = 0;
+    double cFx = kRequired;
+    double cFy = kRequired;
+    double mt = 0;
+    double czgyr = 0;
+    double cygyr = 0;
+    double cpsigyr = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(Fzo), About{"N", "nominal load (29)", kPositive});
+        field(TREAD_FIELD(Ro), About{"m", "unloaded radius", kPositive});
+        field(TREAD_FIELD(Re), About{"m", "effective rolling radius", kPositive});
+        field(TREAD_FIELD(pCx1), About{"-", "shape factor Cx (38)", kPositive});
+        field(TREAD_FIELD(pDx1), About{"-", "peak friction mux at nominal load (40)", kPositive});
+        field(TREAD_FIELD(pDx2), About{"-", "variation of mux with load (40)"});
+        field(TREAD_FIELD(pEx1), About{"-", "curvature Ex at nominal load (41)"});
+        field(TREAD_FIELD(pEx2), About{"-", "variation of Ex with load (41)"});
+        field(TREAD_FIELD(pEx3), About{"-", "variation of Ex with load squared (41)"});
+        field(TREAD_FIELD(pEx4), About{"-", "difference of Ex between driving and braking (41)"});
+        field(TREAD_FIELD(pKx1), About{"-", "slip stiffness Kx/Fz at nominal load (42)", kPositive});
+        field(TREAD_FIELD(pKx2), About{"-", "variation of Kx/Fz with load (42)"});
+        field(TREAD_FIELD(pKx3), About{"-", "exponent of Kx/Fz with load (42)"});
+        field(TREAD_FIELD(pHx1), About{"-", "horizontal shift SHx at nominal load (44)"});
+        field(TREAD_FIELD(pHx2), About{"-", "variation of SHx with load (44)"});
+        field(TREAD_FIELD(pVx1), About{"-", "vertical shift SVx/Fz at nominal load (45)"});
+        field(TREAD_FIELD(pVx2), About{"-", "variation of SVx/Fz with load (45)"});
+        field(TREAD_FIELD(rBx1), About{"-", "slope factor of the weighting Bxa (72)"});
+        field(TREAD_FIELD(rBx2), About{"-", "variation of Bxa with longitudinal slip (72)"});
+        field(TREAD_FIELD(rCx1), About{"-", "shape factor Cxa (73)"});
+        field(TREAD_FIELD(rHx1), About{"-", "shift SHxa (75)"});
+        field(TREAD_FIELD(pCy1), About{"-", "shape factor Cy (49)", kPositive});
+        field(TREAD_FIELD(pDy1), About{"-", "peak friction muy at nominal load (51)", kPositive});
+        field(TREAD_FIELD(pDy2), About{"-", "variation of muy with load (51)"});
+        field(TREAD_FIELD(pDy3), About{"1/rad2", "variation of muy with camber squared (51)"});
+        field(TREAD_FIELD(pEy1), About{"-", "curvature Ey at nominal load (52)"});
+        field(TREAD_FIELD(pEy2), About{"-", "variation of Ey with load (52)"});
+        field(TREAD_FIELD(pEy3), About{"-", "sign-dependent part of Ey (52)"});
+        field(TREAD_FIELD(pEy4), About{"1/rad", "variation of the sign-dependent part of Ey with camber (52)"});
+        field(TREAD_FIELD(pKy1), About{"-", "largest cornering stiffness over nominal load (53)", kPositive});
+        field(TREAD_FIELD(pKy2), About{"-", "load at the largest cornering stiffness over nominal load (53)", kPositive});
+        field(TREAD_FIELD(pKy3), About{"1/rad", "variation of the cornering stiffness with camber (53)"});
+        field(TREAD_FIELD(pHy1), About{"-", "horizontal shift SHy at nominal load (55)"});
+        field(TREAD_FIELD(pHy2), About{"-", "variation of SHy with load (55)"});
+        field(TREAD_FIELD(pHy3), About{"1/rad", "variation of SHy with camber (55)"});
+        field(TREAD_FIELD(pVy1), About{"-", "vertical shift SVy/Fz at nominal load (56)"});
+        field(TREAD_FIELD(pVy2), About{"-", "variation of SVy/Fz with load (56)"});
+        field(TREAD_FIELD(pVy3), About{"1/rad", "variation of SVy/Fz with camber (56)"});
+        field(TREAD_FIELD(pVy4), About{"1/rad", "variation of SVy/Fz with camber and load (56)"});
+        field(TREAD_FIELD(rBy1), About{"-", "slope factor of the weighting Byk (77)"});
+        field(TREAD_FIELD(rBy2), About{"-", "variation of Byk with lateral slip (77)"});
+        field(TREAD_FIELD(rBy3), About{"-", "lateral slip at the largest Byk (77)"});
+        field(TREAD_FIELD(rCy1), About{"-", "shape factor Cyk (78)"});
+        field(TREAD_FIELD(rHy1), About{"-", "shift SHyk (80)"});
+        field(TREAD_FIELD(rVy1), About{"-", "slip-induced ply-steer at nominal load (82)"});
+        field(TREAD_FIELD(rVy2), About{"-", "variation of the slip-induced ply-steer with load (82)"});
+        field(TREAD_FIELD(rVy3), About{"1/rad", "variation of the slip-induced ply-steer with camber (82)"});
+        field(TREAD_FIELD(rVy4), About{"-", "variation of the slip-induced ply-steer with lateral slip (82)"});
+        field(TREAD_FIELD(rVy5), About{"-", "shape of the slip-induced ply-steer (81)"});
+        field(TREAD_FIELD(rVy6), About{"-", "slope of the slip-induced ply-steer (81)"});
+        field(TREAD_FIELD(qBz1), About{"-", "trail slope factor Bt at nominal load (64)"});
+        field(TREAD_FIELD(qBz2), About{"-", "variation of Bt with load (64)"});
+        field(TREAD_FIELD(qBz3), About{"-", "variation of Bt with load squared (64)"});
+        field(TREAD_FIELD(qBz4), About{"1/rad", "variation of Bt with camber (64)"});
+        field(TREAD_FIELD(qBz5), About{"1/rad", "variation of Bt with absolute camber (64)"});
+        field(TREAD_FIELD(qBz9), About{"-", "slope factor Br of the residual torque (69)"});
+        field(TREAD_FIELD(qBz10), About{"-", "part of Br that follows the lateral force (69)"});
+        field(TREAD_FIELD(qCz1), About{"-", "trail shape factor Ct (65)"});
+        field(TREAD_FIELD(qDz1), About{"-", "peak trail over Ro at nominal load (66)"});
+        field(TREAD_FIELD(qDz2), About{"-", "variation of the peak trail with load (66)"});
+        field(TREAD_FIELD(qDz3), About{"1/rad", "variation of the peak trail with camber (66)"});
+        field(TREAD_FIELD(qDz4), About{"1/rad2", "variation of the peak trail with camber squared (66)"});
+        field(TREAD_FIELD(qDz6), About{"-", "peak residual torque over Fz Ro at nominal load (70)"});
+        field(TREAD_FIELD(qDz7), About{"-", "variation of the residual torque with load (70)"});
+        field(TREAD_FIELD(qDz8), About{"1/rad", "variation of the residual torque with camber (70)"});
+        field(TREAD_FIELD(qDz9), About{"1/rad", "variation of the residual torque with camber and load (70)"});
+        field(TREAD_FIELD(qEz1), About{"-", "trail curvature Et at nominal load (67)"});
+        field(TREAD_FIELD(qEz2), About{"-", "variation of Et with load (67)"});
+        field(TREAD_FIELD(qEz3), About{"-", "variation of Et with load squared (67)"});
+        field(TREAD_FIELD(qEz4), About{"-", "sign-dependent part of Et (67)"});
+        field(TREAD_FIELD(qEz5), About{"1/rad", "variation of the sign-dependent part of Et with camber (67)"});
+        field(TREAD_FIELD(qHz1), About{"-", "trail shift SHt at nominal load (68)"});
+        field(TREAD_FIELD(qHz2), About{"-", "variation of SHt with load (68)"});
+        field(TREAD_FIELD(qHz3), About{"1/rad", "variation of SHt with camber (68)"});
+        field(TREAD_FIELD(qHz4), About{"1/rad", "variation of SHt with camber and load (68)"});
+        field(TREAD_FIELD(ssz1), About{"-", "moment arm of Fx over Ro (90)"});
+        field(TREAD_FIELD(ssz2), About{"-", "variation of that arm with Fy/Fzo (90)"});
+        field(TREAD_FIELD(ssz3), About{"1/rad", "variation of that arm with camber (90)"});
+        field(TREAD_FIELD(ssz4), About{"1/rad", "variation of that arm with camber and load (90)"});
+        field(TREAD_FIELD(qx1), About{"m/N", "overturning couple over Fy Fz (84)"});
+        field(TREAD_FIELD(qx2), About{"m/rad", "overturning couple over camber and Fz (84)"});
+        field(TREAD_FIELD(qy1), About{"m", "rolling resistance torque over Fz (85)"});
+        field(TREAD_FIELD(qy2), About{"m/N", "rolling resistance torque over Fx Fz (85)"});
+        field(TREAD_FIELD(pz1), About{"N/m", "radial stiffness (83)", kPositive});
+        field(TREAD_FIELD(pz2), About{"N s/m", "radial damping (83)", kNonNegative});
+        field(TREAD_FIELD(pTy8), About{"1/rad", "non-lagging camber force over Fz at nominal load (24)"});
+        field(TREAD_FIELD(pTy9), About{"1/rad", "variation of the non-lagging camber force with load (24)"});
+        field(TREAD_FIELD(mc), About{"kg", "contact-patch mass (17), (18)", kPositive});
+        field(TREAD_FIELD(kFx), About{"N s/m", "longitudinal carcass damping (17)", kNonNegative});
+        field(TREAD_FIELD(kFy), About{"N s/m", "lateral carcass damping (18)", kNonNegative});
+        field(TREAD_FIELD(cFx), About{"N/m", "longitudinal carcass stiffness (17)", kPositive});
+        field(TREAD_FIELD(cFy), About{"N/m", "lateral carcass stiffness (18)", kPositive});
+        field(TREAD_FIELD(mt), About{"kg", "tyre mass (25)", kNonNegative});
+        field(TREAD_FIELD(czgyr), About{"-", "gyroscopic couple about the vertical (25)"});
+        field(TREAD_FIELD(cygyr), About{"-", "gyroscopic lateral force (26)"});
+        field(TREAD_FIELD(cpsigyr), About{"-", "belt yaw by the gyroscopic couple (27)"});
+    }
+};
+static_assert(describesEveryMember<TyreCoefficients>());
+
+// The paper's user scaling factors lambda; 1 leaves the tyre as it was measured.
+struct TyreScaling {
+    double Fzo = 1;
+    double Cx = 1;
+    double mux = 1;
+    double Ex = 1;
+    double Kx = 1;
+    double Hx = 1;
+    double Vx = 1;
+    double gy = 1;
+    double Cy = 1;
+    double muy = 1;
+    double Ey = 1;
+    double Ky = 1;
+    double Hy = 1;
+    double Vy = 1;
+    double gz = 1;
+    double t = 1;
+    double Mr = 1;
+    double xa = 1;
+    double yk = 1;
+    double Vyk = 1;
+    double Cz = 1;
+    double Kz = 1;
+    double Mx = 1;
+    double My = 1;
+    double s = 1;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(Fzo), About{"-", "scales the nominal load (29)", kPositive});
+        field(TREAD_FIELD(Cx), About{"-", "scales the shape of Fx (38)", kPositive});
+        field(TREAD_FIELD(mux), About{"-", "scales the longitudinal friction (40)", kNonNegative});
+        field(TREAD_FIELD(Ex), About{"-", "scales the curvature of Fx (41)"});
+        field(TREAD_FIELD(Kx), About{"-", "scales the longitudinal slip stiffness (42)", kNonNegative});
+        field(TREAD_FIELD(Hx), About{"-", "scales the horizontal shift of Fx (44)"});
+        field(TREAD_FIELD(Vx), About{"-", "scales the vertical shift of Fx (45)"});
+        field(TREAD_FIELD(gy), About{"-", "scales the camber in Fy (48)"});
+        field(TREAD_FIELD(Cy), About{"-", "scales the shape of Fy (49)", kPositive});
+        field(TREAD_FIELD(muy), About{"-", "scales the lateral friction (51)", kNonNegative});
+        field(TREAD_FIELD(Ey), About{"-", "scales the curvature of Fy (52)"});
+        field(TREAD_FIELD(Ky), About{"-", "scales the cornering stiffness (53)", kNonNegative});
+        field(TREAD_FIELD(Hy), About{"-", "scales the horizontal shift of Fy (55)"});
+        field(TREAD_FIELD(Vy), About{"-", "scales the vertical shift of Fy (56)"});
+        field(TREAD_FIELD(gz), About{"-", "scales the camber in Mz (63)"});
+        field(TREAD_FIELD(t), About{"-", "scales the pneumatic trail (66)"});
+        field(TREAD_FIELD(Mr), About{"-", "scales the residual torque (70)"});
+        field(TREAD_FIELD(xa), About{"-", "scales the influence of lateral slip on Fx (72)"});
+        field(TREAD_FIELD(yk), About{"-", "scales the influence of longitudinal slip on Fy (77)"});
+        field(TREAD_FIELD(Vyk), About{"-", "scales the slip-induced ply-steer (81)"});
+        field(TREAD_FIELD(Cz), About{"-", "scales the radial stiffness (83)", kNonNegative});
+        field(TREAD_FIELD(Kz), About{"-", "scales the radial damping (83)", kNonNegative});
+        field(TREAD_FIELD(Mx), About{"-", "scales the overturning couple (84)"});
+        field(TREAD_FIELD(My), About{"-", "scales the rolling resistance (85)"});
+        field(TREAD_FIELD(s), About{"-", "scales the moment arm of Fx (90)"});
+    }
+};
+static_assert(describesEveryMember<TyreScaling>());
+
+// The side of the car on which the coefficients were measured; on the other side the tyre is mounted as a mirror image.
+enum class TyreSide { left, right };
+constexpr auto enumNames(TyreSide) { return std::array<std::string_view, 2>{"left", "right"}; }
+
+// A tyre file.
+struct TyreParams {
+    static constexpr bool kIncludable = true;  // a file may name another file in its place
+
+    std::string name;
+    TyreSide side = TyreSide::left;
+    TyreCoefficients parameters;
+    TyreScaling lambda;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(name), About{"", "name of the tyre"});
+        field(TREAD_FIELD(side), About{"", "side of the car that the coefficients describe"});
+        field(TREAD_FIELD(parameters), About{"", "coefficients of the model"});
+        field(TREAD_FIELD(lambda), About{"", "scaling factors"});
+    }
+};
+static_assert(describesEveryMember<TyreParams>());
+
+}  // namespace tread

@@ -1,0 +1,1 @@
+namespace tread { int placeholder(); int placeholder() { return 0; } }

@@ -1,0 +1,1 @@
+namespace tread { int logPlaceholder(); int logPlaceholder() { return 0; } }
