@@ -1,4 +1,5 @@
-// The numbers of a described object as a flat list of dotted paths: parameter paths for `--set` and sweeps, columns for logs.
+// The numbers of a described object as a flat list of dotted paths: parameter paths for `--set` and sweeps, columns for
+// logs.
 #pragma once
 
 #include <string>
@@ -11,7 +12,7 @@ namespace tread {
 
 struct Number {
     std::string path;  // "front.damper.bump"
-    double* value;     // inside the object that was flattened; valid as long as that object is neither moved nor resized
+    double* value;  // inside the object that was flattened; valid as long as that object is neither moved nor resized
     About about;
 };
 
