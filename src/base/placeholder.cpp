@@ -1,1 +1,0 @@
-namespace tread { int placeholder(); int placeholder() { return 0; } }

@@ -1,0 +1,108 @@
+#include "base/text_file.h"
+
+#include <algorithm>
+#include <fstream>
+#include <system_error>
+
+namespace tread {
+namespace {
+
+constexpr std::size_t kNowhere = std::string_view::npos;
+
+bool continues(char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
+}
+
+// Length of the UTF-8 sequence at the beginning of `text`; 0 when there is none (RFC 3629, section 4).
+std::size_t sequenceLength(std::string_view text) {
+    const auto first = static_cast<unsigned char>(text.front());
+    if (first < 0x80) return 1;
+    const std::size_t length = first >= 0xF5 ? 0 : first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : first >= 0xC2 ? 2 : 0;
+    if (length == 0 || text.size() < length) return 0;
+    for (std::size_t i = 1; i < length; ++i) {
+        if (!continues(text[i])) return 0;
+    }
+    const auto second = static_cast<unsigned char>(text[1]);
+    const bool overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
+    const bool surrogate = first == 0xED && second >= 0xA0;
+    const bool beyond = first == 0xF4 && second >= 0x90;
+    return overlong || surrogate || beyond ? 0 : length;
+}
+
+std::size_t findInvalidUtf8(std::string_view text) {
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t length = sequenceLength(text.substr(i));
+        if (length == 0) return i;
+        i += length;
+    }
+    return kNowhere;
+}
+
+// The first tab that stands before the first word of a line.
+std::size_t findTabInIndentation(std::string_view text) {
+    for (std::size_t line = 0; line < text.size();) {
+        const std::size_t end = std::min(text.find('\n', line), text.size());
+        const std::size_t word = std::min(text.find_first_not_of(" \t\r", line), end);
+        const std::size_t tab = text.substr(line, word - line).find('\t');
+        const bool has_content = word < end && text[word] != '#';
+        if (has_content && tab != kNowhere) return line + tab;
+        line = end + 1;
+    }
+    return kNowhere;
+}
+
+}  // namespace
+
+std::optional<std::string> readTextFile(const std::filesystem::path& file, std::string& fault) {
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (!std::filesystem::exists(status)) {
+        fault = "found no file of this name; correct the path";
+        return {};
+    }
+    if (std::filesystem::is_directory(status)) {
+        fault = "found a directory, expected a file; name a file in it";
+        return {};
+    }
+    std::ifstream stream(file, std::ios::binary);
+    std::string text(kLargestFile + 1, '\0');
+    if (stream) stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (!stream.is_open() || stream.bad()) {
+        fault = "found a file that cannot be read; check its permissions";
+        return {};
+    }
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    return text;
+}
+
+bool isPlainText(std::string_view text, const std::string& file, std::vector<Problem>& problems) {
+    const auto refuse = [&](std::size_t byte, std::string fault) {
+        const TextPosition position = positionOf(text, byte);
+        problems.push_back({file, position.line, position.column, "", std::move(fault)});
+        return false;
+    };
+    if (text.size() > kLargestFile) {
+        problems.push_back(
+            {file, 0, 0, "", "found more than 4 MB, expected a description written by hand; check the path"});
+        return false;
+    }
+    const std::size_t nul = text.find('\0');
+    if (nul != kNowhere)
+        return refuse(nul, "found a NUL byte, expected UTF-8 text; check that this is not a binary file");
+    const std::size_t invalid = findInvalidUtf8(text);
+    if (invalid != kNowhere) return refuse(invalid, "found a byte that is not UTF-8; save the file as UTF-8 text");
+    const std::size_t tab = findTabInIndentation(text);
+    if (tab != kNowhere) return refuse(tab, "found a tab in the indentation, expected spaces; replace it by spaces");
+    return true;
+}
+
+TextPosition positionOf(std::string_view text, std::size_t byte) {
+    const std::string_view before = text.substr(0, byte);
+    const std::size_t line_end = before.rfind('\n');
+    const std::string_view line = line_end == kNowhere ? before : before.substr(line_end + 1);
+    const auto lines = std::count(before.begin(), before.end(), '\n');
+    const auto characters = std::count_if(line.begin(), line.end(), [](char c) { return !continues(c); });
+    return {static_cast<int>(lines) + 1, static_cast<int>(characters) + 1};
+}
+
+}  // namespace tread

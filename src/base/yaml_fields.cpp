@@ -1,0 +1,71 @@
+#include "base/yaml_fields.h"
+
+#include <algorithm>
+
+#include "base/did_you_mean.h"
+#include "base/number_text.h"
+
+namespace tread {
+namespace {
+
+constexpr std::size_t kFewNames = 12;  // so many are listed when no name is near
+
+}  // namespace
+
+YamlFields::YamlFields(const YamlReader& reader, YamlPlace place) : reader_(reader), place_(std::move(place)) {
+    if (!place_.node) return;
+    if (place_.node->kind != YamlNode::Kind::map) {
+        reader_.expected(place_, "a map", "write \"key: value\" lines");
+        readable_ = false;
+        return;
+    }
+    const auto& children = place_.node->children;
+    for (std::size_t i = 0; i < children.size(); i += 2) {
+        const YamlNode& key = reader_.document_.nodes[children[i]];
+        const YamlPlace place_of_key{&key, key.line, key.column, place_.path};
+        if (!reader_.isScalar(place_of_key, "the name of a field", "write \"key: value\"")) continue;
+        const auto [entry, is_new] = keys_.emplace(key.text, i);
+        if (is_new) continue;
+        const YamlNode& first = reader_.document_.nodes[children[entry->second]];
+        reader_.complain(place_of_key, "found the key " + quote(key.text) +
+                                           " a second time, expected it once (the first is in line " +
+                                           std::to_string(first.line) + "); remove one of the two");
+    }
+}
+
+YamlPlace YamlFields::find(std::string_view name) const {
+    const auto key = keys_.find(name);
+    if (key == keys_.end()) return {nullptr, place_.line, place_.column, joinPath(place_.path, name)};
+    return reader_.child(place_, key->second + 1, name);
+}
+
+YamlPlace YamlFields::take(std::string_view name) {
+    known_.push_back(name);
+    return find(name);
+}
+
+void YamlFields::rejectUnknown() const {
+    for (const auto& [name, index] : keys_) {
+        if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
+        if (reader_.faults() > kMostProblems) return;
+        const YamlNode& key = reader_.document_.nodes[place_.node->children[index]];
+        std::string advice = didYouMean(name, known_);
+        if (name == "<<") advice = "; write the merged keys out";
+        if (advice.empty())
+            advice = known_.size() > kFewNames ? "; correct or remove it" : "; write one of " + listed(known_);
+        reader_.complain({&key, key.line, key.column, place_.path},
+                         "found the unknown key " + quote(name) + ", expected the name of a field" + advice);
+    }
+}
+
+void YamlFields::complain(std::string_view field, std::string text) const {
+    const std::size_t dot = field.find('.');
+    YamlPlace place = find(field.substr(0, dot));
+    if (dot != std::string_view::npos && place.node && place.node->kind == YamlNode::Kind::map) {
+        return YamlFields(reader_, place).complain(field.substr(dot + 1), std::move(text));
+    }
+    place.path = joinPath(place_.path, field);
+    reader_.complain(place, std::move(text));
+}
+
+}  // namespace tread

@@ -1,0 +1,40 @@
+// The keys of one map while its struct is being read.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "base/yaml_reader.h"
+
+namespace tread {
+
+class YamlFields {
+public:
+    YamlFields(const YamlReader& reader, YamlPlace place);
+
+    // False when something else stands where the map should be.
+    bool readable() const { return readable_; }
+
+    // The value of a field; marks its key as known.
+    YamlPlace take(std::string_view name);
+
+    // Complains about the keys that no field took.
+    void rejectUnknown() const;
+
+    // Complains about a field, "bump" or "front.bump", where it stands.
+    void complain(std::string_view field, std::string text) const;
+
+private:
+    YamlPlace find(std::string_view name) const;
+
+    const YamlReader& reader_;
+    YamlPlace place_;
+    bool readable_ = true;
+    std::unordered_map<std::string_view, std::size_t> keys_;  // position among the children of the map
+    std::vector<std::string_view> known_;
+};
+
+}  // namespace tread
