@@ -74,7 +74,7 @@ concept DescribedEnum = std::is_enum_v<T> && requires(T value) {
     enumNames(value);
 };
 
-// ---- Proof that a description is complete --------------------------------------------------------------------------
+// ---- Proof that a description is complete ----
 
 namespace detail {
 

@@ -48,6 +48,7 @@ struct SuspensionParams {
     double camber_by_travel = 0;
     double toe = 0;
     double toe_by_travel = 0;
+    double steer_by_lateral_force = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(spring), About{"N/m", "spring rate at the wheel", kPositive, 0.05});
@@ -67,6 +68,8 @@ struct SuspensionParams {
         field(TREAD_FIELD(camber_by_travel), About{"rad/m", "change of camber over compression"});
         field(TREAD_FIELD(toe), About{"rad", "static toe of each wheel, positive toe-in"});
         field(TREAD_FIELD(toe_by_travel), About{"rad/m", "change of toe over compression"});
+        field(TREAD_FIELD(steer_by_lateral_force),
+              About{"rad/N", "compliance steer of a wheel by its lateral force; negative understeers in front"});
     }
 };
 static_assert(describesEveryMember<SuspensionParams>());

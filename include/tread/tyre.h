@@ -308,8 +308,7 @@ struct TyreParams {
 };
 static_assert(describesEveryMember<TyreParams>());
 
-// ---- Steady state
-// ----------------------------------------------------------------------------------------------------
+// ---- Steady state ----
 
 // Motion of a wheel over the road. Vs = (Vsx, Vsy) is the slip velocity of the point that is attached to the rim the
 // effective rolling radius below the wheel centre; the wheel rolls at Vr = Vx - Vsx = Re Omega.
@@ -374,8 +373,7 @@ static_assert(describesEveryMember<TyreSteadyState>());
 // Forces and moments at a given slip, equations (29)-(92). Finite for every finite input.
 TyreSteadyState steadyState(const TyreParams& tyre, const TyreSlip& slip);
 
-// ---- Transients
-// ------------------------------------------------------------------------------------------------------
+// ---- Transients ----
 
 // What survives from step to step.
 struct TyreState {

@@ -21,8 +21,7 @@
 
 namespace tread {
 
-// ---- Parameters
-// ------------------------------------------------------------------------------------------------------
+// ---- Parameters ----
 
 struct InertiaParams {
     double roll = kRequired;
@@ -117,8 +116,7 @@ struct Vehicle {
 };
 Vehicle prepare(const VehicleParams& params, double gravity = kStandardGravity);
 
-// ---- State and motion
-// ------------------------------------------------------------------------------------------------
+// ---- State and motion ----
 
 struct WheelState {
     TyreState tyre;

@@ -50,8 +50,7 @@ struct Affine {
     double at(double x) const { return value + slope * x; }
 };
 
-// ---- Standstill extension
-// --------------------------------------------------------------------------------------------
+// ---- Standstill extension ----
 
 struct Relaxation {
     double length = 0;  // m, sigma_c faded by speed; 0: the paper's slip
@@ -108,8 +107,7 @@ SlipLimit slipLimit(const delft97::LoadCoefficients& c, double weight) {
     return {peakSlip(c.Bx, c.Cx, c.Ex_brake), peakSlip(c.By, c.Cy, c.Ey_positive), 1 / weight};
 }
 
-// ---- One implicit stage
-// ----------------------------------------------------------------------------------------------
+// ---- One implicit stage ----
 
 // Everything that stays fixed while Newton solves a stage.
 struct Stage {
@@ -215,8 +213,7 @@ Patch solve(const Stage& s, PatchVelocity x) {
     return extrapolate(r, x, r.slip);
 }
 
-// ---- The two stages of a step
-// ----------------------------------------------------------------------------------------
+// ---- The two stages of a step ----
 
 TyreMotion between(const TyreMotion& a, const TyreMotion& b, double share) {
     const auto mix = [share](double x, double y) { return x + share * (y - x); };
@@ -291,8 +288,7 @@ void snapToZero(TyreState& state) {
     }
 }
 
-// ---- Wheel spin
-// ------------------------------------------------------------------------------------------------------
+// ---- Wheel spin ----
 
 // The spin at the end of a stage, I dOmega/dt = torque - radius Fx, with Fx = kFx du + cFx u (21): affine in du.
 struct SpinStage {
@@ -339,10 +335,8 @@ Solution solveSpin(Stage& s, const SpinStage& spin, double Vx, const PatchVeloci
     return solveSliding(s, spin, Vx, std::copysign(capacity, needed), guess);
 }
 
-}  // namespace
-
-TyreForces advance(TyreState& state, const TyreParams& tyre, const TyreMotion& begin, const TyreMotion& end, double dt,
-                   Standstill standstill) {
+TyreForces step(TyreState& state, const TyreParams& tyre, const TyreMotion& begin, const TyreMotion& end, double dt,
+                Standstill standstill) {
     const double step = kGamma * dt;
     const Relaxation relax = relaxation(tyre.parameters, begin, standstill);
 
@@ -362,8 +356,8 @@ TyreForces advance(TyreState& state, const TyreParams& tyre, const TyreMotion& b
     return rimForces(tyre, c2, state, patch2.forces, end);
 }
 
-TyreForces advance(TyreState& state, double& Omega, const TyreParams& tyre, const TyreMotion& begin,
-                   const TyreMotion& end, const TyreSpin& spin, double dt, Standstill standstill) {
+TyreForces step(TyreState& state, double& Omega, const TyreParams& tyre, const TyreMotion& begin, const TyreMotion& end,
+                const TyreSpin& spin, double dt, Standstill standstill) {
     const TyreCoefficients& p = tyre.parameters;
     const double step = kGamma * dt;
     TyreMotion start = begin;
@@ -396,6 +390,68 @@ TyreForces advance(TyreState& state, double& Omega, const TyreParams& tyre, cons
     late.Omega = Omega;
     late.Vsx = end.Vx - p.Re * Omega;
     return rimForces(tyre, c2, state, s2.patch.forces, late);
+}
+
+// ---- Refinement ----
+
+// A step is repeated in finer ones where one is too coarse. That is decided by the physics alone, not by the length of
+// the step, so that halving the step still quarters the error.
+constexpr int kRefinementPaper = 16;
+constexpr int kRefinementHold = 4;  // in the car: a rare millisecond may cost four times the others
+// The contact mass rings at about 100 Hz after a jump, and for long where the characteristic falls: its inertia force
+// is then more than this share of the load.
+constexpr double kRinging = 0.005;
+// In the paper's slip, below this speed the falling characteristic is steeper than the impedance of the contact mass
+// over 1 ms: the implicit equation would have a sticking and a sliding solution.
+constexpr double kSlowSpeed = 1.0;  // m/s
+
+bool needsRefinement(const TyreParams& tyre, const TyreState& before, const TyreState& after, const TyreMotion& end,
+                     double dt, Standstill standstill) {
+    if (standstill == Standstill::paper && std::abs(end.Vx) < kSlowSpeed) return true;
+    const double change = std::max(std::abs(after.du - before.du), std::abs(after.dv - before.dv));
+    const double inertia_force = tyre.parameters.mc * change / dt;
+    return inertia_force > kRinging * std::max(end.Fz, 0.1 * tyre.parameters.Fzo);
+}
+
+int refinement(Standstill standstill) {
+    return standstill == Standstill::paper ? kRefinementPaper : kRefinementHold;
+}
+
+// Runs `take(from, to, dt)` once over the step, or in finer steps where one is too coarse.
+template <class Take>
+TyreForces refined(TyreState& state, double& Omega, const TyreParams& tyre, const TyreMotion& begin,
+                   const TyreMotion& end, double dt, Standstill standstill, Take take) {
+    const TyreState before = state;
+    const double Omega_before = Omega;
+    TyreForces forces = take(begin, end, dt);
+    if (!needsRefinement(tyre, before, state, end, dt, standstill)) return forces;
+
+    state = before;
+    Omega = Omega_before;
+    const int n = refinement(standstill);
+    for (int i = 0; i < n; ++i) {
+        forces = take(between(begin, end, static_cast<double>(i) / n), between(begin, end, (i + 1.0) / n), dt / n);
+    }
+    return forces;
+}
+
+}  // namespace
+
+TyreForces advance(TyreState& state, const TyreParams& tyre, const TyreMotion& begin, const TyreMotion& end, double dt,
+                   Standstill standstill) {
+    double Omega = 0;  // prescribed by the motion
+    return refined(state, Omega, tyre, begin, end, dt, standstill,
+                   [&](const TyreMotion& from, const TyreMotion& to, double h) {
+                       return step(state, tyre, from, to, h, standstill);
+                   });
+}
+
+TyreForces advance(TyreState& state, double& Omega, const TyreParams& tyre, const TyreMotion& begin,
+                   const TyreMotion& end, const TyreSpin& spin, double dt, Standstill standstill) {
+    return refined(state, Omega, tyre, begin, end, dt, standstill,
+                   [&](const TyreMotion& from, const TyreMotion& to, double h) {
+                       return step(state, Omega, tyre, from, to, spin, h, standstill);
+                   });
 }
 
 }  // namespace tread

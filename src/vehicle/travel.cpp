@@ -70,7 +70,7 @@ PerWheel<WheelContact> advanceTravel(PerWheel<WheelState>& wheels, const Vehicle
         const Vehicle::Corner& corner = vehicle.corners[i];
         WheelState& wheel = wheels[i];
         const WheelAngles lean = angles(suspensionOf(vehicle, i), wheel.travel, isLeft(i));
-        wheel.steer = steer[i] + lean.toe;
+        wheel.steer = steer[i] + lean.toe + suspensionOf(vehicle, i).steer_by_lateral_force * wheel.fy;
         contacts[i] = wheelContact(end, corner, wheel.travel, lean.camber, wheel.steer, road, i);
         const TyreLoad tyre = tyreLoad(corner.tyre, contacts[i], end, wheel.rate);
         const SuspensionForce spring = suspensionForce(vehicle, wheels, i);

@@ -245,7 +245,7 @@ TEST(Delft97Reference, AnUnshiftedTyreIsSymmetric) {
 }
 
 TEST(Delft97Reference, TheMirroredTyreIsTheMirrorImage) {
-    const TyreParams tyre = car205(), mirror = mirrored(tyre);
+    const TyreParams tyre = car205(), mirror = reference::mirrored(tyre);
     std::mt19937 random(1);
     std::uniform_real_distribution<double> unit(-1, 1);
     for (int i = 0; i < 1000; ++i) {
