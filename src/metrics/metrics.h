@@ -9,15 +9,9 @@
 #include <vector>
 
 #include "log/log.h"
+#include "metrics/metric.h"
 
 namespace tread {
-
-struct Metric {
-    std::string name;
-    double value;  // NaN: not defined for this log; the definition says when
-    std::string unit;
-    std::string definition;
-};
 
 // The log lacks a channel, or does not contain the manoeuvre: says what was looked for and what was there.
 class MetricError : public std::runtime_error {

@@ -20,6 +20,7 @@ constexpr double kLeastSpan = 0.5;             // m/s2 between the slowest and t
 constexpr std::size_t kFewestSamples = 10;
 constexpr double kFastestSteering = 0.6;  // rad/s; the slowly increasing steer has 0.24
 constexpr double kSlowest = 2.0;          // m/s
+constexpr double kPedal = 0.02;           // of the brake pedal; more is no steady state
 constexpr double kConstant = 0.03;        // standard deviation over mean of a speed that is held
 
 enum class Method { constant_radius = 1, constant_speed = 2, constant_steering = 3 };
@@ -66,6 +67,7 @@ Circle findCircle(const Log& log) {
                   cleaned(needed[1], kHalfWidth),
                   cleaned(needed[2], kHalfWidth),
                   cleaned(needed[3], kHalfWidth),
+                  channelIfThere(log, kName, "driver.brake"),
                   {}};
     const Series rate = cleanDerivative(needed[0], kHalfWidth);
     for (const double direction : {1.0, -1.0}) {
