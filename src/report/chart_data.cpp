@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/decimate.h"
+#include "report/text.h"
 
 namespace tread {
 namespace {
@@ -55,7 +56,7 @@ std::string chartData(const TimeChart& chart) {
 
     nlohmann::ordered_json json;
     json["title"] = chart.title;
-    json["unit"] = chart.unit;
+    json["unit"] = prettyUnit(chart.unit);
     json["time"] = packTime(chart.time, rows);
     json["curves"] = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < chart.curves.size(); ++i) {
@@ -69,8 +70,7 @@ std::string chartData(const TimeChart& chart) {
                                   {"values", packCurve(curve, rows)}});
     }
     if (chart.band > 0) json["band"] = chart.band;
-    json["marks"] = nlohmann::ordered_json::array();
-    for (const auto& mark : chart.marks) json["marks"].push_back({{"time", mark.time}, {"text", mark.text}});
+    json["marks"] = chart.marks;
 
     const std::string text = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     std::string safe;

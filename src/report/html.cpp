@@ -16,6 +16,12 @@ constexpr std::string_view kPolicy =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:; base-uri 'none'; "
     "form-action 'none'";
 
+constexpr std::string_view kHints =
+    "<p class=\"hint mouse\">Point at a chart to read values at one moment in all of them. Drag sideways to zoom in "
+    "time, "
+    "up or down to zoom one chart; <b>double-click resets the zoom</b>.</p>\n"
+    "<p class=\"hint touch\">Tap a chart to read values at one moment in all of them.</p>\n";
+
 // A library file without the link to its source map, which is not shipped.
 std::string_view withoutSourceMap(std::string_view script) {
     return script.substr(0, script.find("//# sourceMappingURL="));
@@ -84,8 +90,9 @@ void HtmlPage::text(std::string_view paragraph) {
     place() += fmt::format("<p>{}</p>\n", escapeMarkup(paragraph));
 }
 
-void HtmlPage::table(const std::vector<std::string>& header, const std::vector<std::vector<Cell>>& rows) {
-    place() += "<div class=\"wide\"><table>\n<thead><tr>";
+void HtmlPage::table(const std::vector<std::string>& header, const std::vector<std::vector<Cell>>& rows,
+                     bool prose_last) {
+    place() += fmt::format("<div class=\"wide\"><table{}>\n<thead><tr>", prose_last ? " class=\"prose\"" : "");
     for (std::size_t column = 0; column < header.size(); ++column) {
         const bool number = !rows.empty() && column < rows.front().size() && rows.front()[column].number;
         place() += fmt::format("<th{}>{}</th>", number ? " class=\"number\"" : "", escapeMarkup(header[column]));
@@ -156,12 +163,7 @@ std::string HtmlPage::finish() const {
         kPolicy, escapeMarkup(title_), charts ? withoutStyleMap(embedded::kDygraphsStyle) : "", embedded::kPageStyle,
         escapeMarkup(title_), head_);
     if (sections_ > 1) out += "<nav>" + contents_ + "</nav>\n";
-    if (charts) {
-        out +=
-            "<p class=\"hint\">Point at a chart to read values at one moment in all of them. Drag sideways to zoom in "
-            "time, "
-            "up or down to zoom one chart; <b>double-click resets the zoom</b>.</p>\n";
-    }
+    if (charts) out += kHints;
     out += "<main>\n" + body_ + (sections_ > 0 ? "</section>\n" : "") + "</main>\n";
     if (charts) {
         out += "<button id=\"reset\" type=\"button\" hidden>Reset zoom</button>\n";

@@ -22,16 +22,12 @@ struct TimeChart {
         bool dashed = false;
         double width = 1.5;  // pixels
     };
-    struct Mark {  // a vertical line at a moment
-        double time;
-        std::string text;
-    };
     std::string title;
     std::string unit;  // as shown
     std::span<const double> time;
     std::vector<Curve> curves;
-    double band = 0;  // half width of a shaded band around zero, 0 for none
-    std::vector<Mark> marks = {};
+    double band = 0;                 // half width of a shaded band around zero, 0 for none
+    std::vector<double> marks = {};  // vertical lines at these moments
 };
 
 struct Card {  // one number to see first
@@ -59,7 +55,9 @@ public:
 
     void section(std::string_view title);  // appears in the table of contents
     void text(std::string_view paragraph);
-    void table(const std::vector<std::string>& header, const std::vector<std::vector<Cell>>& rows);
+    // With `prose_last`, the last column holds sentences: on a narrow screen it stands below the others.
+    void table(const std::vector<std::string>& header, const std::vector<std::vector<Cell>>& rows,
+               bool prose_last = false);
     // Charts without curves or time are left out. Charts of one stack stand beneath each other.
     void timeCharts(const std::vector<TimeChart>& charts);
     void stackedTimeCharts(const std::vector<std::vector<TimeChart>>& stacks);

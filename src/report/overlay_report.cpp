@@ -66,14 +66,13 @@ std::vector<TimeChart> chartsOf(const OverlayReport& content, const ChannelOverl
                       {content.candidate_name, channel.candidate, shown.scale, colour}};
 
     TimeChart gap{.title = "Difference", .unit = shown.unit, .time = channel.time, .curves = {}};
-    const std::string tolerance = formatNumber(channel.tolerance * shown.scale);
-    gap.curves = {{fmt::format("difference, allowed ±{} (band)", tolerance), difference, shown.scale, colour}};
+    std::string name = fmt::format("difference, allowed ±{} (band)", formatNumber(channel.tolerance * shown.scale));
     gap.band = channel.tolerance * shown.scale;
     if (channel.first_time_out) {
-        gap.marks = {
-            {*channel.first_time_out, fmt::format("first out, {} s", formatNumber(*channel.first_time_out, 6))}};
-        overlay.marks = {{*channel.first_time_out, ""}};
+        name += fmt::format(", first out at {} s (dashed)", formatNumber(*channel.first_time_out, 6));
+        gap.marks = overlay.marks = {*channel.first_time_out};
     }
+    gap.curves = {{name, difference, shown.scale, colour}};
     return {overlay, gap};
 }
 

@@ -20,7 +20,7 @@
         if (!Number.isFinite(value)) return '–';
         const size = Math.abs(value);
         if (size >= 1e5 && size < 1e9) return value.toFixed(0);
-        if (size > 0 && size < 1e-4) return value.toExponential(2);
+        if (size > 0 && size < 1e-4) return Number(value.toPrecision(3)).toExponential();
         return String(Number(value.toPrecision(5)));
     }
 
@@ -57,15 +57,10 @@
                 canvas.fillStyle = 'rgba(26, 154, 107, 0.16)';
                 canvas.fillRect(area.x, top, area.w, bottom - top);
             }
-            for (const mark of data.marks) {
-                const x = chart.toDomXCoord(mark.time);
-                if (x < area.x || x > area.x + area.w) continue;
-                canvas.fillStyle = '#d9480f';
-                canvas.fillRect(x - 0.75, area.y, 1.5, area.h);
-                canvas.font = '12px system-ui, sans-serif';
-                const left = x < area.x + area.w / 2;
-                canvas.textAlign = left ? 'left' : 'right';
-                canvas.fillText(mark.text, x + (left ? 5 : -5), area.y + 12);
+            canvas.fillStyle = '#a35bc4';
+            for (const time of data.marks) {
+                const x = chart.toDomXCoord(time);
+                for (let y = area.y; y < area.y + area.h; y += 8) canvas.fillRect(x - 0.75, y, 1.5, 5);
             }
         };
     }
@@ -80,20 +75,36 @@
         return x - this.getValue(low, 0) < this.getValue(high, 0) - x ? low : high;
     }
 
-    // The range in y: all values, the band, and never a range so small that rounding errors fill the chart.
-    function rangeOf(rows, band) {
+    // The range in y of the rows between two moments: all values, the band, and never a range so small that rounding errors
+    // fill the chart.
+    function rangeOf(rows, band, from, to) {
         let low = band ? -band : Infinity, high = band ? band : -Infinity;
         for (const row of rows) {
+            if (row[0] < from || row[0] > to) continue;
             for (let i = 1; i < row.length; ++i) {
                 if (row[i] < low) low = row[i];
                 if (row[i] > high) high = row[i];
             }
         }
         if (low > high) return [0, 1];
-        const size = Math.max(1e-3, Math.abs(low), Math.abs(high));
+        const size = Math.max(Math.abs(low), Math.abs(high));
+        if (size < 1e-12) return [-1, 1];
         if (high - low < 1e-5 * size) return [low - 0.1 * size, high + 0.1 * size];
         const padding = 0.06 * (high - low);
         return [low - padding, high + padding];
+    }
+
+    // A dot on each curve and one line through all charts at the selected moment.
+    function drawSelected(chart, name, canvas, x, y, colour, radius) {
+        if (name === '0') {
+            const area = chart.getArea();
+            canvas.fillStyle = 'rgba(128, 136, 146, 0.7)';
+            canvas.fillRect(x - 0.5, area.y, 1, area.h);
+        }
+        canvas.beginPath();
+        canvas.fillStyle = colour;
+        canvas.arc(x, y, radius, 0, 2 * Math.PI);
+        canvas.fill();
     }
 
     // With a finger, dragging scrolls the page and a tap selects; with a mouse, dragging zooms.
@@ -102,6 +113,26 @@
         for (const name of ['touchstart', 'touchmove', 'touchend']) delete model[name];
         model.dblclick = resetZoom;
         return model;
+    }
+
+    const button = document.getElementById('reset');
+    const charts = [];
+    let shownTime = [-Infinity, Infinity];
+
+    // After a zoom in time every chart fits its values to what is left; a zoom in y stays with its chart.
+    function fitValues(from, to) {
+        button.hidden = false;
+        if (from === shownTime[0] && to === shownTime[1]) return;
+        shownTime = [from, to];
+        for (const {chart, rows, band} of charts) chart.updateOptions({valueRange: rangeOf(rows, band, from, to)});
+    }
+
+    function resetZoom() {
+        shownTime = [-Infinity, Infinity];
+        for (const {chart, rows, band} of charts) {
+            chart.updateOptions({dateWindow: null, valueRange: rangeOf(rows, band, ...shownTime)});
+        }
+        button.hidden = true;
     }
 
     function draw(data, figure) {
@@ -113,7 +144,7 @@
                 strokeWidth: curve.width,
                 strokePattern: curve.dashed ? [7, 3] : null
             }])),
-            valueRange: rangeOf(rows, data.band),
+            valueRange: rangeOf(rows, data.band, ...shownTime),
             xlabel: 'time [s]',
             ylabel: data.unit || '–',
             xLabelHeight: 16,
@@ -122,42 +153,40 @@
             legend: 'always',
             legendFormatter: legend(figure, data),
             underlayCallback: underlay(data),
+            drawHighlightPointCallback: drawSelected,
             interactionModel: interactions(),
             axes: {
-                x: {axisLabelFormatter: format, pixelsPerLabel: 60},
-                y: {axisLabelFormatter: format, axisLabelWidth: 54, pixelsPerLabel: 34}
+                x: {axisLabelFormatter: format, pixelsPerLabel: 46},
+                y: {axisLabelFormatter: format, axisLabelWidth: 54, pixelsPerLabel: 32}
             },
-            gridLineColor: 'rgba(128, 136, 146, 0.28)',
+            gridLineColor: 'rgba(128, 136, 146, 0.22)',
+            gridLineWidth: 1,
             axisLineColor: 'rgba(128, 136, 146, 0.8)',
             highlightCircleSize: 3.5,
-            animatedZooms: false,
-            zoomCallback: showReset
+            zoomCallback: fitValues
         });
         chart.getRowForX = nearestRow;
-        chart.wholeRange = rangeOf(rows, data.band);
-        return chart;
+        return {chart, rows, band: data.band};
     }
 
-    const button = document.getElementById('reset');
-    const charts = [];
-
-    function showReset() {
-        button.hidden = false;
+    // Chart by chart, so that the text of the page can be read while the charts appear.
+    const all = JSON.parse(document.getElementById('chart-data').textContent);
+    function drawNext() {
+        const stop = performance.now() + 15;
+        while (charts.length < all.length && performance.now() < stop) {
+            charts.push(draw(all[charts.length], document.getElementById('c' + charts.length)));
+        }
+        if (charts.length < all.length) {
+            setTimeout(drawNext);
+        } else if (charts.length > 1) {
+            Dygraph.synchronize(charts.map(each => each.chart), {selection: true, zoom: true, range: false});
+        }
     }
-
-    function resetZoom() {
-        for (const chart of charts) chart.updateOptions({dateWindow: null, valueRange: chart.wholeRange});
-        button.hidden = true;
-    }
-
-    JSON.parse(document.getElementById('chart-data').textContent).forEach((data, i) => {
-        charts.push(draw(data, document.getElementById('c' + i)));
-    });
-    if (charts.length > 1) Dygraph.synchronize(charts, {selection: true, zoom: true, range: false});
+    setTimeout(drawNext);
     button.addEventListener('click', resetZoom);
 
     // Paper has another width than the window.
-    const resizeAll = () => charts.forEach(chart => chart.resize());
+    const resizeAll = () => charts.forEach(each => each.chart.resize());
     window.addEventListener('beforeprint', resizeAll);
     window.addEventListener('afterprint', resizeAll);
 })();

@@ -83,11 +83,12 @@ std::optional<Chart> pathFigure(const Log& log, double car_length, double car_wi
     const double length = enlarged * car_length, width = enlarged * car_width;
     for (const Pose& pose : fewPoses(log, 1.1 * length)) {
         chart.series.push_back(outline(pose, length, width));
-        const double beside = 0.5 * width + 0.045 * std::max(path, length);
+        const double beside = 0.5 * width + 0.06 * std::max(path, length);
         chart.labels.push_back({pose.x + beside * std::sin(pose.yaw), pose.y - beside * std::cos(pose.yaw),
                                 fmt::format("{:g} s", pose.time)});
     }
-    chart.series[1].name = enlarged > 1 ? fmt::format("car, {:g} times its size", enlarged) : "car";
+    if (chart.series.size() > 1)
+        chart.series[1].name = enlarged > 1 ? fmt::format("car, {:g} times its size", enlarged) : "car";
     return chart;
 }
 
@@ -114,7 +115,7 @@ std::optional<Chart> frictionFigure(const Log& log) {
     }
     if (chart.series.empty()) return std::nullopt;
 
-    Series circle{.name = "friction 1", .x = {}, .y = {}, .colour = Colour::grey};
+    Series circle{.name = "μ = 1", .x = {}, .y = {}, .colour = Colour::grey};
     circle.width = 1.2;
     for (int degree = 0; degree <= 360; degree += 5) {
         circle.x.push_back(std::cos(degree * std::numbers::pi / 180));
@@ -129,6 +130,8 @@ std::optional<Chart> steeringFigure(const Log& log) {
     const Channel* angle = completeChannel(log, "driver.steering_wheel_angle");
     const Channel* ay = completeChannel(log, "chassis.ay");
     if (!angle || !ay) return std::nullopt;
+    constexpr double kStraight = 0.01;  // rad: a run without steering has no response to it
+    if (extent(angle->values) < kStraight) return std::nullopt;
     const DisplayUnit unit = displayUnit(angle->unit);
     Chart chart{.title = "Response to steering",
                 .x = {"steering-wheel angle", unit.unit},

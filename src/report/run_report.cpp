@@ -130,7 +130,7 @@ void addMetrics(HtmlPage& page, const std::vector<Metric>& metrics) {
                         {prettyUnit(shown.unit)},
                         {metric.definition}});
     }
-    page.table({"Metric", "Value", "Unit", "Definition"}, rows);
+    page.table({"Metric", "Value", "Unit", "Definition"}, rows, true);
 }
 
 void addFigures(HtmlPage& page, const RunReport& content) {

@@ -21,6 +21,8 @@ constexpr double kCharacter = 6.6;  // mean width of a character of that font, a
 constexpr double kLegendRow = 18;   // pixels
 constexpr double kMargin = 10;      // around everything
 constexpr double kPadding = 0.04;   // of the span of the values, free on both sides
+constexpr std::string_view kDashed = R"( stroke-dasharray="6 3")";
+constexpr std::string_view kSolid = R"( stroke-linecap="round")";  // a curve of one point is a dot
 constexpr std::size_t kMostPoints = 2000;
 constexpr std::string_view kInk = "#1c2024", kPaper = "#ffffff", kGrid = "#dfe2e6", kAxis = "#9aa1a9";
 
@@ -55,7 +57,8 @@ struct Layout {
 };
 
 // Smallest and largest finite value, a little room around; never empty.
-Range rangeOf(const Chart& chart, std::vector<double> Series::*values, const ChartAxis& axis) {
+Range rangeOf(const Chart& chart, std::vector<double> Series::*values, double ChartLabel::*label_value,
+              const ChartAxis& axis) {
     Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const Series& series : chart.series) {
         for (const double value : series.*values) {
@@ -63,6 +66,11 @@ Range rangeOf(const Chart& chart, std::vector<double> Series::*values, const Cha
             range.lowest = std::min(range.lowest, value);
             range.highest = std::max(range.highest, value);
         }
+    }
+    for (const ChartLabel& label : chart.labels) {
+        const double value = label.*label_value;
+        if (!std::isfinite(value)) continue;
+        range = {std::min(range.lowest, value), std::max(range.highest, value)};
     }
     if (!(range.lowest <= range.highest)) range = {0, 1};
     const double size = std::max({1.0, std::abs(range.lowest), std::abs(range.highest)});
@@ -106,8 +114,8 @@ void equaliseAspect(Layout& layout) {
 
 Layout layoutOf(const Chart& chart) {
     Layout layout;
-    layout.x = rangeOf(chart, &Series::x, chart.x);
-    layout.y = rangeOf(chart, &Series::y, chart.y);
+    layout.x = rangeOf(chart, &Series::x, &ChartLabel::x, chart.x);
+    layout.y = rangeOf(chart, &Series::y, &ChartLabel::y, chart.y);
     layout.legend = legendRows(chart);
 
     layout.top = kMargin + (chart.title.empty() ? 0 : 22) + kLegendRow * static_cast<double>(layout.legend.size()) + 4;
@@ -115,7 +123,7 @@ Layout layoutOf(const Chart& chart) {
     layout.height = std::max(40.0, chart.height - layout.top - bottom);
 
     // Room for the widest y label; for equal aspect the range may still widen, which adds at most a character.
-    layout.step_y = niceStep(layout.y.span(), std::max(2, static_cast<int>(layout.height / 42)));
+    layout.step_y = niceStep(layout.y.span(), std::max(2, static_cast<int>(layout.height / 34)));
     double widest = chart.equal_aspect ? kCharacter : 0;
     double extra = widest;
     for (const double tick : ticks(layout.y, layout.step_y)) {
@@ -125,10 +133,10 @@ Layout layoutOf(const Chart& chart) {
     layout.width = std::max(40.0, chart.width - layout.left - kMargin - 6);
     if (chart.equal_aspect) equaliseAspect(layout);
 
-    layout.step_x = niceStep(layout.x.span(), std::max(2, static_cast<int>(layout.width / 60)));
+    layout.step_x = niceStep(layout.x.span(), std::max(2, static_cast<int>(layout.width / 46)));
     if (chart.equal_aspect) {
         layout.step_y = layout.step_x;
-        if (ticks(layout.y, layout.step_y).size() < 2) layout.step_y = niceStep(layout.y.span(), 3);
+        if (ticks(layout.y, layout.step_y).size() < 2) layout.step_y = niceStep(layout.y.span(), 4);
     }
     layout.total_height = layout.top + layout.height + bottom;
     return layout;
@@ -171,7 +179,7 @@ void writeLegend(Out out, const Chart& chart, const Layout& layout) {
             const Look look = lookOf(series, index);
             if (series.line) {
                 fmt::format_to(out, R"(<path stroke="{}" stroke-width="{:.3g}"{} d="M{:.1f} {:.1f}h22"/>)", look.colour,
-                               std::max(2.0, series.width), look.dashed ? R"( stroke-dasharray="6 3")" : "", x, y);
+                               std::max(2.0, series.width), look.dashed ? kDashed : kSolid, x, y);
             }
             if (series.markers) {
                 fmt::format_to(out,
@@ -215,8 +223,7 @@ void writeSeries(Out out, const Chart& chart, const Layout& layout) {
         if (series.line) {
             fmt::format_to(out,
                            R"(<path fill="none" stroke="{}" stroke-width="{:.3g}" stroke-linejoin="round"{} d="{}"/>)",
-                           look.colour, series.width, look.dashed ? R"( stroke-dasharray="6 3")" : "",
-                           pathOf(series, layout, false));
+                           look.colour, series.width, look.dashed ? kDashed : kSolid, pathOf(series, layout, false));
         }
         if (series.markers) {
             fmt::format_to(out, R"(<path stroke="{}" stroke-width="5" stroke-linecap="round" d="{}"/>)", look.colour,
@@ -226,7 +233,7 @@ void writeSeries(Out out, const Chart& chart, const Layout& layout) {
     for (const ChartLabel& label : chart.labels) {
         if (!std::isfinite(label.x) || !std::isfinite(label.y)) continue;
         fmt::format_to(out, R"(<text class="ink" x="{:.1f}" y="{:.1f}" text-anchor="middle">{}</text>)",
-                       layout.pixelX(label.x), layout.pixelY(label.y), escapeMarkup(label.text));
+                       layout.pixelX(label.x), layout.pixelY(label.y) + 0.35 * kFont, escapeMarkup(label.text));
     }
     fmt::format_to(out, "</svg>");
 }
