@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/concat.h"
 #include "base/number_text.h"
 
 namespace tread::detail {
@@ -21,7 +22,8 @@ std::string jsonString(std::string_view text) {
             out += '\\';
             out += c;
         } else if (byte < 0x20) {
-            out += std::string("\\u00") + kHex[byte >> 4] + kHex[byte & 15];
+            out += "\\u00";
+            out += {kHex[byte >> 4], kHex[byte & 15]};
         } else {
             out += c;
         }
@@ -35,90 +37,92 @@ std::string jsonList(std::span<const std::string> items) {
     return text + "]";
 }
 
-// "description": "damping in compression [N s/m], at least 0"
+// "description": "damping in compression [N s/m], at least 0", with the comma behind it.
 std::string description(const About& about) {
-    if (about.meaning.empty()) return "";
+    if (about.meaning.empty()) return {};
     std::string text(about.meaning);
-    if (!about.argument.empty())
-        text += " [" + std::string(about.unit) + "] over [" + std::string(about.argument) + "]";
-    if (about.argument.empty() && !about.unit.empty()) text += " [" + std::string(about.unit) + "]";
+    if (!about.argument.empty()) {
+        text += concat({" [", about.unit, "] over [", about.argument, "]"});
+    } else if (!about.unit.empty()) {
+        text += concat({" [", about.unit, "]"});
+    }
     const std::string limits = limitsText(about.limits);
-    if (!limits.empty()) text += ", " + limits;
-    return R"("description": )" + jsonString(text) + ", ";
+    if (!limits.empty()) text += concat({", ", limits});
+    return concat({R"("description": )", jsonString(text), ", "});
 }
 
 std::string limitsSchema(const Limits& limits) {
     std::string text;
     if (std::isfinite(limits.lowest)) {
-        text += std::string(limits.lowest_open ? R"(, "exclusiveMinimum": )" : R"(, "minimum": )") +
-                numberText(limits.lowest);
+        text += limits.lowest_open ? R"(, "exclusiveMinimum": )" : R"(, "minimum": )";
+        text += numberText(limits.lowest);
     }
     if (std::isfinite(limits.highest)) {
-        text += std::string(limits.highest_open ? R"(, "exclusiveMaximum": )" : R"(, "maximum": )") +
-                numberText(limits.highest);
+        text += limits.highest_open ? R"(, "exclusiveMaximum": )" : R"(, "maximum": )";
+        text += numberText(limits.highest);
     }
     return text;
 }
 
 std::string numberOrQuantity(const Limits& limits) {
-    return R"("anyOf": [{"type": "number")" + limitsSchema(limits) + "}, " + std::string(kQuantity) + "]";
+    return concat({R"("anyOf": [{"type": "number")", limitsSchema(limits), "}, ", kQuantity, "]"});
 }
 
 }  // namespace
 
 std::string SchemaBuilder::number(const About& about) const {
-    return "{" + description(about) + numberOrQuantity(about.limits) + "}";
+    return concat({"{", description(about), numberOrQuantity(about.limits), "}"});
 }
 
 std::string SchemaBuilder::wholeNumber(const About& about) const {
-    return "{" + description(about) + R"("type": "integer")" + limitsSchema(about.limits) + "}";
+    return concat({"{", description(about), R"("type": "integer")", limitsSchema(about.limits), "}"});
 }
 
 std::string SchemaBuilder::curve(const About& about) const {
-    const std::string point = R"({"type": "array", "minItems": 2, "maxItems": 2, "items": [{)" +
-                              numberOrQuantity(kAny) + "}, {" + numberOrQuantity(about.limits) + "}]}";
-    return "{" + description(about) + R"("type": "array", "items": )" + point + "}";
+    return concat({"{", description(about),
+                   R"("type": "array", "items": {"type": "array", "minItems": 2, "maxItems": 2, )", R"("items": [{)",
+                   numberOrQuantity(kAny), "}, {", numberOrQuantity(about.limits), "}]}}"});
 }
 
 std::string SchemaBuilder::simple(std::string_view type, const About& about) const {
-    return "{" + description(about) + R"("type": )" + jsonString(type) + "}";
+    return concat({"{", description(about), R"("type": )", jsonString(type), "}"});
 }
 
 std::string SchemaBuilder::choice(std::span<const std::string_view> names, const About& about) const {
     std::vector<std::string> items;
     for (const std::string_view name : names) items.push_back(jsonString(name));
-    return "{" + description(about) + R"("enum": )" + jsonList(items) + "}";
+    return concat({"{", description(about), R"("enum": )", jsonList(items), "}"});
 }
 
 std::string SchemaBuilder::list(const std::string& element, const About& about) const {
-    return "{" + description(about) + R"("type": "array", "items": )" + element + "}";
+    return concat({"{", description(about), R"("type": "array", "items": )", element, "}"});
 }
 
 std::string SchemaBuilder::oneOf(const std::vector<std::string>& schemas, const About& about) const {
-    return "{" + description(about) + R"("oneOf": )" + jsonList(schemas) + "}";
+    return concat({"{", description(about), R"("oneOf": )", jsonList(schemas), "}"});
 }
 
 std::string SchemaBuilder::object(const std::vector<SchemaProperty>& properties) const {
     std::string fields;
     std::vector<std::string> required;
     for (const SchemaProperty& property : properties) {
-        fields += (fields.empty() ? "\n" : ",\n") + ("  " + jsonString(property.name)) + ": " + property.schema;
+        fields += concat({fields.empty() ? "\n  " : ",\n  ", jsonString(property.name), ": ", property.schema});
         if (property.required) required.push_back(jsonString(property.name));
     }
     std::string text = R"({"type": "object", "additionalProperties": false)";
-    if (!required.empty()) text += R"(, "required": )" + jsonList(required);
-    return text + R"(, "properties": {)" + fields + "}}";
+    if (!required.empty()) text += concat({R"(, "required": )", jsonList(required)});
+    return concat({text, R"(, "properties": {)", fields, "}}"});
 }
 
 std::string SchemaBuilder::reference(const std::string& name, const About& about, bool includable) const {
-    // Beside "$ref" a draft-7 reader ignores every other key, hence the list of one.
-    const std::string target = R"({"$ref": )" + jsonString("#/definitions/" + name) + "}";
+    const std::string target = concat({R"({"$ref": )", jsonString("#/definitions/" + name), "}"});
     if (includable) {
         const About file{"", "name of a file, relative to this one"};
         return oneOf({simple("string", file), target}, about);
     }
     if (about.meaning.empty()) return target;
-    return "{" + description(about) + R"("allOf": [)" + target + "]}";
+    // Beside "$ref" a draft-7 reader ignores every other key, hence the list of one.
+    return concat({"{", description(about), R"("allOf": [)", target, "]}"});
 }
 
 std::string SchemaBuilder::alternative(std::string_view name, const std::string& schema) const {
@@ -132,12 +136,13 @@ std::pair<std::string, bool> SchemaBuilder::definition(std::type_index type, con
 }
 
 std::string SchemaBuilder::document(std::string_view title, std::string_view id, const std::string& root) const {
-    std::string text = "{\n\"$schema\": \"http://json-schema.org/draft-07/schema#\",\n\"$id\": " + jsonString(id) +
-                       ",\n\"title\": " + jsonString(title) + ",\n\"definitions\": {\n\"_quantity\": " +
-                       R"({"description": "a number, alone or followed by a unit", "type": "string", "pattern": ")" +
-                       std::string(kQuantityPattern) + "\"}";
-    for (const auto& [name, schema] : definitions_) text += ",\n" + jsonString(name) + ": " + schema;
-    return text + "\n},\n" + root.substr(1) + "\n";
+    std::string text =
+        concat({"{\n\"$schema\": \"http://json-schema.org/draft-07/schema#\",\n\"$id\": ", jsonString(id),
+                ",\n\"title\": ", jsonString(title), ",\n\"definitions\": {\n\"_quantity\": ",
+                R"({"description": "a number, alone or followed by a unit", "type": "string", "pattern": ")",
+                kQuantityPattern, "\"}"});
+    for (const auto& [name, schema] : definitions_) text += concat({",\n", jsonString(name), ": ", schema});
+    return concat({text, "\n},\n", root.substr(1), "\n"});
 }
 
 }  // namespace tread::detail

@@ -25,7 +25,7 @@ std::optional<Setting> parseSetting(std::string_view assignment, std::string_vie
                                     std::vector<Problem>& problems) {
     const std::size_t equals = assignment.find('=');
     const std::string path(trimmed(assignment.substr(0, equals)));
-    if (equals == std::string_view::npos || path.empty()) {
+    if (equals == std::string_view::npos || path.empty() || path.ends_with('.')) {
         problems.push_back(
             {std::string(what), 0, 0, "",
              "found " + quote(assignment) + ", expected path=value; write for example front.damper.bump=1800"});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/concat.h"
 #include "base/number_text.h"
 
 namespace tread {
@@ -18,7 +19,7 @@ Lines render(const YamlItem& item);
 std::string flowText(const YamlItem& item) {
     if (item.kind == Kind::scalar) return item.text;
     std::string text = "[";
-    for (const YamlItem& child : item.children) text += (text.size() > 1 ? ", " : "") + flowText(child);
+    for (const YamlItem& child : item.children) text += concat({text.size() > 1 ? ", " : "", flowText(child)});
     return text + "]";
 }
 
@@ -33,7 +34,7 @@ bool fitsOneLine(const YamlItem& item) {
 }
 
 std::string keyed(const YamlItem& item, const std::string& value) {
-    std::string line = item.name.empty() ? value : item.name + ":" + (value.empty() ? "" : " " + value);
+    std::string line = item.name.empty() ? value : concat({item.name, value.empty() ? ":" : ": ", value});
     if (!item.comment.empty()) line += (line.empty() ? "# " : "  # ") + item.comment;
     return line;
 }
@@ -43,7 +44,7 @@ void append(Lines& lines, const Lines& more, std::string_view first, std::string
 }
 
 Lines render(const YamlItem& item) {
-    if (item.kind == Kind::remark) return {"# " + item.name + ": " + item.text};
+    if (item.kind == Kind::remark) return {concat({"# ", item.name, ": ", item.text})};
     if (fitsOneLine(item)) return {keyed(item, flowText(item))};
 
     Lines lines;
@@ -91,8 +92,9 @@ YamlItem numberItem(std::string_view name, double value, const About& about) {
 }
 
 YamlItem curveItem(std::string_view name, const Curve& curve, const About& about) {
-    const auto unit = [](std::string_view text) { return std::string(text.empty() ? "-" : text); };
-    YamlItem item{Kind::list, std::string(name), "", "[" + unit(about.argument) + ", " + unit(about.unit) + "]", {}};
+    const auto unit = [](std::string_view text) { return text.empty() ? "-" : text; };
+    YamlItem item{
+        Kind::list, std::string(name), "", concat({"[", unit(about.argument), ", ", unit(about.unit), "]"}), {}};
     for (const Curve::Point& point : curve.points) {
         YamlItem pair{Kind::list, "", "", "", {}};
         pair.children.push_back({Kind::scalar, "", numberText(point.x), "", {}});
