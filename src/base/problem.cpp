@@ -18,7 +18,12 @@ std::string allTexts(const std::vector<Problem>& problems) {
 
 std::string toText(const Problem& problem) {
     std::string text = problem.file;
-    if (problem.line > 0) text += ":" + std::to_string(problem.line) + ":" + std::to_string(problem.column);
+    if (problem.line > 0) {
+        text += ':';
+        text += std::to_string(problem.line);
+        text += ':';
+        text += std::to_string(problem.column);
+    }
     if (!text.empty()) text += ": ";
     if (!problem.path.empty()) text += problem.path + ": ";
     return text + problem.text;

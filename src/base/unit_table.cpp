@@ -133,7 +133,8 @@ std::string dimensionName(const Dimension& dimension) {
     std::string text = "a quantity in";
     for (std::size_t i = 0; i < dimension.size(); ++i) {
         if (dimension[i] == 0) continue;
-        text += " " + std::string(kBase[i]);
+        text += ' ';
+        text += kBase[i];
         if (dimension[i] != 1) text += std::to_string(dimension[i]);
     }
     return text;

@@ -189,9 +189,8 @@ private:
     }
 
     std::optional<Unit> unknown(std::string_view name) {
-        std::vector<std::string_view> candidates;
+        std::vector<std::string_view> candidates(std::begin(kComposites), std::end(kComposites));
         for (const NamedUnit& unit : namedUnits()) candidates.push_back(unit.name);
-        candidates.insert(candidates.end(), std::begin(kComposites), std::end(kComposites));
         auto suggestion = closest(whole_, candidates);
         if (!suggestion) suggestion = closest(name, candidates);
         const std::string within = name == whole_ || name.empty() ? "" : " in " + quote(whole_);

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <unordered_map>
 
+#include "base/concat.h"
 #include "base/text_file.h"
 
 namespace tread {
@@ -55,7 +56,9 @@ public:
     TreeBuilder(std::string_view text, std::vector<YamlNode>& nodes) : positions_(text), nodes_(nodes) {}
 
     void OnDocumentStart(const YAML::Mark& mark) override {
-        if (++documents_ > 1) fail(mark, "found a second document, expected one in a file; remove the rest");
+        if (++documents_ > 1)
+            fail(mark,
+                 "found a second document, expected one in a file; remove the rest, or correct the indentation here");
     }
     void OnDocumentEnd() override {}
 
@@ -166,15 +169,22 @@ std::optional<YamlDocument> parseYaml(std::string_view text, const std::string& 
         return std::nullopt;
     };
     try {
-        std::istringstream stream{std::string(text)};
+        // yaml-cpp 0.7 takes a quoted text that never ends for one that ends with the file, unless the document does.
+        std::istringstream stream{concat({text, text.ends_with('\n') ? "" : "\n", "...\n"})};
         YAML::Parser parser(stream);
         while (parser.HandleNextDocument(builder)) {
         }
     } catch (const Fault& fault) {
         return refuse(fault.position, fault.text);
     } catch (const YAML::Exception& error) {
-        return refuse(builder.position(error.mark), "found text that is not YAML (" + error.msg +
-                                                        "); check indentation, colons, quotes and brackets here");
+        const bool is_quote = error.msg == YAML::ErrorMsg::DOC_IN_SCALAR || error.msg == YAML::ErrorMsg::EOF_IN_SCALAR;
+        if (is_quote && !document.nodes.empty()) {
+            const YamlNode& last = document.nodes.back();
+            return refuse({last.line, last.column},
+                          "found no end of the quoted text that begins behind this place; close the quotation mark");
+        }
+        return refuse(builder.position(error.mark), concat({"found text that is not YAML (", error.msg,
+                                                            "); check indentation, colons, quotes and brackets here"}));
     }
     if (document.nodes.empty() || document.root().kind == YamlNode::Kind::nothing) {
         return refuse({0, 0}, "found nothing in the file, expected \"key: value\" lines; check the path");

@@ -252,9 +252,4 @@ std::optional<YamlDocument> openYaml(const YamlReader& reader, const YamlPlace& 
     return {};
 }
 
-std::string joinPath(std::string_view path, std::string_view name) {
-    if (path.empty()) return std::string(name);
-    return std::string(path) + "." + std::string(name);
-}
-
 }  // namespace tread

@@ -10,15 +10,13 @@
 #include <string_view>
 #include <vector>
 
+#include "base/field_path.h"
 #include "base/yaml_document.h"
 #include "base/yaml_session.h"
 #include "tread/curve.h"
 #include "tread/describe.h"
 
 namespace tread {
-
-// The path of a field within the field of that path.
-std::string joinPath(std::string_view path, std::string_view name);
 
 // A value in a file or, when the file does not give it, the place where it would have been.
 struct YamlPlace {

@@ -1,0 +1,148 @@
+#include "base/schema.h"
+
+#include <cmath>
+
+#include "base/concat.h"
+#include "base/number_text.h"
+
+namespace tread::detail {
+namespace {
+
+// "1480 mm", "-.5", "2e3 N s/m": what toSi takes, without looking at the unit.
+constexpr std::string_view kQuantityPattern =
+    R"(^\\s*[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?(\\s+1/.*|\\s*[A-Za-z%°µ(].*)?$)";
+constexpr std::string_view kQuantity = R"({"$ref": "#/definitions/_quantity"})";
+
+std::string jsonString(std::string_view text) {
+    constexpr char kHex[] = "0123456789abcdef";
+    std::string out = "\"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\') {
+            out += '\\';
+            out += c;
+        } else if (byte < 0x20) {
+            out += "\\u00";
+            out += {kHex[byte >> 4], kHex[byte & 15]};
+        } else {
+            out += c;
+        }
+    }
+    return out + "\"";
+}
+
+std::string jsonList(std::span<const std::string> items) {
+    std::string text = "[";
+    for (const std::string& item : items) text += (text.size() > 1 ? ", " : "") + item;
+    return text + "]";
+}
+
+// "description": "damping in compression [N s/m], at least 0", with the comma behind it.
+std::string description(const About& about) {
+    if (about.meaning.empty()) return {};
+    std::string text(about.meaning);
+    if (!about.argument.empty()) {
+        text += concat({" [", about.unit, "] over [", about.argument, "]"});
+    } else if (!about.unit.empty()) {
+        text += concat({" [", about.unit, "]"});
+    }
+    const std::string limits = limitsText(about.limits);
+    if (!limits.empty()) text += concat({", ", limits});
+    return concat({R"("description": )", jsonString(text), ", "});
+}
+
+std::string limitsSchema(const Limits& limits) {
+    std::string text;
+    if (std::isfinite(limits.lowest)) {
+        text += limits.lowest_open ? R"(, "exclusiveMinimum": )" : R"(, "minimum": )";
+        text += numberText(limits.lowest);
+    }
+    if (std::isfinite(limits.highest)) {
+        text += limits.highest_open ? R"(, "exclusiveMaximum": )" : R"(, "maximum": )";
+        text += numberText(limits.highest);
+    }
+    return text;
+}
+
+std::string numberOrQuantity(const Limits& limits) {
+    return concat({R"("anyOf": [{"type": "number")", limitsSchema(limits), "}, ", kQuantity, "]"});
+}
+
+}  // namespace
+
+std::string SchemaBuilder::number(const About& about) const {
+    return concat({"{", description(about), numberOrQuantity(about.limits), "}"});
+}
+
+std::string SchemaBuilder::wholeNumber(const About& about) const {
+    return concat({"{", description(about), R"("type": "integer")", limitsSchema(about.limits), "}"});
+}
+
+std::string SchemaBuilder::curve(const About& about) const {
+    return concat({"{", description(about),
+                   R"("type": "array", "items": {"type": "array", "minItems": 2, "maxItems": 2, )", R"("items": [{)",
+                   numberOrQuantity(kAny), "}, {", numberOrQuantity(about.limits), "}]}}"});
+}
+
+std::string SchemaBuilder::simple(std::string_view type, const About& about) const {
+    return concat({"{", description(about), R"("type": )", jsonString(type), "}"});
+}
+
+std::string SchemaBuilder::choice(std::span<const std::string_view> names, const About& about) const {
+    std::vector<std::string> items;
+    for (const std::string_view name : names) items.push_back(jsonString(name));
+    return concat({"{", description(about), R"("enum": )", jsonList(items), "}"});
+}
+
+std::string SchemaBuilder::list(const std::string& element, const About& about) const {
+    return concat({"{", description(about), R"("type": "array", "items": )", element, "}"});
+}
+
+std::string SchemaBuilder::oneOf(const std::vector<std::string>& schemas, const About& about) const {
+    return concat({"{", description(about), R"("oneOf": )", jsonList(schemas), "}"});
+}
+
+std::string SchemaBuilder::object(const std::vector<SchemaProperty>& properties) const {
+    std::string fields;
+    std::vector<std::string> required;
+    for (const SchemaProperty& property : properties) {
+        fields += concat({fields.empty() ? "\n  " : ",\n  ", jsonString(property.name), ": ", property.schema});
+        if (property.required) required.push_back(jsonString(property.name));
+    }
+    std::string text = R"({"type": "object", "additionalProperties": false)";
+    if (!required.empty()) text += concat({R"(, "required": )", jsonList(required)});
+    return concat({text, R"(, "properties": {)", fields, "}}"});
+}
+
+std::string SchemaBuilder::reference(const std::string& name, const About& about, bool includable) const {
+    const std::string target = concat({R"({"$ref": )", jsonString("#/definitions/" + name), "}"});
+    if (includable) {
+        const About file{"", "name of a file, relative to this one"};
+        return oneOf({simple("string", file), target}, about);
+    }
+    if (about.meaning.empty()) return target;
+    // Beside "$ref" a draft-7 reader ignores every other key, hence the list of one.
+    return concat({"{", description(about), R"("allOf": [)", target, "]}"});
+}
+
+std::string SchemaBuilder::alternative(std::string_view name, const std::string& schema) const {
+    return object({{std::string(name), schema, true}});
+}
+
+std::pair<std::string, bool> SchemaBuilder::definition(std::type_index type, const std::string& path) {
+    // C++ does not tell the name of a type in a portable way; the path of its first use is as good.
+    const auto [entry, is_new] = names_.emplace(type, path);
+    return {entry->second, is_new};
+}
+
+std::string SchemaBuilder::document(std::string_view title, std::string_view id, const std::string& root) const {
+    std::string text =
+        concat({"{\n\"$schema\": \"http://json-schema.org/draft-07/schema#\",\n\"$id\": ", jsonString(id),
+                ",\n\"title\": ", jsonString(title), ",\n\"definitions\": {\n\"_quantity\": ",
+                R"({"description": "a number, alone or followed by a unit", "type": "string", "pattern": ")",
+                kQuantityPattern, "\"}"});
+    for (const auto& [name, schema] : definitions_) text += concat({",\n", jsonString(name), ": ", schema});
+    return concat({text, "\n},\n", root.substr(1), "\n"});
+}
+
+}  // namespace tread::detail

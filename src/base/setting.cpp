@@ -1,0 +1,70 @@
+#include "base/setting.h"
+
+#include <charconv>
+
+#include "base/did_you_mean.h"
+#include "base/number_text.h"
+
+namespace tread::detail {
+namespace {
+
+// What begins like a list or a map in a file is read as one; everything else is a word, whatever signs it holds.
+bool isFlow(std::string_view text) {
+    return text.starts_with('[') || text.starts_with('{');
+}
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(' ');
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+}  // namespace
+
+std::optional<Setting> parseSetting(std::string_view assignment, std::string_view what,
+                                    std::vector<Problem>& problems) {
+    const std::size_t equals = assignment.find('=');
+    const std::string path(trimmed(assignment.substr(0, equals)));
+    if (equals == std::string_view::npos || path.empty() || path.ends_with('.')) {
+        problems.push_back(
+            {std::string(what), 0, 0, "",
+             "found " + quote(assignment) + ", expected path=value; write for example front.damper.bump=1800"});
+        return {};
+    }
+    const std::string_view value = trimmed(assignment.substr(equals + 1));
+    if (isFlow(value)) {
+        auto document = parseYaml(value, std::string(what), problems);
+        if (!document) {
+            problems.back().path = path;
+            return {};
+        }
+        return Setting{path, std::move(*document)};
+    }
+    const auto kind = value.empty() ? YamlNode::Kind::nothing : YamlNode::Kind::scalar;
+    return Setting{path, {std::string(what), {{kind, std::string(value), false, 0, 0, {}}}}};
+}
+
+std::size_t elementIndex(std::string_view name, std::size_t size) {
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
+    const bool is_index = error == std::errc{} && end == name.data() + name.size();
+    return is_index ? std::min(index, size) : size;
+}
+
+std::string unknownPathText(const std::string& path, const std::vector<ReferenceRow>& known) {
+    std::vector<std::string_view> paths;
+    std::vector<std::string_view> endings;
+    for (const ReferenceRow& row : known) {
+        paths.push_back(row.path);
+        if (row.path.ends_with("." + path)) endings.push_back(row.path);
+    }
+    const std::string text = "found the unknown path " + quote(path) + ", expected the path of a field";
+    if (!endings.empty()) {
+        endings.resize(std::min<std::size_t>(endings.size(), 4));
+        return text + "; did you mean " + listed(endings) + "? `tread describe vehicle` lists all paths";
+    }
+    const std::string suggestion = didYouMean(path, paths);
+    return text + (suggestion.empty() ? ";" : suggestion) + " `tread describe vehicle` lists all paths";
+}
+
+}  // namespace tread::detail

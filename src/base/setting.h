@@ -1,0 +1,105 @@
+// Single fields set by path, as with `--set front.damper.bump=1800`. The value is what could stand in a file: a number
+// with or without unit, a word, [[x, y], [x, y]], {key: value}.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "base/field_path.h"
+#include "base/read_yaml.h"
+#include "base/reference_table.h"
+
+namespace tread {
+namespace detail {
+
+struct Setting {
+    std::string path;
+    YamlDocument value;
+};
+
+// "path=value", its value as a document; complains as `what` when it cannot be taken apart.
+std::optional<Setting> parseSetting(std::string_view assignment, std::string_view what, std::vector<Problem>& problems);
+
+// Index of an element; `size` when the name is not one.
+std::size_t elementIndex(std::string_view name, std::size_t size);
+
+std::string unknownPathText(const std::string& path, const std::vector<ReferenceRow>& known);
+
+// Calls `visit(field, about)` for the field at the path; false when there is none.
+template <class T, class Visit>
+bool visitField(T& value, std::string_view path, const About& about, const Visit& visit) {
+    if (path.empty()) {
+        visit(value, about);
+        return true;
+    }
+    bool found = false;
+    if constexpr (Described<T>) {
+        const std::string_view name = takeName(path);
+        T::describe(value, [&](std::string_view field, auto& inner, const About& inner_about) {
+            if (field == name) found = visitField(inner, path, inner_about, visit);
+        });
+    } else if constexpr (IsVector<T>::value) {
+        const std::size_t index = elementIndex(takeName(path), value.size());
+        if (index < value.size()) found = visitField(value[index], path, about, visit);
+    } else if constexpr (IsVariant<T>::value) {
+        const std::string_view name = takeName(path);
+        std::visit(
+            [&](auto& inner) {
+                if (inner.kName == name) found = visitField(inner, path, about, visit);
+            },
+            value);
+    } else if constexpr (IsOptional<T>::value) {
+        auto inner = value ? *value : typename T::value_type{};
+        found = visitField(inner, path, about, visit);
+        if (found) value = std::move(inner);
+    }
+    return found;
+}
+
+}  // namespace detail
+
+// Sets fields one after the other, then looks at the whole object again: rules across fields see all new values.
+// Throws LoadError, naming `what` ("--set") in place of a file, and then leaves the object as it was.
+template <Described T>
+void applySettings(T& object, std::span<const std::string> assignments, std::string_view what) {
+    YamlSession session;
+    T changed = object;
+    for (const std::string& assignment : assignments) {
+        const auto setting = detail::parseSetting(assignment, what, session.problems);
+        if (!setting) continue;
+        const YamlReader reader(session, setting->value);
+        const YamlPlace place = reader.root(setting->path);
+        const bool found = detail::visitField(changed, setting->path, About{}, [&](auto& field, const About& about) {
+            detail::readValue(reader, place, field, about);
+        });
+        if (!found) reader.complain(place, detail::unknownPathText(setting->path, referenceTable<T>()));
+    }
+    throwIfAny(session.problems);
+
+    // An object that was incomplete before may remain so.
+    const auto gapsOf = [&](T copy) {
+        YamlSession check;
+        detail::readNothing(check, std::string(what), "", copy);
+        return std::move(check.problems);
+    };
+    std::vector<Problem> gaps = gapsOf(changed);
+    const std::vector<Problem> before = gapsOf(object);
+    std::erase_if(gaps,
+                  [&](const Problem& gap) { return std::find(before.begin(), before.end(), gap) != before.end(); });
+    throwIfAny(std::move(gaps));
+    object = std::move(changed);
+}
+
+template <Described T>
+void applySetting(T& object, std::string_view assignment, std::string_view what) {
+    const std::string one(assignment);
+    applySettings(object, std::span(&one, 1), what);
+}
+
+}  // namespace tread
