@@ -10,8 +10,10 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tread/describe.h"
 
@@ -298,15 +300,22 @@ struct TyreParams {
     TyreSide side = TyreSide::left;
     TyreCoefficients parameters;
     TyreScaling lambda;
+    std::vector<std::string> notes;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(name), About{"", "name of the tyre"});
         field(TREAD_FIELD(side), About{"", "side of the car that the coefficients describe"});
         field(TREAD_FIELD(parameters), About{"", "coefficients of the model"});
         field(TREAD_FIELD(lambda), About{"", "scaling factors"});
+        field(TREAD_FIELD(notes),
+              About{"", "what was dropped, derived or guessed when the tyre was read from a .tir file"});
     }
 };
 static_assert(describesEveryMember<TyreParams>());
+
+// Takes the file in place of the YAML reader when its name ends in .tir.
+struct Problem;
+bool readForeign(TyreParams& tyre, const std::filesystem::path& file, std::vector<Problem>& problems);
 
 // ---- Steady state ----
 

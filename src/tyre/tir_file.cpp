@@ -295,3 +295,19 @@ TyreParams readTir(const std::filesystem::path& file, std::vector<std::string>& 
 }
 
 }  // namespace tread
+
+namespace tread {
+
+bool readForeign(TyreParams& tyre, const std::filesystem::path& file, std::vector<Problem>& problems) {
+    if (file.extension() != ".tir" && file.extension() != ".TIR") return false;
+    try {
+        std::vector<std::string> warnings;
+        tyre = readTir(file, warnings);
+        tyre.notes = std::move(warnings);
+    } catch (const LoadError& error) {
+        problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+    }
+    return true;
+}
+
+}  // namespace tread

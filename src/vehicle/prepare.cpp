@@ -5,7 +5,8 @@ namespace {
 
 TyreParams mounted(const TyreParams& tyre, bool left) {
     TyreParams here = (tyre.side == TyreSide::left) == left ? tyre : mirrored(tyre);
-    here.name.clear();  // keeps the step free of allocations when a tyre is copied for a road of other friction
+    here.name.clear();
+    here.notes.clear();  // keeps the step free of allocations when a tyre is copied for a road of other friction
     return here;
 }
 

@@ -45,7 +45,7 @@ std::vector<Problem> problemsOf(std::string_view text) {
         parseLog(text, "x.csv");
     } catch (const LoadError& error) {
         EXPECT_FALSE(std::string(error.what()).empty());
-        return error.problems;
+        return error.problems();
     }
     return {};
 }
