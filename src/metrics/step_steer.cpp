@@ -81,7 +81,8 @@ Step findStep(const Series& steering) {
     // Refined: levels as means over the quiet times before and behind.
     Step step{};
     step.hold_end = hold.to;
-    const double after = mean(steering, hold.from, hold.to);
+    const double quarter = 0.25 * (hold.to - hold.from);  // the corners of the hold are not yet, or no longer, held
+    const double after = mean(steering, hold.from + quarter, hold.to - quarter);
     const double t10 =
         lastCrossing(steering, start + 0.1 * (after - start), steering.begin(), rough_half).value_or(steering.begin());
     const double t90 = firstCrossing(steering, start + 0.9 * (after - start), rough_half).value_or(hold.from);
@@ -126,7 +127,7 @@ Response respond(const Series& measured, const Step& step, double half_width) {
     if (const auto t = firstCrossing(answer, 0.9 * steady, step.onset, step.hold_end)) response.time90 = *t - step.half;
     const Instant peak = highest(answer, step.onset, step.hold_end);
     response.overshoot = std::max(0.0, peak.value / steady - 1);
-    const double least = std::max(kLeastOvershoot, isNoisy(measured) ? 3 * noise(clean) / steady : 0);
+    const double least = std::max(kLeastOvershoot, isNoisy(measured) ? 2 * noise(measured) / steady : 0);
     if (response.overshoot > least) response.peak_time = peak.time - step.half;
     response.steady = sign * steady;
     return response;

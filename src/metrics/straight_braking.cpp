@@ -11,14 +11,16 @@ namespace tread {
 namespace {
 
 constexpr std::string_view kName = "straight_braking";
-constexpr double kLeastBrake = 0.02;         // of the pedal: less is a resting foot
-constexpr double kOnsetShare = 0.01;         // of the largest pedal: where actuation starts
-constexpr double kSlowestStart = 2.0;        // m/s
-constexpr double kLargestSteering = 0.35;    // rad at the steering wheel: more is no straight line
-constexpr double kNearlyStopped = 0.2;       // m/s: from here the last metre is extrapolated, out of the sensor's noise
-constexpr double kLockedSlip = -0.9;         // slip ratio below which a wheel counts as locked
-constexpr double kLockedUntil = 1.0;         // m/s: below, every braked wheel stands still sooner or later
-constexpr double kSpeedHalfWidth = 0.1;      // s
+constexpr double kLeastBrake = 0.02;       // of the pedal: less is a resting foot
+constexpr double kOnsetShare = 0.001;      // of the largest pedal: where actuation starts ...
+constexpr double kOnsetNoise = 5;          // ... or in standard deviations of its noise, so that noise is no actuation
+constexpr double kSlowestStart = 2.0;      // m/s
+constexpr double kLargestSteering = 0.35;  // rad at the steering wheel: more is no straight line
+constexpr double kNearlyStopped = 0.2;     // m/s: from here the last metre is extrapolated, out of the sensor's noise
+constexpr double kLockedSlip = -0.9;       // slip ratio below which a wheel counts as locked
+constexpr double kLockedUntil = 1.0;       // m/s: below, every braked wheel stands still sooner or later
+constexpr double kPeakHalfWidth = 0.05;    // s
+constexpr double kSpeedHalfWidth = 0.1;    // s
 constexpr double kNominalSteps = 10 * kKmh;  // nominal speeds are whole tens of km/h
 
 struct Stop {
@@ -32,7 +34,7 @@ double brakeOnset(const Series& brake) {
     const double most = *std::max_element(brake.value.begin(), brake.value.end());
     if (most < kLeastBrake) notFound(kName, "the brake is never applied");
     // The application that leads to the stop begins where the pedal last left zero before its largest value.
-    const double level = kOnsetShare * most;
+    const double level = std::max(kOnsetShare * most, kOnsetNoise * noise(brake));
     const double peak = highest(brake, brake.begin(), brake.end()).time;
     if (brake.value.front() > level && !firstCrossing(brake, level, brake.begin(), peak)) return brake.begin();
     return lastCrossing(brake, level, brake.begin(), peak).value_or(brake.begin());
@@ -80,8 +82,10 @@ double meanFullyDeveloped(const Series& v, const Stop& stop) {
 
 double peakDeceleration(const Log& log, const Series& v, const Stop& stop) {
     const auto logged = channelIfThere(log, kName, "chassis.ax");
-    const Series acceleration = logged ? cleaned(*logged, kSpeedHalfWidth) : cleanDerivative(v, kSpeedHalfWidth);
-    const Series during = part(acceleration, stop.start, stop.end);
+    const Series acceleration = logged ? *logged : cleanDerivative(v, kSpeedHalfWidth);
+    // Averaged and not smoothed: a parabola would overshoot where the car comes to rest with a jerk.
+    const bool noisy = logged && isNoisy(*logged);
+    const Series during = part(noisy ? averaged(*logged, kPeakHalfWidth) : acceleration, stop.start, stop.end);
     return -*std::min_element(during.value.begin(), during.value.end());
 }
 
