@@ -16,6 +16,7 @@ constexpr double kOnsetShare = 0.001;      // of the largest pedal: where actuat
 constexpr double kOnsetNoise = 5;          // ... or in standard deviations of its noise, so that noise is no actuation
 constexpr double kSlowestStart = 2.0;      // m/s
 constexpr double kLargestSteering = 0.35;  // rad at the steering wheel: more is no straight line
+constexpr double kLargestTurn = 0.5;       // m/s2: more is braking in a turn
 constexpr double kNearlyStopped = 0.2;     // m/s: from here the last metre is extrapolated, out of the sensor's noise
 constexpr double kLockedSlip = -0.9;       // slip ratio below which a wheel counts as locked
 constexpr double kLockedUntil = 1.0;       // m/s: below, every braked wheel stands still sooner or later
@@ -62,6 +63,12 @@ Stop findStop(const Series& v, const Series& brake) {
 }
 
 void checkStraight(const Log& log, const Stop& stop) {
+    if (const auto yaw_rate = channelIfThere(log, kName, "chassis.yaw_rate")) {
+        const double turn = mean(*yaw_rate, stop.start - 0.2, stop.start) * stop.initial_speed;
+        if (std::abs(turn) > kLargestTurn) {
+            notFound(kName, fmt::format("the car is in a turn of {:.2g} m/s2 when it is braked", std::abs(turn)));
+        }
+    }
     const auto steering = channelIfThere(log, kName, "driver.steering_wheel_angle");
     if (!steering) return;
     const Series during = part(*steering, stop.start, stop.end);

@@ -130,12 +130,22 @@ TEST(SteadyCircle, MeasurementNoiseMovesTheMetricsLittle) {
     }
 }
 
+TEST(SteadyCircle, AQuickReleaseAtTheEndIsLeftOut) {
+    Log log = circleLog(100, 61, [](double t) { return t < 60 ? speed(t) : Turn{8 * (61 - t), speed(t).v}; });
+    for (std::size_t i = 6000; i < log.samples(); ++i) channel(log, "wheel.front_left.steer").values[i] += 0.05;
+    EXPECT_NEAR(valueOf(metrics(log, "steady_circle", {kWheelbase, kRatio}), "understeer_gradient"),
+                kUndersteer * kPerG, 1e-6);
+}
+
 TEST(SteadyCircle, WhatIsNoSteadyCircleIsRefusedWithTheReason) {
     const Log straight = circleLog(100, 60, [](double) { return Turn{0, 20}; });
     EXPECT_NE(errorOf(straight, "steady_circle").find("looked for a turn"), std::string::npos);
-    const Log quick = circleLog(100, 10, [](double t) { return Turn{5 * std::sin(6 * t), 20}; });
+    const Log quick = circleLog(100, 10, [](double t) { return Turn{5 * std::exp(-8 * (t - 5) * (t - 5)), 20}; });
     EXPECT_NE(errorOf(quick, "steady_circle").find("looked for slow changes"), std::string::npos)
         << errorOf(quick, "steady_circle");
+    const Log weave = circleLog(100, 60, [](double t) { return Turn{3 * std::sin(0.2 * 2 * 3.14 * t), 20}; });
+    EXPECT_NE(errorOf(weave, "steady_circle").find("swings to and fro"), std::string::npos)
+        << errorOf(weave, "steady_circle");
 }
 
 }  // namespace

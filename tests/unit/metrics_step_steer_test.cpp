@@ -117,6 +117,20 @@ TEST(StepSteer, AHoldThatReturnsIsEvaluatedUpToTheReturn) {
     EXPECT_NEAR(valueOf(found, "yaw_rate_response_time"), timeOf(yaw, 0.9), 1e-3);
 }
 
+TEST(StepSteer, TheHoldEndsWhereTheDriverLiftsOffOrBrakes) {
+    for (const char* pedal : {"driver.throttle", "driver.brake"}) {
+        const bool lifts = pedal[7] == 't';
+        Log log = stepLog(100, 1, 12);
+        log.channels.push_back({pedal, "-", {}});
+        for (std::size_t i = 0; i < log.samples(); ++i) {
+            const bool late = log.channels[0].values[i] > 7;
+            log.channels.back().values.push_back(late != lifts ? 0.3 : 0.0);
+            if (log.channels[0].values[i] > 7.05) channel(log, "chassis.yaw_rate").values[i] *= 2;
+        }
+        EXPECT_NEAR(valueOf(metrics(log, "step_steer"), "yaw_rate_gain"), kYawGain, 1e-5) << pedal;
+    }
+}
+
 TEST(StepSteer, ACarThatStillChangesAtTheEndIsNotSteady) {
     Log log = stepLog(100);
     Channel& yaw_rate = channel(log, "chassis.yaw_rate");

@@ -136,6 +136,10 @@ TEST(StraightBraking, WhatIsNoStopIsRefusedWithTheReason) {
     Log turning = stopLog(100);
     for (std::size_t i = 200; i < 300; ++i) channel(turning, "driver.steering_wheel_angle").values[i] = 1;
     EXPECT_NE(errorOf(turning, "straight_braking").find("turns by more than 20 deg"), std::string::npos);
+    Log circling = stopLog(100);
+    circling.channels.push_back({"chassis.yaw_rate", "rad/s", std::vector<double>(circling.samples(), 0.1)});
+    EXPECT_EQ(errorOf(circling, "straight_braking"),
+              "no straight_braking in this log: the car is in a turn of 2.8 m/s2 when it is braked");
     Log bare = stopLog(100);
     remove(bare, "driver.brake");
     EXPECT_EQ(errorOf(bare, "straight_braking"), "straight_braking needs driver.brake, which the log does not have");
