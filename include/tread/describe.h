@@ -60,17 +60,21 @@ struct About {
     std::string_view unit;
     std::string_view meaning;
     Limits limits = kAny;
-    double tolerance = 0;           // how well a real car's value is usually known, as a fraction of it (0: not said)
+    double tolerance = 0;            // how well a real car's value is usually known, as a fraction of it (0: not said)
     std::string_view argument = {};  // for a Curve: SI unit of its argument
 };
 
 template <class T>
-concept Described = requires(T& object) { T::describe(object, [](auto&&...) {}); };
+concept Described = requires(T& object) {
+    T::describe(object, [](auto&&...) {});
+};
 
 template <class T>
-concept DescribedEnum = std::is_enum_v<T> && requires(T value) { enumNames(value); };
+concept DescribedEnum = std::is_enum_v<T> && requires(T value) {
+    enumNames(value);
+};
 
-// ---- Proof that a description is complete --------------------------------------------------------------------------
+// ---- Proof that a description is complete ----
 
 namespace detail {
 
@@ -81,7 +85,9 @@ struct ConvertsToAnything {
 
 template <class T, std::size_t... I>
 constexpr bool bracesTake(std::index_sequence<I...>) {
-    return requires { T{((void)I, ConvertsToAnything{})...}; };
+    return requires {
+        T{((void)I, ConvertsToAnything{})...};
+    };
 }
 
 // Number of members of an aggregate: the longest brace initialiser that it takes.

@@ -5,12 +5,15 @@
 // 27:S1 (1997) 234-249; numbers in brackets are its equations, names are its symbols.
 //
 // Everything in this header is in the paper's axes: x forward, y right, z down, forces oppose the slip velocity, and
-// positive camber leans the top of the wheel to the right. `tyre_axes.h` converts to ISO 8855.
+// positive camber leans the top of the wheel to the right. The vehicle converts to ISO 8855 at its border with the
+// tyre.
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tread/describe.h"
 
@@ -154,7 +157,8 @@ struct TyreCoefficients {
         field(TREAD_FIELD(pEy3), About{"-", "sign-dependent part of Ey (52)"});
         field(TREAD_FIELD(pEy4), About{"1/rad", "variation of the sign-dependent part of Ey with camber (52)"});
         field(TREAD_FIELD(pKy1), About{"-", "largest cornering stiffness over nominal load (53)", kPositive});
-        field(TREAD_FIELD(pKy2), About{"-", "load at the largest cornering stiffness over nominal load (53)", kPositive});
+        field(TREAD_FIELD(pKy2),
+              About{"-", "load at the largest cornering stiffness over nominal load (53)", kPositive});
         field(TREAD_FIELD(pKy3), About{"1/rad", "variation of the cornering stiffness with camber (53)"});
         field(TREAD_FIELD(pHy1), About{"-", "horizontal shift SHy at nominal load (55)"});
         field(TREAD_FIELD(pHy2), About{"-", "variation of SHy with load (55)"});
@@ -284,7 +288,9 @@ static_assert(describesEveryMember<TyreScaling>());
 
 // The side of the car on which the coefficients were measured; on the other side the tyre is mounted as a mirror image.
 enum class TyreSide { left, right };
-constexpr auto enumNames(TyreSide) { return std::array<std::string_view, 2>{"left", "right"}; }
+constexpr auto enumNames(TyreSide) {
+    return std::array<std::string_view, 2>{"left", "right"};
+}
 
 // A tyre file.
 struct TyreParams {
@@ -294,14 +300,155 @@ struct TyreParams {
     TyreSide side = TyreSide::left;
     TyreCoefficients parameters;
     TyreScaling lambda;
+    std::vector<std::string> notes;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(name), About{"", "name of the tyre"});
         field(TREAD_FIELD(side), About{"", "side of the car that the coefficients describe"});
         field(TREAD_FIELD(parameters), About{"", "coefficients of the model"});
         field(TREAD_FIELD(lambda), About{"", "scaling factors"});
+        field(TREAD_FIELD(notes),
+              About{"", "what was dropped, derived or guessed when the tyre was read from a .tir file"});
     }
 };
 static_assert(describesEveryMember<TyreParams>());
+
+// Takes the file in place of the YAML reader when its name ends in .tir.
+struct Problem;
+bool readForeign(TyreParams& tyre, const std::filesystem::path& file, std::vector<Problem>& problems);
+
+// ---- Steady state ----
+
+// Motion of a wheel over the road. Vs = (Vsx, Vsy) is the slip velocity of the point that is attached to the rim the
+// effective rolling radius below the wheel centre; the wheel rolls at Vr = Vx - Vsx = Re Omega.
+struct TyreSlip {
+    double Fz = 0;
+    double gamma = 0;
+    double Vx = 0;
+    double Vsx = 0;
+    double Vsy = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(Fz), About{"N", "normal load; negative counts as zero"});
+        field(TREAD_FIELD(gamma), About{"rad", "camber"});
+        field(TREAD_FIELD(Vx), About{"m/s", "forward speed of the contact centre"});
+        field(TREAD_FIELD(Vsx), About{"m/s", "longitudinal slip velocity"});
+        field(TREAD_FIELD(Vsy), About{"m/s", "lateral slip velocity"});
+    }
+};
+static_assert(describesEveryMember<TyreSlip>());
+
+struct TyreSteadyState {
+    double Fx = 0;
+    double Fy = 0;
+    double Mx = 0;
+    double My = 0;
+    double Mz = 0;
+    double Fx0 = 0;
+    double Fy0 = 0;
+    double t = 0;
+    double Mzr = 0;
+    double s = 0;
+    double Kx = 0;
+    double Ky = 0;
+    double mux = 0;
+    double muy = 0;
+    double SVyk = 0;
+    double kappa = 0;
+    double alpha = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(Fx), About{"N", "longitudinal force (71)"});
+        field(TREAD_FIELD(Fy), About{"N", "lateral force (76)"});
+        field(TREAD_FIELD(Mx), About{"N m", "overturning couple (84)"});
+        field(TREAD_FIELD(My), About{"N m", "rolling resistance torque (85)"});
+        field(TREAD_FIELD(Mz), About{"N m", "aligning torque (86)"});
+        field(TREAD_FIELD(Fx0), About{"N", "longitudinal force at pure slip (36)"});
+        field(TREAD_FIELD(Fy0), About{"N", "lateral force at pure slip (46)"});
+        field(TREAD_FIELD(t), About{"m", "pneumatic trail (87)"});
+        field(TREAD_FIELD(Mzr), About{"N m", "residual torque (89)"});
+        field(TREAD_FIELD(s), About{"m", "moment arm of the longitudinal force (90)"});
+        field(TREAD_FIELD(Kx), About{"N", "longitudinal slip stiffness (42)"});
+        field(TREAD_FIELD(Ky), About{"N", "cornering stiffness (53)"});
+        field(TREAD_FIELD(mux), About{"-", "longitudinal friction (40)"});
+        field(TREAD_FIELD(muy), About{"-", "lateral friction (51)"});
+        field(TREAD_FIELD(SVyk), About{"N", "slip-induced ply-steer (81)"});
+        field(TREAD_FIELD(kappa), About{"-", "longitudinal slip (32)"});
+        field(TREAD_FIELD(alpha), About{"-", "lateral slip (33), tangent of the slip angle"});
+    }
+};
+static_assert(describesEveryMember<TyreSteadyState>());
+
+// Forces and moments at a given slip, equations (29)-(92). Finite for every finite input.
+TyreSteadyState steadyState(const TyreParams& tyre, const TyreSlip& slip);
+
+// ---- Transients ----
+
+// What survives from step to step.
+struct TyreState {
+    double u = 0;      // m, longitudinal deflection of the contact patch against the rim (17)
+    double v = 0;      // m, lateral deflection (18)
+    double du = 0;     // m/s
+    double dv = 0;     // m/s
+    double kappa = 0;  // slip of the contact patch; a state of its own only near standstill
+    double alpha = 0;
+};
+
+// Motion of a wheel at one instant; as TyreSlip, with what the transient part needs besides. When the wheel spins
+// freely (TyreSpin), Omega and Vsx are results and ignored on input.
+struct TyreMotion {
+    double Vsx = 0;
+    double Vsy = 0;
+    double Vx = 0;
+    double Omega = 0;
+    double psidot = 0;
+    double gamma = 0;
+    double Fz = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(Vsx), About{"m/s", "longitudinal slip velocity of the rim"});
+        field(TREAD_FIELD(Vsy), About{"m/s", "lateral slip velocity of the rim"});
+        field(TREAD_FIELD(Vx), About{"m/s", "forward speed of the contact centre"});
+        field(TREAD_FIELD(Omega), About{"rad/s", "wheel spin, positive forward"});
+        field(TREAD_FIELD(psidot), About{"rad/s", "yaw rate of the wheel"});
+        field(TREAD_FIELD(gamma), About{"rad", "camber"});
+        field(TREAD_FIELD(Fz), About{"N", "normal load"});
+    }
+};
+static_assert(describesEveryMember<TyreMotion>());
+
+// Forces and moments that the tyre exerts on the rim, at the contact centre.
+struct TyreForces {
+    double Fx = 0;  // N (21)
+    double Fy = 0;  // N (22)
+    double Mx = 0;  // N m (84)
+    double My = 0;  // N m (85)
+    double Mz = 0;  // N m (23)
+};
+
+// Whether the contact patch follows the paper at every speed, or is helped near standstill. The paper's slip divides by
+// max(|Vx|, 0.01 m/s): a held wheel creeps. The extension gives the contact patch the relaxation of Pacejka's later
+// books below walking speed; above 2 m/s the paper's equations hold exactly.
+enum class Standstill { paper, hold };
+
+// The torques on a wheel that spins freely.
+struct TyreSpin {
+    double inertia;       // kg m2, about the spin axis
+    double radius;        // m, from the wheel centre to the road
+    double drive_torque;  // N m, from the driveline, positive forward
+    double brake_torque;  // N m, capacity of the brake, not negative: Coulomb friction against the spin
+};
+
+// Advances the contact patch by dt with the wheel's motion given at both ends of the step (give the same motion twice
+// to hold it) and returns the forces at its end. Second order, L-stable (SDIRK2 with a damped Newton).
+TyreForces advance(TyreState& state, const TyreParams& tyre, const TyreMotion& begin, const TyreMotion& end, double dt,
+                   Standstill standstill);
+
+// The same with the wheel's spin Omega as one more unknown, so that a braked wheel locks and a driven one spins.
+TyreForces advance(TyreState& state, double& Omega, const TyreParams& tyre, const TyreMotion& begin,
+                   const TyreMotion& end, const TyreSpin& spin, double dt, Standstill standstill);
+
+// The same tyre mounted on the other side of the car.
+TyreParams mirrored(const TyreParams& tyre);
 
 }  // namespace tread

@@ -11,10 +11,16 @@ inline constexpr std::size_t kAxles = 2;
 inline constexpr std::size_t kWheels = 4;
 
 // Wheels in the order front left, front right, rear left, rear right.
-constexpr std::size_t axleOf(std::size_t wheel) { return wheel / 2; }
-constexpr bool isLeft(std::size_t wheel) { return wheel % 2 == 0; }
+constexpr std::size_t axleOf(std::size_t wheel) {
+    return wheel / 2;
+}
+constexpr bool isLeft(std::size_t wheel) {
+    return wheel % 2 == 0;
+}
 // +1 on the left (y > 0 in ISO 8855), -1 on the right.
-constexpr double sideSign(std::size_t wheel) { return isLeft(wheel) ? 1.0 : -1.0; }
+constexpr double sideSign(std::size_t wheel) {
+    return isLeft(wheel) ? 1.0 : -1.0;
+}
 
 template <class T>
 struct PerAxle {
@@ -50,10 +56,14 @@ struct PerWheel {
 private:
     static constexpr auto& select(auto& self, std::size_t wheel) {
         switch (wheel) {
-            case 0: return self.front_left;
-            case 1: return self.front_right;
-            case 2: return self.rear_left;
-            default: return self.rear_right;
+            case 0:
+                return self.front_left;
+            case 1:
+                return self.front_right;
+            case 2:
+                return self.rear_left;
+            default:
+                return self.rear_right;
         }
     }
 };

@@ -1,1 +1,120 @@
-int main() { return 0; }
+// The program `tread`: reads the command line, calls one command, turns every failure into one message and a status.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "commands.h"
+#include "tread/problem.h"
+
+namespace tread::program {
+namespace {
+
+void addRun(CLI::App& app, RunOptions& o) {
+    app.add_option("vehicle", o.vehicle, "vehicle file (YAML)")->required();
+    app.add_option("scenario", o.scenario, "scenario file (YAML)")->required();
+    app.add_option("-o,--output", o.output, "folder for log, metrics and report (default: out/<scenario>)");
+    app.add_option("--set", o.settings,
+                   "path=value, for example front.suspension.spring=\"25 kN/m\" or scenario.step=0.002");
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addCompare(CLI::App& app, CompareOptions& o) {
+    app.add_option("reference", o.reference, "log to compare with (CSV)")->required();
+    app.add_option("new", o.candidate, "log to judge (CSV)")->required();
+    app.add_option("--tolerances", o.tolerances, "tolerances per channel (YAML)");
+    app.add_option("--report", o.report, "write an overlay report (HTML)");
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addMetrics(CLI::App& app, MetricsOptions& o) {
+    app.add_option("log", o.log, "log (CSV)")->required();
+    app.add_option("--manoeuvre", o.manoeuvre, "name of the manoeuvre (default: found from the log)");
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addTyre(CLI::App& app, TyreOptions& o) {
+    app.add_option("tyre", o.tyre, "tyre file (YAML or .tir)")->required();
+    app.add_option("--axes", o.axes, "axes of the table: paper (y right, z down) or iso (ISO 8855: y left, z up)")
+        ->check(CLI::IsMember({"paper", "iso"}));
+    app.add_option("--table", o.table, "steady state at the points of this table (CSV)");
+    app.add_option("--transient", o.transient, "contact-patch transients under the motion of this table (CSV)");
+    app.add_option("-o,--output", o.output, "table to write (default: standard output)");
+    app.add_option("--plot", o.plot, "page of curves to write (HTML)");
+    app.add_option("--substeps", o.substeps, "integration steps per sample")->check(CLI::Range(1, 10000));
+    app.add_option("--interpolate", o.interpolate, "motion between samples: hold or linear")
+        ->check(CLI::IsMember({"hold", "linear"}));
+    app.add_flag("--standstill", o.standstill,
+                 "with the standstill extension that the car uses (default: the paper alone)");
+    app.add_option("--set", o.settings, "path=value, for example lambda.mux=0.8");
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+int dispatch(int argc, char** argv) {
+    CLI::App app{"tread: a full car on Delft Tyre 97 tyres in Bullet, driven by YAML files"};
+    app.set_version_flag("--version", std::string("tread ") + TREAD_VERSION);
+    app.require_subcommand(1);
+    app.failure_message(CLI::FailureMessage::help);
+
+    int status = kYes;
+    RunOptions run_options;
+    CompareOptions compare_options;
+    MetricsOptions metrics_options;
+    TyreOptions tyre_options;
+    DescribeOptions describe_options;
+    CheckOptions check_options;
+    SchemaOptions schema_options;
+
+    CLI::App* command = app.add_subcommand("run", "drive a manoeuvre and write log, metrics and report");
+    addRun(*command, run_options);
+    command->callback([&] { status = run(run_options); });
+
+    command = app.add_subcommand("compare", "compare two logs; status 1 when they differ");
+    addCompare(*command, compare_options);
+    command->callback([&] { status = compare(compare_options); });
+
+    command = app.add_subcommand("metrics", "the standards' metrics of a log");
+    addMetrics(*command, metrics_options);
+    command->callback([&] { status = metrics(metrics_options); });
+
+    command = app.add_subcommand("tyre", "forces of a tyre at given points, transients, curves");
+    addTyre(*command, tyre_options);
+    command->callback([&] { status = tyre(tyre_options); });
+
+    command = app.add_subcommand("describe", "all fields with units, meaning, limits and defaults");
+    command->add_option("what", describe_options.what, "vehicle, tyre, scenario, log, tolerances or metrics")
+        ->required();
+    command->add_flag("--json", describe_options.json, "print the result as JSON");
+    command->callback([&] { status = describe(describe_options); });
+
+    command = app.add_subcommand("check", "check vehicle, tyre and scenario files; status 2 when one has faults");
+    command->add_option("files", check_options.files, "YAML or .tir files")->required();
+    command->add_flag("--json", check_options.json, "print the result as JSON");
+    command->callback([&] { status = check(check_options); });
+
+    command = app.add_subcommand("schema", "JSON Schema of a file, for editors");
+    command->add_option("what", schema_options.what, "vehicle, tyre, scenario or tolerances")->required();
+    command->add_option("-o,--output", schema_options.output, "file to write (default: standard output)");
+    command->callback([&] { status = schema(schema_options); });
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? kYes : kBadInput;
+    }
+    return status;
+}
+
+}  // namespace
+}  // namespace tread::program
+
+int main(int argc, char** argv) {
+    try {
+        return tread::program::dispatch(argc, argv);
+    } catch (const tread::LoadError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "tread: %s\n", error.what());
+    }
+    return tread::program::kBadInput;
+}

@@ -1,0 +1,28 @@
+// Where a drive begins: the car in equilibrium at a place, a heading and a speed, so that nothing moves at t = 0 that
+// the driver did not move.
+#pragma once
+
+#include "tread/vehicle.h"
+
+namespace tread {
+
+struct Start {
+    double x = 0;        // m, place on the road
+    double y = 0;        // m
+    double heading = 0;  // rad, about the vertical, 0 along x
+    double speed = 0;    // m/s, forward
+    VehicleInput input;  // hand wheel, brake and clutch as they are held; the throttle is found for speeds above 0
+};
+
+struct Equilibrium {
+    ChassisMotion motion;
+    VehicleState state;
+    VehicleInput input;       // with the throttle that holds the speed
+    double throttle = 0;      // that this needs; outside 0 to 1 the car cannot hold the speed
+    double acceleration = 0;  // m/s2, of the body that is left: not small when there is no equilibrium there
+};
+
+// A car that rolls is held at its speed and heading while it settles; a car that stands is left to its brakes.
+Equilibrium equilibrium(const Vehicle& vehicle, const Surroundings& surroundings, const Start& start);
+
+}  // namespace tread

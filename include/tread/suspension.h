@@ -1,0 +1,101 @@
+// Suspension of one axle: forces along the wheel travel, and the kinematics that steer and lean the wheel.
+// All rates are at the wheel. Travel is positive in compression and zero where the car stands at its static load.
+#pragma once
+
+#include "tread/describe.h"
+
+namespace tread {
+
+struct DamperParams {
+    double bump = kRequired;
+    double rebound = kRequired;
+    double friction = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(bump), About{"N s/m", "damping in compression", kNonNegative, 0.1});
+        field(TREAD_FIELD(rebound), About{"N s/m", "damping in extension", kNonNegative, 0.1});
+        field(TREAD_FIELD(friction), About{"N", "dry friction", kNonNegative, 0.3});
+    }
+};
+static_assert(describesEveryMember<DamperParams>());
+
+// A stop that the suspension meets after some travel: force = stiffness x + progression x^2.
+struct StopParams {
+    double clearance = 1;
+    double stiffness = 0;
+    double progression = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(clearance),
+              About{"m", "travel from the static position until the stop is met", kNonNegative});
+        field(TREAD_FIELD(stiffness), About{"N/m", "stiffness where the stop is met", kNonNegative, 0.3});
+        field(TREAD_FIELD(progression),
+              About{"N/m2", "growth of the force with deflection squared", kNonNegative, 0.3});
+    }
+};
+static_assert(describesEveryMember<StopParams>());
+
+struct SuspensionParams {
+    double spring = kRequired;
+    DamperParams damper;
+    double anti_roll_bar = 0;
+    StopParams bump_stop;
+    StopParams rebound_stop;
+    double roll_centre_height = 0;
+    double side_view_slope_braking = 0;
+    double side_view_slope_driving = 0;
+    double camber = 0;
+    double camber_by_travel = 0;
+    double toe = 0;
+    double toe_by_travel = 0;
+    double steer_by_lateral_force = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(spring), About{"N/m", "spring rate at the wheel", kPositive, 0.05});
+        field(TREAD_FIELD(damper), About{"", "damper"});
+        field(TREAD_FIELD(anti_roll_bar),
+              About{"N/m", "anti-roll bar: force per wheel over the difference of left and right travel", kNonNegative,
+                    0.1});
+        field(TREAD_FIELD(bump_stop), About{"", "stop in compression"});
+        field(TREAD_FIELD(rebound_stop), About{"", "stop in extension"});
+        field(TREAD_FIELD(roll_centre_height), About{"m", "height of the roll centre above the road", kAny, 0.2});
+        field(TREAD_FIELD(side_view_slope_braking), About{"-",
+                                                          "forward movement of the contact point over compression, "
+                                                          "brake locked to the hub (anti-dive, anti-lift)"});
+        field(TREAD_FIELD(side_view_slope_driving),
+              About{"-", "forward movement of the wheel centre over compression (anti-squat)"});
+        field(TREAD_FIELD(camber), About{"rad", "static camber, positive when the top leans outwards"});
+        field(TREAD_FIELD(camber_by_travel), About{"rad/m", "change of camber over compression"});
+        field(TREAD_FIELD(toe), About{"rad", "static toe of each wheel, positive toe-in"});
+        field(TREAD_FIELD(toe_by_travel), About{"rad/m", "change of toe over compression"});
+        field(TREAD_FIELD(steer_by_lateral_force),
+              About{"rad/N", "compliance steer of a wheel by its lateral force; negative understeers in front"});
+    }
+};
+static_assert(describesEveryMember<SuspensionParams>());
+
+struct SuspensionInput {
+    double travel;           // m
+    double rate;             // m/s
+    double opposite_travel;  // m, of the other wheel of the axle
+    double static_force;     // N, spring force at zero travel
+};
+
+// Force that pushes the wheel down and the body up, and its slopes for the implicit wheel equation.
+struct SuspensionForce {
+    double force;
+    double by_travel;  // N/m
+    double by_rate;    // N s/m
+};
+
+SuspensionForce forces(const SuspensionParams& params, const SuspensionInput& input);
+
+// Attitude of a wheel against the body. The sides of the car mirror each other.
+struct WheelAngles {
+    double camber;  // rad, rotation about +x: positive leans the top to the right
+    double toe;     // rad, rotation about +z: positive steers to the left
+};
+
+WheelAngles angles(const SuspensionParams& params, double travel, bool left);
+
+}  // namespace tread

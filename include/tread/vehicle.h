@@ -1,0 +1,167 @@
+// The whole car: parameters, state, and one step in time.
+//
+// Chassis motion belongs to whoever moves the body (Bullet): it enters a step and leaves it advanced. A step is a pure
+// function of parameters, state and input; it allocates nothing and throws nothing.
+#pragma once
+
+#include <Eigen/Dense>
+#include <array>
+#include <string>
+#include <type_traits>
+
+#include "tread/aero.h"
+#include "tread/brakes.h"
+#include "tread/driveline.h"
+#include "tread/road.h"
+#include "tread/steering.h"
+#include "tread/suspension.h"
+#include "tread/tyre.h"
+#include "tread/vehicle_output.h"
+#include "tread/wheels.h"
+
+namespace tread {
+
+// ---- Parameters ----
+
+struct InertiaParams {
+    double roll = kRequired;
+    double pitch = kRequired;
+    double yaw = kRequired;
+    double roll_yaw = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(roll), About{"kg m2", "moment of inertia about the longitudinal axis", kPositive, 0.05});
+        field(TREAD_FIELD(pitch), About{"kg m2", "moment of inertia about the lateral axis", kPositive, 0.05});
+        field(TREAD_FIELD(yaw), About{"kg m2", "moment of inertia about the vertical axis", kPositive, 0.03});
+        field(TREAD_FIELD(roll_yaw), About{"kg m2", "product of inertia, integral of x z dm"});
+    }
+};
+static_assert(describesEveryMember<InertiaParams>());
+
+struct AxleParams {
+    double track = kRequired;
+    double unsprung_mass = kRequired;
+    double wheel_inertia = kRequired;
+    SuspensionParams suspension;
+    TyreParams tyre;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(track), About{"m", "distance between the contact points of both wheels", kPositive, 0.01});
+        field(TREAD_FIELD(unsprung_mass), About{"kg", "mass that moves with one wheel", kPositive, 0.1});
+        field(TREAD_FIELD(wheel_inertia),
+              About{"kg m2", "moment of inertia of one wheel with tyre and disc about its axis", kPositive, 0.1});
+        field(TREAD_FIELD(suspension), About{"", "suspension"});
+        field(TREAD_FIELD(tyre), About{"", "tyre, or the file that describes it"});
+    }
+};
+static_assert(describesEveryMember<AxleParams>());
+
+struct VehicleParams {
+    std::string name;
+    double mass = kRequired;
+    InertiaParams inertia;
+    double wheelbase = kRequired;
+    double front_axle_distance = kRequired;
+    double height = kRequired;
+    AxleParams front;
+    AxleParams rear;
+    SteeringParams steering;
+    DrivelineParams driveline;
+    BrakeParams brakes;
+    AeroParams aero;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(name), About{"", "name of the car"});
+        field(TREAD_FIELD(mass), About{"kg", "mass of the whole car with its load", kPositive, 0.02});
+        field(TREAD_FIELD(inertia), About{"", "moments of inertia of the whole car about its centre of gravity"});
+        field(TREAD_FIELD(wheelbase), About{"m", "distance between the axles", kPositive, 0.005});
+        field(TREAD_FIELD(front_axle_distance),
+              About{"m", "distance from the front axle back to the centre of gravity", kPositive, 0.02});
+        field(TREAD_FIELD(height), About{"m", "height of the centre of gravity above the road", kPositive, 0.05});
+        field(TREAD_FIELD(front), About{"", "front axle"});
+        field(TREAD_FIELD(rear), About{"", "rear axle"});
+        field(TREAD_FIELD(steering), About{"", "steering"});
+        field(TREAD_FIELD(driveline), About{"", "driveline"});
+        field(TREAD_FIELD(brakes), About{"", "brakes"});
+        field(TREAD_FIELD(aero), About{"", "aerodynamics"});
+    }
+
+    static void check(const auto& self, auto&& complain) {
+        if (self.front_axle_distance >= self.wheelbase) {
+            complain("front_axle_distance",
+                     "the centre of gravity must lie between the axles (front_axle_distance < wheelbase)");
+        }
+        if (2 * (self.front.unsprung_mass + self.rear.unsprung_mass) >= 0.5 * self.mass) {
+            complain("mass", "the unsprung masses of four wheels must be less than half the car's mass");
+        }
+    }
+};
+static_assert(describesEveryMember<VehicleParams>());
+
+// What follows from the parameters and never changes during a run.
+struct Vehicle {
+    struct Corner {
+        Vector3 hub_B;         // m, wheel centre at static load
+        double static_force;   // N, in the spring at static load
+        double lateral_slope;  // -, lateral movement of the contact point over compression (roll centre)
+        double unsprung_mass;  // kg
+        double wheel_inertia;  // kg m2
+        TyreParams tyre;       // as mounted on this side
+    };
+
+    VehicleParams params;
+    PerWheel<Corner> corners;
+    Eigen::Matrix<double, 6, 6>
+        inverse_mass;  // body axes: forces and moments to accelerations, unsprung masses free to move along z
+};
+Vehicle prepare(const VehicleParams& params, double gravity = kStandardGravity);
+
+// ---- State and motion ----
+
+struct WheelState {
+    TyreState tyre;
+    TyreMotion motion;  // of the tyre at the end of the last step, paper axes
+    double spin = 0;    // rad/s, positive forward
+    double travel = 0;  // m, compression
+    double rate = 0;    // m/s
+    double radius = 0;  // m, wheel centre to road
+    double steer = 0;   // rad, of the wheel against the body, toe included
+    // Forces of the road on the tyre at the end of the last step, ISO 8855 wheel axes.
+    double load = 0, fx = 0, fy = 0, mz = 0;
+    double vertical_force = 0;  // N, of the load along the body's z axis
+    double drive_torque = 0;    // N m, of the driveline
+    double brake_torque = 0;    // N m, that the brake can hold
+};
+
+struct VehicleState {
+    PerWheel<WheelState> wheels;
+    DrivelineState driveline;
+    std::array<double, 3> acceleration_W{};          // m/s2, of the centre of gravity at the end of the last step
+    std::array<double, 3> angular_acceleration_W{};  // rad/s2
+    double engine_torque = 0;                        // N m
+};
+static_assert(std::is_trivially_copyable_v<VehicleState>, "a snapshot is a copy");
+
+// Motion of the body: position of the centre of gravity and attitude of the ISO 8855 vehicle axes in the world.
+struct ChassisMotion {
+    Vector3 position_W = Vector3::Zero();
+    Quaternion orientation = Quaternion::Identity();
+    Vector3 velocity_W = Vector3::Zero();
+    Vector3 angular_velocity_W = Vector3::Zero();
+};
+
+// What surrounds the car during a step.
+struct Surroundings {
+    const Road& road;
+    Vector3 gravity_W{0, 0, -kStandardGravity};
+};
+
+// Advances car and body by dt (at most about 2 ms); the driver's input is given at both ends of the step.
+void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle, const VehicleInput& begin,
+             const VehicleInput& end, const Surroundings& surroundings, double dt);
+
+// What an observer on board reads.
+VehicleOutput observe(const ChassisMotion& motion, const VehicleState& state, const Vehicle& vehicle,
+                      const Vector3& gravity_W);
+
+}  // namespace tread

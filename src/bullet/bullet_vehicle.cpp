@@ -1,0 +1,197 @@
+#include "tread/bullet_vehicle.h"
+
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+#include <LinearMath/btIDebugDraw.h>
+
+#include <cmath>
+
+#include "bullet/convert.h"
+
+namespace tread {
+
+#ifdef BT_USE_DOUBLE_PRECISION
+inline namespace bullet_float64 {
+#else
+inline namespace bullet_float32 {
+#endif
+
+namespace {
+
+constexpr double kLongestSubstep = 0.001;  // s: 60 Hz and 1000 Hz then differ by rounding of the step alone
+
+// Rotation vector of the turn from a to b, divided by dt.
+Vector3 meanAngularVelocity(const Quaternion& a, const Quaternion& b, double dt) {
+    Quaternion turn = b * a.conjugate();
+    if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
+    const double sine = turn.vec().norm();
+    if (sine == 0) return Vector3::Zero();
+    const double angle = 2 * std::atan2(sine, turn.w());
+    return turn.vec() * (angle / sine / dt);
+}
+
+Quaternion attitudeOf(const BodyAxes& axes) {
+    Eigen::Matrix3d m;
+    m.col(0) = fromBullet(axes.forward);
+    m.col(1) = fromBullet(axes.left);
+    m.col(2) = m.col(0).cross(m.col(1));
+    return Quaternion(m).normalized();
+}
+
+}  // namespace
+
+struct BulletVehicle::Implementation {
+    btRigidBody& chassis;
+    const Road& road;
+    Vehicle vehicle;
+    Quaternion axes;  // ISO 8855 vehicle axes to the body's own
+
+    ChassisMotion motion;  // at the time of the last step, velocities at that instant
+    VehicleState state;
+    VehicleInput input;  // at the time of the last step
+    VehicleInput next;   // at the end of the next one
+    // Velocities that the body will show after Bullet's step if nobody else pushes it.
+    Vector3 expected_velocity;
+    Vector3 expected_angular_velocity;
+
+    Vector3 gravity() const { return fromBullet(chassis.getGravity()); }
+
+    void setMass() {
+        const InertiaParams& inertia = vehicle.params.inertia;
+        const Vector3 moments = (axes * Vector3(inertia.roll, inertia.pitch, inertia.yaw)).cwiseAbs();
+        const btVector3 acceleration = chassis.getGravity();
+        chassis.setMassProps(static_cast<btScalar>(vehicle.params.mass), toBullet(moments));
+        chassis.setGravity(acceleration);
+        chassis.updateInertiaTensor();
+    }
+
+    void expectWhatBodyHas() {
+        expected_velocity = fromBullet(chassis.getLinearVelocity());
+        expected_angular_velocity = fromBullet(chassis.getAngularVelocity());
+    }
+
+    // The pose is Bullet's; the velocity is ours, changed by what others did to the body's.
+    void takeMotion() {
+        motion.position_W = fromBullet(chassis.getCenterOfMassPosition());
+        motion.orientation = fromBullet(chassis.getOrientation()) * axes;
+        motion.velocity_W += fromBullet(chassis.getLinearVelocity()) - expected_velocity;
+        motion.angular_velocity_W += fromBullet(chassis.getAngularVelocity()) - expected_angular_velocity;
+        expectWhatBodyHas();
+    }
+};
+
+BulletVehicle::BulletVehicle(const VehicleParams& params, btRigidBody& chassis, const Road& road, const BodyAxes& axes)
+    : self_(new Implementation{.chassis = chassis,
+                               .road = road,
+                               .vehicle = prepare(params),
+                               .axes = attitudeOf(axes),
+                               .motion = {},
+                               .state = {},
+                               .input = {},
+                               .next = {},
+                               .expected_velocity = {},
+                               .expected_angular_velocity = {}}) {
+    self_->setMass();
+    chassis.setFlags(chassis.getFlags() &
+                     ~(BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT | BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD |
+                       BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY));
+    self_->motion.velocity_W = fromBullet(chassis.getLinearVelocity());
+    self_->motion.angular_velocity_W = fromBullet(chassis.getAngularVelocity());
+    self_->expectWhatBodyHas();
+    self_->takeMotion();
+}
+
+BulletVehicle::~BulletVehicle() = default;
+
+void BulletVehicle::setInput(const VehicleInput& input) {
+    self_->next = input;
+}
+
+void BulletVehicle::restore(const ChassisMotion& motion, const VehicleState& state, const VehicleInput& input) {
+    self_->motion = motion;
+    self_->state = state;
+    self_->input = self_->next = input;
+    const Quaternion attitude = motion.orientation * self_->axes.conjugate();
+    const btTransform pose(toBullet(attitude), toBullet(motion.position_W));
+    self_->chassis.setCenterOfMassTransform(pose);
+    self_->chassis.setInterpolationWorldTransform(pose);
+    self_->chassis.setLinearVelocity(toBullet(motion.velocity_W));
+    self_->chassis.setAngularVelocity(toBullet(motion.angular_velocity_W));
+    self_->expectWhatBodyHas();
+}
+
+const ChassisMotion& BulletVehicle::motion() const {
+    return self_->motion;
+}
+const VehicleState& BulletVehicle::state() const {
+    return self_->state;
+}
+const Vehicle& BulletVehicle::vehicle() const {
+    return self_->vehicle;
+}
+
+VehicleOutput BulletVehicle::output() const {
+    return tread::observe(self_->motion, self_->state, self_->vehicle, self_->gravity());
+}
+
+void BulletVehicle::observe() {
+    self_->takeMotion();
+}
+
+void BulletVehicle::plan(double dt) {
+    Implementation& s = *self_;
+    if (!s.chassis.isActive()) return;
+
+    // Advance the car on a motion of its own.
+    ChassisMotion end = s.motion;
+    const Surroundings surroundings{s.road, s.gravity()};
+    const int substeps = std::max(1, static_cast<int>(std::ceil(dt / kLongestSubstep - 1e-6)));
+    const auto inputAt = [&](int k) {
+        VehicleInput input = s.input;
+        const double share = static_cast<double>(k) / substeps;
+        input.steering_wheel_angle += share * (s.next.steering_wheel_angle - s.input.steering_wheel_angle);
+        input.throttle += share * (s.next.throttle - s.input.throttle);
+        input.brake += share * (s.next.brake - s.input.brake);
+        input.clutch += share * (s.next.clutch - s.input.clutch);
+        return input;
+    };
+    for (int k = 0; k < substeps; ++k) {
+        advance(end, s.state, s.vehicle, inputAt(k), inputAt(k + 1), surroundings, dt / substeps);
+    }
+    s.input = s.next;
+
+    // Give the body the mean velocity, less what Bullet will add for gravity.
+    s.expected_velocity = (end.position_W - s.motion.position_W) / dt;
+    s.expected_angular_velocity = meanAngularVelocity(s.motion.orientation, end.orientation, dt);
+    const Vector3 change = s.expected_velocity - dt * s.gravity() - fromBullet(s.chassis.getLinearVelocity());
+    const Vector3 spin_change = s.expected_angular_velocity - fromBullet(s.chassis.getAngularVelocity());
+    s.chassis.setLinearVelocity(s.chassis.getLinearVelocity() + toBullet(change));
+    s.chassis.setAngularVelocity(s.chassis.getAngularVelocity() + toBullet(spin_change));
+    s.motion.velocity_W = end.velocity_W;
+    s.motion.angular_velocity_W = end.angular_velocity_W;
+}
+
+void BulletVehicle::updateAction(btCollisionWorld*, btScalar dt) {
+    observe();
+    plan(dt);
+}
+
+void BulletVehicle::debugDraw(btIDebugDraw* drawer) {
+    // Wheel axes and contact forces, 1 m for 4 kN.
+    constexpr double kForceScale = 1 / 4000.0;
+    const Implementation& s = *self_;
+    for (std::size_t i = 0; i < kWheels; ++i) {
+        const WheelState& wheel = s.state.wheels[i];
+        const Vector3 hub = s.vehicle.corners[i].hub_B + Vector3(0, 0, wheel.travel);
+        const Vector3 ground = hub - Vector3(0, 0, wheel.radius);
+        const Vector3 steer(std::cos(wheel.steer), std::sin(wheel.steer), 0);
+        const Vector3 left(-steer.y(), steer.x(), 0);
+        const Vector3 force = wheel.fx * steer + wheel.fy * left + wheel.load * Vector3::UnitZ();
+        const auto world = [&](const Vector3& at_B) {
+            return toBullet(Vector3(s.motion.position_W + s.motion.orientation * at_B));
+        };
+        drawer->drawLine(world(hub - wheel.radius * steer), world(hub + wheel.radius * steer), btVector3(0, 0, 1));
+        drawer->drawLine(world(ground), world(ground + kForceScale * force), btVector3(1, 0, 0));
+    }
+}
+}
+}  // namespace tread

@@ -1,0 +1,26 @@
+// Vectors and attitudes across the border with Bullet, in either precision.
+#pragma once
+
+#include <LinearMath/btQuaternion.h>
+#include <LinearMath/btVector3.h>
+
+#include "tread/vector.h"
+
+namespace tread {
+
+inline Vector3 fromBullet(const btVector3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+inline Quaternion fromBullet(const btQuaternion& q) {
+    return {q.w(), q.x(), q.y(), q.z()};
+}
+
+inline btVector3 toBullet(const Vector3& v) {
+    return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
+}
+inline btQuaternion toBullet(const Quaternion& q) {
+    return {static_cast<btScalar>(q.x()), static_cast<btScalar>(q.y()), static_cast<btScalar>(q.z()),
+            static_cast<btScalar>(q.w())};
+}
+
+}  // namespace tread

@@ -1,0 +1,165 @@
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <system_error>
+
+#include "log/csv.h"
+#include "log/csv_header.h"
+
+namespace tread {
+namespace {
+
+constexpr std::size_t kMostProblems = 20;        // more faults than a person reads at once
+constexpr std::size_t kReadBytes = 1 << 20;      // one read of the file
+constexpr std::size_t kBinaryProbeBytes = 4096;  // where control characters give a binary file away
+
+class Reader {
+public:
+    Reader(std::string_view text, const std::string& file) : rest_(text), file_(file) {}
+
+    Log read() {
+        checkText();
+        readColumns();
+        while (problems_.size() < kMostProblems && nextLine()) readRow();
+        if (!problems_.empty()) throw LoadError(std::move(problems_));
+        if (log_.samples() == 0) throw LoadError({{file_, line_number_, 0, "", "there are no rows below the header"}});
+        return std::move(log_);
+    }
+
+private:
+    void fault(std::size_t column, std::string text) {
+        problems_.push_back({file_, line_number_, static_cast<int>(column), "", std::move(text)});
+    }
+
+    void checkText() {
+        constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+        if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
+        const auto isBinary = [](char c) {
+            return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r';
+        };
+        const std::string_view probe = rest_.substr(0, kBinaryProbeBytes);
+        if (std::any_of(probe.begin(), probe.end(), isBinary) || rest_.find('\0') != std::string_view::npos) {
+            throw LoadError({{file_, 0, 0, "", "is not a text file, expected CSV with a header of `name [unit]`"}});
+        }
+    }
+
+    // Moves to the next line that is neither empty nor a comment; false at the end.
+    bool nextLine() {
+        while (!rest_.empty()) {
+            const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+            line_ = rest_.substr(0, end);
+            rest_.remove_prefix(std::min(end + 1, rest_.size()));
+            ++line_number_;
+            if (!line_.empty() && line_.back() == '\r') line_.remove_suffix(1);
+            if (line_.find_first_not_of(" \t") != std::string_view::npos && line_.front() != '#') return true;
+        }
+        return false;
+    }
+
+    void readColumns() {
+        if (!nextLine()) throw LoadError({{file_, 0, 0, "", "is empty, expected a header of `name [unit]`"}});
+        const std::vector<Column> columns = readHeader(line_, line_number_, file_, problems_);
+        if (!problems_.empty()) throw LoadError(std::move(problems_));
+        const auto lines = static_cast<std::size_t>(std::count(rest_.begin(), rest_.end(), '\n')) + 1;
+        const std::size_t rows = std::min(lines, rest_.size() / (2 * columns.size()) + 1);  // a cell has two characters
+        for (const Column& column : columns) {
+            log_.channels.push_back({column.name, column.unit, {}});
+            log_.channels.back().values.reserve(rows);
+        }
+    }
+
+    void readRow() {
+        const char* at = line_.data();
+        const char* const end = at + line_.size();
+        const std::size_t columns = log_.channels.size();
+        for (std::size_t i = 0; i < columns; ++i) {
+            double value;
+            const std::size_t place = static_cast<std::size_t>(at - line_.data()) + 1;
+            if (!readNumber(at, end, value)) return notANumber(place, i);
+            const bool ends = at == end;
+            if (ends != (i + 1 == columns)) return ragged(place);
+            if (!ends) ++at;
+            log_.channels[i].values.push_back(value);
+        }
+        checkTime();
+    }
+
+    // A number with blanks around it, up to a comma or the end of the line.
+    static bool readNumber(const char*& at, const char* end, double& value) {
+        while (at != end && (*at == ' ' || *at == '\t')) ++at;
+        const auto result = std::from_chars(at, end, value);
+        if (result.ec != std::errc{}) return false;
+        at = result.ptr;
+        while (at != end && (*at == ' ' || *at == '\t')) ++at;
+        return at == end || *at == ',';
+    }
+
+    void notANumber(std::size_t place, std::size_t column) {
+        const std::string_view rest = line_.substr(place - 1);
+        const std::string_view cell = rest.substr(0, rest.find(','));
+        const bool empty = cell.find_first_not_of(" \t") == std::string_view::npos;
+        fault(place, "column " + shown(log_.channels[column].name) + ": " +
+                         (empty ? "the cell is empty, expected a number" : shown(cell) + " is not a number"));
+        dropTornRow();
+    }
+
+    void ragged(std::size_t place) {
+        const auto values = static_cast<std::size_t>(std::count(line_.begin(), line_.end(), ',')) + 1;
+        const std::size_t columns = log_.channels.size();
+        const auto counted = [](std::size_t count, const char* what) {
+            return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+        };
+        fault(place, "the row has " + counted(values, "value") + ", the header has " + counted(columns, "column"));
+        dropTornRow();
+    }
+
+    // Columns that already took a value of a faulty row give it back, so that later rows are still checked.
+    void dropTornRow() {
+        const std::size_t rows = log_.channels.back().values.size();
+        for (Channel& channel : log_.channels) channel.values.resize(rows);
+    }
+
+    void checkTime() {
+        const std::vector<double>& time = log_.channels.front().values;
+        if (!std::isfinite(time.back())) {
+            fault(1, "the time is not finite");
+        } else if (time.size() > 1 && !(time.back() > time[time.size() - 2])) {
+            fault(1, "the time does not increase from one row to the next");
+        }
+    }
+
+    std::string_view rest_;
+    std::string file_;
+    std::string_view line_;
+    int line_number_ = 0;
+    Log log_;
+    std::vector<Problem> problems_;
+};
+
+}  // namespace
+
+Log parseLog(std::string_view text, const std::string& file) {
+    return Reader(text, file).read();
+}
+
+Log readLog(const std::filesystem::path& path) {
+    const auto close = [](std::FILE* file) { std::fclose(file); };
+    const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
+    const auto fail = [&] {
+        throw FileError("cannot read '" + path.string() + "': " + std::generic_category().message(errno));
+    };
+    if (!file) fail();
+    std::string text;
+    std::size_t size = 0;
+    do {
+        size = text.size();
+        text.resize(size + kReadBytes);
+        text.resize(size + std::fread(text.data() + size, 1, kReadBytes, file.get()));
+        if (std::ferror(file.get())) fail();
+    } while (text.size() > size);
+    return parseLog(text, path.string());
+}
+
+}  // namespace tread

@@ -1,1 +1,0 @@
-namespace tread { int logPlaceholder(); int logPlaceholder() { return 0; } }

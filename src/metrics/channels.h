@@ -1,0 +1,35 @@
+// Channels of a log as series, with one clear error for all that are missing.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "log/log.h"
+#include "metrics/metrics.h"
+#include "metrics/series.h"
+
+namespace tread {
+
+inline constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kGravity = 9.80665;  // m/s2, the g in deg/g
+inline constexpr double kDegrees = 57.29577951308232;
+inline constexpr double kKmh = 1 / 3.6;  // m/s
+// Half width of the smoothing of measured responses: keeps 2 Hz to 1 %, takes out two thirds of white noise at 100 Hz.
+inline constexpr double kResponseHalfWidth = 0.075;  // s
+
+// The channels in the order of `names`. Throws when any is missing or holds values that are not finite.
+std::vector<Series> channels(const Log& log, std::string_view manoeuvre, const std::vector<std::string_view>& names);
+// The same for a channel that the manoeuvre can do without.
+std::optional<Series> channelIfThere(const Log& log, std::string_view manoeuvre, std::string_view name);
+
+// Magnitude of the horizontal velocity; of its forward part when there is no chassis.vy.
+Series speed(const Log& log, std::string_view manoeuvre);
+
+// chassis.sideslip, or the angle of the velocity when only chassis.vy is logged.
+std::optional<Series> sideslip(const Log& log, std::string_view manoeuvre);
+
+// Ends the search for a manoeuvre with a sentence.
+[[noreturn]] void notFound(std::string_view manoeuvre, std::string_view why);
+
+}  // namespace tread

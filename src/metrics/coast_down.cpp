@@ -1,0 +1,125 @@
+#include "metrics/coast_down.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "metrics/channels.h"
+
+namespace tread {
+namespace {
+
+constexpr std::string_view kName = "coast_down";
+constexpr double kPedal = 0.02;          // of the pedal: less is a resting foot
+constexpr double kSteering = 0.1;        // rad at the steering wheel
+constexpr double kShortest = 3.0;        // s
+constexpr double kLeastLoss = 0.1;       // of the speed
+constexpr double kSlowest = 1.0;         // m/s: below, the resistance law does not hold
+constexpr double kAirDensity = 1.225;    // kg/m3, standard atmosphere at sea level
+constexpr double kBand = 20 * kKmh;      // m/s
+constexpr double kSpeedHalfWidth = 0.5;  // s; coasting is slow
+
+struct Interval {
+    double from = 0;
+    double to = 0;
+    double length() const { return to - from; }
+};
+
+// Longest time with both pedals released and the steering straight.
+Interval findCoasting(const Series& throttle, const Series& brake, const Series& v,
+                      const std::optional<Series>& steering) {
+    Interval longest, current;
+    bool coasting = false;
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        const bool free = throttle.value[i] < kPedal && brake.value[i] < kPedal && v.value[i] > kSlowest &&
+                          (!steering || std::abs(steering->value[i]) < kSteering);
+        if (free && !coasting) current.from = v.time[i];
+        coasting = free;
+        current.to = v.time[i];
+        if (coasting && current.length() > longest.length()) longest = current;
+    }
+    return longest;
+}
+
+struct Resistance {
+    double a0;   // m/s2
+    double a2;   // 1/m
+    double rms;  // m/s, speed left unexplained
+};
+
+// v(t) = c - a0 t - a2 * integral of v^2: needs no derivative of a noisy speed.
+Resistance fitResistance(const Series& v) {
+    const auto n = static_cast<Eigen::Index>(v.size());
+    Eigen::MatrixXd terms(n, 3);
+    Eigen::VectorXd target(n);
+    double squares = 0;
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        if (i > 0) {
+            // Exact for a speed that is linear between its samples.
+            const double a = v.value[k - 1], b = v.value[k];
+            squares += (a * a + a * b + b * b) / 3 * (v.time[k] - v.time[k - 1]);
+        }
+        terms.row(i) << 1, -(v.time[k] - v.begin()), -squares;
+        target[i] = v.value[k];
+    }
+    const Eigen::Vector3d found = terms.colPivHouseholderQr().solve(target);
+    const double rms = (terms * found - target).norm() / std::sqrt(static_cast<double>(n));
+    return {found[1], found[2], rms};
+}
+
+void addBands(std::vector<Metric>& out, const Series& v) {
+    const double fastest = *std::max_element(v.value.begin(), v.value.end());
+    for (double high = std::floor(fastest / kBand) * kBand; high > kBand / 2; high -= kBand) {
+        const double low = high - kBand;
+        const auto from = firstCrossing(v, high, v.begin()), to = firstCrossing(v, low, v.begin());
+        if (!from || !to) continue;
+        const std::string band = fmt::format("{:.0f}_to_{:.0f}_kmh", high / kKmh, low / kKmh);
+        const std::string words =
+            fmt::format("while the speed falls from {:.0f} to {:.0f} km/h", high / kKmh, low / kKmh);
+        out.push_back({"time_" + band, *to - *from, "s", "time " + words});
+        out.push_back({"distance_" + band, integral(v, *from, *to), "m", "distance " + words});
+    }
+}
+
+}  // namespace
+
+std::vector<Metric> coastDownMetrics(const Log& log, const KnownCar&) {
+    const auto needed = channels(log, kName, {"driver.throttle", "driver.brake", "chassis.vx"});
+    const auto steering = channelIfThere(log, kName, "driver.steering_wheel_angle");
+    const Interval found = findCoasting(needed[0], needed[1], needed[2], steering);
+    if (found.length() < kShortest) {
+        notFound(kName, fmt::format("the car rolls with both pedals released and straight steering for {:.2g} s only, "
+                                    "looked for at least {:.2g} s",
+                                    found.length(), kShortest));
+    }
+    const Series v = part(needed[2], found.from, found.to);
+    const Series clean = cleaned(v, kSpeedHalfWidth);
+    const double first = clean.value.front(), last = clean.value.back();
+    if (last > (1 - kLeastLoss) * first) {
+        notFound(kName,
+                 fmt::format("the speed goes from {:.3g} to {:.3g} m/s while the car rolls free, looked for a loss of "
+                             "at least {:.0f} %",
+                             first, last, 100 * kLeastLoss));
+    }
+    const Resistance resistance = fitResistance(v);
+
+    std::vector<Metric> out;
+    out.push_back({"initial_speed", first, "m/s", "speed at the beginning of the coasting"});
+    out.push_back({"final_speed", last, "m/s", "speed at its end"});
+    out.push_back({"time", found.length(), "s", "time between the two"});
+    out.push_back({"distance", integral(v, found.from, found.to), "m", "distance between the two"});
+    out.push_back({"deceleration_constant", resistance.a0, "m/s2", "a0 of the fitted deceleration a0 + a2 v^2"});
+    out.push_back({"deceleration_square", resistance.a2, "1/m", "a2 of the fitted deceleration a0 + a2 v^2"});
+    out.push_back({"rolling_resistance", resistance.a0 / kGravity, "-",
+                   "a0 / g: rolling resistance coefficient with the drag of the driveline in it"});
+    out.push_back({"drag_area_over_mass", 2 * resistance.a2 / kAirDensity, "m2/kg",
+                   fmt::format("2 a2 / air density of {:.3f} kg/m3; mass with its rotating parts", kAirDensity)});
+    out.push_back({"fit_rms", resistance.rms, "m/s", "speed that the fitted law leaves unexplained"});
+    addBands(out, clean);
+    return out;
+}
+
+}  // namespace tread

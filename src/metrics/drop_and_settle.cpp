@@ -1,0 +1,92 @@
+#include "metrics/drop_and_settle.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "metrics/channels.h"
+
+namespace tread {
+namespace {
+
+constexpr std::string_view kName = "drop_and_settle";
+constexpr double kLeastDrop = 0.01;        // m
+constexpr double kFastest = 0.5;           // m/s, horizontally
+constexpr double kSettledShare = 0.02;     // of the drop: within, the body has settled
+constexpr double kLeastSwing = 0.01;       // of the drop, peak to peak: smaller swings are left out
+constexpr double kHeightHalfWidth = 0.05;  // s
+
+// Frequency and damping from the swings between successive turning points; peak to peak, so that the height at which
+// the body comes to rest does not matter.
+struct Bounce {
+    double damped_frequency = kUndefined;  // Hz
+    double damping_ratio = kUndefined;
+};
+
+Bounce findBounce(const std::vector<Instant>& turns) {
+    Bounce bounce;
+    if (turns.size() < 2) return bounce;
+    const auto halves = static_cast<double>(turns.size() - 1);
+    bounce.damped_frequency = 0.5 * halves / (turns.back().time - turns.front().time);
+    if (turns.size() < 3) return bounce;
+    std::vector<double> number, logarithm;
+    for (std::size_t i = 0; i + 1 < turns.size(); ++i) {
+        number.push_back(static_cast<double>(i));
+        logarithm.push_back(std::log(std::abs(turns[i + 1].value - turns[i].value)));
+    }
+    const double decrement = -fitLine(number, logarithm).slope;  // per half period
+    bounce.damping_ratio = decrement / std::hypot(decrement, std::numbers::pi);
+    return bounce;
+}
+
+double settlingTime(const Series& z, double rest, double band) {
+    for (std::size_t i = z.size(); i-- > 0;) {
+        if (std::abs(z.value[i] - rest) <= band) continue;
+        if (i + 1 == z.size()) return kUndefined;
+        const double level = z.value[i] > rest ? rest + band : rest - band;
+        return firstCrossing(z, level, z.time[i]).value_or(z.time[i + 1]) - z.begin();
+    }
+    return 0;
+}
+
+}  // namespace
+
+std::vector<Metric> dropAndSettleMetrics(const Log& log, const KnownCar&) {
+    const Series z = cleaned(channels(log, kName, {"chassis.z", "chassis.vx"}).front(), kHeightHalfWidth);
+    const Series v = speed(log, kName);
+    const double fastest =
+        *std::max_element(v.value.begin(), v.value.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    if (std::abs(fastest) > kFastest) {
+        notFound(kName, fmt::format("the car moves at {:.2g} m/s, looked for at most {:.2g} m/s", fastest, kFastest));
+    }
+    const double rest = mean(z, z.end() - 0.1 * (z.end() - z.begin()), z.end());
+    const double drop = z.value.front() - rest;
+    if (drop < kLeastDrop) {
+        notFound(kName, fmt::format("the body sinks by {:.2g} mm, looked for at least {:.2g} mm", 1000 * drop,
+                                    1000 * kLeastDrop));
+    }
+    const auto turns = turningPoints(z, std::max(kLeastSwing * drop, 4 * noise(z)));
+    const Bounce bounce = findBounce(turns);
+    const double least = lowest(z, z.begin(), z.end()).value;
+    const double undamped = bounce.damped_frequency / std::sqrt(1 - bounce.damping_ratio * bounce.damping_ratio);
+
+    std::vector<Metric> out;
+    out.push_back({"drop", 1000 * drop, "mm", "height of the body at the beginning over that at rest"});
+    out.push_back(
+        {"settling_time", settlingTime(z, rest, kSettledShare * drop), "s",
+         fmt::format("from the beginning until the body stays within {:.0f} % of the drop; undefined when it does "
+                     "not",
+                     100 * kSettledShare)});
+    out.push_back(
+        {"overshoot", std::max(0.0, (rest - least) / drop), "-", "how far below rest the body dips, over the drop"});
+    out.push_back({"damped_frequency", bounce.damped_frequency, "Hz",
+                   "from the times between turning points; undefined when the body does not swing"});
+    out.push_back({"bounce_frequency", undamped, "Hz", "damped frequency over sqrt(1 - damping ratio^2)"});
+    out.push_back({"damping_ratio", bounce.damping_ratio, "-",
+                   "from the logarithmic decrement of the swings; undefined with fewer than two of them"});
+    return out;
+}
+
+}  // namespace tread

@@ -1,0 +1,84 @@
+#include "metrics/metrics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "metrics/coast_down.h"
+#include "metrics/drop_and_settle.h"
+#include "metrics/parked.h"
+#include "metrics/sine_steer.h"
+#include "metrics/steady_circle.h"
+#include "metrics/step_steer.h"
+#include "metrics/straight_braking.h"
+
+namespace tread {
+
+// What is more special comes first: a car that is dropped is parked as well, a step is slow steering at its end.
+const std::vector<Manoeuvre>& manoeuvres() {
+    static const std::vector<Manoeuvre> list = {
+        {"drop_and_settle", "the car falls onto its wheels: settling time, bounce frequency, damping",
+         dropAndSettleMetrics},
+        {"parked", "the car stands: drift of position and heading", parkedMetrics},
+        {"straight_braking", "braking to standstill: stopping distance, MFDD, locked wheels", straightBrakingMetrics},
+        {"coast_down", "rolling free: rolling resistance and drag area", coastDownMetrics},
+        {"step_steer", "a quick turn of the wheel, held: response times, overshoot, gains (after ISO 7401)",
+         stepSteerMetrics},
+        {"sine_steer", "sine steering: gain and phase, or lags of the peaks (after ISO 7401)", sineSteerMetrics},
+        {"steady_circle", "steady cornering: understeer, roll and sideslip gradients (after ISO 4138)",
+         steadyCircleMetrics}};
+    return list;
+}
+
+std::vector<Metric> metrics(const Log& log, std::string_view manoeuvre, const KnownCar& car) {
+    std::string names;
+    for (const Manoeuvre& known : manoeuvres()) {
+        if (known.name == manoeuvre) return known.metrics(log, car);
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
+    }
+    throw MetricError(fmt::format("unknown manoeuvre '{}', expected one of {}", manoeuvre, names));
+}
+
+std::string detectManoeuvre(const Log& log) {
+    std::string looked_for = "the log contains none of the known manoeuvres:";
+    for (const Manoeuvre& known : manoeuvres()) {
+        try {
+            known.metrics(log, {});
+            return std::string(known.name);
+        } catch (const MetricError& error) {
+            looked_for += fmt::format("\n  {}", error.what());
+        }
+    }
+    throw MetricError(looked_for);
+}
+
+std::string text(std::string_view manoeuvre, const std::vector<Metric>& metrics) {
+    std::size_t name_width = 0, unit_width = 0;
+    for (const Metric& metric : metrics) {
+        name_width = std::max(name_width, metric.name.size());
+        unit_width = std::max(unit_width, metric.unit.size());
+    }
+    std::string out = fmt::format("{}: {} metrics\n\n", manoeuvre, metrics.size());
+    for (const Metric& metric : metrics) {
+        const std::string value = std::isnan(metric.value) ? "undefined" : fmt::format("{:.5g}", metric.value);
+        out += fmt::format("{:<{}}  {:>11}  {:<{}}  {}\n", metric.name, name_width, value, metric.unit, unit_width,
+                           metric.definition);
+    }
+    return out;
+}
+
+// A metric that is not defined is null.
+nlohmann::json json(const std::vector<Metric>& metrics) {
+    nlohmann::json out = nlohmann::json::array();
+    for (const Metric& metric : metrics) {
+        out.push_back({{"name", metric.name},
+                       {"value", std::isnan(metric.value) ? nlohmann::json(nullptr) : nlohmann::json(metric.value)},
+                       {"unit", metric.unit},
+                       {"definition", metric.definition}});
+    }
+    return out;
+}
+
+}  // namespace tread

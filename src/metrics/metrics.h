@@ -1,0 +1,44 @@
+// What the standards ask of a manoeuvre, as numbers with definitions, from a log alone: simulated or measured.
+#pragma once
+
+#include <limits>
+#include <nlohmann/json_fwd.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "log/log.h"
+#include "metrics/metric.h"
+
+namespace tread {
+
+// The log lacks a channel, or does not contain the manoeuvre: says what was looked for and what was there.
+class MetricError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+// What is known of the car besides the log; NaN: unknown, and metrics that need it are NaN.
+struct KnownCar {
+    double wheelbase = std::numeric_limits<double>::quiet_NaN();       // m
+    double steering_ratio = std::numeric_limits<double>::quiet_NaN();  // steering wheel over road wheel
+};
+
+struct Manoeuvre {
+    std::string_view name;
+    std::string_view description;
+    std::vector<Metric> (*metrics)(const Log&, const KnownCar&);
+};
+// The known manoeuvres, in the order in which they are looked for.
+const std::vector<Manoeuvre>& manoeuvres();
+
+std::vector<Metric> metrics(const Log& log, std::string_view manoeuvre, const KnownCar& car = {});
+
+// Name of the first known manoeuvre that the log contains; MetricError with what was looked for when it contains none.
+std::string detectManoeuvre(const Log& log);
+
+std::string text(std::string_view manoeuvre, const std::vector<Metric>& metrics);
+nlohmann::json json(const std::vector<Metric>& metrics);
+
+}  // namespace tread

@@ -1,0 +1,64 @@
+// One channel over time, and what metrics ask of it: at any sampling rate, straight lines between the samples.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace tread {
+
+struct Series {
+    std::vector<double> time;   // s, increasing, at least one sample
+    std::vector<double> value;  // one per time
+
+    std::size_t size() const { return time.size(); }
+    double begin() const { return time.front(); }
+    double end() const { return time.back(); }
+};
+
+struct Instant {
+    double time;
+    double value;
+};
+
+struct Line {
+    double offset;  // value at x = 0
+    double slope;
+};
+
+double at(const Series& series, double t);                      // held beyond the ends
+double integral(const Series& series, double from, double to);  // within the series
+double mean(const Series& series, double from, double to);      // time-weighted; at(from) when the interval is empty
+Series part(const Series& series, double from, double to);      // the samples within, and the values at both ends
+Series increments(const Series& series, double level, double factor = 1);  // factor (value - level)
+
+// First time from `from` on at which the series reaches the level, from either side.
+std::optional<double> firstCrossing(const Series& series, double level, double from,
+                                    double to = std::numeric_limits<double>::infinity());
+std::optional<double> lastCrossing(const Series& series, double level, double from, double to);
+
+// Largest value within the interval; the parabola through its neighbours gives it between the samples.
+Instant highest(const Series& series, double from, double to);
+Instant lowest(const Series& series, double from, double to);
+
+// Where the series turns back by at least `swing`, alternately up and down; not its first and last sample.
+std::vector<Instant> turningPoints(const Series& series, double swing);
+
+// Least-squares line.
+Line fitLine(std::span<const double> x, std::span<const double> y);
+
+// Standard deviation of white measurement noise, from fourth differences: nearly blind to the signal itself.
+double noise(const Series& series);
+
+// Local parabola over +-half_width around each sample: its value, and its slope. Fewer than five samples in reach: the
+// series itself, and its plain differences.
+Series smoothed(const Series& series, double half_width);
+Series derivative(const Series& series, double half_width);
+
+// Smoothed when there is noise to speak of; a simulated log stays as it is, corners and all.
+bool isNoisy(const Series& series);
+Series cleaned(const Series& series, double half_width);
+Series cleanDerivative(const Series& series, double half_width);
+
+}  // namespace tread

@@ -1,0 +1,197 @@
+#include "metrics/sine_steer.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "metrics/channels.h"
+
+namespace tread {
+namespace {
+
+constexpr std::string_view kName = "sine_steer";
+constexpr double kSmallest = 0.02;           // rad at the steering wheel; less is a correction
+constexpr double kActive = 0.1;              // of the amplitude: beyond, the driver is steering
+constexpr double kLargestMisfit = 0.15;      // rms of what is no sine over the rms of the sine
+constexpr double kLargestUnevenness = 1.3;   // longest over shortest half-wave; more is a sweep
+constexpr double kFrequencySearch = 0.15;    // the first estimate of the frequency is within this share
+constexpr double kSteeringHalfWidth = 0.05;  // s
+
+struct SineFit {
+    std::complex<double> phasor;  // value(t) = real(phasor exp(i omega t))
+    double misfit;                // rms of the rest over rms of the sine
+};
+
+// Least squares of a sine, a constant and a drift.
+SineFit fitSine(const Series& series, double frequency) {
+    const auto n = static_cast<Eigen::Index>(series.size());
+    const double omega = 2 * std::numbers::pi * frequency;
+    Eigen::MatrixXd terms(n, 4);
+    Eigen::VectorXd target(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const double t = series.time[static_cast<std::size_t>(i)];
+        terms.row(i) << std::cos(omega * t), std::sin(omega * t), 1, t - series.begin();
+        target[i] = series.value[static_cast<std::size_t>(i)];
+    }
+    const Eigen::Vector4d found = terms.colPivHouseholderQr().solve(target);
+    const double rest = (terms * found - target).norm(), sine = (terms.leftCols<2>() * found.head<2>()).norm();
+    return {{found[0], -found[1]}, rest / sine};
+}
+
+// The frequency near the estimate at which a sine fits best: golden-section search.
+double bestFrequency(const Series& series, double estimate) {
+    const double golden = (std::sqrt(5.0) - 1) / 2;
+    double low = estimate * (1 - kFrequencySearch), high = estimate * (1 + kFrequencySearch);
+    while (high - low > 1e-7 * estimate) {
+        const double left = high - golden * (high - low), right = low + golden * (high - low);
+        if (fitSine(series, left).misfit < fitSine(series, right).misfit) {
+            high = right;
+        } else {
+            low = left;
+        }
+    }
+    return 0.5 * (low + high);
+}
+
+struct Sine {
+    bool one_period;
+    double frequency;  // Hz
+    double from, to;   // s: the whole period, or the last two
+};
+
+// First and last time at which the steering is away from its middle.
+std::pair<double, double> activeTime(const Series& steering, double middle, double level) {
+    std::size_t first = steering.size(), last = 0;
+    for (std::size_t i = 0; i < steering.size(); ++i) {
+        if (std::abs(steering.value[i] - middle) <= level) continue;
+        first = std::min(first, i);
+        last = i;
+    }
+    return {steering.time[first], steering.time[last]};
+}
+
+// Durations of the half-waves between the first and the last turning point.
+std::vector<double> halfWaves(const Series& steering, const std::vector<Instant>& turns) {
+    std::vector<double> crossings, durations;
+    for (std::size_t i = 0; i + 1 < turns.size(); ++i) {
+        const double middle = 0.5 * (turns[i].value + turns[i + 1].value);
+        if (const auto t = firstCrossing(steering, middle, turns[i].time, turns[i + 1].time)) crossings.push_back(*t);
+    }
+    for (std::size_t i = 0; i + 1 < crossings.size(); ++i) durations.push_back(crossings[i + 1] - crossings[i]);
+    return durations;
+}
+
+Sine findSine(const Series& steering) {
+    const double middle = steering.value.front();
+    const auto [low, high] = std::minmax_element(steering.value.begin(), steering.value.end());
+    const double amplitude = 0.5 * (*high - *low);
+    if (amplitude < kSmallest) {
+        notFound(kName, fmt::format("the steering wheel moves by +-{:.2g} deg only, looked for at least {:.2g} deg",
+                                    kDegrees * amplitude, kDegrees * kSmallest));
+    }
+    const auto turns = turningPoints(steering, 0.5 * amplitude);
+    if (turns.size() != 2 && turns.size() < 4) {
+        notFound(kName, fmt::format("the steering turns back {} times, looked for one period (2) or at least two (4)",
+                                    turns.size()));
+    }
+    const auto [begin, end] = activeTime(steering, middle, kActive * amplitude);
+    Sine sine{turns.size() == 2, 0, begin, end};
+    if (sine.one_period) {
+        const double within =
+            2 * std::asin(kActive) / (2 * std::numbers::pi);  // share of the period that is not active
+        sine.frequency = (1 - within) / (end - begin);
+    } else {
+        const auto halves = halfWaves(steering, turns);
+        if (halves.empty()) notFound(kName, "the steering does not swing about one middle");
+        const auto [shortest, longest] = std::minmax_element(halves.begin(), halves.end());
+        if (*longest > kLargestUnevenness * *shortest) {
+            notFound(kName,
+                     fmt::format("the half-waves of the steering last {:.2g} to {:.2g} s, looked for one frequency",
+                                 *shortest, *longest));
+        }
+        double sum = 0;
+        for (double half : halves) sum += half;
+        sine.frequency = static_cast<double>(halves.size()) / (2 * sum);
+        sine.from = std::max(sine.to - 2 / sine.frequency, begin);
+    }
+    const Series window = part(steering, sine.from, sine.to);
+    sine.frequency = bestFrequency(window, sine.frequency);
+    const double misfit = fitSine(window, sine.frequency).misfit;
+    if (misfit > kLargestMisfit) {
+        notFound(kName, fmt::format("the steering departs from a sine of {:.2g} Hz by {:.0f} %", sine.frequency,
+                                    100 * misfit));
+    }
+    return sine;
+}
+
+void addContinuous(std::vector<Metric>& out, const Sine& sine, const Series& steering, const Series& response,
+                   std::string_view name, std::string_view words, std::string_view gain_unit) {
+    const auto input = fitSine(part(steering, sine.from, sine.to), sine.frequency).phasor;
+    const auto output = fitSine(part(response, sine.from, sine.to), sine.frequency).phasor;
+    const std::complex<double> transfer = output / input;
+    // A car lags by up to about 180 deg; the range is chosen so that no such lag wraps.
+    double lag = -kDegrees * std::arg(transfer);
+    if (lag < -90) lag += 360;
+    out.push_back(
+        {fmt::format("{}_gain", name), std::abs(transfer), std::string(gain_unit),
+         fmt::format("amplitude of the {} over that of the steering-wheel angle, least-squares sines over the "
+                     "last two periods",
+                     words)});
+    out.push_back({fmt::format("{}_phase_lag", name), lag, "deg",
+                   fmt::format("by which the {} lags the steering-wheel angle, same fits", words)});
+}
+
+// Peaks of the answer to one period, the first in the direction of the steering.
+void addOnePeriod(std::vector<Metric>& out, const Sine& sine, const std::vector<Instant>& turns, const Series& response,
+                  std::string_view name, std::string_view words, std::string_view gain_unit) {
+    const bool up = turns[0].value > turns[1].value;
+    const double period = 1 / sine.frequency, half = 0.5 * (turns[0].time + turns[1].time);
+    const auto peak = [&](bool high, double from, double to) {
+        return high ? highest(response, from, to) : lowest(response, from, to);
+    };
+    const Instant first = peak(up, sine.from, half + 0.5 * period);
+    const Instant second = peak(!up, std::max(first.time, half), sine.to + period);
+    out.push_back({fmt::format("{}_first_peak_lag", name), first.time - turns[0].time, "s",
+                   fmt::format("from the first peak of the steering to that of the {}", words)});
+    out.push_back({fmt::format("{}_second_peak_lag", name), second.time - turns[1].time, "s",
+                   fmt::format("from the second peak of the steering to that of the {}", words)});
+    out.push_back({fmt::format("{}_gain", name), (first.value - second.value) / (turns[0].value - turns[1].value),
+                   std::string(gain_unit),
+                   fmt::format("peak to peak of the {} over that of the steering-wheel angle", words)});
+}
+
+}  // namespace
+
+std::vector<Metric> sineSteerMetrics(const Log& log, const KnownCar&) {
+    const auto needed =
+        channels(log, kName, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
+    const Series steering = cleaned(needed[0], kSteeringHalfWidth);
+    const Sine sine = findSine(steering);
+    const double amplitude = std::abs(fitSine(part(steering, sine.from, sine.to), sine.frequency).phasor);
+
+    std::vector<Metric> out;
+    out.push_back({"speed", mean(needed[1], sine.from, sine.to), "m/s", "mean forward speed over the evaluated time"});
+    out.push_back(
+        {"periods", sine.one_period ? 1.0 : 2.0, "-",
+         "1: a single period, evaluated by its peaks; 2: the last two of a continuous sine, evaluated by fits"});
+    out.push_back({"frequency", sine.frequency, "Hz", "of the steering, from the sine that fits best"});
+    out.push_back({"steering_amplitude", kDegrees * amplitude, "deg", "amplitude of that sine"});
+    const auto add = [&](const Series& response, std::string_view name, std::string_view words, std::string_view unit) {
+        if (sine.one_period) {
+            const double swing = 0.5 * amplitude;
+            addOnePeriod(out, sine, turningPoints(steering, swing), cleaned(response, kResponseHalfWidth), name, words,
+                         unit);
+        } else {
+            addContinuous(out, sine, needed[0], response, name, words, unit);
+        }
+    };
+    add(needed[2], "yaw_rate", "yaw rate", "1/s");
+    add(needed[3], "ay", "lateral acceleration", "m/s2/rad");
+    return out;
+}
+
+}  // namespace tread

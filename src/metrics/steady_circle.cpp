@@ -1,0 +1,217 @@
+#include "metrics/steady_circle.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "metrics/channels.h"
+
+namespace tread {
+namespace {
+
+constexpr std::string_view kName = "steady_circle";
+constexpr double kHalfWidth = 0.5;             // s; everything changes slowly here
+constexpr double kLowestAy = 0.1 * kGravity;   // below, offsets and play count for more than the car
+constexpr double kHighestAy = 0.4 * kGravity;  // the end of the linear range of most cars ...
+constexpr double kHighestShare = 0.6;          // ... and of those that grip less, of their largest ay
+constexpr double kLeastSpan = 0.5;             // m/s2 between the slowest and the fastest turn
+constexpr std::size_t kFewestSamples = 10;
+constexpr double kFastestSteering = 0.6;  // rad/s; the slowly increasing steer has 0.24
+constexpr double kSlowest = 2.0;          // m/s
+constexpr double kPedal = 0.02;           // of the brake pedal; more is no steady state
+constexpr double kConstant = 0.03;        // standard deviation over mean of a speed that is held
+
+enum class Method { constant_radius = 1, constant_speed = 2, constant_steering = 3 };
+
+constexpr std::string_view wordsOf(Method method) {
+    switch (method) {
+        case Method::constant_radius:
+            return "constant radius";
+        case Method::constant_speed:
+            return "constant speed";
+        default:
+            return "constant steering angle";
+    }
+}
+
+struct Circle {
+    Series steering, v, yaw_rate, ay;
+    std::optional<Series> brake;
+    std::vector<std::vector<std::size_t>> turns;  // samples for the regressions, one list per direction driven
+};
+
+std::vector<std::size_t> samplesOfTurn(const Circle& circle, double direction) {
+    double largest = 0;
+    for (std::size_t i = 0; i < circle.ay.size(); ++i) largest = std::max(largest, direction * circle.ay.value[i]);
+    const double high = std::min(kHighestAy, kHighestShare * largest);
+    std::vector<std::size_t> samples;
+    double least = high, most = 0;
+    for (std::size_t i = 0; i < circle.ay.size(); ++i) {
+        const double ay = direction * circle.ay.value[i];
+        if (ay < kLowestAy || ay > high || circle.v.value[i] < kSlowest) continue;
+        if (circle.brake && circle.brake->value[i] > kPedal) continue;
+        samples.push_back(i);
+        least = std::min(least, ay);
+        most = std::max(most, ay);
+    }
+    if (samples.size() < kFewestSamples || most - least < kLeastSpan) return {};
+    return samples;
+}
+
+Circle findCircle(const Log& log) {
+    const auto needed =
+        channels(log, kName, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
+    Circle circle{cleaned(needed[0], kHalfWidth),
+                  cleaned(needed[1], kHalfWidth),
+                  cleaned(needed[2], kHalfWidth),
+                  cleaned(needed[3], kHalfWidth),
+                  channelIfThere(log, kName, "driver.brake"),
+                  {}};
+    const Series rate = cleanDerivative(needed[0], kHalfWidth);
+    for (const double direction : {1.0, -1.0}) {
+        const auto samples = samplesOfTurn(circle, direction);
+        if (samples.empty()) continue;
+        for (std::size_t i : samples) {
+            if (std::abs(rate.value[i]) <= kFastestSteering) continue;
+            notFound(kName,
+                     fmt::format("the steering moves at up to {:.0f} deg/s, looked for slow changes (at most {:.0f})",
+                                 kDegrees * std::abs(rate.value[i]), kDegrees * kFastestSteering));
+        }
+        circle.turns.push_back(samples);
+    }
+    if (circle.turns.empty()) {
+        notFound(kName, fmt::format("looked for a turn whose lateral acceleration covers at least {:.1f} m/s2 between "
+                                    "{:.1f} m/s2 and {:.0f} % of its largest value",
+                                    kLeastSpan, kLowestAy, 100 * kHighestShare));
+    }
+    return circle;
+}
+
+using Quantity = std::function<double(std::size_t)>;  // of a sample
+
+// Standard deviation over mean, over all turns; magnitudes, so that left and right count alike.
+double variation(const Circle& circle, const Quantity& quantity) {
+    double n = 0, sum = 0, squares = 0;
+    for (const auto& turn : circle.turns) {
+        for (std::size_t i : turn) {
+            const double value = std::abs(quantity(i));
+            n += 1;
+            sum += value;
+            squares += value * value;
+        }
+    }
+    return std::sqrt(std::max(0.0, squares / n - sum / n * (sum / n))) / (sum / n);
+}
+
+// Slope of a quantity over lateral acceleration; mean of the directions driven, so that sensor offsets cancel.
+double gradient(const Circle& circle, const Quantity& quantity) {
+    double sum = 0;
+    for (const auto& turn : circle.turns) {
+        std::vector<double> x, y;
+        for (std::size_t i : turn) {
+            x.push_back(circle.ay.value[i]);
+            y.push_back(quantity(i));
+        }
+        sum += fitLine(x, y).slope;
+    }
+    return sum / static_cast<double>(circle.turns.size());
+}
+
+Method methodOf(const Circle& circle) {
+    const double radius =
+        variation(circle, [&](std::size_t i) { return circle.yaw_rate.value[i] / circle.v.value[i]; });
+    const double speed = variation(circle, [&](std::size_t i) { return circle.v.value[i]; });
+    const double steering = variation(circle, [&](std::size_t i) { return circle.steering.value[i]; });
+    if (speed < kConstant && speed < radius) return Method::constant_speed;
+    return radius <= steering ? Method::constant_radius : Method::constant_steering;
+}
+
+// Mean over left and right of a channel of the front wheels, less that of the rear wheels.
+std::optional<Series> frontLessRear(const Log& log, const std::string& what) {
+    const auto wheel = [&](const char* which) {
+        return channelIfThere(log, kName, std::string("wheel.") + which + "." + what);
+    };
+    auto out = wheel("front_left");
+    const auto fr = wheel("front_right"), rl = wheel("rear_left"), rr = wheel("rear_right");
+    if (!out || !fr || !rl || !rr) return {};
+    for (std::size_t i = 0; i < out->size(); ++i) {
+        out->value[i] = 0.5 * (out->value[i] + fr->value[i] - rl->value[i] - rr->value[i]);
+    }
+    return cleaned(*out, kHalfWidth);
+}
+
+std::optional<Series> roadWheelAngle(const Log& log, const Circle& circle, const KnownCar& car) {
+    if (auto logged = frontLessRear(log, "steer")) return logged;
+    if (std::isnan(car.steering_ratio)) return {};
+    return increments(circle.steering, 0, 1 / car.steering_ratio);
+}
+
+// K = d(delta - L / R) / d ay, from the first of these that the log allows. rad per m/s2.
+double understeer(const Log& log, const Circle& circle, const KnownCar& car, Method method) {
+    const auto road = roadWheelAngle(log, circle, car);
+    if (road && !std::isnan(car.wheelbase)) {
+        return gradient(circle, [&](std::size_t i) {
+            return road->value[i] - car.wheelbase * circle.yaw_rate.value[i] / circle.v.value[i];
+        });
+    }
+    if (road && method == Method::constant_radius) {
+        return gradient(circle, [&](std::size_t i) { return road->value[i]; });
+    }
+    // delta - L / R is also the front slip angle less the rear one, counted positive where the tyre pushes into the
+    // turn.
+    if (const auto slip = frontLessRear(log, "slip_angle")) {
+        const Series front = *channelIfThere(log, kName, "wheel.front_left.slip_angle");
+        const double sign = gradient(circle, [&](std::size_t i) { return front.value[i]; }) < 0 ? -1 : 1;
+        return sign * gradient(circle, [&](std::size_t i) { return slip->value[i]; });
+    }
+    return kUndefined;
+}
+
+double channelGradient(const Circle& circle, const std::optional<Series>& channel) {
+    if (!channel) return kUndefined;
+    const Series clean = cleaned(*channel, kHalfWidth);
+    return gradient(circle, [&](std::size_t i) { return clean.value[i]; });
+}
+
+}  // namespace
+
+std::vector<Metric> steadyCircleMetrics(const Log& log, const KnownCar& car) {
+    const Circle circle = findCircle(log);
+    const Method method = methodOf(circle);
+    const double per_g = kDegrees * kGravity;  // rad per m/s2 to deg per g
+    const double wheel_gradient = gradient(circle, [&](std::size_t i) { return circle.steering.value[i]; });
+    double largest = 0;
+    for (double ay : circle.ay.value) largest = std::max(largest, std::abs(ay));
+    double speed = 0, curvature = 0, n = 0;
+    for (const auto& turn : circle.turns) {
+        for (std::size_t i : turn) {
+            speed += circle.v.value[i];
+            curvature += std::abs(circle.yaw_rate.value[i]) / circle.v.value[i];
+            n += 1;
+        }
+    }
+    const std::string range = fmt::format("regression over {:.2g} to {:.2g} g, at most {:.0f} % of the largest",
+                                          kLowestAy / kGravity, kHighestAy / kGravity, 100 * kHighestShare);
+
+    std::vector<Metric> out;
+    out.push_back(
+        {"method", static_cast<double>(method), "-",
+         fmt::format("1 constant radius, 2 constant speed, 3 constant steering angle; this log: {}", wordsOf(method))});
+    out.push_back({"speed", speed / n, "m/s", "mean over the samples of the regression"});
+    out.push_back({"radius", n / curvature, "m", "from the mean curvature yaw rate / speed of these samples"});
+    out.push_back({"understeer_gradient", per_g * understeer(log, circle, car, method), "deg/g",
+                   "d(road-wheel angle - wheelbase / radius) / d ay; " + range +
+                       "; undefined when neither wheelbase nor slip angles are known and the radius changes"});
+    out.push_back({"steering_wheel_gradient", per_g * wheel_gradient, "deg/g",
+                   fmt::format("d steering-wheel angle / d ay at {}; {}", wordsOf(method), range)});
+    out.push_back({"roll_gradient", per_g * channelGradient(circle, channelIfThere(log, kName, "chassis.roll")),
+                   "deg/g", "d roll angle / d ay; " + range});
+    out.push_back({"sideslip_gradient", per_g * channelGradient(circle, sideslip(log, kName)), "deg/g",
+                   fmt::format("d sideslip angle / d ay at {}; {}", wordsOf(method), range)});
+    out.push_back({"largest_ay", largest, "m/s2", "largest magnitude of the lateral acceleration"});
+    return out;
+}
+
+}  // namespace tread

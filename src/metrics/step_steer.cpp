@@ -1,0 +1,194 @@
+#include "metrics/step_steer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "metrics/channels.h"
+
+namespace tread {
+namespace {
+
+constexpr std::string_view kName = "step_steer";
+constexpr double kSmallestStep = 0.02;       // rad at the steering wheel; less is a correction
+constexpr double kSlowestRise = 0.6;         // s from 10 to 90 %; slower is a ramp (the standard asks for 0.15 s)
+constexpr double kShortestHold = 1.0;        // s; the yaw rate needs about that to settle
+constexpr double kHoldBand = 0.05;           // of the step: how far a driver's hands may wander while holding
+constexpr double kHoldShare = 0.9;           // of the time that must be spent within the band
+constexpr double kSlowest = 1.0;             // m/s; below, a car does not turn
+constexpr double kSteadyWindow = 1.0;        // s at the end of the hold over which the steady state is taken
+constexpr double kSteadyDrift = 0.03;        // change over that window, as a share, up to which it counts as steady
+constexpr double kLeastOvershoot = 0.005;    // less is no peak
+constexpr double kSteeringHalfWidth = 0.02;  // s; keeps the corners of a quick ramp
+
+struct Step {
+    double onset;      // s
+    double half;       // s, time zero of the standard: half the steering input
+    double hold_end;   // s
+    double before;     // rad
+    double amplitude;  // rad, with sign
+    double rate;       // rad/s
+    double direction() const { return amplitude < 0 ? -1 : 1; }
+};
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// From the first to the last time at which the steering is within the band around the held value.
+struct Hold {
+    double from = 0, to = 0;
+    double share = 0;  // of the samples that lie within the band
+};
+Hold findHold(const Series& steering, double held, double amplitude) {
+    Hold hold;
+    std::size_t first = steering.size(), last = 0, inside = 0;
+    for (std::size_t i = 0; i < steering.size(); ++i) {
+        if (std::abs(steering.value[i] - held) > kHoldBand * std::abs(amplitude)) continue;
+        first = std::min(first, i);
+        last = i;
+        ++inside;
+    }
+    if (inside == 0) return hold;
+    return {steering.time[first], steering.time[last],
+            static_cast<double>(inside) / static_cast<double>(last - first + 1)};
+}
+
+Step findStep(const Series& steering) {
+    // Rough: from the first sample to the largest change, and how long more than half of that lasts.
+    const double start = steering.value.front();
+    double farthest = 0;
+    for (double value : steering.value) {
+        if (std::abs(value - start) > std::abs(farthest)) farthest = value - start;
+    }
+    if (std::abs(farthest) < kSmallestStep) {
+        notFound(kName,
+                 fmt::format("the steering wheel moves by {:.2g} deg only, looked for a step of at least {:.2g} deg",
+                             kDegrees * std::abs(farthest), kDegrees * kSmallestStep));
+    }
+    const double rough_half = *firstCrossing(steering, start + 0.5 * farthest, steering.begin());
+    const auto behind = static_cast<std::size_t>(
+        std::upper_bound(steering.time.begin(), steering.time.end(), rough_half) - steering.time.begin());
+    const double half_end =
+        firstCrossing(steering, start + 0.5 * farthest, steering.time[std::min(behind, steering.size() - 1)])
+            .value_or(steering.end());
+    const Series high = part(steering, rough_half, half_end);
+    const Hold hold = findHold(high, median(high.value), farthest);
+
+    // Refined: levels as means over the quiet times before and behind.
+    Step step{};
+    step.hold_end = hold.to;
+    const double after = mean(steering, hold.from, hold.to);
+    const double t10 =
+        lastCrossing(steering, start + 0.1 * (after - start), steering.begin(), rough_half).value_or(steering.begin());
+    const double t90 = firstCrossing(steering, start + 0.9 * (after - start), rough_half).value_or(hold.from);
+    step.onset = std::max(t10 - 0.125 * (t90 - t10), steering.begin());
+    step.before = mean(steering, step.onset - 1, step.onset);
+    step.amplitude = after - step.before;
+    step.half = firstCrossing(steering, step.before + 0.5 * step.amplitude, step.onset).value_or(rough_half);
+    step.rate = 0.8 * step.amplitude / std::max(t90 - t10, 1e-9);
+
+    if (t90 - t10 > kSlowestRise) {
+        notFound(kName, fmt::format("the steering takes {:.2g} s from 10 to 90 %, looked for at most {:.2g} s",
+                                    t90 - t10, kSlowestRise));
+    }
+    if (hold.to - hold.from < kShortestHold || hold.share < kHoldShare) {
+        notFound(kName,
+                 fmt::format("the steering is held for {:.2g} s only, looked for at least {:.2g} s within {:.0f} %",
+                             hold.to - hold.from, kShortestHold, 100 * kHoldBand));
+    }
+    return step;
+}
+
+// The answer of one channel, in the direction of the step and as increments over its value before.
+struct Response {
+    double steady;                  // at the end of the hold
+    double drift;                   // change over the steady window as a share of steady
+    double time90 = kUndefined;     // s after time zero
+    double peak_time = kUndefined;  // s after time zero
+    double overshoot = 0;           // (peak - steady) / steady
+};
+
+Response respond(const Series& measured, const Step& step, double half_width) {
+    const Series clean = cleaned(measured, half_width);
+    const double before = mean(measured, step.onset - 1, step.onset);
+    const double sign = mean(measured, step.hold_end - 0.2, step.hold_end) < before ? -1 : 1;
+    const double window = std::min(kSteadyWindow, (step.hold_end - step.half) / 3);
+    const Series end = increments(part(measured, step.hold_end - window, step.hold_end), before, sign);
+
+    Response response{};
+    const double steady = mean(end, end.begin(), end.end());
+    response.drift = fitLine(end.time, end.value).slope * window / steady;
+    const Series answer = increments(clean, before, sign);
+    if (const auto t = firstCrossing(answer, 0.9 * steady, step.onset, step.hold_end)) response.time90 = *t - step.half;
+    const Instant peak = highest(answer, step.onset, step.hold_end);
+    response.overshoot = std::max(0.0, peak.value / steady - 1);
+    const double least = std::max(kLeastOvershoot, isNoisy(measured) ? 3 * noise(clean) / steady : 0);
+    if (response.overshoot > least) response.peak_time = peak.time - step.half;
+    response.steady = sign * steady;
+    return response;
+}
+
+// Increment of a channel from before the step to the end of the hold.
+double steadyIncrement(const Series& series, const Step& step) {
+    const double window = std::min(kSteadyWindow, (step.hold_end - step.half) / 3);
+    return mean(series, step.hold_end - window, step.hold_end) - mean(series, step.onset - 1, step.onset);
+}
+
+void addResponse(std::vector<Metric>& out, std::string_view what, std::string_view words, const Response& response) {
+    const auto name = [&](std::string_view metric) { return fmt::format("{}_{}", what, metric); };
+    out.push_back({name("response_time"), response.time90, "s",
+                   fmt::format("from half the steering input to 90 % of the steady {}", words)});
+    out.push_back(
+        {name("peak_response_time"), response.peak_time, "s",
+         fmt::format("from half the steering input to the peak of the {}; undefined without overshoot", words)});
+    out.push_back({name("overshoot"), response.overshoot, "-", fmt::format("(peak - steady) / steady {}", words)});
+}
+
+}  // namespace
+
+std::vector<Metric> stepSteerMetrics(const Log& log, const KnownCar&) {
+    const auto needed =
+        channels(log, kName, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
+    const Step step = findStep(cleaned(needed[0], kSteeringHalfWidth));
+    const double v = mean(needed[1], step.onset - 0.1, step.onset);
+    if (v < kSlowest) notFound(kName, fmt::format("the car moves at {:.2g} m/s only when it is steered", v));
+    const Response yaw = respond(needed[2], step, kResponseHalfWidth);
+    const Response lateral = respond(needed[3], step, kResponseHalfWidth);
+    const auto slip = sideslip(log, kName);
+    const auto roll = channelIfThere(log, kName, "chassis.roll");
+    const double slip_deg = slip ? kDegrees * step.direction() * steadyIncrement(*slip, step) : kUndefined;
+    const double roll_gradient =
+        roll ? kDegrees * steadyIncrement(*roll, step) / (lateral.steady / kGravity) : kUndefined;
+    const bool steady = std::abs(yaw.drift) <= kSteadyDrift && std::abs(lateral.drift) <= kSteadyDrift;
+
+    std::vector<Metric> out;
+    out.push_back({"speed", v, "m/s", "forward speed when the steering begins"});
+    out.push_back(
+        {"steering_amplitude", kDegrees * step.amplitude, "deg", "steering-wheel angle held, less that before"});
+    out.push_back({"steering_rate", kDegrees * std::abs(step.rate), "deg/s", "mean rate from 10 to 90 % of the step"});
+    out.push_back(
+        {"steady_ay", lateral.steady, "m/s2", "lateral acceleration at the end of the hold, less that before"});
+    out.push_back(
+        {"steady", steady ? 1.0 : 0.0, "-",
+         fmt::format("1 when yaw rate and lateral acceleration change by at most {:.0f} % over the last part of "
+                     "the hold; 0: the steady values are those of a car still changing",
+                     100 * kSteadyDrift)});
+    out.push_back(
+        {"steady_drift", yaw.drift, "-", "change of the yaw rate over the last part of the hold, as a share"});
+    addResponse(out, "yaw_rate", "yaw rate", yaw);
+    addResponse(out, "ay", "lateral acceleration", lateral);
+    out.push_back({"yaw_rate_gain", yaw.steady / step.amplitude, "1/s", "steady yaw rate over steering-wheel angle"});
+    out.push_back({"ay_gain", lateral.steady / step.amplitude, "m/s2/rad",
+                   "steady lateral acceleration over steering-wheel angle"});
+    out.push_back({"steady_sideslip", slip_deg, "deg", "sideslip angle at the end of the hold, as in a left turn"});
+    out.push_back(
+        {"tb", yaw.peak_time * slip_deg, "s deg", "peak response time of the yaw rate times steady sideslip"});
+    out.push_back({"roll_gradient", roll_gradient, "deg/g", "steady roll angle over steady lateral acceleration"});
+    return out;
+}
+
+}  // namespace tread

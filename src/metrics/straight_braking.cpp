@@ -1,0 +1,157 @@
+#include "metrics/straight_braking.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "metrics/channels.h"
+
+namespace tread {
+namespace {
+
+constexpr std::string_view kName = "straight_braking";
+constexpr double kLeastBrake = 0.02;         // of the pedal: less is a resting foot
+constexpr double kOnsetShare = 0.01;         // of the largest pedal: where actuation starts
+constexpr double kSlowestStart = 2.0;        // m/s
+constexpr double kLargestSteering = 0.35;    // rad at the steering wheel: more is no straight line
+constexpr double kNearlyStopped = 0.2;       // m/s: from here the last metre is extrapolated, out of the sensor's noise
+constexpr double kLockedSlip = -0.9;         // slip ratio below which a wheel counts as locked
+constexpr double kLockedUntil = 1.0;         // m/s: below, every braked wheel stands still sooner or later
+constexpr double kSpeedHalfWidth = 0.1;      // s
+constexpr double kNominalSteps = 10 * kKmh;  // nominal speeds are whole tens of km/h
+
+struct Stop {
+    double start;          // s, brake actuation
+    double initial_speed;  // m/s
+    double end;            // s, standstill
+    double distance;       // m
+};
+
+double brakeOnset(const Series& brake) {
+    const double most = *std::max_element(brake.value.begin(), brake.value.end());
+    if (most < kLeastBrake) notFound(kName, "the brake is never applied");
+    // The application that leads to the stop begins where the pedal last left zero before its largest value.
+    const double level = kOnsetShare * most;
+    const double peak = highest(brake, brake.begin(), brake.end()).time;
+    if (brake.value.front() > level && !firstCrossing(brake, level, brake.begin(), peak)) return brake.begin();
+    return lastCrossing(brake, level, brake.begin(), peak).value_or(brake.begin());
+}
+
+Stop findStop(const Series& v, const Series& brake) {
+    Stop stop{};
+    stop.start = brakeOnset(brake);
+    stop.initial_speed = at(v, stop.start);
+    if (stop.initial_speed < kSlowestStart) {
+        notFound(kName, fmt::format("the car moves at {:.2g} m/s only when it is braked", stop.initial_speed));
+    }
+    const auto nearly = firstCrossing(v, kNearlyStopped, stop.start);
+    if (!nearly) {
+        const double least = *std::min_element(v.value.begin(), v.value.end());
+        notFound(kName, fmt::format("the car is braked from {:.3g} m/s but does not stop (slowest {:.3g} m/s)",
+                                    stop.initial_speed, least));
+    }
+    // Deceleration over the last stretch before; the speed sensor's noise and the car's rocking come after.
+    const double before = firstCrossing(v, 0.1 * stop.initial_speed + kNearlyStopped, stop.start).value_or(stop.start);
+    const double deceleration = (at(v, before) - kNearlyStopped) / std::max(*nearly - before, 1e-9);
+    stop.end = *nearly + kNearlyStopped / deceleration;
+    stop.distance = integral(v, stop.start, *nearly) + 0.5 * kNearlyStopped * kNearlyStopped / deceleration;
+    return stop;
+}
+
+void checkStraight(const Log& log, const Stop& stop) {
+    const auto steering = channelIfThere(log, kName, "driver.steering_wheel_angle");
+    if (!steering) return;
+    const Series during = part(*steering, stop.start, stop.end);
+    for (double angle : during.value) {
+        if (std::abs(angle - during.value.front()) <= kLargestSteering) continue;
+        notFound(kName, fmt::format("the steering wheel turns by more than {:.0f} deg while braking",
+                                    kDegrees * kLargestSteering));
+    }
+}
+
+// Mean fully developed deceleration: the average over distance between 80 and 10 % of the initial speed.
+double meanFullyDeveloped(const Series& v, const Stop& stop) {
+    const double vb = 0.8 * stop.initial_speed, ve = 0.1 * stop.initial_speed;
+    const auto tb = firstCrossing(v, vb, stop.start), te = firstCrossing(v, ve, stop.start);
+    if (!tb || !te) return kUndefined;
+    return (vb * vb - ve * ve) / (2 * integral(v, *tb, *te));
+}
+
+double peakDeceleration(const Log& log, const Series& v, const Stop& stop) {
+    const auto logged = channelIfThere(log, kName, "chassis.ax");
+    const Series acceleration = logged ? cleaned(*logged, kSpeedHalfWidth) : cleanDerivative(v, kSpeedHalfWidth);
+    const Series during = part(acceleration, stop.start, stop.end);
+    return -*std::min_element(during.value.begin(), during.value.end());
+}
+
+// Largest distance of the path from the line along which the car went when the brake was applied; left is positive.
+double lateralDeviation(const Log& log, const Stop& stop) {
+    const auto x = channelIfThere(log, kName, "chassis.x"), y = channelIfThere(log, kName, "chassis.y");
+    const auto yaw = channelIfThere(log, kName, "chassis.yaw");
+    if (!x || !y || !yaw) return kUndefined;
+    const double heading = at(*yaw, stop.start), x0 = at(*x, stop.start), y0 = at(*y, stop.start);
+    Series away = *x;
+    for (std::size_t i = 0; i < away.size(); ++i) {
+        away.value[i] = (y->value[i] - y0) * std::cos(heading) - (x->value[i] - x0) * std::sin(heading);
+    }
+    const Series during = part(away, stop.start, stop.end);
+    return *std::max_element(during.value.begin(), during.value.end(),
+                             [](double a, double b) { return std::abs(a) < std::abs(b); });
+}
+
+// Slip ratio of a wheel; from its spin, with the rolling radius it had when the brake was applied, if not logged.
+std::optional<Series> slipOf(const Log& log, const Series& v, const Stop& stop, const std::string& wheel) {
+    if (auto slip = channelIfThere(log, kName, wheel + ".slip_ratio")) return slip;
+    auto spin = channelIfThere(log, kName, wheel + ".spin");
+    if (!spin || at(*spin, stop.start) <= 0) return {};
+    const double radius = stop.initial_speed / at(*spin, stop.start);
+    for (std::size_t i = 0; i < spin->size(); ++i) {
+        spin->value[i] = spin->value[i] * radius / std::max(v.value[i], kNearlyStopped) - 1;
+    }
+    return spin;
+}
+
+void addLockedShares(std::vector<Metric>& out, const Log& log, const Series& v, const Stop& stop) {
+    const double until = firstCrossing(v, kLockedUntil, stop.start).value_or(stop.end);
+    for (const char* wheel : {"front_left", "front_right", "rear_left", "rear_right"}) {
+        const auto slip = slipOf(log, v, stop, std::string("wheel.") + wheel);
+        if (!slip) continue;
+        Series locked = part(*slip, stop.start, until);
+        for (double& value : locked.value) value = value < kLockedSlip ? 1 : 0;
+        out.push_back({std::string("locked_share_") + wheel, mean(locked, stop.start, until), "-",
+                       fmt::format("share of the time, down to {:.0f} m/s, with a slip ratio below {:.1f}",
+                                   kLockedUntil, kLockedSlip)});
+    }
+}
+
+}  // namespace
+
+std::vector<Metric> straightBrakingMetrics(const Log& log, const KnownCar&) {
+    const Series brake = channels(log, kName, {"driver.brake", "chassis.vx"}).front();
+    const Series v = cleaned(speed(log, kName), kSpeedHalfWidth);
+    const Stop stop = findStop(v, brake);
+    checkStraight(log, stop);
+    const double nominal = std::max(1.0, std::round(stop.initial_speed / kNominalSteps)) * kNominalSteps;
+    const double corrected = stop.distance * std::pow(nominal / stop.initial_speed, 2);
+
+    std::vector<Metric> out;
+    out.push_back({"initial_speed", stop.initial_speed, "m/s", "speed when the driver starts to actuate the brake"});
+    out.push_back({"stopping_distance", stop.distance, "m", "path from the start of brake actuation to standstill"});
+    out.push_back(
+        {"corrected_stopping_distance", corrected, "m",
+         fmt::format("stopping distance times (nominal / initial speed)^2, nominal {:.0f} km/h", nominal / kKmh)});
+    out.push_back({"stopping_time", stop.end - stop.start, "s", "from the start of brake actuation to standstill"});
+    out.push_back({"mfdd", meanFullyDeveloped(v, stop), "m/s2",
+                   "mean fully developed deceleration: (vb^2 - ve^2) / (2 (se - sb)), vb = 0.8 v0, ve = 0.1 v0"});
+    out.push_back({"mean_deceleration", stop.initial_speed / (stop.end - stop.start), "m/s2",
+                   "initial speed over stopping time"});
+    out.push_back({"peak_deceleration", peakDeceleration(log, v, stop), "m/s2",
+                   "largest deceleration between brake actuation and standstill"});
+    out.push_back({"lateral_deviation", lateralDeviation(log, stop), "m",
+                   "largest distance from the line along which the car pointed at brake actuation; left is positive"});
+    addLockedShares(out, log, v, stop);
+    return out;
+}
+
+}  // namespace tread

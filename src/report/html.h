@@ -1,0 +1,82 @@
+// A self-contained HTML page: sections, tables, time charts that share one cursor and one zoom, static figures. Works
+// without a network: style, script, chart library and values are all inside the file. Every string is escaped.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "report/svg.h"
+
+namespace tread {
+
+// Curves over one time base. The page copies what it draws: at most about 4000 samples of a curve, no peak lost.
+struct TimeChart {
+    struct Curve {
+        std::string name;
+        std::span<const double> values;
+        double scale = 1;  // from the unit of the values to the unit that is shown
+        Colour colour = Colour::automatic;
+        bool dashed = false;
+        double width = 1.5;  // pixels
+    };
+    std::string title;
+    std::string unit;  // as shown
+    std::span<const double> time;
+    std::vector<Curve> curves;
+    double band = 0;                 // half width of a shaded band around zero, 0 for none
+    std::vector<double> marks = {};  // vertical lines at these moments
+};
+
+struct Card {  // one number to see first
+    std::string label;
+    std::string value;
+    std::string unit;
+};
+
+struct Cell {
+    std::string text;
+    bool number = false;  // aligned to the right
+    bool alarm = false;   // drawn as bad news
+};
+
+class HtmlPage {
+public:
+    explicit HtmlPage(std::string title);
+
+    // The top of the page: the answer in one sentence; `verdict` (may be empty) is a word that is green when good, else
+    // red.
+    void answer(std::string_view sentence, std::string_view verdict = {}, bool good = true);
+    void cards(const std::vector<Card>& cards);
+    void keyValues(const std::vector<std::pair<std::string, std::string>>& pairs);
+    void warnings(const std::vector<std::string>& sentences);
+
+    void section(std::string_view title);  // appears in the table of contents
+    void text(std::string_view paragraph);
+    // With `prose_last`, the last column holds sentences: on a narrow screen it stands below the others.
+    void table(const std::vector<std::string>& header, const std::vector<std::vector<Cell>>& rows,
+               bool prose_last = false);
+    // Charts without curves or time are left out. Charts of one stack stand beneath each other.
+    void timeCharts(const std::vector<TimeChart>& charts);
+    void stackedTimeCharts(const std::vector<std::vector<TimeChart>>& stacks);
+    void figures(const std::vector<Chart>& charts);
+    void collapsible(std::string_view title, std::string_view verbatim);
+
+    std::string finish() const;
+
+private:
+    std::string title_;
+    std::string head_;      // answer, cards, key values, warnings
+    std::string contents_;  // links to the sections
+    std::string body_;      // the sections
+    std::string charts_;    // JSON objects of the time charts, separated by commas
+    std::size_t sections_ = 0;
+    std::size_t time_charts_ = 0;
+
+    void addTimeChart(const TimeChart& chart);
+    std::string& place() { return sections_ == 0 ? head_ : body_; }
+};
+
+}  // namespace tread

@@ -1,0 +1,192 @@
+// Time charts of a report: draws each from the values in #chart-data; all share one cursor and one zoom in time.
+(function () {
+    'use strict';
+
+    function decode(base64, Type) {
+        const text = atob(base64);
+        const bytes = new Uint8Array(text.length);
+        for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+        return new Type(bytes.buffer);
+    }
+
+    function rowsOf(data) {
+        const time = decode(data.time, Float64Array);
+        const curves = data.curves.map(curve => decode(curve.values, Float32Array));
+        return Array.from(time, (t, i) => [t].concat(curves.map(values => values[i])));
+    }
+
+    // Five digits, without an exponent where people would not write one.
+    function format(value) {
+        if (!Number.isFinite(value)) return '–';
+        const size = Math.abs(value);
+        if (size >= 1e5 && size < 1e9) return value.toFixed(0);
+        if (size > 0 && size < 1e-4) return Number(value.toPrecision(3)).toExponential();
+        return String(Number(value.toPrecision(5)));
+    }
+
+    function element(name, className, text) {
+        const made = document.createElement(name);
+        if (className) made.className = className;
+        if (text !== undefined) made.textContent = text;
+        return made;
+    }
+
+    // Names always, values while the cursor is on a chart.
+    function legend(figure, data) {
+        return function (state) {
+            const out = document.createDocumentFragment();
+            data.curves.forEach((curve, i) => {
+                const item = element('span');
+                const line = element('i', curve.dashed ? 'dashed' : '');
+                line.style.borderColor = curve.colour;
+                line.style.borderTopWidth = Math.max(2.5, curve.width) + 'px';
+                const selected = state.x !== undefined && state.series[i] && state.series[i].y !== undefined;
+                item.append(line, curve.name, element('b', '', selected ? format(state.series[i].y) : ''));
+                out.append(item);
+            });
+            figure.querySelector('.now').textContent =
+                state.x === undefined ? '' : 't = ' + Number(state.x.toFixed(4)) + ' s';
+            return out;
+        };
+    }
+
+    function underlay(data) {
+        return function (canvas, area, chart) {
+            if (data.band) {
+                const top = chart.toDomYCoord(data.band), bottom = chart.toDomYCoord(-data.band);
+                canvas.fillStyle = 'rgba(26, 154, 107, 0.16)';
+                canvas.fillRect(area.x, top, area.w, bottom - top);
+            }
+            canvas.fillStyle = '#a35bc4';
+            for (const time of data.marks) {
+                const x = chart.toDomXCoord(time);
+                for (let y = area.y; y < area.y + area.h; y += 8) canvas.fillRect(x - 0.75, y, 1.5, 5);
+            }
+        };
+    }
+
+    // Charts hold different samples (each keeps its own peaks): a moment selects the nearest one.
+    function nearestRow(x) {
+        let low = 0, high = this.numRows() - 1;
+        while (high - low > 1) {
+            const middle = (low + high) >> 1;
+            if (this.getValue(middle, 0) < x) low = middle; else high = middle;
+        }
+        return x - this.getValue(low, 0) < this.getValue(high, 0) - x ? low : high;
+    }
+
+    // The range in y of the rows between two moments: all values, the band, and never a range so small that rounding errors
+    // fill the chart.
+    function rangeOf(rows, band, from, to) {
+        let low = band ? -band : Infinity, high = band ? band : -Infinity;
+        for (const row of rows) {
+            if (row[0] < from || row[0] > to) continue;
+            for (let i = 1; i < row.length; ++i) {
+                if (row[i] < low) low = row[i];
+                if (row[i] > high) high = row[i];
+            }
+        }
+        if (low > high) return [0, 1];
+        const size = Math.max(Math.abs(low), Math.abs(high));
+        if (size < 1e-12) return [-1, 1];
+        if (high - low < 1e-5 * size) return [low - 0.1 * size, high + 0.1 * size];
+        const padding = 0.06 * (high - low);
+        return [low - padding, high + padding];
+    }
+
+    // A dot on each curve and one line through all charts at the selected moment.
+    function drawSelected(chart, name, canvas, x, y, colour, radius) {
+        if (name === '0') {
+            const area = chart.getArea();
+            canvas.fillStyle = 'rgba(128, 136, 146, 0.7)';
+            canvas.fillRect(x - 0.5, area.y, 1, area.h);
+        }
+        canvas.beginPath();
+        canvas.fillStyle = colour;
+        canvas.arc(x, y, radius, 0, 2 * Math.PI);
+        canvas.fill();
+    }
+
+    // With a finger, dragging scrolls the page and a tap selects; with a mouse, dragging zooms.
+    function interactions() {
+        const model = Object.assign({}, Dygraph.defaultInteractionModel);
+        for (const name of ['touchstart', 'touchmove', 'touchend']) delete model[name];
+        model.dblclick = resetZoom;
+        return model;
+    }
+
+    const button = document.getElementById('reset');
+    const charts = [];
+    let shownTime = [-Infinity, Infinity];
+
+    // After a zoom in time every chart fits its values to what is left; a zoom in y stays with its chart.
+    function fitValues(from, to) {
+        button.hidden = false;
+        if (from === shownTime[0] && to === shownTime[1]) return;
+        shownTime = [from, to];
+        for (const {chart, rows, band} of charts) chart.updateOptions({valueRange: rangeOf(rows, band, from, to)});
+    }
+
+    function resetZoom() {
+        shownTime = [-Infinity, Infinity];
+        for (const {chart, rows, band} of charts) {
+            chart.updateOptions({dateWindow: null, valueRange: rangeOf(rows, band, ...shownTime)});
+        }
+        button.hidden = true;
+    }
+
+    function draw(data, figure) {
+        const rows = rowsOf(data);
+        const chart = new Dygraph(figure.querySelector('.canvas'), rows, {
+            labels: ['time'].concat(data.curves.map((curve, i) => String(i))),  // shown names may repeat, these may not
+            series: Object.fromEntries(data.curves.map((curve, i) => [String(i), {
+                color: curve.colour,
+                strokeWidth: curve.width,
+                strokePattern: curve.dashed ? [7, 3] : null
+            }])),
+            valueRange: rangeOf(rows, data.band, ...shownTime),
+            xlabel: 'time [s]',
+            ylabel: data.unit || '–',
+            xLabelHeight: 16,
+            yLabelWidth: 16,
+            labelsDiv: figure.querySelector('.legend'),
+            legend: 'always',
+            legendFormatter: legend(figure, data),
+            underlayCallback: underlay(data),
+            drawHighlightPointCallback: drawSelected,
+            interactionModel: interactions(),
+            axes: {
+                x: {axisLabelFormatter: format, pixelsPerLabel: 46},
+                y: {axisLabelFormatter: format, axisLabelWidth: 54, pixelsPerLabel: 32}
+            },
+            gridLineColor: 'rgba(128, 136, 146, 0.22)',
+            gridLineWidth: 1,
+            axisLineColor: 'rgba(128, 136, 146, 0.8)',
+            highlightCircleSize: 3.5,
+            zoomCallback: fitValues
+        });
+        chart.getRowForX = nearestRow;
+        return {chart, rows, band: data.band};
+    }
+
+    // Chart by chart, so that the text of the page can be read while the charts appear.
+    const all = JSON.parse(document.getElementById('chart-data').textContent);
+    function drawNext() {
+        const stop = performance.now() + 15;
+        while (charts.length < all.length && performance.now() < stop) {
+            charts.push(draw(all[charts.length], document.getElementById('c' + charts.length)));
+        }
+        if (charts.length < all.length) {
+            setTimeout(drawNext);
+        } else if (charts.length > 1) {
+            Dygraph.synchronize(charts.map(each => each.chart), {selection: true, zoom: true, range: false});
+        }
+    }
+    setTimeout(drawNext);
+    button.addEventListener('click', resetZoom);
+
+    // Paper has another width than the window.
+    const resizeAll = () => charts.forEach(each => each.chart.resize());
+    window.addEventListener('beforeprint', resizeAll);
+    window.addEventListener('afterprint', resizeAll);
+})();

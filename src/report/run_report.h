@@ -1,0 +1,29 @@
+// The report of one run: the answer, the metrics, what the driver did and what car and tyres made of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "log/log.h"
+#include "metrics/metric.h"
+
+namespace tread {
+
+struct RunReport {
+    std::string title;
+    std::string answer;  // the result in one sentence
+    std::string vehicle;
+    std::string scenario;
+    std::string scenario_description = {};
+    std::string version;
+    const Log& log;                    // channels that are missing are left out of the report
+    std::vector<Metric> metrics = {};  // most important first: the first six become cards
+    std::string resolved_yaml = {};
+    std::vector<std::string> warnings = {};
+    double car_length = 4.3;  // m, of the outline in the top view
+    double car_width = 1.8;
+};
+
+std::string runReport(const RunReport& content);
+
+}  // namespace tread

@@ -1,0 +1,88 @@
+#include "vehicle/body.h"
+
+namespace tread {
+namespace {
+
+Vector3 toVector(const std::array<double, 3>& a) {
+    return {a[0], a[1], a[2]};
+}
+std::array<double, 3> toArray(const Vector3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+}  // namespace
+
+ChassisMotion predicted(const ChassisMotion& from, const VehicleState& state, double dt) {
+    const Vector3 a = toVector(state.acceleration_W);
+    const Vector3 alpha = toVector(state.angular_acceleration_W);
+    ChassisMotion to;
+    to.position_W = from.position_W + dt * (from.velocity_W + 0.5 * dt * a);
+    const Vector3 turn = dt * (from.angular_velocity_W + 0.5 * dt * alpha);
+    const double angle = turn.norm();
+    to.orientation = from.orientation;
+    if (angle > 0)
+        to.orientation = (Quaternion(Eigen::AngleAxisd(angle, turn / angle)) * from.orientation).normalized();
+    to.velocity_W = from.velocity_W + dt * a;
+    to.angular_velocity_W = from.angular_velocity_W + dt * alpha;
+    return to;
+}
+
+Wrench weight(const Vehicle& vehicle, const BodyFrame& body) {
+    Wrench wrench;
+    wrench.force_B = vehicle.params.mass * body.gravity_B;
+    for (std::size_t i = 0; i < kWheels; ++i) {
+        const Vehicle::Corner& corner = vehicle.corners[i];
+        wrench.add({0, 0, -corner.unsprung_mass * body.gravity_B.z()}, corner.hub_B);
+    }
+    return wrench;
+}
+
+Wrench aeroWrench(const Vehicle& vehicle, const BodyFrame& body) {
+    const VehicleParams& params = vehicle.params;
+    const AeroForces air = forces(params.aero, body.velocity_B);
+    Wrench wrench;
+    wrench.add(air.drag_B, {0, 0, params.aero.height - params.height});
+    wrench.add({0, 0, air.front_lift}, {params.front_axle_distance, 0, 0});
+    wrench.add({0, 0, air.rear_lift}, {params.front_axle_distance - params.wheelbase, 0, 0});
+    return wrench;
+}
+
+void addWheel(Wrench& wrench, const WheelAction& wheel, const BodyFrame& body) {
+    const WheelContact& contact = wheel.contact;
+    const Vector3 road_force =
+        wheel.tyre.Fx * contact.forward_B + wheel.tyre.Fy * contact.left_B + wheel.load * contact.normal_B;
+
+    // Along x and y the wheel moves with the body; along z only the suspension and the links push, at the hub. The
+    // vertical force acts at the contact, beside the hub: the links carry that couple.
+    wrench.add({road_force.x(), road_force.y(), 0}, contact.point_B);
+    wrench.add({0, 0, wheel.suspension_force - wheel.link_force}, wheel.corner.hub_B);
+    const Vector3 beside(contact.point_B.x() - contact.hub_B.x(), contact.point_B.y() - contact.hub_B.y(), 0);
+    wrench.moment_B += beside.cross(Vector3(0, 0, road_force.z()));
+
+    // Moments of the tyre, and the reaction of the spinning wheel (its own acceleration and its gyroscopic couple).
+    wrench.moment_B +=
+        wheel.tyre.Mx * contact.forward_B + wheel.tyre.My * contact.left_B + wheel.tyre.Mz * contact.normal_B;
+    const double inertia = wheel.corner.wheel_inertia;
+    wrench.moment_B -= inertia * wheel.spin_rate * contact.axis_B;
+    wrench.moment_B -= body.angular_velocity_B.cross(inertia * wheel.spin * contact.axis_B);
+}
+
+void correct(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle, const BodyFrame& body,
+             const Wrench& wrench, double dt) {
+    const InertiaParams& inertia = vehicle.params.inertia;
+    const Vector3& w = body.angular_velocity_B;
+    const Vector3 spin(inertia.roll * w.x() - inertia.roll_yaw * w.z(), inertia.pitch * w.y(),
+                       inertia.yaw * w.z() - inertia.roll_yaw * w.x());
+    Eigen::Vector<double, 6> load;
+    load << wrench.force_B, wrench.moment_B - w.cross(spin);
+    const Eigen::Vector<double, 6> acceleration = vehicle.inverse_mass * load;
+
+    const Vector3 a = body.to_world * acceleration.head<3>();
+    const Vector3 alpha = body.to_world * acceleration.tail<3>();
+    motion.velocity_W += 0.5 * dt * (a - toVector(state.acceleration_W));
+    motion.angular_velocity_W += 0.5 * dt * (alpha - toVector(state.angular_acceleration_W));
+    state.acceleration_W = toArray(a);
+    state.angular_acceleration_W = toArray(alpha);
+}
+
+}  // namespace tread

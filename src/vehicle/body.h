@@ -1,0 +1,46 @@
+// The body of the car as one rigid mass on which the wheels push: prediction and correction of its motion.
+#pragma once
+
+#include "tread/vehicle.h"
+#include "vehicle/wheel.h"
+
+namespace tread {
+
+// Force at the centre of gravity and moment about it, body axes.
+struct Wrench {
+    Vector3 force_B = Vector3::Zero();
+    Vector3 moment_B = Vector3::Zero();
+
+    void add(const Vector3& force, const Vector3& at) {
+        force_B += force;
+        moment_B += at.cross(force);
+    }
+};
+
+// Position and attitude after dt, velocities predicted with the accelerations of the last step.
+ChassisMotion predicted(const ChassisMotion& from, const VehicleState& state, double dt);
+
+// Weight of the body; the wheels' weight hangs on their suspension (wheelWrench).
+Wrench weight(const Vehicle& vehicle, const BodyFrame& body);
+
+Wrench aeroWrench(const Vehicle& vehicle, const BodyFrame& body);
+
+// What one wheel hands to the body: horizontal tyre forces at the contact, suspension and link forces at the hub,
+// tyre moments, reaction of the spin.
+struct WheelAction {
+    const Vehicle::Corner& corner;
+    const WheelContact& contact;
+    TyreForces tyre;          // ISO 8855 wheel axes
+    double load;              // N
+    double suspension_force;  // N, up on the body
+    double link_force;        // N, up on the wheel
+    double spin;              // rad/s
+    double spin_rate;         // rad/s2
+};
+void addWheel(Wrench& wrench, const WheelAction& wheel, const BodyFrame& body);
+
+// Replaces the predicted velocities by those that the wrench at the end of the step gives, and keeps the accelerations.
+void correct(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle, const BodyFrame& body,
+             const Wrench& wrench, double dt);
+
+}  // namespace tread

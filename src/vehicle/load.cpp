@@ -1,0 +1,14 @@
+#include "tread/load.h"
+
+#include "base/read_yaml.h"
+#include "base/write_yaml.h"
+
+namespace tread {
+
+VehicleParams loadVehicle(const std::filesystem::path& file) { return readYaml<VehicleParams>(file); }
+
+TyreParams loadTyre(const std::filesystem::path& file) { return readYaml<TyreParams>(file); }
+
+std::string vehicleYaml(const VehicleParams& params) { return writeYaml(params); }
+
+}  // namespace tread

@@ -1,0 +1,72 @@
+#include <cmath>
+
+#include "tread/vehicle.h"
+
+namespace tread {
+namespace {
+
+constexpr double kSlowWheel = 0.1;  // m/s, below which slips are reported against this speed
+constexpr double kSlowBody = 0.5;   // m/s, below which the sideslip angle means nothing
+
+ChassisOutput observeChassis(const ChassisMotion& motion, const VehicleState& state, const Vector3& up) {
+    const Eigen::Matrix3d body = motion.orientation.toRotationMatrix();
+    // Intermediate axes of ISO 8855: x horizontal along the heading, z vertical.
+    const Vector3 x = (body.col(0) - body.col(0).dot(up) * up).normalized();
+    const Vector3 y = up.cross(x);
+    const Vector3 acceleration(state.acceleration_W[0], state.acceleration_W[1], state.acceleration_W[2]);
+
+    ChassisOutput out;
+    out.x = motion.position_W.x();
+    out.y = motion.position_W.y();
+    out.z = motion.position_W.z();
+    out.yaw = std::atan2(x.y(), x.x());
+    out.pitch = -std::asin(std::clamp(body.col(0).dot(up), -1.0, 1.0));
+    out.roll = std::atan2(body.col(1).dot(up), body.col(2).dot(up));
+    out.vx = motion.velocity_W.dot(x);
+    out.vy = motion.velocity_W.dot(y);
+    out.vz = motion.velocity_W.dot(up);
+    out.roll_rate = motion.angular_velocity_W.dot(x);
+    out.pitch_rate = motion.angular_velocity_W.dot(y);
+    out.yaw_rate = motion.angular_velocity_W.dot(up);
+    out.ax = acceleration.dot(x);
+    out.ay = acceleration.dot(y);
+    out.az = acceleration.dot(up);
+    out.sideslip = std::hypot(out.vx, out.vy) < kSlowBody ? 0 : std::atan2(out.vy, out.vx);
+    return out;
+}
+
+WheelOutput observeWheel(const WheelState& wheel, double rolling_radius) {
+    const double speed = std::max(std::abs(wheel.motion.Vx), kSlowWheel);
+    WheelOutput out;
+    out.load = wheel.load;
+    out.fx = wheel.fx;
+    out.fy = wheel.fy;
+    out.mz = wheel.mz;
+    out.slip_ratio = (rolling_radius * wheel.spin - wheel.motion.Vx) / speed;
+    out.slip_angle = std::atan2(-wheel.motion.Vsy, speed);
+    out.camber = wheel.motion.gamma;
+    out.steer = wheel.steer;
+    out.spin = wheel.spin;
+    out.travel = wheel.travel;
+    out.drive_torque = wheel.drive_torque;
+    out.brake_torque = wheel.brake_torque;
+    out.patch_u = wheel.tyre.u;
+    out.patch_v = -wheel.tyre.v;  // ISO 8855: positive to the left
+    return out;
+}
+
+}  // namespace
+
+VehicleOutput observe(const ChassisMotion& motion, const VehicleState& state, const Vehicle& vehicle,
+                      const Vector3& gravity_W) {
+    const Vector3 up = gravity_W.norm() > 0 ? Vector3(-gravity_W.normalized()) : Vector3::UnitZ();
+    VehicleOutput out;
+    out.chassis = observeChassis(motion, state, up);
+    for (std::size_t i = 0; i < kWheels; ++i) {
+        out.wheel[i] = observeWheel(state.wheels[i], vehicle.corners[i].tyre.parameters.Re);
+    }
+    out.driveline = {state.driveline.engine_speed, state.engine_torque, static_cast<double>(state.driveline.gear)};
+    return out;
+}
+
+}  // namespace tread

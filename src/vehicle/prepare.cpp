@@ -1,0 +1,56 @@
+#include "tread/vehicle.h"
+
+namespace tread {
+namespace {
+
+TyreParams mounted(const TyreParams& tyre, bool left) {
+    TyreParams here = (tyre.side == TyreSide::left) == left ? tyre : mirrored(tyre);
+    here.name.clear();
+    here.notes.clear();  // keeps the step free of allocations when a tyre is copied for a road of other friction
+    return here;
+}
+
+Vehicle::Corner cornerOf(const VehicleParams& params, std::size_t wheel, double gravity) {
+    const AxleParams& axle = axleOf(wheel) == 0 ? params.front : params.rear;
+    const double rear_axle_distance = params.wheelbase - params.front_axle_distance;
+    const bool front = axleOf(wheel) == 0;
+    const double share = (front ? rear_axle_distance : params.front_axle_distance) / params.wheelbase;
+    const double load = 0.5 * share * params.mass * gravity;
+    const TyreCoefficients& p = axle.tyre.parameters;
+    const double radius = p.Ro - load / (p.pz1 * axle.tyre.lambda.Cz);
+
+    Vehicle::Corner corner;
+    corner.hub_B = {front ? params.front_axle_distance : -rear_axle_distance, sideSign(wheel) * 0.5 * axle.track,
+                    radius - params.height};
+    corner.static_force = load - axle.unsprung_mass * gravity;
+    corner.lateral_slope = sideSign(wheel) * axle.suspension.roll_centre_height / (0.5 * axle.track);
+    corner.unsprung_mass = axle.unsprung_mass;
+    corner.wheel_inertia = axle.wheel_inertia;
+    corner.tyre = mounted(axle.tyre, isLeft(wheel));
+    return corner;
+}
+
+}  // namespace
+
+Vehicle prepare(const VehicleParams& params, double gravity) {
+    Vehicle vehicle;
+    vehicle.params = params;
+    for (std::size_t i = 0; i < kWheels; ++i) vehicle.corners[i] = cornerOf(params, i, gravity);
+
+    // Mass matrix of the body whose unsprung masses move freely along z: the rigid car less m_u J J^T per wheel, where
+    // J takes the body's acceleration to the vertical acceleration of a hub.
+    Eigen::Matrix<double, 6, 6> mass = Eigen::Matrix<double, 6, 6>::Zero();
+    mass.diagonal() << params.mass, params.mass, params.mass, params.inertia.roll, params.inertia.pitch,
+        params.inertia.yaw;
+    mass(3, 5) = mass(5, 3) = -params.inertia.roll_yaw;
+    for (std::size_t i = 0; i < kWheels; ++i) {
+        const Vehicle::Corner& corner = vehicle.corners[i];
+        Eigen::Vector<double, 6> j;
+        j << 0, 0, 1, corner.hub_B.y(), -corner.hub_B.x(), 0;
+        mass -= corner.unsprung_mass * j * j.transpose();
+    }
+    vehicle.inverse_mass = mass.inverse();
+    return vehicle;
+}
+
+}  // namespace tread

@@ -1,0 +1,101 @@
+// The wiring of the car: the one place where sub-models meet.
+//
+// A step is velocity Verlet for the body with an implicit step of every wheel inside it: the body moves with the
+// accelerations of the last step, the wheels are advanced between both ends of that motion, and their forces at the end
+// correct its velocity. Second order; undamped bounce keeps its energy; at rest nothing is biased, so a parked car
+// stays.
+
+#include "tread/vehicle.h"
+
+#include "vehicle/body.h"
+#include "vehicle/travel.h"
+#include "vehicle/wheel.h"
+
+namespace tread {
+namespace {
+
+PerWheel<double> steered(const VehicleParams& params, double steering_wheel_angle) {
+    const auto front = roadWheelAngles(params.steering, steering_wheel_angle, params.front.track, params.wheelbase);
+    return {front.left, front.right, 0, 0};
+}
+
+PerWheel<double> spins(const PerWheel<WheelState>& wheels) {
+    return {wheels[0].spin, wheels[1].spin, wheels[2].spin, wheels[3].spin};
+}
+
+// Tyre forces and spin of one wheel over the step, in ISO 8855 wheel axes.
+TyreForces advanceTyre(WheelState& wheel, const Vehicle::Corner& corner, const WheelContact& contact,
+                       const TyreMotion& end, double dt) {
+    const TyreSpin spin{corner.wheel_inertia, contact.radius, wheel.drive_torque, wheel.brake_torque};
+    const auto step = [&](const TyreParams& tyre) {
+        return toIso(advance(wheel.tyre, wheel.spin, tyre, wheel.motion, end, spin, dt, Standstill::hold));
+    };
+    if (contact.friction == 1) return step(corner.tyre);
+    TyreParams tyre = corner.tyre;
+    tyre.lambda.mux *= contact.friction;
+    tyre.lambda.muy *= contact.friction;
+    return step(tyre);
+}
+
+}  // namespace
+
+void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle, const VehicleInput& begin,
+             const VehicleInput& end, const Surroundings& surroundings, double dt) {
+    const VehicleParams& params = vehicle.params;
+
+    // Body: where it is at the end of the step.
+    ChassisMotion next = predicted(motion, state, dt);
+    const BodyFrame from = bodyFrame(motion, surroundings.gravity_W);
+    const BodyFrame to = bodyFrame(next, surroundings.gravity_W);
+
+    // Steering.
+    const PerWheel<double> steer_begin = steered(params, begin.steering_wheel_angle);
+    const PerWheel<double> steer = steered(params, end.steering_wheel_angle);
+
+    // Suspension travel and wheel loads.
+    const auto contacts = advanceTravel(state.wheels, vehicle, from, to, steer, surroundings.road, dt);
+
+    // Driveline and brake torques.
+    const DrivelineTorques drive =
+        advance(state.driveline, params.driveline, {end.throttle, end.clutch, spins(state.wheels)}, dt);
+    const PerAxle<double> brake = brakeTorques(params.brakes, end.brake);
+    state.engine_torque = drive.engine;
+
+    // Tyre forces and spin, and what each wheel hands to the body.
+    Wrench wrench = weight(vehicle, to);
+    for (std::size_t i = 0; i < kWheels; ++i) {
+        const Vehicle::Corner& corner = vehicle.corners[i];
+        WheelState& wheel = state.wheels[i];
+        wheel.drive_torque = drive.wheel[axleOf(i)];
+        wheel.brake_torque = brake[axleOf(i)];
+        const double spin_begin = wheel.spin;
+        const TyreMotion at_end =
+            tyreMotion(contacts[i], to, corner, wheel.rate, (steer[i] - steer_begin[i]) / dt, wheel.load);
+        const TyreForces tyre = advanceTyre(wheel, corner, contacts[i], at_end, dt);
+        wheel.motion = at_end;
+        wheel.fx = tyre.Fx;
+        wheel.fy = tyre.Fy;
+        wheel.mz = tyre.Mz;
+        addWheel(wrench,
+                 {.corner = corner,
+                  .contact = contacts[i],
+                  .tyre = tyre,
+                  .load = wheel.load,
+                  .suspension_force = suspensionForce(vehicle, state.wheels, i).force,
+                  .link_force = linkForce(vehicle, wheel, i),
+                  .spin = wheel.spin,
+                  .spin_rate = (wheel.spin - spin_begin) / dt},
+                 to);
+    }
+
+    // Aerodynamics.
+    const Wrench air = aeroWrench(vehicle, to);
+    wrench.force_B += air.force_B;
+    wrench.moment_B += air.moment_B;
+
+    // One wrench moves the body.
+    correct(next, state, vehicle, to, wrench, dt);
+    motion = next;
+}
+
+}  // namespace tread

@@ -1,0 +1,50 @@
+// One wheel: where it touches the road, its vertical motion on the tyre, and its border with the tyre's axes.
+#pragma once
+
+#include "tread/vehicle.h"
+
+namespace tread {
+
+// The body's motion and the surroundings as one wheel sees them, all in body axes.
+struct BodyFrame {
+    Vector3 velocity_B;
+    Vector3 angular_velocity_B;
+    Eigen::Matrix3d to_world;  // body to world
+    Vector3 position_W;
+    Vector3 gravity_B;
+};
+BodyFrame bodyFrame(const ChassisMotion& motion, const Vector3& gravity_W);
+
+// Contact of a wheel with the plane of the road, in body axes.
+struct WheelContact {
+    Vector3 point_B;    // m, contact centre
+    Vector3 hub_B;      // m, wheel centre
+    Vector3 forward_B;  // unit vectors of the ISO 8855 wheel axes at the contact
+    Vector3 left_B;
+    Vector3 normal_B;
+    Vector3 axis_B;  // of the spin
+    double radius;   // m, wheel centre to road
+    double camber;   // rad, against the road
+    double friction;
+    bool exists;
+    Vector3 ground_velocity_B;
+};
+WheelContact wheelContact(const BodyFrame& body, const Vehicle::Corner& corner, double travel, double camber,
+                          double steer, const Road& road, std::size_t wheel);
+
+// Normal load of the tyre (83), and its slopes with deflection and deflection rate.
+struct TyreLoad {
+    double load;           // N
+    double by_deflection;  // N/m
+    double by_rate;        // N s/m
+};
+TyreLoad tyreLoad(const TyreParams& tyre, const WheelContact& contact, const BodyFrame& body, double rate);
+
+// Motion of the tyre in the paper's axes; `yaw_rate` is that of the wheel relative to the body.
+TyreMotion tyreMotion(const WheelContact& contact, const BodyFrame& body, const Vehicle::Corner& corner, double rate,
+                      double yaw_rate, double load);
+
+// Forces of the tyre, converted from the paper's axes to ISO 8855 wheel axes.
+TyreForces toIso(const TyreForces& paper);
+
+}  // namespace tread

@@ -1,0 +1,463 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "report/embedded.h"
+#include "report/html.h"
+#include "report/overlay_report.h"
+#include "report/run_report.h"
+#include "report/tyre_report.h"
+
+namespace tread {
+namespace {
+
+constexpr const char* kHostile = "</script><script>alert(1)</script><img src=x onerror=alert(2)>\"'&<!--";
+constexpr std::array kWheels = {"front_left", "front_right", "rear_left", "rear_right"};
+
+std::size_t count(const std::string& text, std::string_view part) {
+    std::size_t found = 0;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++found;
+    return found;
+}
+
+// A step steer: only the shape of the signals matters here, not the car.
+Log stepSteer(std::size_t samples, double dt) {
+    Log log;
+    const auto add = [&](const std::string& name, const std::string& unit, auto value) {
+        Channel channel{name, unit, {}};
+        for (std::size_t i = 0; i < samples; ++i) channel.values.push_back(value(static_cast<double>(i) * dt));
+        log.channels.push_back(std::move(channel));
+    };
+    const auto rise = [](double t) { return t < 1 ? 0.0 : 1 - std::exp(-5 * (t - 1)) * std::cos(8 * (t - 1)); };
+    add("time", "s", [](double t) { return t; });
+    add("driver.steering_wheel_angle", "rad", [](double t) { return t < 1 ? 0.0 : 1.0; });
+    add("driver.throttle", "-", [](double) { return 0.25; });
+    add("driver.brake", "-", [](double) { return 0.0; });
+    add("chassis.x", "m", [](double t) { return 20 * t; });
+    add("chassis.y", "m", [](double t) { return 0.1 * t * t; });
+    for (const char* angle : {"roll", "pitch", "yaw", "sideslip"}) {
+        add(std::string("chassis.") + angle, "rad", [&](double t) { return 0.05 * rise(t); });
+    }
+    add("chassis.vx", "m/s", [](double t) { return 20 + std::sin(900 * t); });
+    add("chassis.yaw_rate", "rad/s", [&](double t) { return 0.4 * rise(t); });
+    add("chassis.ax", "m/s2", [](double t) { return std::sin(400 * t); });
+    add("chassis.ay", "m/s2", [&](double t) { return 8 * rise(t) + 0.3 * std::sin(700 * t); });
+    for (const char* wheel : kWheels) {
+        const std::string prefix = std::string("wheel.") + wheel + ".";
+        for (const auto& [quantity, unit] : std::vector<std::pair<const char*, const char*>>{{"load", "N"},
+                                                                                             {"fx", "N"},
+                                                                                             {"fy", "N"},
+                                                                                             {"mz", "N m"},
+                                                                                             {"slip_ratio", "-"},
+                                                                                             {"slip_angle", "rad"},
+                                                                                             {"camber", "rad"},
+                                                                                             {"steer", "rad"},
+                                                                                             {"spin", "rad/s"},
+                                                                                             {"travel", "m"},
+                                                                                             {"patch_u", "m"},
+                                                                                             {"patch_v", "m"}}) {
+            // Rough on purpose: a curve that decimation cannot thin out for free.
+            add(prefix + quantity, unit, [&](double t) { return 3000 + 500 * rise(t) + 100 * std::sin(1000 * t * t); });
+        }
+    }
+    add("driveline.engine_speed", "rad/s", [](double) { return 300.0; });
+    add("driveline.gear", "-", [](double) { return 3.0; });
+    return log;
+}
+
+RunReport reportOf(const Log& log) {
+    return {.title = "Step steer",
+            .answer = "It turns.",
+            .vehicle = "compact",
+            .scenario = "step_steer",
+            .version = "1",
+            .log = log};
+}
+
+nlohmann::json chartsOf(const std::string& page) {
+    const std::string begin = "<script id=\"chart-data\" type=\"application/json\">";
+    const auto from = page.find(begin);
+    if (from == std::string::npos) return nlohmann::json::array();
+    const auto to = page.find("</script>", from);
+    return nlohmann::json::parse(page.substr(from + begin.size(), to - from - begin.size()));
+}
+
+const nlohmann::json* chartNamed(const nlohmann::json& charts, const std::string& title) {
+    for (const auto& chart : charts) {
+        if (chart["title"] == title) return &chart;
+    }
+    return nullptr;
+}
+
+template <class Number>
+std::vector<Number> decode(const std::string& base64) {
+    const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string bytes;
+    std::uint32_t bits = 0;
+    int held = 0;
+    for (const char c : base64) {
+        if (c == '=') break;
+        bits = bits << 6 | static_cast<std::uint32_t>(digits.find(c));
+        held += 6;
+        if (held >= 8) bytes += static_cast<char>(bits >> (held -= 8) & 0xFF);
+    }
+    std::vector<Number> out(bytes.size() / sizeof(Number));
+    std::memcpy(out.data(), bytes.data(), out.size() * sizeof(Number));
+    return out;
+}
+
+std::vector<float> curve(const nlohmann::json& chart, std::size_t index) {
+    return decode<float>(chart["curves"][index]["values"].get<std::string>());
+}
+
+// What a browser would read as markup of ours: the page without the embedded library files.
+std::string withoutLibrary(std::string page) {
+    const auto cut = [&page](std::string_view part) {
+        const auto at = page.find(part);
+        ASSERT_NE(at, std::string::npos);
+        page.erase(at, part.size());
+    };
+    const auto untilMap = [](std::string_view text, std::string_view map) { return text.substr(0, text.find(map)); };
+    cut(untilMap(embedded::kDygraphsScript, "//# sourceMappingURL="));
+    cut(untilMap(embedded::kDygraphsStyle, "/*# sourceMappingURL="));
+    cut(untilMap(embedded::kDygraphsSynchronizer, "//# sourceMappingURL="));
+    cut(embedded::kDygraphsLicence);
+    cut(embedded::kPageScript);
+    return page;
+}
+
+// Tags with the quoted values of their attributes emptied: text that stands inside a value is only text.
+std::string withoutValues(const std::string& page) {
+    std::string out;
+    bool in_tag = false, in_value = false;
+    for (const char c : page) {
+        if (in_tag && c == '"') in_value = !in_value;
+        if (in_value) continue;
+        if (c == '<') in_tag = true;
+        if (c == '>') in_tag = false;
+        out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return out;
+}
+
+void expectSelfContained(const std::string& page) {
+    const std::regex loads(
+        R"(<[a-z]+\s[^<>]*\b(src|srcset|data|poster|action|on[a-z]+)=|<(link|iframe|object|embed|base|img)\b)");
+    EXPECT_FALSE(std::regex_search(withoutValues(page), loads));
+    for (const char* reference : {"http://", "https://", "url(", "@import", "//#"}) {
+        EXPECT_EQ(page.find(reference), std::string::npos) << reference;
+    }
+    EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
+}
+
+TEST(HtmlReport, LibraryFilesCanStandInsideAScriptElement) {
+    for (const std::string_view file : {embedded::kDygraphsScript, embedded::kDygraphsSynchronizer,
+                                        embedded::kPageScript, embedded::kDygraphsLicence}) {
+        EXPECT_GT(file.size(), 1000u);
+        EXPECT_EQ(file.find("</script"), std::string_view::npos);
+        EXPECT_EQ(file.find("<!--"), std::string_view::npos);
+    }
+    EXPECT_NE(embedded::kDygraphsScript.find("Dygraph"), std::string_view::npos);
+}
+
+TEST(HtmlReport, NothingIsLoadedFromAnywhere) {
+    const Log log = stepSteer(500, 0.01);
+    RunReport content = reportOf(log);
+    content.metrics = {{"Overshoot", 0.1, "-", "peak over steady value"}};
+    content.resolved_yaml = "speed: 80 km/h";
+    expectSelfContained(withoutLibrary(runReport(content)));
+
+    EXPECT_EQ(embedded::kPageScript.find("://"), std::string_view::npos);
+    // Of the library only comments may name an address.
+    const std::string library = std::string(embedded::kDygraphsScript);
+    EXPECT_EQ(count(library, "://"), count(library, "@license https://github.com/danvk/dygraphs/"));
+}
+
+TEST(HtmlReport, HostileTextIsHarmlessWhereverItStands) {
+    const Log log = stepSteer(300, 0.01);
+    RunReport run{.title = kHostile,
+                  .answer = kHostile,
+                  .vehicle = kHostile,
+                  .scenario = kHostile,
+                  .scenario_description = kHostile,
+                  .version = kHostile,
+                  .log = log,
+                  .metrics = {{kHostile, 1, kHostile, kHostile}},
+                  .resolved_yaml = kHostile,
+                  .warnings = {kHostile}};
+    const ChannelOverlay channel{.name = kHostile,
+                                 .unit = kHostile,
+                                 .time = {0, 1},
+                                 .reference = {0, 1},
+                                 .candidate = {0, 2},
+                                 .tolerance = 0.5,
+                                 .largest = 1,
+                                 .rms = 0.7,
+                                 .first_time_out = 1,
+                                 .ok = false};
+    const OverlayReport overlay{.title = kHostile,
+                                .answer = kHostile,
+                                .reference_name = kHostile,
+                                .candidate_name = kHostile,
+                                .version = kHostile,
+                                .ok = false,
+                                .channels = {channel},
+                                .warnings = {kHostile}};
+    Chart chart{.title = kHostile, .x = {kHostile, kHostile}, .y = {kHostile, kHostile}, .series = {}};
+    chart.series = {{.name = kHostile, .x = {0, 1}, .y = {0, 1}}};
+    chart.note = kHostile;
+
+    // With charts: values, library, synchronizer, page script, licence. Without: none.
+    const std::array<std::pair<std::string, std::size_t>, 3> pages = {
+        {{runReport(run), 5},
+         {overlayReport(overlay), 5},
+         {figurePage(kHostile, kHostile, {{kHostile, kHostile, {chart}}}), 0}}};
+    for (const auto& [page, scripts] : pages) {
+        EXPECT_EQ(count(page, "<script"), scripts);
+        EXPECT_EQ(count(page, "</script"), scripts);
+        EXPECT_EQ(page.find("<img"), std::string::npos);
+        EXPECT_EQ(count(page, "</title>"), 1u);
+        expectSelfContained(scripts > 0 ? withoutLibrary(page) : page);
+        EXPECT_GE(count(page, "&lt;/script&gt;&lt;script&gt;alert(1)"), 4u) << "shown as it was written";
+    }
+    const auto charts = chartsOf(overlayReport(overlay));
+    ASSERT_EQ(charts.size(), 2u);
+    EXPECT_EQ(charts[0]["title"], kHostile) << "the script gets the text unchanged and sets it as text";
+}
+
+TEST(HtmlReport, TextThatIsNotUnicodeDoesNotStopTheReport) {
+    const Log log = stepSteer(10, 0.1);
+    const ChannelOverlay channel{
+        .name = "a\xff\xfe", .unit = "N", .time = {0, 1}, .reference = {0, 1}, .candidate = {0, 1}};
+    const OverlayReport overlay{.title = "\xc3",
+                                .answer = "",
+                                .reference_name = "r",
+                                .candidate_name = "c",
+                                .version = "1",
+                                .channels = {channel}};
+    EXPECT_EQ(chartsOf(overlayReport(overlay)).size(), 2u);
+}
+
+TEST(RunReport, TenSecondsAtOneKilohertzStayUnderFourMegabytes) {
+    Log log = stepSteer(10000, 0.001);
+    for (int i = 0; log.channels.size() < 100; ++i) {
+        log.channels.push_back({"extra." + std::to_string(i), "N", log.channels[1].values});
+    }
+    const std::string page = runReport(reportOf(log));
+    EXPECT_LT(page.size(), 4'000'000u);
+    EXPECT_GE(chartsOf(page).size(), 19u);
+    RecordProperty("bytes", static_cast<int>(page.size()));
+}
+
+TEST(RunReport, QuantitiesAreShownInTheUnitsOfTheTrade) {
+    Log log = stepSteer(300, 0.01);
+    const auto set = [&log](std::string_view name, double value) {
+        for (Channel& channel : log.channels) {
+            if (channel.name == name) channel.values.assign(channel.values.size(), value);
+        }
+    };
+    set("driver.steering_wheel_angle", 1.0);
+    set("chassis.vx", 10);
+    set("chassis.yaw_rate", -0.5);
+    set("chassis.ay", 7);
+    set("wheel.rear_left.slip_angle", 0.1);
+    set("wheel.rear_left.load", 3100);
+    set("driveline.engine_speed", 314.1592653589793);
+    const auto charts = chartsOf(runReport(reportOf(log)));
+
+    struct Expected {
+        const char* title;
+        std::size_t curve;
+        const char* unit;
+        double value;
+    };
+    for (const Expected& expected : {Expected{"Steering-wheel angle", 0, "deg", 57.29577951},
+                                     {"Speed", 0, "km/h", 36},
+                                     {"Yaw rate", 0, "deg/s", -28.64788976},
+                                     {"Acceleration", 0, "m/s²", 7},
+                                     {"Pedals", 0, "%", 25},
+                                     {"Slip angle", 2, "deg", 5.729577951},
+                                     {"Wheel load", 2, "N", 3100},
+                                     {"Engine speed", 0, "rev/min", 3000}}) {
+        const auto* chart = chartNamed(charts, expected.title);
+        ASSERT_NE(chart, nullptr) << expected.title;
+        EXPECT_EQ((*chart)["unit"], expected.unit);
+        const auto values = curve(*chart, expected.curve);
+        ASSERT_EQ(values.size(), 300u);
+        EXPECT_NEAR(values[150], expected.value, 1e-6 * std::abs(expected.value)) << expected.title;
+    }
+}
+
+TEST(RunReport, PeaksOfALongLogAreStillThere) {
+    Log log = stepSteer(60000, 0.001);
+    for (Channel& channel : log.channels) {
+        if (channel.name == "wheel.rear_right.load") channel.values[43210] = 9876;
+    }
+    const auto charts = chartsOf(runReport(reportOf(log)));
+    const auto* chart = chartNamed(charts, "Wheel load");
+    ASSERT_NE(chart, nullptr);
+    const auto time = decode<double>((*chart)["time"].get<std::string>());
+    const auto values = curve(*chart, 3);
+    ASSERT_EQ(time.size(), values.size());
+    EXPECT_LE(values.size(), 4002u);
+    const auto peak = std::max_element(values.begin(), values.end());
+    EXPECT_EQ(*peak, 9876.0f);
+    EXPECT_DOUBLE_EQ(time[static_cast<std::size_t>(peak - values.begin())], 43.210);
+    EXPECT_DOUBLE_EQ(time.front(), 0);
+    EXPECT_DOUBLE_EQ(time.back(), 59.999);
+}
+
+TEST(RunReport, AWheelLooksTheSameInEveryChartAndRearWheelsAreDashed) {
+    const Log log = stepSteer(100, 0.01);
+    std::array<std::string, 4> colours;
+    std::size_t seen = 0;
+    for (const auto& chart : chartsOf(runReport(reportOf(log)))) {
+        if (chart["curves"].size() != 4) continue;
+        ++seen;
+        for (std::size_t wheel = 0; wheel < 4; ++wheel) {
+            const auto& drawn = chart["curves"][wheel];
+            if (colours[wheel].empty()) colours[wheel] = drawn["colour"];
+            EXPECT_EQ(drawn["colour"], colours[wheel]);
+            EXPECT_EQ(drawn["dashed"], wheel >= 2);
+        }
+    }
+    EXPECT_EQ(seen, 10u);
+    std::sort(colours.begin(), colours.end());
+    EXPECT_EQ(std::unique(colours.begin(), colours.end()), colours.end()) << "four wheels, four colours";
+}
+
+TEST(RunReport, MissingChannelsAreLeftOut) {
+    Log log{{{"time", "s", {0, 1, 2}}, {"chassis.vx", "m/s", {10, 11, 12}}, {"chassis.yaw_rate", "rad/s", {0, 0.1}}}};
+    const std::string page = runReport(reportOf(log));
+    const auto charts = chartsOf(page);
+    ASSERT_EQ(charts.size(), 1u) << "the yaw rate breaks off before the log ends";
+    EXPECT_EQ(charts[0]["title"], "Speed");
+    for (const char* absent : {"Yaw rate", "Wheel load", "Path from above", "Used friction", "Driveline", "Metrics"}) {
+        EXPECT_EQ(page.find(absent), std::string::npos) << absent;
+    }
+}
+
+TEST(RunReport, AnEmptyLogStillGivesAnAnswer) {
+    for (const Log& log : {Log{}, Log{{{"time", "s", {}}}},
+                           Log{{{"time", "s", {0}},
+                                {"chassis.x", "m", {1}},
+                                {"chassis.y", "m", {1}},
+                                {"chassis.yaw", "rad", {std::nan("")}}}}}) {
+        const std::string page = runReport(reportOf(log));
+        EXPECT_NE(page.find("It turns."), std::string::npos);
+        EXPECT_EQ(count(page, "<script"), 0u) << "no charts, no library";
+    }
+}
+
+TEST(RunReport, TheFirstSixMetricsAreCardsAndAllAreInTheTable) {
+    const Log log;
+    RunReport content = reportOf(log);
+    for (int i = 0; i < 8; ++i)
+        content.metrics.push_back({"metric " + std::to_string(i), 0.1 * i, "rad/s", "definition"});
+    content.metrics.push_back({"time to stop", std::nan(""), "s", "not reached"});
+    const std::string page = runReport(content);
+    EXPECT_EQ(count(page, "class=\"card\""), 6u);
+    EXPECT_EQ(count(page, "<td class=\"\">definition</td>"), 8u);
+    EXPECT_NE(page.find("<td class=\"number \">5.7296</td><td class=\"\">deg/s</td>"), std::string::npos);
+    EXPECT_NE(page.find("<td class=\"number \">–</td><td class=\"\">s</td>"), std::string::npos);
+}
+
+TEST(RunReport, AWheelInTheAirHasNoWorkingPoint) {
+    Log log{{{"time", "s", {0, 1, 2}},
+             {"wheel.front_left.fx", "N", {0, 0, 5}},
+             {"wheel.front_left.fy", "N", {1000, 2000, 9}},
+             {"wheel.front_left.load", "N", {4000, 4000, 1}}}};
+    const std::string page = runReport(reportOf(log));
+    const auto figure = page.find("Used friction");
+    ASSERT_NE(figure, std::string::npos);
+    // 9 N over 1 N would be drawn far outside; the circle of radius 1 sets the range instead.
+    EXPECT_EQ(page.find(">5.0</text>", figure), std::string::npos);
+    EXPECT_NE(page.find(">1.0</text>", figure), std::string::npos);
+}
+
+TEST(OverlayReport, WorstChannelComesFirstAndTheVerdictIsInWords) {
+    OverlayReport content{.title = "Compare",
+                          .answer = "One channel differs.",
+                          .reference_name = "a.csv",
+                          .candidate_name = "b.csv",
+                          .version = "1",
+                          .ok = false,
+                          .channels = {}};
+    content.channels = {
+        {.name = "fine", .unit = "N", .time = {0, 1}, .reference = {0, 1}, .candidate = {0, 1}, .tolerance = 1},
+        {.name = "close",
+         .unit = "N",
+         .time = {0, 1},
+         .reference = {0, 1},
+         .candidate = {0, 1.9},
+         .tolerance = 1,
+         .largest = 0.9,
+         .rms = 0.6},
+        {.name = "bad",
+         .unit = "rad",
+         .time = {0, 1},
+         .reference = {0, 1},
+         .candidate = {0, 3},
+         .tolerance = 1,
+         .largest = 2,
+         .rms = 1.4,
+         .first_time_out = 1,
+         .ok = false}};
+    const std::string page = overlayReport(content);
+    EXPECT_NE(page.find("✗ out of tolerance"), std::string::npos);
+    EXPECT_LT(page.find("<td class=\"\">bad</td>"), page.find("<td class=\"\">close</td>"));
+    EXPECT_LT(page.find("<td class=\"\">close</td>"), page.find("<td class=\"\">fine</td>"));
+    EXPECT_NE(page.find("<td class=\"number \">114.6</td>"), std::string::npos) << "2 rad in degrees";
+    EXPECT_NE(page.find("<td class=\"number alarm\">200</td>"), std::string::npos) << "per cent of the tolerance";
+
+    const auto charts = chartsOf(page);
+    ASSERT_EQ(charts.size(), 6u);
+    EXPECT_EQ(charts[0]["title"], "bad");
+    EXPECT_GT(charts[0]["curves"][0]["width"].get<double>(), charts[0]["curves"][1]["width"].get<double>());
+    EXPECT_NEAR(curve(charts[1], 0)[1], 114.591559, 1e-4) << "candidate minus reference, in degrees";
+    EXPECT_NEAR(charts[1]["band"].get<double>(), 57.29577951, 1e-6);
+    EXPECT_EQ(charts[1]["marks"], nlohmann::json::parse("[1.0]"));
+
+    content.ok = true;
+    EXPECT_NE(overlayReport(content).find("✓ within tolerance"), std::string::npos);
+}
+
+TEST(OverlayReport, ManyChannelsAreListedInFullAndTheWorstAreDrawn) {
+    OverlayReport content{
+        .title = "c", .answer = "", .reference_name = "a", .candidate_name = "b", .version = "1", .channels = {}};
+    for (int i = 0; i < 60; ++i) {
+        content.channels.push_back({.name = "channel " + std::to_string(i),
+                                    .unit = "N",
+                                    .time = {0, 1},
+                                    .reference = {0, 1},
+                                    .candidate = {0, 1},
+                                    .tolerance = 1,
+                                    .largest = 0.01 * i});
+    }
+    const std::string page = overlayReport(content);
+    EXPECT_EQ(count(page, "<td class=\"\">channel "), 60u);
+    const auto charts = chartsOf(page);
+    ASSERT_EQ(charts.size(), 48u);
+    EXPECT_EQ(charts[0]["title"], "channel 59");
+    EXPECT_NE(page.find("of 60"), std::string::npos) << "says that not all are drawn";
+}
+
+TEST(TyreReport, FiguresNeedNoScript) {
+    Chart chart{.title = "Lateral force", .x = {"slip angle", "deg"}, .y = {"Fy", "N"}, .series = {}};
+    chart.series = {{.name = "4000 N", .x = {-1, 0, 1}, .y = {-900, 0, 900}}};
+    const std::string page = figurePage("Tyre", "All curves.", {{"Pure slip", "No camber.", {chart, chart}}});
+    EXPECT_EQ(count(page, "<svg class=\"tread-chart\""), 2u);
+    EXPECT_EQ(count(page, "<script"), 0u);
+    EXPECT_LT(page.size(), 20000u);
+    expectSelfContained(page);
+}
+
+}  // namespace
+}  // namespace tread

@@ -1,0 +1,78 @@
+// The commands of the program: options in, exit status out. The answer goes to standard output, its first line in
+// words; progress and warnings go to standard error.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tread::program {
+
+using Path = std::filesystem::path;
+
+// Exit status of every command.
+inline constexpr int kYes = 0;
+inline constexpr int kNo = 1;         // a negative answer: logs differ, a check failed
+inline constexpr int kBadInput = 2;   // files or options
+inline constexpr int kRunFailed = 3;  // the simulation could not go on
+
+struct RunOptions {
+    std::string vehicle;
+    std::string scenario;
+    std::string output;
+    std::vector<std::string> settings;  // path=value
+    bool json = false;
+};
+int run(const RunOptions& options);
+
+struct CompareOptions {
+    std::string reference;
+    std::string candidate;
+    std::string tolerances;  // file; empty: defaults
+    std::string report;      // file; empty: none
+    bool json = false;
+};
+int compare(const CompareOptions& options);
+
+struct MetricsOptions {
+    std::string log;
+    std::string manoeuvre;  // empty: detected
+    bool json = false;
+};
+int metrics(const MetricsOptions& options);
+
+struct TyreOptions {
+    std::string tyre;
+    std::string axes = "iso";
+    std::string table;
+    std::string transient;
+    std::string output;
+    std::string plot;
+    int substeps = 1;
+    std::string interpolate = "hold";
+    bool standstill = false;
+    std::vector<std::string> settings;
+    bool json = false;
+};
+int tyre(const TyreOptions& options);
+
+struct DescribeOptions {
+    std::string what;  // vehicle, tyre, scenario, log, tolerances, metrics
+    bool json = false;
+};
+int describe(const DescribeOptions& options);
+
+struct CheckOptions {
+    std::vector<std::string> files;
+    bool json = false;
+};
+int check(const CheckOptions& options);
+
+struct SchemaOptions {
+    std::string what;    // vehicle, tyre, scenario, tolerances
+    std::string output;  // file; empty: standard output
+};
+int schema(const SchemaOptions& options);
+
+}  // namespace tread::program
