@@ -157,9 +157,9 @@ void YamlReader::curve(const YamlPlace& place, const About& about, Curve& value)
         }
         Curve::Point xy{};
         const YamlPlace x = child(point, 0, "x");
-        const bool fine =
-            convert(x, about.argument, kAny, xy.x) & convert(child(point, 1, "y"), about.unit, about.limits, xy.y);
-        if (!fine) continue;
+        const bool x_is_fine = convert(x, about.argument, kAny, xy.x);
+        const bool y_is_fine = convert(child(point, 1, "y"), about.unit, about.limits, xy.y);
+        if (!x_is_fine || !y_is_fine) continue;
         if (!curve.points.empty() && xy.x <= curve.points.back().x) {
             complain(x, "found x = " + numberText(xy.x) + " after " + numberText(curve.points.back().x) +
                             ", expected x to increase strictly; sort the points and remove repetitions");

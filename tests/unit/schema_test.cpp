@@ -1,11 +1,11 @@
 #include "base/schema.h"
 
 #include <gtest/gtest.h>
+#include <regex.h>
 
 #include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <regex>
 #include <string>
 #include <variant>
 #include <vector>
@@ -132,14 +132,22 @@ TEST(Schema, TyreSchemaIsSmallAndComplete) {
     expectReferencesExist(schema(), schema()["definitions"]);
 }
 
+// POSIX instead of std::regex, which g++ 12 cannot compile with sanitizers and warnings.
+bool matches(const std::string& pattern, const std::string& text) {
+    regex_t compiled;
+    EXPECT_EQ(regcomp(&compiled, pattern.c_str(), REG_EXTENDED | REG_NOSUB), 0);
+    const bool found = regexec(&compiled, text.c_str(), 0, nullptr, 0) == 0;
+    regfree(&compiled);
+    return found;
+}
+
 TEST(Schema, PatternAgreesWithTheReaderAboutQuantities) {
-    const std::regex pattern(schema()["definitions"]["_quantity"]["pattern"].get<std::string>(),
-                             std::regex::ECMAScript);
+    const std::string pattern = schema()["definitions"]["_quantity"]["pattern"];
     for (const char* text : {"1480 mm", "4.5 deg", "-3", "+.5e-3 N s/m", "35%", "5 1/km", "7."}) {
-        EXPECT_TRUE(std::regex_match(text, pattern)) << text;
+        EXPECT_TRUE(matches(pattern, text)) << text;
     }
     for (const char* text : {"yes", "", "1_000", "1,5", "--1", ".", "mm", "nan"}) {
-        EXPECT_FALSE(std::regex_match(text, pattern)) << text;
+        EXPECT_FALSE(matches(pattern, text)) << text;
     }
 }
 
