@@ -41,9 +41,9 @@ std::vector<TyreFact> tyreFacts(const TyreParams& tyre) {
             {"rolling_radius", "effective rolling radius", p.Re, "m", "mm", 1000},
             {"radial_stiffness", "radial stiffness", p.pz1 * tyre.lambda.Cz, "N/m", "N/mm", 1e-3},
             {"longitudinal_friction", "peak friction along", free.mux, "-", "-"},
-            {"longitudinal_peak_slip", "at a slip of", peak_kappa, "-", "%", 100},
+            {"longitudinal_peak_slip", "slip at that peak", peak_kappa, "-", "%", 100},
             {"lateral_friction", "peak friction across", free.muy, "-", "-"},
-            {"lateral_peak_slip_angle", "at a slip angle of", std::atan(peak_alpha), "rad", "deg", 1 / kPerDegree},
+            {"lateral_peak_slip_angle", "slip angle at that peak", std::atan(peak_alpha), "rad", "deg", 1 / kPerDegree},
             {"slip_stiffness", "slip stiffness", free.Kx, "N", "kN/%", 1e-5},
             {"cornering_stiffness", "cornering stiffness", free.Ky, "N/rad", "kN/deg", 1e-3 * kPerDegree},
             {"pneumatic_trail", "pneumatic trail at zero slip", free.t, "m", "mm", 1000},
@@ -58,7 +58,7 @@ std::string tyreName(const TyreParams& tyre) {
 std::string overviewText(const TyreParams& tyre, const std::vector<TyreFact>& facts) {
     const auto shown = [](const TyreFact& fact) {
         const std::string unit = fact.shown_unit == "-" ? "" : fmt::format(" {}", fact.shown_unit);
-        return formatNumber(fact.value * fact.scale, 3) + unit;
+        return formatNumber(fact.value * fact.scale, 4) + unit;
     };
     const auto fact = [&](std::string_view key) {
         for (const TyreFact& candidate : facts) {

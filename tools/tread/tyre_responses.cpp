@@ -105,7 +105,7 @@ std::string tyrePage(const TyreView& view, std::size_t& charts) {
     std::vector<Card> cards;
     for (const TyreFact& fact : tyreFacts(tyre)) {
         cards.push_back(
-            {std::string(fact.label), formatNumber(fact.value * fact.scale, 3), prettyUnit(fact.shown_unit)});
+            {std::string(fact.label), formatNumber(fact.value * fact.scale, 4), prettyUnit(fact.shown_unit)});
     }
     page.cards(cards);
 
