@@ -165,9 +165,6 @@ int compare(const CompareOptions&) {
 int metrics(const MetricsOptions&) {
     return kBadInput;
 }
-int tyre(const TyreOptions&) {
-    return kBadInput;
-}
 int describe(const DescribeOptions&) {
     return kBadInput;
 }
