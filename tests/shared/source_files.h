@@ -15,8 +15,8 @@ struct SourceFile {
     std::string text;
 };
 
-// Folders of the root that hold no files of the project (see .gitignore).
-inline bool isForeignFolder(const std::string& name) {
+// Entries of the root that hold no files of the project (see .gitignore).
+inline bool isForeign(const std::string& name) {
     return name == ".git" || name == ".cache" || name == "out" || name == "build" || name.starts_with("build-");
 }
 
@@ -26,8 +26,11 @@ std::vector<SourceFile> sourceFiles(const std::filesystem::path& root, Wanted&& 
     namespace fs = std::filesystem;
     std::vector<SourceFile> files;
     for (auto entry = fs::recursive_directory_iterator(root); entry != fs::recursive_directory_iterator(); ++entry) {
-        if (entry.depth() == 0 && isForeignFolder(entry->path().filename().string())) entry.disable_recursion_pending();
-        const fs::path name = fs::relative(entry->path(), root);
+        const fs::path name = entry->path().lexically_relative(root);
+        if (entry.depth() == 0 && isForeign(name.string())) {
+            entry.disable_recursion_pending();
+            continue;
+        }
         if (!entry->is_regular_file() || !wanted(name)) continue;
         std::ostringstream text;
         text << std::ifstream(entry->path(), std::ios::binary).rdbuf();
