@@ -1,12 +1,13 @@
-// Starts the real program and keeps what it says; a folder of its own for the files of a test.
+// The real program, started as a user starts it.
 #pragma once
 
 #include <fcntl.h>
+#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -14,81 +15,83 @@
 #include <string>
 #include <vector>
 
-namespace cli {
+namespace tread {
 
-inline std::string readFile(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw std::runtime_error("no file " + file.string());
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-// A new folder, removed with everything in it at the end.
-class Folder {
+// A folder of its own for a test, gone with it.
+class Scratch {
 public:
-    Folder() {
-        static std::atomic<int> count = 0;
-        path_ = std::filesystem::temp_directory_path() /
-                ("tread_cli_" + std::to_string(getpid()) + "_" + std::to_string(++count));
-        std::filesystem::create_directories(path_);
+    Scratch() {
+        std::string name = (std::filesystem::temp_directory_path() / "tread_XXXXXX").string();
+        if (!mkdtemp(name.data())) throw std::runtime_error("cannot make a folder " + name);
+        folder_ = name;
     }
-    ~Folder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
+    ~Scratch() {
+        std::error_code error;
+        std::filesystem::remove_all(folder_, error);
     }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
 
-    const std::filesystem::path& path() const { return path_; }
-    std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-    // Writes a file and returns its full name.
-    std::string write(const std::string& name, const std::string& text) const {
-        std::ofstream(path_ / name, std::ios::binary) << text;
-        return *this / name;
+    // Writes a file and returns its path.
+    std::string file(const std::string& name, const std::string& text) const {
+        std::ofstream(path(name), std::ios::binary) << text;
+        return path(name);
     }
 
-    // Names of the files in it, sorted.
-    std::vector<std::string> files() const {
-        std::vector<std::string> names;
-        for (const auto& entry : std::filesystem::directory_iterator(path_)) names.push_back(entry.path().filename());
-        std::sort(names.begin(), names.end());
-        return names;
+    // Names of all files in it, sorted.
+    std::vector<std::string> names() const {
+        std::vector<std::string> found;
+        for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+            found.push_back(entry.path().filename().string());
+        }
+        std::sort(found.begin(), found.end());
+        return found;
     }
 
 private:
-    std::filesystem::path path_;
+    std::filesystem::path folder_;
 };
 
-struct Result {
-    int status;          // exit status; 128 + signal when it was killed
-    std::string output;  // standard output
-    std::string errors;  // standard error
-};
-
-// Runs `tread` with these arguments in the folder that tests run in.
-inline Result run(const std::vector<std::string>& arguments) {
-    const Folder folder;
-    const std::string output = folder / "output", errors = folder / "errors";
-    std::vector<std::string> words{TREAD_PROGRAM};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<char*> pointers;
-    for (std::string& word : words) pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-
-    const pid_t child = fork();
-    if (child < 0) throw std::runtime_error("cannot start a process");
-    if (child == 0) {
-        constexpr int kFlags = O_WRONLY | O_CREAT | O_TRUNC;
-        dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
-        dup2(open(output.c_str(), kFlags, 0600), STDOUT_FILENO);
-        dup2(open(errors.c_str(), kFlags, 0600), STDERR_FILENO);
-        execv(pointers.front(), pointers.data());
-        _exit(127);
-    }
-    int status = 0;
-    if (waitpid(child, &status, 0) != child) throw std::runtime_error("lost the process");
-    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    return {code, readFile(output), readFile(errors)};
+inline std::string contentOf(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-}  // namespace cli
+inline std::string firstLine(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+}
+
+struct Result {
+    int status;  // of the program; -1: it was killed
+    std::string out, err;
+};
+
+// `standard_output`: a file that takes the place of standard output, for example a full disk.
+inline Result runProgram(const std::vector<std::string>& arguments, const std::string& standard_output = {}) {
+    const Scratch scratch;
+    const std::string out = standard_output.empty() ? scratch.path("out") : standard_output;
+    const std::string err = scratch.path("err");
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+
+    std::vector<std::string> words = arguments;
+    words.insert(words.begin(), TREAD_PROGRAM);
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    pid_t child = 0;
+    const int fault = posix_spawn(&child, TREAD_PROGRAM, &actions, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (fault != 0) throw std::runtime_error("cannot start " TREAD_PROGRAM);
+    int state = 0;
+    waitpid(child, &state, 0);
+    const int status = WIFEXITED(state) ? WEXITSTATUS(state) : -1;
+    return {status, standard_output.empty() ? contentOf(out) : "", contentOf(err)};
+}
+
+}  // namespace tread

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/program.h"
+#include "cli/tyre_program.h"
 #include "cli/tyre_table.h"
 
 namespace cli {

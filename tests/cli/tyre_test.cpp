@@ -9,7 +9,7 @@
 #include <random>
 
 #include "base/numbers.h"
-#include "cli/program.h"
+#include "cli/tyre_program.h"
 #include "cli/tyre_table.h"
 #include "shared/car_205_60R15.h"
 #include "shared/delft97_reference.h"

@@ -158,21 +158,4 @@ int run(const RunOptions& options) {
     return kYes;
 }
 
-// Stand-ins until their files are merged.
-int compare(const CompareOptions&) {
-    return kBadInput;
-}
-int metrics(const MetricsOptions&) {
-    return kBadInput;
-}
-int describe(const DescribeOptions&) {
-    return kBadInput;
-}
-int check(const CheckOptions&) {
-    return kBadInput;
-}
-int schema(const SchemaOptions&) {
-    return kBadInput;
-}
-
 }  // namespace tread::program
