@@ -110,6 +110,7 @@ extern Prototype<T> prototype;  // never defined: only the addresses of its memb
 #if defined(__clang__)
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wundefined-var-template"
+#pragma clang diagnostic ignored "-Wundefined-internal"
 #endif
 template <class T>
 constexpr std::size_t describedCount() {

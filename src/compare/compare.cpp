@@ -1,5 +1,7 @@
 #include "compare/compare.h"
 
+#include "base/pattern.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -75,9 +75,6 @@ struct Tolerances {
 };
 static_assert(describesEveryMember<Tolerances>());
 
-// True when the pattern, with `*` for any characters (dots too, or none), is the whole name.
-bool matches(std::string_view pattern, std::string_view name);
-
 struct AllowedDifference {
     double absolute;
     double relative;

@@ -16,27 +16,37 @@ constexpr double kLeastDrop = 0.01;        // m
 constexpr double kFastest = 0.5;           // m/s, horizontally
 constexpr double kSettledShare = 0.02;     // of the drop: within, the body has settled
 constexpr double kLeastSwing = 0.01;       // of the drop, peak to peak: smaller swings are left out
+constexpr double kSwingNoise = 10;         // or smaller than this many standard deviations of the noise
 constexpr double kHeightHalfWidth = 0.05;  // s
 
-// Frequency and damping from the swings between successive turning points; peak to peak, so that the height at which
-// the body comes to rest does not matter.
 struct Bounce {
     double damped_frequency = kUndefined;  // Hz
     double damping_ratio = kUndefined;
 };
 
-Bounce findBounce(const std::vector<Instant>& turns) {
+// Times at which the body passes its height at rest, between one turning point and the next.
+std::vector<double> passages(const Series& z, double rest, const std::vector<Instant>& turns) {
+    std::vector<double> times;
+    for (std::size_t i = 0; i + 1 < turns.size(); ++i) {
+        if (const auto t = firstCrossing(z, rest, turns[i].time, turns[i + 1].time)) times.push_back(*t);
+    }
+    return times;
+}
+
+Bounce findBounce(const Series& z, double rest, const std::vector<Instant>& turns) {
     Bounce bounce;
-    if (turns.size() < 2) return bounce;
-    const auto halves = static_cast<double>(turns.size() - 1);
-    bounce.damped_frequency = 0.5 * halves / (turns.back().time - turns.front().time);
     if (turns.size() < 3) return bounce;
+    const auto times = passages(z, rest, turns);
+    if (times.size() > 1) {
+        bounce.damped_frequency = 0.5 * static_cast<double>(times.size() - 1) / (times.back() - times.front());
+    }
+    // Decrement per half period from the swings, peak to peak: there an error of the height at rest does not matter.
     std::vector<double> number, logarithm;
     for (std::size_t i = 0; i + 1 < turns.size(); ++i) {
         number.push_back(static_cast<double>(i));
         logarithm.push_back(std::log(std::abs(turns[i + 1].value - turns[i].value)));
     }
-    const double decrement = -fitLine(number, logarithm).slope;  // per half period
+    const double decrement = -fitLine(number, logarithm).slope;
     bounce.damping_ratio = decrement / std::hypot(decrement, std::numbers::pi);
     return bounce;
 }
@@ -54,7 +64,8 @@ double settlingTime(const Series& z, double rest, double band) {
 }  // namespace
 
 std::vector<Metric> dropAndSettleMetrics(const Log& log, const KnownCar&) {
-    const Series z = cleaned(channels(log, kName, {"chassis.z", "chassis.vx"}).front(), kHeightHalfWidth);
+    const Series measured = channels(log, kName, {"chassis.z", "chassis.vx"}).front();
+    const Series z = cleaned(measured, kHeightHalfWidth);
     const Series v = speed(log, kName);
     const double fastest =
         *std::max_element(v.value.begin(), v.value.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
@@ -64,11 +75,11 @@ std::vector<Metric> dropAndSettleMetrics(const Log& log, const KnownCar&) {
     const double rest = mean(z, z.end() - 0.1 * (z.end() - z.begin()), z.end());
     const double drop = z.value.front() - rest;
     if (drop < kLeastDrop) {
-        notFound(kName, fmt::format("the body sinks by {:.2g} mm, looked for at least {:.2g} mm", 1000 * drop,
+        notFound(kName, fmt::format("the body sinks by {:.1f} mm, looked for at least {:.1f} mm", 1000 * drop,
                                     1000 * kLeastDrop));
     }
-    const auto turns = turningPoints(z, std::max(kLeastSwing * drop, 4 * noise(z)));
-    const Bounce bounce = findBounce(turns);
+    const auto turns = turningPoints(z, std::max(kLeastSwing * drop, kSwingNoise * noise(measured)));
+    const Bounce bounce = findBounce(z, rest, turns);
     const double least = lowest(z, z.begin(), z.end()).value;
     const double undamped = bounce.damped_frequency / std::sqrt(1 - bounce.damping_ratio * bounce.damping_ratio);
 
@@ -82,10 +93,10 @@ std::vector<Metric> dropAndSettleMetrics(const Log& log, const KnownCar&) {
     out.push_back(
         {"overshoot", std::max(0.0, (rest - least) / drop), "-", "how far below rest the body dips, over the drop"});
     out.push_back({"damped_frequency", bounce.damped_frequency, "Hz",
-                   "from the times between turning points; undefined when the body does not swing"});
+                   "from the times at which the body passes its height at rest; undefined when it does not swing"});
     out.push_back({"bounce_frequency", undamped, "Hz", "damped frequency over sqrt(1 - damping ratio^2)"});
     out.push_back({"damping_ratio", bounce.damping_ratio, "-",
-                   "from the logarithmic decrement of the swings; undefined with fewer than two of them"});
+                   "from the logarithmic decrement of the swings; undefined with fewer than two"});
     return out;
 }
 

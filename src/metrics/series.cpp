@@ -228,6 +228,14 @@ Series derivative(const Series& series, double half_width) {
     return local(series, half_width, &LocalFit::slope);
 }
 
+Series averaged(const Series& series, double half_width) {
+    Series out = series;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        out.value[i] = mean(series, series.time[i] - half_width, series.time[i] + half_width);
+    }
+    return out;
+}
+
 bool isNoisy(const Series& series) {
     const auto [low, high] = std::minmax_element(series.value.begin(), series.value.end());
     return noise(series) > kNegligibleNoise * (*high - *low);

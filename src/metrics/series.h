@@ -56,6 +56,9 @@ double noise(const Series& series);
 Series smoothed(const Series& series, double half_width);
 Series derivative(const Series& series, double half_width);
 
+// Mean over +-half_width: rounds corners, but never goes beyond the values around.
+Series averaged(const Series& series, double half_width);
+
 // Smoothed when there is noise to speak of; a simulated log stays as it is, corners and all.
 bool isNoisy(const Series& series);
 Series cleaned(const Series& series, double half_width);

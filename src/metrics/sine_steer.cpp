@@ -19,6 +19,7 @@ constexpr double kActive = 0.1;              // of the amplitude: beyond, the dr
 constexpr double kLargestMisfit = 0.15;      // rms of what is no sine over the rms of the sine
 constexpr double kLargestUnevenness = 1.3;   // longest over shortest half-wave; more is a sweep
 constexpr double kFrequencySearch = 0.15;    // the first estimate of the frequency is within this share
+constexpr double kPeakHalfWidth = 0.1;       // of the period: a noisy peak keeps its height to 0.2 %
 constexpr double kSteeringHalfWidth = 0.05;  // s
 
 struct SineFit {
@@ -183,8 +184,8 @@ std::vector<Metric> sineSteerMetrics(const Log& log, const KnownCar&) {
     const auto add = [&](const Series& response, std::string_view name, std::string_view words, std::string_view unit) {
         if (sine.one_period) {
             const double swing = 0.5 * amplitude;
-            addOnePeriod(out, sine, turningPoints(steering, swing), cleaned(response, kResponseHalfWidth), name, words,
-                         unit);
+            addOnePeriod(out, sine, turningPoints(steering, swing), cleaned(response, kPeakHalfWidth / sine.frequency),
+                         name, words, unit);
         } else {
             addContinuous(out, sine, needed[0], response, name, words, unit);
         }

@@ -19,6 +19,7 @@ constexpr double kHighestShare = 0.6;          // ... and of those that grip les
 constexpr double kLeastSpan = 0.5;             // m/s2 between the slowest and the fastest turn
 constexpr std::size_t kFewestSamples = 10;
 constexpr double kFastestSteering = 0.6;  // rad/s; the slowly increasing steer has 0.24
+constexpr std::size_t kMostSwings = 4;    // of the whole steering; a left and a right turn have up to four
 constexpr double kSlowest = 2.0;          // m/s
 constexpr double kPedal = 0.02;           // of the brake pedal; more is no steady state
 constexpr double kConstant = 0.03;        // standard deviation over mean of a speed that is held
@@ -69,22 +70,30 @@ Circle findCircle(const Log& log) {
                   cleaned(needed[3], kHalfWidth),
                   channelIfThere(log, kName, "driver.brake"),
                   {}};
+    // Changes of the steering that are too quick for a steady state are left out; a log made of them is refused.
     const Series rate = cleanDerivative(needed[0], kHalfWidth);
+    std::size_t all = 0, slow = 0;
     for (const double direction : {1.0, -1.0}) {
-        const auto samples = samplesOfTurn(circle, direction);
-        if (samples.empty()) continue;
-        for (std::size_t i : samples) {
-            if (std::abs(rate.value[i]) <= kFastestSteering) continue;
-            notFound(kName,
-                     fmt::format("the steering moves at up to {:.0f} deg/s, looked for slow changes (at most {:.0f})",
-                                 kDegrees * std::abs(rate.value[i]), kDegrees * kFastestSteering));
-        }
-        circle.turns.push_back(samples);
+        auto samples = samplesOfTurn(circle, direction);
+        all += samples.size();
+        std::erase_if(samples, [&](std::size_t i) { return std::abs(rate.value[i]) > kFastestSteering; });
+        slow += samples.size();
+        if (!samples.empty()) circle.turns.push_back(samples);
     }
-    if (circle.turns.empty()) {
+    if (all == 0) {
         notFound(kName, fmt::format("looked for a turn whose lateral acceleration covers at least {:.1f} m/s2 between "
                                     "{:.1f} m/s2 and {:.0f} % of its largest value",
                                     kLeastSpan, kLowestAy, 100 * kHighestShare));
+    }
+    if (slow < all / 2) {
+        notFound(kName,
+                 fmt::format("the steering moves faster than {:.0f} deg/s most of the time, looked for slow changes",
+                             kDegrees * kFastestSteering));
+    }
+    const auto [least, most] = std::minmax_element(circle.steering.value.begin(), circle.steering.value.end());
+    const auto swings = turningPoints(circle.steering, std::max(std::abs(*least), std::abs(*most))).size();
+    if (swings > kMostSwings) {
+        notFound(kName, fmt::format("the steering swings to and fro {} times, looked for slow changes", swings));
     }
     return circle;
 }

@@ -16,6 +16,7 @@ constexpr double kSlowestRise = 0.6;         // s from 10 to 90 %; slower is a r
 constexpr double kShortestHold = 1.0;        // s; the yaw rate needs about that to settle
 constexpr double kHoldBand = 0.05;           // of the step: how far a driver's hands may wander while holding
 constexpr double kHoldShare = 0.9;           // of the time that must be spent within the band
+constexpr double kPedal = 0.02;              // of the pedal: less is a resting foot
 constexpr double kSlowest = 1.0;             // m/s; below, a car does not turn
 constexpr double kSteadyWindow = 1.0;        // s at the end of the hold over which the steady state is taken
 constexpr double kSteadyDrift = 0.03;        // change over that window, as a share, up to which it counts as steady
@@ -81,7 +82,8 @@ Step findStep(const Series& steering) {
     // Refined: levels as means over the quiet times before and behind.
     Step step{};
     step.hold_end = hold.to;
-    const double after = mean(steering, hold.from, hold.to);
+    const double quarter = 0.25 * (hold.to - hold.from);  // the corners of the hold are not yet, or no longer, held
+    const double after = mean(steering, hold.from + quarter, hold.to - quarter);
     const double t10 =
         lastCrossing(steering, start + 0.1 * (after - start), steering.begin(), rough_half).value_or(steering.begin());
     const double t90 = firstCrossing(steering, start + 0.9 * (after - start), rough_half).value_or(hold.from);
@@ -101,6 +103,18 @@ Step findStep(const Series& steering) {
                              hold.to - hold.from, kShortestHold, 100 * kHoldBand));
     }
     return step;
+}
+
+// End of the hold, or of its part before the driver brakes or lifts off: that is another manoeuvre.
+double pedalChange(const Log& log, const Step& step) {
+    double end = step.hold_end;
+    const auto brake = channelIfThere(log, kName, "driver.brake"),
+               throttle = channelIfThere(log, kName, "driver.throttle");
+    if (brake) end = std::min(end, firstCrossing(*brake, kPedal, step.onset).value_or(end));
+    if (throttle && at(*throttle, step.onset) > kPedal) {
+        end = std::min(end, firstCrossing(*throttle, kPedal, step.onset).value_or(end));
+    }
+    return end;
 }
 
 // The answer of one channel, in the direction of the step and as increments over its value before.
@@ -126,7 +140,7 @@ Response respond(const Series& measured, const Step& step, double half_width) {
     if (const auto t = firstCrossing(answer, 0.9 * steady, step.onset, step.hold_end)) response.time90 = *t - step.half;
     const Instant peak = highest(answer, step.onset, step.hold_end);
     response.overshoot = std::max(0.0, peak.value / steady - 1);
-    const double least = std::max(kLeastOvershoot, isNoisy(measured) ? 3 * noise(clean) / steady : 0);
+    const double least = std::max(kLeastOvershoot, isNoisy(measured) ? 2 * noise(measured) / steady : 0);
     if (response.overshoot > least) response.peak_time = peak.time - step.half;
     response.steady = sign * steady;
     return response;
@@ -153,7 +167,9 @@ void addResponse(std::vector<Metric>& out, std::string_view what, std::string_vi
 std::vector<Metric> stepSteerMetrics(const Log& log, const KnownCar&) {
     const auto needed =
         channels(log, kName, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
-    const Step step = findStep(cleaned(needed[0], kSteeringHalfWidth));
+    Step step = findStep(cleaned(needed[0], kSteeringHalfWidth));
+    step.hold_end = pedalChange(log, step);
+    if (step.hold_end - step.half < kShortestHold) notFound(kName, "the driver brakes or lifts off during the step");
     const double v = mean(needed[1], step.onset - 0.1, step.onset);
     if (v < kSlowest) notFound(kName, fmt::format("the car moves at {:.2g} m/s only when it is steered", v));
     const Response yaw = respond(needed[2], step, kResponseHalfWidth);

@@ -11,14 +11,17 @@ namespace tread {
 namespace {
 
 constexpr std::string_view kName = "straight_braking";
-constexpr double kLeastBrake = 0.02;         // of the pedal: less is a resting foot
-constexpr double kOnsetShare = 0.01;         // of the largest pedal: where actuation starts
-constexpr double kSlowestStart = 2.0;        // m/s
-constexpr double kLargestSteering = 0.35;    // rad at the steering wheel: more is no straight line
-constexpr double kNearlyStopped = 0.2;       // m/s: from here the last metre is extrapolated, out of the sensor's noise
-constexpr double kLockedSlip = -0.9;         // slip ratio below which a wheel counts as locked
-constexpr double kLockedUntil = 1.0;         // m/s: below, every braked wheel stands still sooner or later
-constexpr double kSpeedHalfWidth = 0.1;      // s
+constexpr double kLeastBrake = 0.02;       // of the pedal: less is a resting foot
+constexpr double kOnsetShare = 0.001;      // of the largest pedal: where actuation starts ...
+constexpr double kOnsetNoise = 5;          // ... or in standard deviations of its noise, so that noise is no actuation
+constexpr double kSlowestStart = 2.0;      // m/s
+constexpr double kLargestSteering = 0.35;  // rad at the steering wheel: more is no straight line
+constexpr double kLargestTurn = 0.5;       // m/s2: more is braking in a turn
+constexpr double kNearlyStopped = 0.2;     // m/s: from here the last metre is extrapolated, out of the sensor's noise
+constexpr double kLockedSlip = -0.9;       // slip ratio below which a wheel counts as locked
+constexpr double kLockedUntil = 1.0;       // m/s: below, every braked wheel stands still sooner or later
+constexpr double kPeakHalfWidth = 0.05;    // s
+constexpr double kSpeedHalfWidth = 0.1;    // s
 constexpr double kNominalSteps = 10 * kKmh;  // nominal speeds are whole tens of km/h
 
 struct Stop {
@@ -32,7 +35,7 @@ double brakeOnset(const Series& brake) {
     const double most = *std::max_element(brake.value.begin(), brake.value.end());
     if (most < kLeastBrake) notFound(kName, "the brake is never applied");
     // The application that leads to the stop begins where the pedal last left zero before its largest value.
-    const double level = kOnsetShare * most;
+    const double level = std::max(kOnsetShare * most, kOnsetNoise * noise(brake));
     const double peak = highest(brake, brake.begin(), brake.end()).time;
     if (brake.value.front() > level && !firstCrossing(brake, level, brake.begin(), peak)) return brake.begin();
     return lastCrossing(brake, level, brake.begin(), peak).value_or(brake.begin());
@@ -60,6 +63,12 @@ Stop findStop(const Series& v, const Series& brake) {
 }
 
 void checkStraight(const Log& log, const Stop& stop) {
+    if (const auto yaw_rate = channelIfThere(log, kName, "chassis.yaw_rate")) {
+        const double turn = mean(*yaw_rate, stop.start - 0.2, stop.start) * stop.initial_speed;
+        if (std::abs(turn) > kLargestTurn) {
+            notFound(kName, fmt::format("the car is in a turn of {:.2g} m/s2 when it is braked", std::abs(turn)));
+        }
+    }
     const auto steering = channelIfThere(log, kName, "driver.steering_wheel_angle");
     if (!steering) return;
     const Series during = part(*steering, stop.start, stop.end);
@@ -80,8 +89,10 @@ double meanFullyDeveloped(const Series& v, const Stop& stop) {
 
 double peakDeceleration(const Log& log, const Series& v, const Stop& stop) {
     const auto logged = channelIfThere(log, kName, "chassis.ax");
-    const Series acceleration = logged ? cleaned(*logged, kSpeedHalfWidth) : cleanDerivative(v, kSpeedHalfWidth);
-    const Series during = part(acceleration, stop.start, stop.end);
+    const Series acceleration = logged ? *logged : cleanDerivative(v, kSpeedHalfWidth);
+    // Averaged and not smoothed: a parabola would overshoot where the car comes to rest with a jerk.
+    const bool noisy = logged && isNoisy(*logged);
+    const Series during = part(noisy ? averaged(*logged, kPeakHalfWidth) : acceleration, stop.start, stop.end);
     return -*std::min_element(during.value.begin(), during.value.end());
 }
 

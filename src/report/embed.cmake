@@ -32,6 +32,8 @@ file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/report/embedded.cpp @ONLY CONTENT
 "// Generated from the files named in src/report/embed.cmake.
 #include \"report/embedded.h\"
 
+#pragma GCC diagnostic ignored \"-Woverlength-strings\"  // longer than the standard promises, not than compilers take
+
 using namespace std::string_view_literals;
 
 namespace tread::embedded {

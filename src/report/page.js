@@ -117,21 +117,23 @@
 
     const button = document.getElementById('reset');
     const charts = [];
-    let shownTime = [-Infinity, Infinity];
+    const everything = [-Infinity, Infinity];
+    let shownTime = everything;
 
     // After a zoom in time every chart fits its values to what is left; a zoom in y stays with its chart.
     function fitValues(from, to) {
         button.hidden = false;
-        if (from === shownTime[0] && to === shownTime[1]) return;
-        shownTime = [from, to];
-        for (const {chart, rows, band} of charts) chart.updateOptions({valueRange: rangeOf(rows, band, from, to)});
+        const time = this.isZoomed('x') ? [from, to] : everything;
+        if (time[0] === shownTime[0] && time[1] === shownTime[1]) return;
+        shownTime = time;
+        for (const {chart, rows, band} of charts) chart.updateOptions({valueRange: rangeOf(rows, band, ...time)});
     }
 
+    // Only the first chart is told to draw: the synchronizer passes its time on, and each other chart draws once.
     function resetZoom() {
-        shownTime = [-Infinity, Infinity];
-        for (const {chart, rows, band} of charts) {
-            chart.updateOptions({dateWindow: null, valueRange: rangeOf(rows, band, ...shownTime)});
-        }
+        shownTime = everything;
+        for (const {chart, rows, band} of charts) chart.updateOptions({valueRange: rangeOf(rows, band, ...everything)}, true);
+        charts[0].chart.updateOptions({dateWindow: null});
         button.hidden = true;
     }
 
@@ -178,10 +180,14 @@
         }
         if (charts.length < all.length) {
             setTimeout(drawNext);
-        } else if (charts.length > 1) {
+            return;
+        }
+        if (charts.length > 1) {
             Dygraph.synchronize(charts.map(each => each.chart), {selection: true, zoom: true, range: false});
         }
+        document.body.classList.remove('drawing');
     }
+    document.body.classList.add('drawing');  // no pointing at charts that do not yet know each other
     setTimeout(drawNext);
     button.addEventListener('click', resetZoom);
 

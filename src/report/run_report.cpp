@@ -56,7 +56,7 @@ constexpr std::array<WheelChartPlan, 10> kWheelPlans = {{{"Wheel load", "load", 
                                                          {"Longitudinal force Fx", "fx", "N"},
                                                          {"Slip ratio", "slip_ratio", "%"},
                                                          {"Aligning moment Mz", "mz", "N m"},
-                                                         {"Wheel speed", "spin", "rad/s"},
+                                                         {"Wheel speed", "spin", "rev/min"},
                                                          {"Suspension travel", "travel", "mm"},
                                                          {"Road-wheel steer", "steer", "deg"},
                                                          {"Camber", "camber", "deg"}}};

@@ -229,10 +229,14 @@ double gyroscopicLateralForce(const TyreCoefficients& p, const TyreMotion& motio
     return p.cygyr * p.Ro * p.mt * motion.Omega * motion.psidot;  // (26)
 }
 
+// Slip velocity of the patch per dv, with the yaw of the belt that the gyroscopic couple causes (19).
+double lateralSlope(const TyreCoefficients& p, const TyreMotion& motion) {
+    return 1 + p.cpsigyr * p.czgyr * p.mt / (p.Ro * p.cFy) * motion.Vx * motion.Omega;  // (25), (27)
+}
+
 Stage stageAt(const TyreParams& tyre, const delft97::LoadCoefficients& c, const TyreState& base,
               const TyreMotion& motion, double step, const Relaxation& relax) {
     const TyreCoefficients& p = tyre.parameters;
-    const double belt_yaw = p.cpsigyr * p.czgyr * p.mt / (p.Ro * p.cFy) * motion.Vx * motion.Omega;  // (25), (27)
     return {.p = p,
             .l = tyre.lambda,
             .c = c,
@@ -240,7 +244,7 @@ Stage stageAt(const TyreParams& tyre, const delft97::LoadCoefficients& c, const 
             .step = step,
             .Vsx = {motion.Vsx, 0},
             .Vsy = motion.Vsy,
-            .Vsy_slope = 1 + belt_yaw,  // (19)
+            .Vsy_slope = lateralSlope(p, motion),
             .speed = relax.speed(motion.Vx),
             .sigma = relax.length,
             .Fy_direct = gyroscopicLateralForce(p, motion) - nonLaggingCamberForce(p, c),
@@ -436,6 +440,20 @@ TyreForces refined(TyreState& state, double& Omega, const TyreParams& tyre, cons
 }
 
 }  // namespace
+
+TyreForces rimForces(const TyreState& state, const TyreParams& tyre, const TyreMotion& motion, Standstill standstill) {
+    const TyreCoefficients& p = tyre.parameters;
+    const Relaxation relax = relaxation(p, motion, standstill);
+    TyreState now = state;
+    if (relax.length == 0) {
+        const double speed = relax.speed(motion.Vx);
+        now.kappa = -(motion.Vsx + state.du) / speed;                            // (20), (32)
+        now.alpha = -(motion.Vsy + lateralSlope(p, motion) * state.dv) / speed;  // (19), (33)
+    }
+    const auto c = delft97::loadCoefficients(p, tyre.lambda, motion.Fz, motion.gamma);
+    const auto f = delft97::horizontalForces(p, tyre.lambda, c, now.kappa, now.alpha);
+    return rimForces(tyre, c, now, f, motion);
+}
 
 TyreForces advance(TyreState& state, const TyreParams& tyre, const TyreMotion& begin, const TyreMotion& end, double dt,
                    Standstill standstill) {

@@ -1,3 +1,4 @@
+#include "base/pattern.h"
 #include "compare/compare.h"
 
 #include <gtest/gtest.h>

@@ -6,52 +6,51 @@
 #include <cmath>
 #include <limits>
 #include <random>
-#include <regex>
+#include <sstream>
 
 #include "report/decimate.h"
 #include "report/text.h"
 #include "report/ticks.h"
+#include "unit/markup.h"
 
 namespace tread {
 namespace {
 
 using Curves = std::vector<std::span<const double>>;
 
-std::size_t count(const std::string& text, std::string_view part) {
-    std::size_t found = 0;
-    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++found;
-    return found;
-}
-
-// The points of the path data of one curve, in pixels.
+// The points of the path of the first curve of that colour, in pixels.
 std::vector<std::pair<double, double>> points(const std::string& svg, Colour colour) {
-    const std::regex path("<path fill=\"none\" stroke=\"" + std::string(hex(colour)) + "\"[^>]* d=\"([^\"]*)\"");
-    std::smatch match;
-    if (!std::regex_search(svg, match, path)) return {};
-    const std::string data = match[1];
-    const std::regex point("[ML](-?[0-9.]+) (-?[0-9.]+)");
     std::vector<std::pair<double, double>> out;
-    for (auto it = std::sregex_iterator(data.begin(), data.end(), point); it != std::sregex_iterator(); ++it) {
-        out.emplace_back(std::stod((*it)[1]), std::stod((*it)[2]));
+    const std::vector<Tag> tags = readTags(svg).value_or(std::vector<Tag>{});
+    for (const Tag& tag : tags) {
+        if (tag.name != "path" || !tag.attributes.contains("fill") || tag.attributes.at("stroke") != hex(colour))
+            continue;
+        std::string data = tag.attributes.at("d");
+        for (char& c : data) {
+            if (std::isalpha(static_cast<unsigned char>(c))) c = ' ';
+        }
+        std::istringstream numbers(data);
+        double x = 0, y = 0;
+        while (numbers >> x >> y) out.emplace_back(x, y);
+        break;
     }
     return out;
 }
 
 // Every element that opens also closes, in order, and attributes are quoted: what an XML reader insists on.
 bool isWellFormed(const std::string& xml) {
-    const std::regex tag(R"(<(/?)([a-z]+)((?:\s+[a-z0-9:A-Z-]+="[^"<>]*")*)\s*(/?)>)");
+    const auto tags = readTags(xml);
+    if (!tags) return false;
     std::vector<std::string> open;
-    std::size_t matched = 0;
-    for (auto it = std::sregex_iterator(xml.begin(), xml.end(), tag); it != std::sregex_iterator(); ++it) {
-        ++matched;
-        if ((*it)[1].length() > 0) {
-            if (open.empty() || open.back() != (*it)[2]) return false;
+    for (const Tag& tag : *tags) {
+        if (tag.closes) {
+            if (open.empty() || open.back() != tag.name) return false;
             open.pop_back();
-        } else if ((*it)[4].length() == 0) {
-            open.push_back((*it)[2]);
+        } else if (!tag.closes_itself) {
+            open.push_back(tag.name);
         }
     }
-    return open.empty() && matched == count(xml, "<");
+    return open.empty();
 }
 
 Chart line(std::vector<double> x, std::vector<double> y) {

@@ -1,0 +1,44 @@
+// Drives a scenario with a car in a Bullet world and records what happens.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "log/csv.h"
+#include "log/log.h"
+#include "scenario/scenario.h"
+#include "tread/vehicle.h"
+
+namespace tread {
+
+// The simulation could not go on; the rows so far have been handed out.
+class SimulationError : public std::runtime_error {
+public:
+    SimulationError(const std::string& what, double at) : std::runtime_error(what), time(at) {}
+    double time;  // s
+};
+
+// The user stopped the run.
+class Interrupted : public SimulationError {
+public:
+    using SimulationError::SimulationError;
+};
+
+// Where the rows of a run go, while it runs.
+struct Recorder {
+    std::function<void(const std::vector<Column>&)> begin = [](const std::vector<Column>&) {};
+    std::function<void(std::span<const double>)> row = [](std::span<const double>) {};
+    std::function<bool(double time)> stop = [](double) { return false; };  // asked once a row
+};
+
+// Throws SimulationError when a value is not finite or out of bounds, when the car cannot hold the speed at which the
+// scenario starts, or when the manoeuvre does not end.
+void simulate(const VehicleParams& vehicle, const Scenario& scenario, const Recorder& recorder);
+
+// The same into memory.
+Log simulate(const VehicleParams& vehicle, const Scenario& scenario);
+
+}  // namespace tread

@@ -1,0 +1,18 @@
+#include "run/world.h"
+
+namespace tread {
+namespace {
+
+constexpr double kBodyHeight = 0.6;  // m, of the box that stands for the body; nothing touches it in this world
+
+}  // namespace
+
+World::World(const VehicleParams& vehicle)
+    : shape_(btVector3(0.5 * vehicle.wheelbase, 0.5 * vehicle.front.track, 0.5 * kBodyHeight)),
+      chassis_(vehicle.mass, nullptr, &shape_) {
+    dynamics_.setGravity(btVector3(0, 0, -kStandardGravity));
+    chassis_.setActivationState(DISABLE_DEACTIVATION);
+    dynamics_.addRigidBody(&chassis_);
+}
+
+}  // namespace tread

@@ -1,0 +1,139 @@
+// A manoeuvre: where the car starts, on which road, what the driver does phase by phase, when it ends, what is logged.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scenario/signals.h"
+#include "tread/describe.h"
+
+namespace tread {
+
+struct RoadParams {
+    double grade = 0;
+    double bank = 0;
+    double friction = 1;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(grade), About{"-", "rise over run along x"});
+        field(TREAD_FIELD(bank), About{"-", "rise over run along y"});
+        field(TREAD_FIELD(friction), About{"-", "scales the friction of the tyre files", kNonNegative});
+    }
+};
+static_assert(describesEveryMember<RoadParams>());
+
+// The car starts in equilibrium: settled on its suspension, wheels rolling, the throttle that holds the speed.
+struct StartParams {
+    double speed = 0;
+    double heading = 0;
+    double brake = 0;
+    double drop = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(speed), About{"m/s", "forward speed", kNonNegative});
+        field(TREAD_FIELD(heading), About{"rad", "direction, 0 along x, positive to the left"});
+        field(TREAD_FIELD(brake), About{"-", "brake pedal", kFraction});
+        field(TREAD_FIELD(drop), About{"m", "height above equilibrium from which the car is dropped", kNonNegative});
+    }
+
+    static void check(const auto& self, auto&& complain) {
+        if (self.speed > 0 && self.brake > 0)
+            complain("brake", "a car that starts at a speed cannot have its brakes on; put the braking into a phase");
+    }
+};
+static_assert(describesEveryMember<StartParams>());
+
+// A phase ends with the first of these that comes true.
+struct Until {
+    std::optional<double> duration;
+    std::optional<double> speed_below;
+    std::optional<double> speed_above;
+    std::optional<double> lateral_acceleration_above;
+    std::optional<double> distance;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(duration), About{"s", "time since the phase began", kPositive});
+        field(TREAD_FIELD(speed_below), About{"m/s", "forward speed falls below this", kAny});
+        field(TREAD_FIELD(speed_above), About{"m/s", "forward speed rises above this", kNonNegative});
+        field(TREAD_FIELD(lateral_acceleration_above),
+              About{"m/s2", "magnitude of the lateral acceleration rises above this", kPositive});
+        field(TREAD_FIELD(distance), About{"m", "way since the phase began", kPositive});
+    }
+
+    static void check(const auto& self, auto&& complain) {
+        if (!self.duration && !self.speed_below && !self.speed_above && !self.lateral_acceleration_above &&
+            !self.distance) {
+            complain("duration",
+                     "found no condition, expected at least one (duration, speed_below, speed_above, "
+                     "lateral_acceleration_above or distance), or the phase would never end");
+        }
+    }
+};
+static_assert(describesEveryMember<Until>());
+
+struct Phase {
+    std::string name;
+    SteeringSignal steering;
+    ThrottleSignal throttle;
+    PedalSignal brake;
+    PedalSignal clutch;
+    Until until;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(name), About{"", "name, for messages"});
+        field(TREAD_FIELD(steering), About{"", "hand wheel, positive to the left"});
+        field(TREAD_FIELD(throttle), About{"", "throttle pedal"});
+        field(TREAD_FIELD(brake), About{"", "brake pedal"});
+        field(TREAD_FIELD(clutch), About{"", "clutch pedal, 1 separates engine and gearbox"});
+        field(TREAD_FIELD(until), About{"", "when the phase ends"});
+    }
+};
+static_assert(describesEveryMember<Phase>());
+
+struct LogParams {
+    double rate = 100;
+    std::vector<std::string> channels;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(rate),
+              About{"1/s", "rows per second (rounded to a whole number of steps per row)", kPositive});
+        field(TREAD_FIELD(channels), About{"", "names of the channels to log, * for any characters; none: all"});
+    }
+};
+static_assert(describesEveryMember<LogParams>());
+
+struct Scenario {
+    std::string title;
+    std::string description;
+    std::string manoeuvre;
+    double step = 0.001;
+    double time_limit = 120;
+    RoadParams road;
+    StartParams start;
+    std::vector<Phase> phases;
+    LogParams log;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(title), About{"", "what the manoeuvre is, in a few words"});
+        field(TREAD_FIELD(description), About{"", "what it is after, and where its numbers come from"});
+        field(TREAD_FIELD(manoeuvre),
+              About{"", "whose metrics are computed (see tread describe metrics); empty: none"});
+        field(TREAD_FIELD(step), About{"s", "time step of the Bullet world", {1e-5, 0.05}});
+        field(TREAD_FIELD(time_limit),
+              About{"s", "time after which a manoeuvre that did not end has failed", kPositive});
+        field(TREAD_FIELD(road), About{"", "road"});
+        field(TREAD_FIELD(start), About{"", "start"});
+        field(TREAD_FIELD(phases), About{"", "what the driver does, one phase after the other"});
+        field(TREAD_FIELD(log), About{"", "what is logged"});
+    }
+
+    static void check(const auto& self, auto&& complain) {
+        if (self.phases.empty())
+            complain("phases", "found no phase, expected at least one that says what the driver does and until when");
+    }
+};
+static_assert(describesEveryMember<Scenario>());
+
+}  // namespace tread
