@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kNoEquilibrium = 0.01;  // m/s2 or rad/s2 left after settling
 constexpr double kThrottleRounding = 1e-3;
+constexpr double kMostStepsPerRow = 1e9;  // a row at the beginning and one at the end is the least
 
 // What the run logs: columns, and where in the sample each number is read.
 class Sample {
@@ -96,7 +97,7 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
 
     // Step by step: look, record, decide, move.
     const double dt = scenario.step;
-    const auto steps_per_row = std::max(1L, std::lround(1 / (scenario.log.rate * dt)));
+    const long steps_per_row = std::lround(std::clamp(1 / (scenario.log.rate * dt), 1.0, kMostStepsPerRow));
     for (long k = 0;; ++k) {
         sample.time = static_cast<double>(k) * dt;
         const double yaw_before = sample.car.chassis.yaw;

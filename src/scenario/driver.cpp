@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
+#include <vector>
+
+#include "base/did_you_mean.h"
 
 namespace tread {
 namespace {
@@ -11,7 +15,7 @@ constexpr double kTimeRounding = 1e-9;  // s: a phase that ends at a step's end 
 
 std::string shortNumber(double value) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
+    std::snprintf(text, sizeof text, "%.4g", value);
     return text;
 }
 
@@ -86,14 +90,18 @@ bool Driver::finished(double time) const {
 
 std::string Driver::waitsFor() const {
     const Until& until = phase().until;
-    std::string text = "phase \"" + (phase().name.empty() ? std::to_string(phase_) : phase().name) + "\" waits for";
-    if (until.speed_below) text += " a speed below " + shortNumber(*until.speed_below) + " m/s";
-    if (until.speed_above) text += " a speed above " + shortNumber(*until.speed_above) + " m/s";
+    std::vector<std::string> ends;
+    if (until.speed_below) ends.push_back("a speed below " + shortNumber(*until.speed_below) + " m/s");
+    if (until.speed_above) ends.push_back("a speed above " + shortNumber(*until.speed_above) + " m/s");
     if (until.lateral_acceleration_above)
-        text += " a lateral acceleration above " + shortNumber(*until.lateral_acceleration_above) + " m/s2";
-    if (until.distance) text += " a way of " + shortNumber(*until.distance) + " m";
-    if (until.duration) text += " " + shortNumber(*until.duration) + " s to pass";
-    return text + "; the car has " + shortNumber(seen_.vx) + " m/s and " + shortNumber(std::abs(seen_.ay)) + " m/s2";
+        ends.push_back("a lateral acceleration above " + shortNumber(*until.lateral_acceleration_above) + " m/s2");
+    if (until.distance) ends.push_back("a way of " + shortNumber(*until.distance) + " m");
+    if (until.duration) ends.push_back(shortNumber(*until.duration) + " s to pass");
+
+    const bool named = !phase().name.empty();
+    return (named ? "phase \"" + phase().name + "\"" : "phases." + std::to_string(phase_)) + " waits for " +
+           listed(std::vector<std::string_view>(ends.begin(), ends.end())) + "; the car has " + shortNumber(seen_.vx) +
+           " m/s and " + shortNumber(std::abs(seen_.ay)) + " m/s2 to the side";
 }
 
 }  // namespace tread
