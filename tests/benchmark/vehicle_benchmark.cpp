@@ -44,7 +44,7 @@ void settling(benchmark::State& state) {
     struct Flat : Road {
         RoadContact contact(const Vector3&, std::size_t) const override { return {}; }
     } flat;
-    for (auto _ : state) benchmark::DoNotOptimize(equilibrium(car, {flat}, {.speed = 22}).throttle);
+    for (auto _ : state) benchmark::DoNotOptimize(equilibrium(car, {flat}, {.speed = 22, .input = {}}).throttle);
 }
 BENCHMARK(settling)->Name("headless/equilibrium")->Unit(benchmark::kMillisecond);
 

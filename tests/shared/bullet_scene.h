@@ -44,7 +44,7 @@ public:
         chassis_.setActivationState(DISABLE_DEACTIVATION);
         world.addRigidBody(&chassis_);
         vehicle = std::make_unique<BulletVehicle>(params, chassis_, road_);
-        const Equilibrium rest = equilibrium(vehicle->vehicle(), {road_}, {.speed = speed});
+        const Equilibrium rest = equilibrium(vehicle->vehicle(), {road_}, {.speed = speed, .input = {}});
         vehicle->restore(rest.motion, rest.state, rest.input);
         world.addAction(vehicle.get());
     }
