@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "cli/program.h"
+#include "cli/tyre_program.h"
 #include "cli/tyre_table.h"
 #include "shared/near.h"
 #include "shared/transient_reference.h"
