@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <exception>
+#include <filesystem>
 #include <iostream>
-#include <set>
-#include <string_view>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "golden/golden_run.h"
 #include "log/csv.h"
@@ -67,7 +69,8 @@ int update(std::vector<std::string> wanted, bool ask) {
             std::cout << name << ": new\n";
         } else {
             const Comparison comparison = golden::compareToGolden(name, log);
-            std::cout << name << ": " << text(comparison) << '\n';
+            const std::string found = text(comparison, comparison.channels.size());
+            std::cout << name << ": " << (comparison.same ? found.substr(0, found.find('\n')) : found) << '\n';
             if (comparison.same) continue;
         }
         changed.emplace_back(name, std::move(log));

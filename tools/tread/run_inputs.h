@@ -6,7 +6,7 @@
 
 namespace tread::program {
 
-// Throws LoadError: faults of the files, a manoeuvre that no metrics exist for, settings that do not fit.
+// Throws LoadError: faults of the files and of the settings, a manoeuvre without metrics, channels that do not exist.
 RunRecord readRunInputs(const RunOptions& options);
 
 }  // namespace tread::program
