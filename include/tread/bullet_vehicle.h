@@ -43,7 +43,7 @@ class BulletVehicle : public btActionInterface {
 public:
     // The body's origin is the car's centre of gravity; its mass and inertia are set from the parameters. `chassis` and
     // `road` must outlive the vehicle. Bullet's gyroscopic forces on the body are switched off: the vehicle has them.
-    BulletVehicle(const VehicleParams& params, btRigidBody& chassis, const Road& road, const BodyAxes& axes = {});
+    BulletVehicle(const VehicleParams& params, btRigidBody& chassis, Road& road, const BodyAxes& axes = {});
     BulletVehicle(const BulletVehicle&) = delete;
     BulletVehicle& operator=(const BulletVehicle&) = delete;
     ~BulletVehicle() override;

@@ -20,6 +20,10 @@ class Road {
 public:
     virtual ~Road() = default;
 
+    // Called before each step of the world, of which the car may make several of its own: a road whose queries are dear
+    // may ask once per wheel and answer with that plane until the next call.
+    virtual void beginStep() {}
+
     // The road below a wheel centre. `wheel` lets a road keep what it found for that wheel.
     virtual RoadContact contact(const Vector3& centre_W, std::size_t wheel) const = 0;
 };

@@ -448,6 +448,10 @@ TyreForces advance(TyreState& state, const TyreParams& tyre, const TyreMotion& b
 TyreForces advance(TyreState& state, double& Omega, const TyreParams& tyre, const TyreMotion& begin,
                    const TyreMotion& end, const TyreSpin& spin, double dt, Standstill standstill);
 
+// The forces of a known state under a given motion, equations (21)-(23), (84), (85): what `advance` returns when the
+// motion is that at the end of its step; and what jumps with the motion while the state cannot.
+TyreForces rimForces(const TyreState& state, const TyreParams& tyre, const TyreMotion& motion, Standstill standstill);
+
 // The same tyre mounted on the other side of the car.
 TyreParams mirrored(const TyreParams& tyre);
 

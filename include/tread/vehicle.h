@@ -129,6 +129,7 @@ struct WheelState {
     // Forces of the road on the tyre at the end of the last step, ISO 8855 wheel axes.
     double load = 0, fx = 0, fy = 0, mz = 0;
     double vertical_force = 0;  // N, of the load along the body's z axis
+    double inclined_force = 0;  // N, of fx and fy along the body's z axis
     double drive_torque = 0;    // N m, of the driveline
     double brake_torque = 0;    // N m, that the brake can hold
 };

@@ -41,7 +41,7 @@ Quaternion attitudeOf(const BodyAxes& axes) {
 
 struct BulletVehicle::Implementation {
     btRigidBody& chassis;
-    const Road& road;
+    Road& road;
     Vehicle vehicle;
     Quaternion axes;  // ISO 8855 vehicle axes to the body's own
 
@@ -79,7 +79,7 @@ struct BulletVehicle::Implementation {
     }
 };
 
-BulletVehicle::BulletVehicle(const VehicleParams& params, btRigidBody& chassis, const Road& road, const BodyAxes& axes)
+BulletVehicle::BulletVehicle(const VehicleParams& params, btRigidBody& chassis, Road& road, const BodyAxes& axes)
     : self_(new Implementation{.chassis = chassis,
                                .road = road,
                                .vehicle = prepare(params),
@@ -142,6 +142,7 @@ void BulletVehicle::plan(double dt) {
     if (!s.chassis.isActive()) return;
 
     // Advance the car on a motion of its own.
+    s.road.beginStep();
     ChassisMotion end = s.motion;
     const Surroundings surroundings{s.road, s.gravity()};
     const int substeps = std::max(1, static_cast<int>(std::ceil(dt / kLongestSubstep - 1e-6)));

@@ -93,7 +93,7 @@ Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const
 void simulate(const VehicleParams& params, const Scenario& scenario, const Recorder& recorder) {
     // World, car and road; the car in equilibrium.
     World world(params);
-    const PlaneRoad road(scenario.road.grade, scenario.road.bank, scenario.road.friction);
+    PlaneRoad road(scenario.road.grade, scenario.road.bank, scenario.road.friction);
     const Equilibrium rest = startOf(params, scenario, {road});
     BulletVehicle car(params, world.chassis(), road);
     car.restore(rest.motion, rest.state, rest.input);

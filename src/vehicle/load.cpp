@@ -5,10 +5,16 @@
 
 namespace tread {
 
-VehicleParams loadVehicle(const std::filesystem::path& file) { return readYaml<VehicleParams>(file); }
+VehicleParams loadVehicle(const std::filesystem::path& file) {
+    return readYaml<VehicleParams>(file);
+}
 
-TyreParams loadTyre(const std::filesystem::path& file) { return readYaml<TyreParams>(file); }
+TyreParams loadTyre(const std::filesystem::path& file) {
+    return readYaml<TyreParams>(file);
+}
 
-std::string vehicleYaml(const VehicleParams& params) { return writeYaml(params); }
+std::string vehicleYaml(const VehicleParams& params) {
+    return writeYaml(params);
+}
 
 }  // namespace tread

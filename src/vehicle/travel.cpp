@@ -37,6 +37,13 @@ SuspensionForce suspensionForce(const Vehicle& vehicle, const PerWheel<WheelStat
                                                  .static_force = vehicle.corners[wheel].static_force});
 }
 
+LinkSlopes linkSlopes(const Vehicle& vehicle, const WheelState& wheel, std::size_t index) {
+    const SuspensionParams& suspension = suspensionOf(vehicle, index);
+    const bool locked = wheel.spin == 0 && wheel.brake_torque > 0;
+    return {.forward = locked ? suspension.side_view_slope_braking : suspension.side_view_slope_driving,
+            .left = vehicle.corners[index].lateral_slope};
+}
+
 double linkForce(const Vehicle& vehicle, const WheelState& wheel, std::size_t index) {
     const SuspensionParams& suspension = suspensionOf(vehicle, index);
     const double cosine = std::cos(wheel.steer);
@@ -44,21 +51,23 @@ double linkForce(const Vehicle& vehicle, const WheelState& wheel, std::size_t in
     const double along = wheel.fx * cosine - wheel.fy * sine;
     const double across = wheel.fx * sine + wheel.fy * cosine;
     double force = vehicle.corners[index].lateral_slope * across + suspension.side_view_slope_driving * along;
-    if (wheel.radius > 0) {
-        const double capacity = wheel.brake_torque / wheel.radius;
-        const double braking = std::clamp(along, -capacity, capacity);
-        force += (suspension.side_view_slope_braking - suspension.side_view_slope_driving) * braking;
+    // What the brake holds turns the hub: the contact point follows the braking slope.
+    const double by_brake = suspension.side_view_slope_braking - suspension.side_view_slope_driving;
+    if (wheel.brake_torque > 0 && wheel.radius > 0) {
+        const double capacity = wheel.spin == 0 ? kInfinity : wheel.brake_torque / wheel.radius;
+        force += by_brake * std::clamp(along, -capacity, capacity);
     }
     return force;
 }
 
 PerWheel<WheelContact> advanceTravel(PerWheel<WheelState>& wheels, const Vehicle& vehicle, const BodyFrame& begin,
                                      const BodyFrame& end, const PerWheel<double>& steer, const Road& road, double dt) {
-    // Vertical force on each wheel at the start; travel as if its rate stayed.
-    PerWheel<double> links, force_begin, rate_begin;
+    // Vertical force on each wheel at the start, with what the horizontal tyre forces add; travel as if its rate
+    // stayed.
+    PerWheel<double> sideways, force_begin, rate_begin;
     for (std::size_t i = 0; i < kWheels; ++i) {
-        links[i] = linkForce(vehicle, wheels[i], i);
-        force_begin[i] = wheels[i].vertical_force + links[i] - suspensionForce(vehicle, wheels, i).force;
+        sideways[i] = wheels[i].inclined_force + linkForce(vehicle, wheels[i], i);
+        force_begin[i] = wheels[i].vertical_force + sideways[i] - suspensionForce(vehicle, wheels, i).force;
         rate_begin[i] = wheels[i].rate;
     }
     for (std::size_t i = 0; i < kWheels; ++i) wheels[i].travel += dt * rate_begin[i];
@@ -74,7 +83,7 @@ PerWheel<WheelContact> advanceTravel(PerWheel<WheelState>& wheels, const Vehicle
         contacts[i] = wheelContact(end, corner, wheel.travel, lean.camber, wheel.steer, road, i);
         const TyreLoad tyre = tyreLoad(corner.tyre, contacts[i], end, wheel.rate);
         const SuspensionForce spring = suspensionForce(vehicle, wheels, i);
-        const double force_end = tyre.load * contacts[i].normal_B.z() + links[i] - spring.force;
+        const double force_end = tyre.load * contacts[i].normal_B.z() + sideways[i] - spring.force;
 
         const double mean =
             0.5 * dt * ((force_begin[i] + force_end) / corner.unsprung_mass + begin.gravity_B.z() + end.gravity_B.z());

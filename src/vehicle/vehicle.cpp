@@ -69,13 +69,14 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
         wheel.drive_torque = drive.wheel[axleOf(i)];
         wheel.brake_torque = brake[axleOf(i)];
         const double spin_begin = wheel.spin;
-        const TyreMotion at_end =
-            tyreMotion(contacts[i], to, corner, wheel.rate, (steer[i] - steer_begin[i]) / dt, wheel.load);
+        const TyreMotion at_end = tyreMotion(contacts[i], to, linkSlopes(vehicle, wheel, i), wheel.rate,
+                                             (steer[i] - steer_begin[i]) / dt, wheel.load);
         const TyreForces tyre = advanceTyre(wheel, corner, contacts[i], at_end, dt);
         wheel.motion = at_end;
         wheel.fx = tyre.Fx;
         wheel.fy = tyre.Fy;
         wheel.mz = tyre.Mz;
+        wheel.inclined_force = tyre.Fx * contacts[i].forward_B.z() + tyre.Fy * contacts[i].left_B.z();
         addWheel(wrench,
                  {.corner = corner,
                   .contact = contacts[i],

@@ -40,8 +40,14 @@ struct TyreLoad {
 };
 TyreLoad tyreLoad(const TyreParams& tyre, const WheelContact& contact, const BodyFrame& body, double rate);
 
+// Movement of the contact point in body axes over compression, as the suspension's links guide it.
+struct LinkSlopes {
+    double forward;  // -
+    double left;     // -
+};
+
 // Motion of the tyre in the paper's axes; `yaw_rate` is that of the wheel relative to the body.
-TyreMotion tyreMotion(const WheelContact& contact, const BodyFrame& body, const Vehicle::Corner& corner, double rate,
+TyreMotion tyreMotion(const WheelContact& contact, const BodyFrame& body, const LinkSlopes& slopes, double rate,
                       double yaw_rate, double load);
 
 // Forces of the tyre, converted from the paper's axes to ISO 8855 wheel axes.

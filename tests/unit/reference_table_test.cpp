@@ -93,7 +93,7 @@ TEST(ReferenceTable, HasARowForEveryField) {
 
 TEST(ReferenceTable, TyreHasAllItsParameters) {
     const auto rows = referenceTable<TyreParams>();
-    EXPECT_EQ(rows.size(), 123u);
+    EXPECT_EQ(rows.size(), 125u);
     EXPECT_EQ(rows[2].path, "parameters.Fzo");
     EXPECT_EQ(rows[2].default_text, "required");
 }

@@ -3,7 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "base/did_you_mean.h"
+#include "base/number_text.h"
 #include "commands.h"
 #include "tread/problem.h"
 
@@ -51,11 +56,59 @@ void addTyre(CLI::App& app, TyreOptions& o) {
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
+// ---- What a command line that cannot be read is answered ----
+
+std::vector<std::string_view> commandNames(const CLI::App& app) {
+    std::vector<std::string_view> names;
+    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+    return names;
+}
+
+// CLI11 2.1 says of a mistyped command only that one is required.
+bool isCommand(const CLI::App& app, std::string_view word) {
+    for (const std::string_view name : commandNames(app)) {
+        if (name == word) return true;
+    }
+    return false;
+}
+
+std::string unknownCommand(const CLI::App& app, std::string_view word) {
+    const std::vector<std::string_view> names = commandNames(app);
+    return "there is no command " + quote(word) + ", only " + listed(names) + didYouMean(word, names);
+}
+
+// The first option that the command does not have, with a suggestion; empty when it has them all.
+std::string unknownOption(const CLI::App& command) {
+    std::vector<std::string> options;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+    }
+    const std::vector<std::string_view> names(options.begin(), options.end());
+    for (const std::string& word : command.remaining()) {
+        const std::string option = word.substr(0, word.find('='));
+        if (word.size() > 1 && word.front() == '-')
+            return "there is no option " + quote(option) + didYouMean(option, names);
+    }
+    return {};
+}
+
+int refuse(const CLI::App& app, const CLI::ParseError& error) {
+    const std::vector<const CLI::App*> called =
+        app.get_subcommands([](const CLI::App* command) { return command->parsed(); });
+    const CLI::App& command = called.empty() ? app : *called.front();
+    const std::string name = called.empty() ? "tread" : "tread " + command.get_name();
+    std::string fault = unknownOption(command);
+    if (fault.empty() && !command.remaining().empty())
+        fault = "there is no use for " + quote(command.remaining().front());
+    if (fault.empty()) fault = error.what();
+    std::fprintf(stderr, "%s: %s (`%s --help` shows how it is called)\n", name.c_str(), fault.c_str(), name.c_str());
+    return kBadInput;
+}
+
 int dispatch(int argc, char** argv) {
-    CLI::App app{"tread: a full car on Delft Tyre 97 tyres in Bullet, driven by YAML files"};
+    CLI::App app{"tread: a full car on Delft Tyre 97 tyres in Bullet, driven by YAML files", "tread"};
     app.set_version_flag("--version", std::string("tread ") + TREAD_VERSION);
     app.require_subcommand(1);
-    app.failure_message(CLI::FailureMessage::help);
 
     int status = kYes;
     RunOptions run_options;
@@ -88,8 +141,9 @@ int dispatch(int argc, char** argv) {
     command->add_flag("--json", describe_options.json, "print the result as JSON");
     command->callback([&] { status = describe(describe_options); });
 
-    command = app.add_subcommand("check", "check vehicle, tyre and scenario files; status 2 when one has faults");
-    command->add_option("files", check_options.files, "YAML or .tir files")->required();
+    command =
+        app.add_subcommand("check", "check files: vehicles, tyres, tolerances, logs; status 2 when one has faults");
+    command->add_option("files", check_options.files, "YAML, .tir or CSV files")->required();
     command->add_flag("--json", check_options.json, "print the result as JSON");
     command->callback([&] { status = check(check_options); });
 
@@ -98,10 +152,20 @@ int dispatch(int argc, char** argv) {
     command->add_option("-o,--output", schema_options.output, "file to write (default: standard output)");
     command->callback([&] { status = schema(schema_options); });
 
+    if (argc < 2) {
+        std::fputs(app.help().c_str(), stderr);
+        return kBadInput;
+    }
+    if (argv[1][0] != '-' && !isCommand(app, argv[1])) {
+        std::fprintf(stderr, "tread: %s\n", unknownCommand(app, argv[1]).c_str());
+        return kBadInput;
+    }
     try {
         app.parse(argc, argv);
+    } catch (const CLI::Success& help_or_version) {
+        return app.exit(help_or_version);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? kYes : kBadInput;
+        return refuse(app, error);
     }
     return status;
 }

@@ -157,24 +157,4 @@ int run(const RunOptions& options) {
     return kYes;
 }
 
-// Stand-ins until their files are merged.
-int compare(const CompareOptions&) {
-    return kBadInput;
-}
-int metrics(const MetricsOptions&) {
-    return kBadInput;
-}
-int tyre(const TyreOptions&) {
-    return kBadInput;
-}
-int describe(const DescribeOptions&) {
-    return kBadInput;
-}
-int check(const CheckOptions&) {
-    return kBadInput;
-}
-int schema(const SchemaOptions&) {
-    return kBadInput;
-}
-
 }  // namespace tread::program

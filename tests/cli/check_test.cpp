@@ -1,0 +1,166 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/logs.h"
+#include "cli/program.h"
+
+namespace tread {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string kVehicles = TREAD_SOURCE_DIR "/vehicles/";
+
+// The text with its first `from` replaced.
+std::string with(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+}
+
+// Line and column of a text, "14:12".
+std::string place(const std::string& text, const std::string& what) {
+    const std::size_t at = text.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    const std::size_t line = text.rfind('\n', at) + 1;
+    return std::to_string(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1) + ":" +
+           std::to_string(at - line + 1);
+}
+
+// A folder with a car and its tyre, sound ones.
+struct Check : testing::Test {
+    Check() {
+        std::filesystem::create_directory(scratch.path("tyres"));
+        std::filesystem::copy(kVehicles + "tyres/car_205_60R15.yaml", tyre);
+        std::filesystem::copy(kVehicles + "compact.yaml", car);
+        writeLog(log, cli::stepSteer());
+    }
+    Scratch scratch;
+    std::string car = scratch.path("car.yaml");
+    std::string tyre = scratch.path("tyres/car_205_60R15.yaml");
+    std::string log = scratch.path("log.csv");
+};
+
+// The least that is a .tir file.
+const std::string kTir =
+    "[MODEL]\nFITTYP = 52\n[COEFFICIENTS]\n"
+    "FNOMIN = 4000\nUNLOADED_RADIUS = 0.313\nVERTICAL_STIFFNESS = 209000\nVERTICAL_DAMPING = 50\n"
+    "PCX1 = 1.685\nPDX1 = 1.21\nPKX1 = 21.5\nPCY1 = 1.19\nPDY1 = 0.99\nPKY1 = -14.95\nPKY2 = 2.13\n";
+
+TEST_F(Check, TellsEveryKindOfFileByItsContent) {
+    const std::string tolerances = scratch.file("t.yaml", "relative: 0.01\n");
+    const std::string renamed = scratch.path("car.txt");
+    std::filesystem::copy(car, renamed);
+    const Result result = runProgram({"check", car, tyre, tolerances, log, renamed});
+    EXPECT_EQ(result.status, 0) << result.out;
+    EXPECT_EQ(result.out, "5 files are fine\n" + car + ": vehicle, fine\n" + tyre + ": tyre, fine\n" + tolerances +
+                              ": tolerances, fine\n" + log + ": log, fine\n" + renamed + ": vehicle, fine\n");
+    EXPECT_EQ(result.err, "");
+    EXPECT_EQ(firstLine(runProgram({"check", car}).out), "1 file is fine");
+}
+
+TEST_F(Check, ShippedVehiclesAndTyresAreFine) {
+    std::vector<std::string> arguments{"check"};
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(kVehicles)) {
+        if (entry.path().extension() == ".yaml") arguments.push_back(entry.path().string());
+    }
+    ASSERT_GE(arguments.size(), 4u);
+    const Result result = runProgram(arguments);
+    EXPECT_EQ(result.status, 0) << result.out;
+}
+
+TEST_F(Check, ListsAllFaultsOfAllFilesWithTheirPlace) {
+    std::string text = contentOf(car);
+    text = with(text, "wheelbase: 2.62 m", "wheelbase: -2.62 m");
+    text = with(text, "track: 1.53 m", "track: 1.53 kg");
+    text = with(text, "anti_roll_bar:", "anti_rol_bar:");
+    const std::string bad = scratch.file("bad.yaml", text);
+    const std::string torn = scratch.file("torn.csv", "time [s],chassis.vx [km/h]\n0,1\n");
+    const Result result = runProgram({"check", car, bad, torn});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(firstLine(result.out), "4 faults in 2 of 3 files");
+    EXPECT_EQ(result.err, "");
+    for (const std::string& expected :
+         {bad + ":" + place(text, "-2.62 m") + ": wheelbase: ", bad + ":" + place(text, "1.53 kg") + ": front.track: ",
+          bad + ":" + place(text, "anti_rol_bar") + ": ", torn + ":1:10: chassis.vx: ", car + ": vehicle, fine\n"}) {
+        EXPECT_NE(result.out.find(expected), std::string::npos) << expected << "\n" << result.out;
+    }
+    EXPECT_NE(result.out.find("did you mean \"anti_roll_bar\"?"), std::string::npos);
+}
+
+TEST_F(Check, JsonHasFaultsAndKinds) {
+    const std::string bad = scratch.file("bad.yaml", with(contentOf(car), "mass: 1350 kg", "mass: -1350 kg"));
+    const Result result = runProgram({"check", "--json", car, bad});
+    EXPECT_EQ(result.status, 2);
+    const Json json = Json::parse(result.out);
+    EXPECT_EQ(json["answer"], "1 fault in 1 of 2 files");
+    EXPECT_EQ(json["files"][0]["kind"], "vehicle");
+    EXPECT_TRUE(json["files"][0]["problems"].empty());
+    const Json problem = json["files"][1]["problems"][0];
+    EXPECT_EQ(problem["file"], bad);
+    EXPECT_EQ(problem["path"], "mass");
+    EXPECT_EQ(problem["column"], 7);
+}
+
+TEST_F(Check, FaultOfAnIncludedFileCountsOnce) {
+    scratch.file("tyres/car_205_60R15.yaml", with(contentOf(tyre), "pCx1:", "pCx:"));
+    const Result alone = runProgram({"check", tyre});
+    const Result both = runProgram({"check", car, tyre});
+    EXPECT_EQ(firstLine(alone.out), "2 faults in 1 file") << alone.out;
+    EXPECT_EQ(firstLine(both.out), "2 faults in 2 of 2 files") << "pCx1 is missing, pCx is unknown\n" << both.out;
+    EXPECT_NE(both.out.find("did you mean \"pCx1\"?"), std::string::npos);
+}
+
+TEST_F(Check, NotesOfATirFileGoToStandardError) {
+    const std::string tir = scratch.file("tyre.tir", kTir);
+    const Result result = runProgram({"check", tir});
+    EXPECT_EQ(result.status, 0) << result.out;
+    EXPECT_EQ(result.out, "1 file is fine\n" + tir + ": tyre, fine\n");
+    EXPECT_EQ(result.err.find(tir + ": note: "), 0u) << result.err;
+
+    const std::string with_tir =
+        scratch.file("with_tir.yaml", with(contentOf(car), "tyre: tyres/car_205_60R15.yaml", "tyre: tyre.tir"));
+    const Result included = runProgram({"check", with_tir});
+    EXPECT_EQ(included.status, 0) << included.out;
+    EXPECT_EQ(included.err.find(with_tir + ": note: front.tyre: "), 0u) << included.err;
+    EXPECT_EQ(included.err.find("rear.tyre"), std::string::npos) << "the rear tyre is YAML";
+
+    const std::string broken = scratch.file("broken.tir", with(kTir, "FITTYP = 52", "FITTYP = 61"));
+    const Result faulty = runProgram({"check", broken});
+    EXPECT_EQ(faulty.status, 2);
+    EXPECT_EQ(faulty.out.find("1 fault in 1 file\n" + broken + ":2:"), 0u) << faulty.out;
+}
+
+TEST_F(Check, FileThatIsNothingKnownIsAFault) {
+    const auto fault = [&](const std::string& file) {
+        const Result result = runProgram({"check", file});
+        EXPECT_EQ(result.status, 2) << file;
+        EXPECT_EQ(firstLine(result.out), "1 fault in 1 file") << file;
+        return result.out.substr(result.out.find('\n') + 1);
+    };
+    EXPECT_EQ(fault(scratch.path("none.yaml")),
+              scratch.path("none.yaml") + ": found no file of this name; correct the path\n");
+    EXPECT_EQ(fault(scratch.path("none.csv")),
+              scratch.path("none.csv") + ": found no file of this name; correct the path\n");
+    EXPECT_EQ(fault(scratch.path("tyres")),
+              scratch.path("tyres") + ": found a directory, expected a file; name a file in it\n");
+    const std::string empty = scratch.file("empty.yaml", "");
+    EXPECT_EQ(fault(empty).find(empty + ": found nothing in the file"), 0u);
+    const std::string open = scratch.file("open.yaml", "mass: [1\n");
+    EXPECT_EQ(fault(open).find(open + ":"), 0u);
+    const std::string ambiguous = scratch.file("name.yaml", "name: x\n");
+    EXPECT_NE(fault(ambiguous).find("found \"name\", expected the keys of a vehicle, tyre"), std::string::npos);
+    const std::string list = scratch.file("list.yaml", "- 1\n");
+    EXPECT_NE(fault(list).find("found no \"key: value\" lines, expected the keys of a vehicle"), std::string::npos);
+}
+
+TEST_F(Check, MistypedKeysStillTellTheKind) {
+    const std::string file = scratch.file("t.yaml", "relativ: 0.1\nchanels: []\n");
+    const Result result = runProgram({"check", file});
+    EXPECT_EQ(firstLine(result.out), "2 faults in 1 file");
+    EXPECT_NE(result.out.find("did you mean \"relative\"?"), std::string::npos) << result.out;
+}
+
+}  // namespace
+}  // namespace tread

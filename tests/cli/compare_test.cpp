@@ -1,0 +1,186 @@
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "cli/logs.h"
+#include "cli/program.h"
+
+namespace tread {
+namespace {
+
+using cli::stepSteer;
+using Json = nlohmann::json;
+
+// Yaw rate and lateral acceleration part from the reference at 2 s and 3 s.
+Log changed() {
+    Log log = cli::with(stepSteer(), "chassis.yaw_rate", [](double t, double r) { return t >= 2 ? 1.1 * r : r; });
+    return cli::with(std::move(log), "chassis.ay", [](double t, double a) { return t >= 3 ? a - 1 : a; });
+}
+
+struct Compare : testing::Test {
+    Compare() {
+        writeLog(reference, stepSteer());
+        writeLog(other, changed());
+    }
+    Scratch scratch;
+    std::string reference = scratch.path("reference.csv");
+    std::string other = scratch.path("new.csv");
+};
+
+TEST_F(Compare, EqualLogsAreTheSameWithStatusZero) {
+    const Result result = runProgram({"compare", reference, reference});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(firstLine(result.out), "Same, to the last digit: 4 channels");
+    EXPECT_EQ(result.err, "");
+}
+
+TEST_F(Compare, DifferentLogsHaveStatusOneAndSayWhereEveryChannelParts) {
+    const Result result = runProgram({"compare", reference, other});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(firstLine(result.out).find("Different: 2 of 4 channels; first at t = 2 s, chassis.yaw_rate"), 0u)
+        << result.out;
+    EXPECT_EQ(result.err, "");
+
+    const Json json = Json::parse(runProgram({"compare", reference, other, "--json"}).out);
+    EXPECT_EQ(json["same"], false);
+    EXPECT_EQ(json["differing"], 2);
+    EXPECT_EQ(json["channels"][2]["channel"], "chassis.yaw_rate");
+    EXPECT_EQ(json["channels"][2]["first_difference"]["time"], 2.0);
+    EXPECT_EQ(json["channels"][3]["first_difference"]["time"], 3.0);
+    EXPECT_EQ(json["channels"][0]["first_difference"], nullptr);
+}
+
+TEST_F(Compare, ListsEveryDifferingChannelHoweverMany) {
+    Log many = stepSteer();
+    for (int i = 0; i < 15; ++i) {
+        many.channels.push_back(many.channels[3]);
+        many.channels.back().name = "extra.n" + std::to_string(i);
+    }
+    Log wrong = many;
+    for (int i = 5; i < 20; ++i) wrong.channels[static_cast<std::size_t>(i)].values.back() += 1;
+    writeLog(scratch.path("many.csv"), many);
+    writeLog(scratch.path("wrong.csv"), wrong);
+    const Result result = runProgram({"compare", scratch.path("many.csv"), scratch.path("wrong.csv")});
+    EXPECT_EQ(result.status, 1);
+    for (int i = 0; i < 15; ++i) {
+        EXPECT_NE(result.out.find("extra.n" + std::to_string(i) + " "), std::string::npos) << i;
+    }
+}
+
+TEST_F(Compare, ToleranceFileDecides) {
+    const std::string wide = scratch.file("wide.yaml", "relative: 0.3\n");
+    EXPECT_EQ(runProgram({"compare", reference, other, "--tolerances", wide}).status, 0);
+    const std::string own = scratch.file("own.yaml",
+                                         "channels:\n"
+                                         "  - {channel: chassis.yaw_rate, ignore: true}\n"
+                                         "  - {channel: chassis.ay, absolute: 0.9}\n");
+    const Result result = runProgram({"compare", reference, other, "--tolerances", own});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(firstLine(result.out).find("Different: 1 of 3 channels; first at t = 3 s, chassis.ay"), 0u) << result.out;
+}
+
+TEST_F(Compare, BadInputIsOneSentenceWithStatusTwo) {
+    const Result missing = runProgram({"compare", reference, scratch.path("none.csv")});
+    EXPECT_EQ(missing.status, 2);
+    EXPECT_EQ(missing.out, "");
+    EXPECT_EQ(missing.err, "tread: cannot read '" + scratch.path("none.csv") + "': No such file or directory\n");
+
+    const std::string torn = scratch.file("torn.csv", "time [s],chassis.ay [m/s2]\n0,1\n0.01,x\n");
+    const Result faulty = runProgram({"compare", reference, torn});
+    EXPECT_EQ(faulty.status, 2);
+    EXPECT_EQ(faulty.out, "");
+    EXPECT_EQ(faulty.err.find(torn + ":3:6: "), 0u) << faulty.err;
+
+    const std::string bad = scratch.file("bad.yaml", "relativ: 0.1\n");
+    const Result tolerances = runProgram({"compare", reference, other, "--tolerances", bad});
+    EXPECT_EQ(tolerances.status, 2);
+    EXPECT_EQ(tolerances.out, "");
+    EXPECT_EQ(tolerances.err.find(bad + ":1:1: "), 0u) << tolerances.err;
+    EXPECT_NE(tolerances.err.find("did you mean \"relative\"?"), std::string::npos) << tolerances.err;
+}
+
+TEST_F(Compare, WritesAnOverlayReportAndNothingElse) {
+    const std::string report = scratch.path("overlay.html");
+    const Result result = runProgram({"compare", reference, other, "--report", report});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(result.err, "overlay report: " + report + "\n");
+    const std::string page = contentOf(report);
+    for (const char* word : {"reference.csv", "new.csv", "chassis.yaw_rate", "Different: 2 of 4 channels", "</html>"}) {
+        EXPECT_NE(page.find(word), std::string::npos) << word;
+    }
+    EXPECT_EQ(scratch.names(), (std::vector<std::string>{"new.csv", "overlay.html", "reference.csv"}));
+}
+
+TEST_F(Compare, ReportThatCannotBeWrittenIsOneSentenceWithStatusTwo) {
+    const Result nowhere = runProgram({"compare", reference, other, "--report", scratch.path("no/overlay.html")});
+    EXPECT_EQ(nowhere.status, 2);
+    EXPECT_EQ(nowhere.out, "");
+    EXPECT_EQ(nowhere.err,
+              "tread: cannot write '" + scratch.path("no/overlay.html") + "': No such file or directory\n");
+
+    const Result full = runProgram({"compare", reference, other, "--report", "/dev/full"});
+    EXPECT_EQ(full.status, 2);
+    EXPECT_EQ(full.err, "tread: cannot write '/dev/full': No space left on device\n");
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/full")) << "a device is not replaced by a file";
+}
+
+TEST_F(Compare, FullStandardOutputIsOneSentenceWithStatusTwo) {
+    const Result result = runProgram({"compare", reference, other}, "/dev/full");
+    EXPECT_EQ(result.status, 2) << "not 1: the answer was lost";
+    EXPECT_EQ(result.err, "tread: cannot write the answer to standard output: No space left on device\n");
+}
+
+std::string decodeBase64(const std::string& text) {
+    const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string bytes;
+    std::uint32_t bits = 0;
+    int count = 0;
+    for (const char c : text) {
+        if (c == '=') break;
+        bits = bits << 6 | static_cast<std::uint32_t>(letters.find(c));
+        count += 6;
+        if (count >= 8) bytes += static_cast<char>(bits >> (count -= 8) & 0xFF);
+    }
+    return bytes;
+}
+
+// The values of the first curve behind a place in the page.
+std::vector<float> valuesBehind(const std::string& page, const std::string& place) {
+    const std::string key = "\"values\":\"";
+    const std::size_t begin = page.find(key, page.find(place)) + key.size();
+    const std::string bytes = decodeBase64(page.substr(begin, page.find('"', begin) - begin));
+    std::vector<float> values(bytes.size() / sizeof(float));
+    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(float));
+    return values;
+}
+
+// A heading of 179 deg in one log and -178 deg in the other differs by 3 deg, and is drawn so, also where both have
+// turned several times.
+TEST_F(Compare, OverlayTakesWholeTurnsOutOfAHeading) {
+    constexpr double kTurn = 2 * std::numbers::pi, kAhead = 0.05;
+    Log turning{{{"time", "s", {}}, {"chassis.yaw", "rad", {}}}};
+    for (int i = 0; i <= 100; ++i) {
+        turning.channels[0].values.push_back(0.1 * i);
+        turning.channels[1].values.push_back(std::remainder(3.1 + 0.1 * i, kTurn));
+    }
+    writeLog(reference, turning);
+    writeLog(other,
+             cli::with(turning, "chassis.yaw", [](double, double yaw) { return std::remainder(yaw + kAhead, kTurn); }));
+    const std::string report = scratch.path("yaw.html");
+    const Result result = runProgram({"compare", reference, other, "--report", report, "--json"});
+    EXPECT_NEAR(Json::parse(result.out)["channels"][0]["largest_difference"].get<double>(), kAhead, 1e-9);
+
+    const std::string page = contentOf(report);
+    const std::vector<float> differences = valuesBehind(page, "\"title\":\"Difference\"");
+    ASSERT_EQ(differences.size(), 101u);
+    for (const float value : differences) EXPECT_NEAR(value, kAhead * 360 / kTurn, 1e-3) << "deg";
+    const std::vector<float> heading = valuesBehind(page, "\"title\":\"chassis.yaw\"");
+    ASSERT_EQ(heading.size(), 101u);
+    EXPECT_NEAR(heading.back() - heading.front(), 10 * 360 / kTurn, 1e-3) << "goes on through half a turn";
+}
+
+}  // namespace
+}  // namespace tread

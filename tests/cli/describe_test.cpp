@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "base/reference_table.h"
+#include "cli/program.h"
+#include "compare/tolerances.h"
+#include "metrics/metrics.h"
+#include "tread/vehicle.h"
+
+namespace tread {
+namespace {
+
+using Json = nlohmann::json;
+
+Json described(const std::string& what) {
+    const Result result = runProgram({"describe", what, "--json"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.err, "");
+    return Json::parse(result.out);
+}
+
+Json field(const Json& described, const std::string& path) {
+    for (const Json& candidate : described["fields"]) {
+        if (candidate["path"] == path) return candidate;
+    }
+    return nullptr;
+}
+
+// The lines of a table that begin with a path.
+std::size_t linesWith(const std::string& text, const std::string& path) {
+    std::istringstream stream(text);
+    std::size_t count = 0;
+    for (std::string line; std::getline(stream, line);) count += line.rfind("  " + path + " ", 0) == 0;
+    return count;
+}
+
+template <class T>
+void expectEveryFieldOnce(const std::string& what) {
+    const Result result = runProgram({"describe", what});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.err, "");
+    EXPECT_EQ(firstLine(result.out).find(what + ": "), 0u);
+    const Json json = described(what);
+    const auto rows = referenceTable<T>();
+    EXPECT_EQ(json["fields"].size(), rows.size());
+    for (const ReferenceRow& row : rows) {
+        EXPECT_EQ(linesWith(result.out, row.path), 1u) << row.path;
+        EXPECT_EQ(field(json, row.path)["meaning"], row.meaning) << row.path;
+    }
+}
+
+TEST(Describe, ListsEveryFieldOfEveryFile) {
+    expectEveryFieldOnce<VehicleParams>("vehicle");
+    expectEveryFieldOnce<TyreParams>("tyre");
+    expectEveryFieldOnce<Tolerances>("tolerances");
+}
+
+TEST(Describe, FieldHasUnitMeaningLimitsDefaultAndTolerance) {
+    const Json damping = field(described("vehicle"), "front.suspension.damper.bump");
+    EXPECT_EQ(damping, (Json{{"path", "front.suspension.damper.bump"},
+                             {"unit", "N s/m"},
+                             {"meaning", "damping in compression"},
+                             {"limits", "at least 0"},
+                             {"default", "required"},
+                             {"tolerance", 0.1}}));
+    const std::string text = runProgram({"describe", "vehicle"}).out;
+    EXPECT_NE(text.find("damping in compression (usually known within 10 %)"), std::string::npos);
+    EXPECT_NE(text.find("\nfront: front axle\n"), std::string::npos) << "groups have a headline";
+}
+
+// The cells of a column begin at the same place.
+TEST(Describe, ColumnsOfAGroupAreAligned) {
+    const std::string text = runProgram({"describe", "vehicle"}).out;
+    const std::size_t begin = text.find("\ninertia: ");
+    std::istringstream group(text.substr(begin + 1, text.find("\n\n", begin) - begin - 1));
+    std::string line;
+    std::getline(group, line);
+    std::getline(group, line);
+    const std::size_t unit = line.find("unit"), meaning = line.find("meaning");
+    std::size_t rows = 0;
+    while (std::getline(group, line)) {
+        EXPECT_EQ(line.substr(unit, 6), "kg m2 ") << line;
+        EXPECT_EQ(line.at(meaning - 1), ' ') << line;
+        EXPECT_NE(line.at(meaning), ' ') << line;
+        ++rows;
+    }
+    EXPECT_EQ(rows, 4u);
+}
+
+TEST(Describe, LogHasTheColumnsOfALog) {
+    const Json log = described("log");
+    EXPECT_EQ(log["fields"].size(), 1u + 4u + 16u + 4u * 14u + 3u);
+    EXPECT_EQ(field(log, "time")["unit"], "s");
+    EXPECT_EQ(field(log, "driver.steering_wheel_angle")["unit"], "rad");
+    EXPECT_EQ(field(log, "chassis.ay")["unit"], "m/s2");
+    EXPECT_EQ(field(log, "wheel.rear_right.load")["unit"], "N");
+    EXPECT_EQ(field(log, "driveline.engine_speed")["unit"], "rad/s");
+    EXPECT_EQ(runProgram({"describe", "log"}).out.find("default"), std::string::npos) << "columns have none";
+}
+
+TEST(Describe, MetricsNamesEveryManoeuvre) {
+    const Result result = runProgram({"describe", "metrics"});
+    EXPECT_EQ(result.status, 0);
+    const Json json = described("metrics");
+    ASSERT_EQ(json["manoeuvres"].size(), manoeuvres().size());
+    for (const Manoeuvre& known : manoeuvres()) {
+        EXPECT_NE(result.out.find(known.name), std::string::npos);
+        EXPECT_NE(result.out.find(known.description), std::string::npos);
+    }
+}
+
+TEST(Describe, UnknownNameIsAnsweredWithASuggestionAndTheList) {
+    const Result result = runProgram({"describe", "vehcle"});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err.find("tread: there is no description \"vehcle\", only vehicle, tyre, "), 0u) << result.err;
+    EXPECT_NE(result.err.find("; did you mean \"vehicle\"?\n"), std::string::npos) << result.err;
+}
+
+TEST(Describe, FullStandardOutputIsOneSentence) {
+    const Result result = runProgram({"describe", "tyre"}, "/dev/full");
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.err, "tread: cannot write the answer to standard output: No space left on device\n");
+}
+
+}  // namespace
+}  // namespace tread

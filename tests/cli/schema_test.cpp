@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+
+namespace tread {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(SchemaCommand, PrintsJsonSchema) {
+    for (const char* what : {"vehicle", "tyre", "tolerances"}) {
+        const Result result = runProgram({"schema", what});
+        EXPECT_EQ(result.status, 0) << what;
+        EXPECT_EQ(result.err, "") << what;
+        const Json json = Json::parse(result.out);
+        EXPECT_EQ(json["$schema"], "http://json-schema.org/draft-07/schema#") << what;
+        EXPECT_EQ(json["$id"], std::string(what) + ".schema.json");
+        EXPECT_EQ(json["additionalProperties"], false) << "a misspelt key is an error";
+    }
+}
+
+void expectFresh(const std::string& what, const std::string& file) {
+    EXPECT_EQ(contentOf(TREAD_SOURCE_DIR "/" + file), runProgram({"schema", what}).out)
+        << "renew it with: tread schema " << what << " -o " << file;
+}
+
+TEST(SchemaCommand, ShippedSchemasAreFresh) {
+    expectFresh("vehicle", "vehicles/vehicle.schema.json");
+    expectFresh("tyre", "vehicles/tyres/tyre.schema.json");
+}
+
+// An editor finds the schema by the first line of the file.
+TEST(SchemaCommand, ShippedFilesNameASchemaThatIsThere) {
+    const std::string marker = "# yaml-language-server: $schema=";
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(TREAD_SOURCE_DIR "/vehicles")) {
+        if (entry.path().extension() != ".yaml") continue;
+        const std::string line = firstLine(contentOf(entry.path().string()));
+        ASSERT_EQ(line.find(marker), 0u) << entry.path();
+        EXPECT_TRUE(std::filesystem::exists(entry.path().parent_path() / line.substr(marker.size()))) << entry.path();
+        ++files;
+    }
+    EXPECT_GE(files, 3u);
+}
+
+TEST(SchemaCommand, WritesTheFileUnderItsNameOnlyWhenComplete) {
+    const Scratch scratch;
+    const std::string file = scratch.file("tyre.schema.json", "old");
+    const Result result = runProgram({"schema", "tyre", "-o", file});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(contentOf(file), runProgram({"schema", "tyre"}).out);
+    EXPECT_EQ(scratch.names(), std::vector<std::string>{"tyre.schema.json"});
+
+    // A link stays a link.
+    std::filesystem::create_symlink("tyre.schema.json", scratch.path("link.json"));
+    EXPECT_EQ(runProgram({"schema", "vehicle", "-o", scratch.path("link.json")}).status, 0);
+    EXPECT_TRUE(std::filesystem::is_symlink(scratch.path("link.json")));
+    EXPECT_EQ(contentOf(file), runProgram({"schema", "vehicle"}).out);
+}
+
+TEST(SchemaCommand, FileThatCannotBeWrittenIsOneSentenceWithStatusTwo) {
+    const Scratch scratch;
+    const std::string nowhere = scratch.path("no/schema.json");
+    const Result missing = runProgram({"schema", "tyre", "-o", nowhere});
+    EXPECT_EQ(missing.status, 2);
+    EXPECT_EQ(missing.err, "tread: cannot write '" + nowhere + "': No such file or directory\n");
+    const Result folder = runProgram({"schema", "tyre", "-o", scratch.path(".")});
+    EXPECT_EQ(folder.status, 2);
+    EXPECT_EQ(folder.err, "tread: cannot write '" + scratch.path(".") + "': Is a directory\n");
+    const Result full = runProgram({"schema", "tyre", "-o", "/dev/full"});
+    EXPECT_EQ(full.status, 2);
+    EXPECT_EQ(full.err, "tread: cannot write '/dev/full': No space left on device\n");
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+    const Result standard_output = runProgram({"schema", "tyre"}, "/dev/full");
+    EXPECT_EQ(standard_output.status, 2);
+    EXPECT_EQ(standard_output.err, "tread: cannot write the answer to standard output: No space left on device\n");
+    EXPECT_TRUE(scratch.names().empty());
+}
+
+TEST(SchemaCommand, UnknownNameIsAnsweredWithASuggestionAndTheList) {
+    const Result result = runProgram({"schema", "tolerance"});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find("tread: there is no kind of file \"tolerance\", only vehicle, tyre"), std::string::npos)
+        << result.err;
+    EXPECT_NE(result.err.find("did you mean \"tolerances\"?"), std::string::npos) << result.err;
+    EXPECT_EQ(runProgram({"schema", "log"}).status, 2) << "a log is CSV";
+}
+
+}  // namespace
+}  // namespace tread

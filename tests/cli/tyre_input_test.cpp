@@ -1,0 +1,164 @@
+// What users get wrong with `tread tyre`: status 2, a message that names the place, and no file half written.
+
+#include <gtest/gtest.h>
+
+#include "cli/tyre_program.h"
+#include "cli/tyre_table.h"
+
+namespace cli {
+namespace {
+
+const std::string kHeader = "Fz,gamma,Vx,Vsx,Vsy\n";
+const std::string kMotionHeader = "t,Vsx,Vsy,Vx,Omega,psidot,gamma,Fz\n";
+
+struct BadTable {
+    std::string name;
+    std::string option;  // --table or --transient
+    std::string text;
+    std::string message;  // behind the file's name
+};
+
+std::ostream& operator<<(std::ostream& out, const BadTable& bad) {
+    return out << bad.name;
+}
+
+const std::vector<BadTable> kBadTables{
+    {"Empty", "--table", "", ": is empty"},
+    {"HeaderOnly", "--table", kHeader, ":1:1: has no rows"},
+    {"RaggedRow", "--table", kHeader + "1,2,3,4,5\n1,2,3\n", ":3:5: found 3 values, the header has 5 columns"},
+    {"LongRow", "--table", kHeader + "1,2,3,4,5,6\n", ":2:11: found 6 values, the header has 5 columns"},
+    {"TextInANumber", "--table", kHeader + "1,2,3,fast,5\n", ":2:7: Vsx: found \"fast\", expected a number"},
+    {"NumberWithATail", "--table", kHeader + "1,2,3 m/s,4,5\n", ":2:5: Vx: found \"3 m/s\", expected a number"},
+    {"EmptyCell", "--table", kHeader + "1,,3,4,5\n", ":2:3: gamma: found an empty cell"},
+    {"NotANumber", "--table", kHeader + "1,2,3,4,nan\n", ":2:9: Vsy: found \"nan\", expected a finite number"},
+    {"Infinite", "--table", kHeader + "-inf,2,3,4,5\n", ":2:1: Fz: found \"-inf\", expected a finite number"},
+    {"TooLarge", "--table", kHeader + "1,2,1e400,4,5\n", ":2:5: Vx: found \"1e400\", beyond the range"},
+    {"UnknownColumn", "--table", "Fz,gama,Vx,Vsx,Vsy\n1,2,3,4,5\n",
+     ":1:4: found the column \"gama\", expected Fz, gamma, Vx, Vsx or Vsy, or a scaling factor such as lambda_mux; "
+     "did you mean \"gamma\"?"},
+    {"UnknownScaling", "--table", "Fz,gamma,Vx,Vsx,Vsy,lambda_muz\n1,2,3,4,5,6\n", "did you mean \"lambda_mu"},
+    {"RepeatedColumn", "--table", "Fz,gamma,Vx,Vsx,Vsy,Vx [km/h]\n1,2,3,4,5,6\n", ":1:21: column \"Vx\" appears twice"},
+    {"MissingColumn", "--table", "Fz,gamma,Vx,Vsy\n1,2,3,4\n", ":1:1: found no column \"Vsx\" (longitudinal slip"},
+    {"WrongUnit", "--table", "Fz,gamma,Vx [kg],Vsx,Vsy\n1,2,3,4,5\n",
+     ":1:10: Vx: found the unit \"kg\", a mass; expected a speed such as [m/s]"},
+    {"UnknownUnit", "--table", "Fz,gamma,Vx [parsec],Vsx,Vsy\n1,2,3,4,5\n", ":1:10: Vx: found the unknown unit"},
+    {"ScalingBeyondItsLimits", "--table", "Fz,gamma,Vx,Vsx,Vsy,lambda_Cx\n1,2,3,4,5,-1\n",
+     ":2:11: lambda_Cx: found \"-1\", expected above 0"},
+    {"Semicolons", "--table", "Fz;gamma;Vx;Vsx;Vsy\n1;2;3;4;5\n", "expected column names separated by commas"},
+    {"Binary", "--table", std::string("Fz\0,gamma", 9), ": is not a text file"},
+    {"UnequalSampling", "--transient",
+     kMotionHeader + "0,0,0,9,30,0,0,4000\n1,0,0,9,30,0,0,4000\n3,0,0,9,30,0,0,4000\n",
+     ":4:1: t: found an interval of 2 s after intervals of 1 s, expected a fixed sampling interval"},
+    {"SlightlyUnequalSampling", "--transient",
+     kMotionHeader + "0,0,0,9,30,0,0,4000\n1,0,0,9,30,0,0,4000\n2.00001,0,0,9,30,0,0,4000\n", ":4:1: t: found an"},
+    {"TimeStandsStill", "--transient", kMotionHeader + "0,0,0,9,30,0,0,4000\n0,0,0,9,30,0,0,4000\n",
+     ":3:1: t: found 0 after 0, expected a time that increases"},
+    {"TimeRunsBack", "--transient", "Vsx,t,Vsy,Vx,Omega,psidot,gamma,Fz\n0,5,0,9,30,0,0,4000\n0,4,0,9,30,0,0,4000\n",
+     ":3:3: t: found 4 after 5, expected a time that increases"},
+    {"MissingMotion", "--transient", "t,Vsx,Vsy,Vx,gamma,Fz\n0,0,0,9,0,4000\n", ":1:1: found no column \"Omega\""},
+    {"ScalingInMotion", "--transient", "t,Vsx,Vsy,Vx,Omega,psidot,gamma,Fz,lambda_mux\n0,0,0,9,30,0,0,4000,1\n",
+     ":1:36: found the column \"lambda_mux\""},
+};
+
+class TyreInput : public ::testing::TestWithParam<BadTable> {};
+
+TEST_P(TyreInput, IsRejectedWithItsPlaceAndLeavesTheOutputAlone) {
+    const BadTable& bad = GetParam();
+    const Folder folder;
+    const std::string in = folder.write("in.csv", bad.text), out = folder.write("out.csv", "kept");
+    const Result result = run({"tyre", kCarTyre, bad.option, in, "-o", out});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.output, "");
+    EXPECT_EQ(result.errors.substr(0, in.size()), in) << result.errors;
+    EXPECT_NE(result.errors.find(bad.message), std::string::npos) << result.errors;
+    EXPECT_EQ(readFile(out), "kept");
+    EXPECT_EQ(folder.files(), (std::vector<std::string>{"in.csv", "out.csv"}));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, TyreInput, ::testing::ValuesIn(kBadTables),
+                         [](const auto& bad) { return bad.param.name; });
+
+TEST(TyreInputs, EveryFaultOfATableIsNamedAtOnce) {
+    const Folder folder;
+    const std::string in = folder.write("in.csv", kHeader + "1,2,3,4,x\n1,2,3,4,5\ny,2,3,4,5\n1,2\n");
+    const Result result = run({"tyre", kCarTyre, "--table", in});
+    EXPECT_EQ(result.status, 2);
+    for (const char* place : {":2:9: Vsy: ", ":4:1: Fz: ", ":5:3: "}) {
+        EXPECT_NE(result.errors.find(in + place), std::string::npos) << result.errors;
+    }
+}
+
+TEST(TyreInputs, AMissingFileIsNamed) {
+    const Folder folder;
+    const std::string none = folder / "none.csv";
+    for (const char* option : {"--table", "--transient"}) {
+        const Result result = run({"tyre", kCarTyre, option, none, "-o", folder / "out.csv"});
+        EXPECT_EQ(result.status, 2);
+        EXPECT_EQ(result.errors, none + ": cannot be read: No such file or directory\n");
+    }
+    EXPECT_EQ(run({"tyre", kCarTyre, "--table", folder.path()}).errors,
+              folder.path().string() + ": cannot be read: Is a directory\n");
+    EXPECT_EQ(run({"tyre", none, "--table", none}).status, 2);
+    EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(TyreInputs, AnOutputThatCannotBeWrittenIsNamed) {
+    const Folder folder;
+    const std::string in = folder.write("in.csv", kHeader + "4000,0,20,0,1\n");
+    const auto expectRefused = [&](const std::string& option, const std::string& out, const std::string& reason) {
+        const Result result = run({"tyre", kCarTyre, "--table", in, option, out});
+        EXPECT_EQ(result.status, 2) << out;
+        EXPECT_NE(result.errors.find("cannot write '" + out + "': " + reason), std::string::npos) << result.errors;
+    };
+    expectRefused("-o", folder / "none/out.csv", "No such file or directory");
+    expectRefused("--plot", folder / "none/out.html", "No such file or directory");
+    expectRefused("-o", in + "/out.csv", "Not a directory");
+    expectRefused("-o", folder.path(), "Is a directory");
+    expectRefused("-o", "/dev/full", "No space left on device");
+    EXPECT_EQ(folder.files(), std::vector<std::string>{"in.csv"});
+}
+
+TEST(TyreInputs, AFolderWithoutWritePermissionIsNamed) {
+    if (geteuid() == 0) GTEST_SKIP() << "the superuser may write everywhere";
+    const Folder folder;
+    const std::string in = folder.write("in.csv", kHeader + "4000,0,20,0,1\n"), closed = folder / "closed";
+    std::filesystem::create_directory(closed);
+    std::filesystem::permissions(closed, std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+    const Result result = run({"tyre", kCarTyre, "--table", in, "-o", closed + "/out.csv"});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.errors.find("cannot write '" + closed + "/out.csv': Permission denied"), std::string::npos);
+}
+
+TEST(TyreInputs, ALinkAsOutputStaysALink) {
+    const Folder folder;
+    const std::string in = folder.write("in.csv", kHeader + "4000,0,20,0,1\n");
+    folder.write("real.csv", "old");
+    std::filesystem::create_symlink("real.csv", folder / "link.csv");
+    EXPECT_EQ(run({"tyre", kCarTyre, "--table", in, "-o", folder / "link.csv"}).status, 0);
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.csv"));
+    EXPECT_EQ(parse(readFile(folder / "real.csv")).rows.size(), 1u);
+}
+
+TEST(TyreInputs, OptionsThatDoNotFitTogetherAreNamed) {
+    const Folder folder;
+    const std::string in = folder.write("in.csv", kHeader + "4000,0,20,0,1\n");
+    const auto errorsOf = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {"tyre", kCarTyre});
+        const Result result = run(arguments);
+        EXPECT_EQ(result.status, 2);
+        EXPECT_EQ(result.output, "");
+        return result.errors;
+    };
+    EXPECT_NE(errorsOf({"--table", in, "--transient", in}).find("--transient: given together with --table"),
+              std::string::npos);
+    EXPECT_NE(errorsOf({"-o", folder / "out.csv"}).find("--output: nothing to write"), std::string::npos);
+    EXPECT_NE(errorsOf({"--table", in, "--substeps", "2"}).find("--substeps: expected only with --transient"),
+              std::string::npos);
+    EXPECT_NE(errorsOf({"--standstill"}).find("--standstill: expected only with --transient"), std::string::npos);
+    EXPECT_NE(errorsOf({"--set", "lambda.muu=1"}).find("did you mean"), std::string::npos);
+    EXPECT_EQ(run({"tyre", kCarTyre, "--axes", "sae"}).status, 2);
+    EXPECT_EQ(folder.files(), std::vector<std::string>{"in.csv"});
+}
+
+}  // namespace
+}  // namespace cli

@@ -1,0 +1,135 @@
+// Which file may include which: the rules of the project's layers, checked on the #include lines of one file at a time.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tread::layers {
+
+using Path = std::filesystem::path;
+
+// A file may include from its own layer and from those to its left.
+inline const std::vector<std::string> kOrder{"base",     "road",     "tyre",     "vehicle", "bullet",
+                                             "log",      "scenario", "run",      "compare", "metrics",
+                                             "identify", "diagnose", "campaign", "report",  "tools"};
+
+// Public headers share one folder; each belongs to a layer.
+inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{
+    {"base", {"describe", "wheels", "curve", "problem", "vector", "vehicle_output"}},
+    {"road", {"road"}},
+    {"tyre", {"tyre"}},
+    {"vehicle", {"suspension", "steering", "driveline", "brakes", "aero", "vehicle", "equilibrium", "load"}},
+    {"bullet", {"bullet_vehicle", "raycast_vehicle"}},
+};
+
+// The sub-models of the car: they meet in vehicle.h and vehicle.cpp only.
+inline const std::vector<std::string> kSubModels{"suspension", "steering", "driveline", "brakes", "aero", "tyre"};
+
+// Libraries that only some layers may include, by the beginnings of the included names.
+struct Library {
+    std::string name;
+    std::vector<std::string> beginnings;
+    std::vector<std::string> layers;
+};
+inline const std::vector<std::string> kLab(kOrder.begin() + 5, kOrder.end());
+inline const std::vector<Library> kLibraries{
+    {"Bullet", {"bt", "Bullet", "LinearMath/"}, {"bullet", "run", "tools"}},
+    {"yaml-cpp", {"yaml-cpp/"}, {"base"}},
+    {"fmt", {"fmt/"}, kLab},
+    {"nlohmann_json", {"nlohmann/"}, kLab},
+    {"CLI11", {"CLI/"}, {"tools"}},
+};
+
+inline bool contains(const std::vector<std::string>& list, const std::string& value) {
+    return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+inline std::string layerOfPublicHeader(const Path& file) {
+    for (const auto& [layer, headers] : kPublicHeaders) {
+        if (contains(headers, file.stem().string())) return layer;
+    }
+    return {};
+}
+
+// Layer of a file, named relative to the root of the project: src/<layer>/..., include/tread/..., tools/...; or "".
+inline std::string layerOfFile(const Path& file) {
+    const std::string top = file.begin()->string();
+    if (top == "tools") return top;
+    if (top == "include") return layerOfPublicHeader(file);
+    const std::string folder = std::next(file.begin())->string();
+    return contains(kOrder, folder) ? folder : "";
+}
+
+// Layer of what an #include names: tread/..., <layer>/..., or a file beside the including one; or "".
+inline std::string layerOfInclude(const Path& name, const std::string& including_layer) {
+    if (!name.has_parent_path()) return including_layer;
+    const std::string folder = name.begin()->string();
+    if (folder == "tread") return layerOfPublicHeader(name);
+    return contains(kOrder, folder) ? folder : "";
+}
+
+struct Include {
+    int line;
+    std::string name;
+    bool quoted;
+};
+
+inline std::vector<Include> includesOf(const std::string& text) {
+    std::vector<Include> found;
+    std::istringstream lines(text);
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        std::erase_if(line, [](char c) { return c == ' ' || c == '\t'; });
+        const std::string directive = "#include";
+        if (!line.starts_with(directive) || line.size() < directive.size() + 2) continue;
+        const char open = line[directive.size()];
+        const std::size_t begin = directive.size() + 1, end = line.find(open == '<' ? '>' : '"', begin);
+        if (end != std::string::npos) found.push_back({number, line.substr(begin, end - begin), open == '"'});
+    }
+    return found;
+}
+
+// What is wrong with one include of a file in a layer, or "".
+inline std::string faultOf(const Include& include, const Path& file, const std::string& layer) {
+    const Path name = include.name;
+    for (const Library& library : kLibraries) {
+        const bool belongs = std::any_of(library.beginnings.begin(), library.beginnings.end(),
+                                         [&](const std::string& begin) { return include.name.starts_with(begin); });
+        if (belongs && !contains(library.layers, layer)) return "layer " + layer + " does not use " + library.name;
+    }
+    if (!include.quoted && *name.begin() != "tread") return {};
+    const std::string used = layerOfInclude(name, layer);
+    if (used.empty()) return "it belongs to no layer (write \"tread/header.h\" or \"layer/file.h\")";
+    if (std::find(kOrder.begin(), kOrder.end(), used) > std::find(kOrder.begin(), kOrder.end(), layer)) {
+        return "layer " + layer + " may not use layer " + used + ", which lies above it";
+    }
+    const bool between_sub_models = *file.begin() == "include" && *name.begin() == "tread" &&
+                                    contains(kSubModels, file.stem()) && contains(kSubModels, name.stem());
+    return between_sub_models ? "a sub-model's header includes no other's: they meet in vehicle.h" : "";
+}
+
+// Every fault of a file (named relative to the root of the project) as "file:line: what: why".
+inline std::vector<std::string> faultsOf(const Path& file, const std::string& text) {
+    std::vector<std::string> faults;
+    const bool layered = *file.begin() != "tests";
+    const std::string layer = layered ? layerOfFile(file) : "";
+    if (layered && layer.empty())
+        faults.push_back(file.string() + ":1: belongs to no layer: name it in tests/shared/layers.h");
+    for (const Include& include : includesOf(text)) {
+        std::string fault;
+        if (Path(include.name).extension() == ".cpp") fault = "include headers, not sources";
+        else if (!layer.empty()) fault = faultOf(include, file, layer);
+        if (fault.empty()) continue;
+        faults.push_back(file.string() + ":" + std::to_string(include.line) + ": includes " + include.name + ": " +
+                         fault);
+    }
+    return faults;
+}
+
+}  // namespace tread::layers

@@ -1,0 +1,187 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <tuple>
+
+#include "base/did_you_mean.h"
+#include "base/number_text.h"
+#include "base/text_file.h"
+#include "base/yaml_document.h"
+#include "commands.h"
+#include "describable.h"
+#include "log/csv.h"
+#include "log_columns.h"
+#include "output.h"
+
+namespace tread::program {
+namespace {
+
+struct CheckedFile {
+    std::string name;
+    std::string kind;  // empty: cannot be told
+    std::vector<Problem> problems;
+    std::vector<std::string> notes;
+};
+
+std::vector<std::string> keysOf(const YamlDocument& document) {
+    std::vector<std::string> keys;
+    const std::vector<std::size_t>& children = document.root().children;
+    if (document.root().kind != YamlNode::Kind::map) return keys;
+    for (std::size_t i = 0; i < children.size(); i += 2) keys.push_back(document.nodes[children[i]].text);
+    return keys;
+}
+
+// How many keys the description knows; one that is only mistyped counts half.
+std::size_t score(const Describable& kind, const std::vector<std::string>& keys) {
+    const std::vector<TopField> top = kind.top();
+    std::vector<std::string_view> names;
+    for (const TopField& field : top) names.push_back(field.name);
+    std::size_t points = 0;
+    for (const std::string& key : keys) {
+        const bool known = std::find(names.begin(), names.end(), key) != names.end();
+        points += known ? 2 : closest(key, names) ? 1 : 0;
+    }
+    return points;
+}
+
+// The kind of file whose description knows most of the keys; nullptr when that is none or several.
+const Describable* bestMatch(const std::vector<std::string>& keys) {
+    const Describable* best = nullptr;
+    std::size_t most = 0;
+    for (const Describable& kind : describables()) {
+        if (!kind.isFile()) continue;
+        const std::size_t points = score(kind, keys);
+        if (points > most) {
+            most = points;
+            best = &kind;
+        } else if (points == most) {
+            best = nullptr;
+        }
+    }
+    return best;
+}
+
+std::string unknownKindText(const std::vector<std::string>& keys) {
+    std::vector<std::string_view> kinds;
+    for (const Describable& kind : describables()) {
+        if (kind.isFile()) kinds.push_back(kind.name);
+    }
+    std::string found = keys.empty() ? "no \"key: value\" lines" : "";
+    for (std::size_t i = 0; i < std::min<std::size_t>(keys.size(), 3); ++i)
+        found += (i > 0 ? ", " : "") + quote(keys[i]);
+    if (keys.size() > 3) found += fmt::format(" and {} more", keys.size() - 3);
+    return fmt::format("found {}, expected the keys of a {} file; `tread describe` lists them", found, listed(kinds));
+}
+
+void checkYaml(CheckedFile& checked, std::string_view text) {
+    const auto document = parseYaml(text, checked.name, checked.problems);
+    if (!document) return;
+    const std::vector<std::string> keys = keysOf(*document);
+    const Describable* const kind = bestMatch(keys);
+    if (!kind) throw LoadError({{checked.name, 0, 0, "", unknownKindText(keys)}});
+    checked.kind = kind->name;
+    checked.notes = kind->read(checked.name);
+}
+
+CheckedFile checkFile(const std::string& name) {
+    CheckedFile checked{name, "", {}, {}};
+    const std::string extension = Path(name).extension().string();
+    std::string fault;
+    const auto text = readTextFile(name, fault);  // only the beginning of a long log
+    if (!text) {
+        checked.problems = {{name, 0, 0, "", fault}};
+        return checked;
+    }
+    try {
+        if (extension == ".tir" || extension == ".TIR") {
+            checked.kind = "tyre";
+            checked.notes = readTyreFile(name);
+        } else if (extension == ".csv" || extension == ".CSV") {
+            checked.kind = "log";
+            checked.problems = unitFaults(readLog(name), name);
+        } else {
+            checkYaml(checked, *text);
+        }
+    } catch (const LoadError& error) {
+        checked.problems = error.problems();
+    } catch (const FileError& error) {
+        checked.problems = {{name, 0, 0, "", error.what()}};
+    }
+    return checked;
+}
+
+std::string count(std::size_t number, std::string_view what) {
+    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+}
+
+// All faults, a fault of a file that others include only once.
+std::vector<Problem> allFaults(const std::vector<CheckedFile>& files) {
+    std::vector<Problem> faults;
+    std::set<std::tuple<std::string, int, int, std::string>> seen;
+    for (const CheckedFile& file : files) {
+        for (const Problem& problem : file.problems) {
+            if (seen.emplace(problem.file, problem.line, problem.column, problem.text).second) {
+                faults.push_back(problem);
+            }
+        }
+    }
+    return faults;
+}
+
+std::string answer(std::size_t faults, std::size_t faulty, std::size_t files) {
+    if (faults == 0) return fmt::format("{} {} fine", count(files, "file"), files == 1 ? "is" : "are");
+    if (files == 1) return fmt::format("{} in 1 file", count(faults, "fault"));
+    return fmt::format("{} in {} of {}", count(faults, "fault"), faulty, count(files, "file"));
+}
+
+std::string text(const std::vector<CheckedFile>& files, const std::vector<Problem>& faults) {
+    std::string out;
+    for (const Problem& fault : faults) out += toText(fault) + "\n";
+    for (const CheckedFile& file : files) {
+        if (file.problems.empty()) out += fmt::format("{}: {}, fine\n", file.name, file.kind);
+    }
+    return out;
+}
+
+nlohmann::json json(const std::vector<CheckedFile>& files) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const CheckedFile& file : files) {
+        nlohmann::json problems = nlohmann::json::array();
+        for (const Problem& problem : file.problems) {
+            problems.push_back({{"file", problem.file},
+                                {"line", problem.line > 0 ? nlohmann::json(problem.line) : nlohmann::json(nullptr)},
+                                {"column", problem.line > 0 ? nlohmann::json(problem.column) : nlohmann::json(nullptr)},
+                                {"path", problem.path},
+                                {"text", problem.text}});
+        }
+        list.push_back({{"file", file.name}, {"kind", file.kind}, {"problems", problems}, {"notes", file.notes}});
+    }
+    return list;
+}
+
+}  // namespace
+
+int check(const CheckOptions& options) {
+    std::vector<CheckedFile> files;
+    for (const std::string& name : options.files) files.push_back(checkFile(name));
+    for (const CheckedFile& file : files) {
+        for (const std::string& note : file.notes) {
+            std::fprintf(stderr, "%s: note: %s\n", file.name.c_str(), note.c_str());
+        }
+    }
+    const std::vector<Problem> faults = allFaults(files);
+    const auto faulty = static_cast<std::size_t>(
+        std::count_if(files.begin(), files.end(), [](const CheckedFile& file) { return !file.problems.empty(); }));
+    const std::string words = answer(faults.size(), faulty, files.size());
+    if (options.json) {
+        printJson({{"answer", words}, {"faults", faults.size()}, {"files", json(files)}});
+    } else {
+        print(words + "\n" + text(files, faults));
+    }
+    return faults.empty() ? kYes : kBadInput;
+}
+
+}  // namespace tread::program

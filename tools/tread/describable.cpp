@@ -1,0 +1,88 @@
+#include "describable.h"
+
+#include "base/concat.h"
+#include "base/did_you_mean.h"
+#include "base/number_text.h"
+#include "base/read_yaml.h"
+#include "base/schema.h"
+#include "compare/tolerances.h"
+#include "log_columns.h"
+#include "scenario/load.h"
+#include "tread/load.h"
+
+namespace tread::program {
+namespace {
+
+template <class T>
+std::vector<TopField> topOf() {
+    std::vector<TopField> fields;
+    const T object{};
+    T::describe(object, [&](std::string_view name, const auto&, const About& about) {
+        fields.push_back({std::string(name), std::string(about.meaning)});
+    });
+    return fields;
+}
+
+std::vector<ReferenceRow> logRows() {
+    std::vector<ReferenceRow> rows = referenceTable<LogColumns>();
+    for (ReferenceRow& row : rows) row.default_text.clear();  // a column is there or not
+    return rows;
+}
+
+std::vector<std::string> readVehicleFile(const Path& file) {
+    const VehicleParams car = loadVehicle(file);
+    std::vector<std::string> notes;
+    for (const std::string& note : car.front.tyre.notes) notes.push_back("front.tyre: " + note);
+    for (const std::string& note : car.rear.tyre.notes) notes.push_back("rear.tyre: " + note);
+    return notes;
+}
+
+std::vector<std::string> readScenarioFile(const Path& file) {
+    loadScenario(file);
+    return {};
+}
+
+std::vector<std::string> readTolerancesFile(const Path& file) {
+    readYaml<Tolerances>(file);
+    return {};
+}
+
+}  // namespace
+
+const std::vector<Describable>& describables() {
+    static const std::vector<Describable> list = {
+        {"vehicle", "a car", topOf<VehicleParams>, referenceTable<VehicleParams>,
+         [] { return jsonSchema<VehicleParams>("Car", "vehicle.schema.json"); }, readVehicleFile},
+        {"tyre", "a tyre", topOf<TyreParams>, referenceTable<TyreParams>,
+         [] { return jsonSchema<TyreParams>("Tyre", "tyre.schema.json"); }, readTyreFile},
+        {"scenario", "a manoeuvre", topOf<Scenario>, referenceTable<Scenario>,
+         [] { return jsonSchema<Scenario>("Manoeuvre", "scenario.schema.json"); }, readScenarioFile},
+        {"log", "the columns of a log", topOf<LogColumns>, logRows},
+        {"tolerances", "how far two logs may differ", topOf<Tolerances>, referenceTable<Tolerances>,
+         [] { return jsonSchema<Tolerances>("Tolerances", "tolerances.schema.json"); }, readTolerancesFile},
+    };
+    return list;
+}
+
+const Describable& describable(std::string_view name, bool only_files, std::vector<std::string_view> further) {
+    std::vector<std::string_view> known;
+    for (const Describable& entry : describables()) {
+        if (only_files && !entry.isFile()) continue;
+        if (entry.name == name) return entry;
+        known.push_back(entry.name);
+    }
+    known.insert(known.end(), further.begin(), further.end());
+    rejectName(only_files ? "kind of file" : "description", name, known);
+}
+
+std::vector<std::string> readTyreFile(const Path& file) {
+    return loadTyre(file).notes;
+}
+
+void rejectName(std::string_view what, std::string_view name, const std::vector<std::string_view>& known) {
+    throw LoadError(
+        {{"", 0, 0, "",
+          concat({"tread: there is no ", what, " ", quote(name), ", only ", listed(known), didYouMean(name, known)})}});
+}
+
+}  // namespace tread::program

@@ -1,0 +1,44 @@
+// What the program can describe by name: the one place where the names that users type meet the described types.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/reference_table.h"
+#include "commands.h"
+
+namespace tread::program {
+
+// A field of the outermost struct: the first name of a path.
+struct TopField {
+    std::string name;
+    std::string meaning;
+};
+
+struct Describable {
+    std::string_view name;     // as typed: "vehicle"
+    std::string_view meaning;  // "a car"
+    std::vector<TopField> (*top)();
+    std::vector<ReferenceRow> (*rows)();
+    // Of what is a YAML file; nullptr for anything else. Reading throws LoadError with every fault and returns notes
+    // that the reader of the file should see.
+    std::string (*schema)() = nullptr;
+    std::vector<std::string> (*read)(const Path& file) = nullptr;
+
+    bool isFile() const { return read != nullptr; }
+};
+
+const std::vector<Describable>& describables();
+
+// The one of that name; LoadError with a suggestion and the list when there is none. `further` are names that the
+// command knows besides.
+const Describable& describable(std::string_view name, bool only_files, std::vector<std::string_view> further = {});
+
+// Notes of a .tir file, or of the tyres of a car.
+std::vector<std::string> readTyreFile(const Path& file);
+
+// LoadError: there is no <what> "x", only y or z; did you mean "y"?
+[[noreturn]] void rejectName(std::string_view what, std::string_view name, const std::vector<std::string_view>& known);
+
+}  // namespace tread::program

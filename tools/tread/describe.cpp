@@ -1,0 +1,132 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "base/field_path.h"
+#include "base/number_text.h"
+#include "commands.h"
+#include "describable.h"
+#include "metrics/metrics.h"
+#include "output.h"
+
+namespace tread::program {
+namespace {
+
+std::string_view groupOf(const ReferenceRow& row) {
+    std::string_view path = row.path;
+    return takeName(path);
+}
+
+// Cells of a row, in the order in which a reader looks for them: the long sentence last, where it may wrap.
+constexpr std::size_t kCells = 5;
+std::array<std::string, kCells> cellsOf(const ReferenceRow& row) {
+    std::string meaning = row.meaning;
+    if (row.tolerance > 0) meaning += fmt::format(" (usually known within {:.3g} %)", 100 * row.tolerance);
+    return {row.path, row.unit, row.default_text, row.limits, meaning};
+}
+
+using Widths = std::array<std::size_t, kCells - 1>;
+void widen(Widths& widths, std::span<const std::string> cells) {
+    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], cells[i].size());
+}
+
+// Columns in which no row of the table has anything are left out.
+std::string line(const Widths& widths, std::span<const std::string> cells) {
+    std::string out = " ";
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        if (widths[i] > 0) out += fmt::format(" {:<{}} ", cells[i], widths[i]);
+    }
+    return out + " " + cells.back() + "\n";
+}
+
+std::string table(std::span<const ReferenceRow> rows) {
+    static const std::array<std::string, kCells> kHead = {"field", "unit", "default", "limits", "meaning"};
+    Widths widths{};
+    for (const ReferenceRow& row : rows) widen(widths, cellsOf(row));
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        if (widths[i] > 0) widths[i] = std::max(widths[i], kHead[i].size());
+    }
+    std::string out = line(widths, kHead);
+    for (const ReferenceRow& row : rows) out += line(widths, cellsOf(row));
+    return out;
+}
+
+// First what stands alone, then a table for each field that holds others.
+std::string text(const Describable& what) {
+    const std::vector<ReferenceRow> rows = what.rows();
+    const auto required =
+        std::count_if(rows.begin(), rows.end(), [](const ReferenceRow& row) { return row.default_text == "required"; });
+    std::string out = fmt::format("{}: {}, {} fields", what.name, what.meaning, rows.size());
+    if (what.isFile()) out += fmt::format(", {} of them without a default (required)", required);
+    out += "\n";
+
+    std::vector<ReferenceRow> alone;
+    std::string groups;
+    for (const TopField& top : what.top()) {
+        const auto begins = [&](const ReferenceRow& row) { return groupOf(row) == top.name; };
+        const auto begin = std::find_if(rows.begin(), rows.end(), begins);
+        const auto end = std::find_if_not(begin, rows.end(), begins);
+        if (end - begin == 1 && begin->path == top.name) {
+            alone.push_back(*begin);
+        } else {
+            groups += fmt::format("\n{}: {}\n{}", top.name, top.meaning, table({begin, end}));
+        }
+    }
+    if (!alone.empty()) out += "\n" + table(alone);
+    return out + groups;
+}
+
+nlohmann::json json(const Describable& what) {
+    nlohmann::json fields = nlohmann::json::array();
+    for (const ReferenceRow& row : what.rows()) {
+        fields.push_back({{"path", row.path},
+                          {"unit", row.unit},
+                          {"meaning", row.meaning},
+                          {"limits", row.limits},
+                          {"default", row.default_text},
+                          {"tolerance", row.tolerance > 0 ? nlohmann::json(row.tolerance) : nlohmann::json(nullptr)}});
+    }
+    return {{"what", what.name}, {"meaning", what.meaning}, {"fields", fields}};
+}
+
+// What a metric means can depend on the log (on the range of a regression), so `tread metrics` says it with the value.
+void describeMetrics(bool as_json) {
+    nlohmann::json list = nlohmann::json::array();
+    std::string out = fmt::format(
+        "metrics: {} manoeuvres, each with its metrics; `tread metrics log.csv` gives value, "
+        "unit and definition\n\n",
+        manoeuvres().size());
+    std::size_t width = 0;
+    for (const Manoeuvre& known : manoeuvres()) width = std::max(width, known.name.size());
+    for (const Manoeuvre& known : manoeuvres()) {
+        list.push_back({{"name", known.name}, {"description", known.description}});
+        out += fmt::format("  {:<{}}  {}\n", known.name, width, known.description);
+    }
+    if (as_json) {
+        printJson({{"what", "metrics"}, {"manoeuvres", list}});
+    } else {
+        print(out);
+    }
+}
+
+}  // namespace
+
+int describe(const DescribeOptions& options) {
+    constexpr std::string_view kMetrics = "metrics";
+    if (options.what == kMetrics) {
+        describeMetrics(options.json);
+        return kYes;
+    }
+    const Describable& what = describable(options.what, false, {kMetrics});
+    if (options.json) {
+        printJson(json(what));
+    } else {
+        print(text(what));
+    }
+    return kYes;
+}
+
+}  // namespace tread::program

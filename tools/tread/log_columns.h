@@ -1,0 +1,28 @@
+// The columns of a log.
+#pragma once
+
+#include "log/log.h"
+#include "tread/describe.h"
+#include "tread/problem.h"
+#include "tread/vehicle_output.h"
+
+namespace tread::program {
+
+struct LogColumns {
+    double time = 0;
+    VehicleInput driver;
+    VehicleOutput output;
+
+    // The parts of the output are columns of their own: "chassis.vx", not "output.chassis.vx".
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(time), About{"s", "time"});
+        field(TREAD_FIELD(driver), About{"", "what the driver does"});
+        VehicleOutput::describe(self.output, field);
+    }
+};
+
+// Columns that bear one of these names but another unit, as faults of `file`: whoever reads the column would take it
+// for something else.
+std::vector<Problem> unitFaults(const Log& log, const std::string& file);
+
+}  // namespace tread::program

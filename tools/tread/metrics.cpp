@@ -1,0 +1,47 @@
+#include "metrics/metrics.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/yaml_session.h"
+#include "commands.h"
+#include "describable.h"
+#include "log/csv.h"
+#include "log_columns.h"
+#include "output.h"
+
+namespace tread::program {
+namespace {
+
+void expectKnown(std::string_view manoeuvre) {
+    std::vector<std::string_view> names;
+    for (const Manoeuvre& known : manoeuvres()) names.push_back(known.name);
+    if (std::find(names.begin(), names.end(), manoeuvre) == names.end()) rejectName("manoeuvre", manoeuvre, names);
+}
+
+}  // namespace
+
+int metrics(const MetricsOptions& options) {
+    const bool detected = options.manoeuvre.empty();
+    if (!detected) expectKnown(options.manoeuvre);
+    const Log log = readLog(options.log);
+    throwIfAny(unitFaults(log, options.log));
+
+    try {
+        const std::string manoeuvre = detected ? detectManoeuvre(log) : options.manoeuvre;
+        const std::vector<Metric> found = tread::metrics(log, manoeuvre);
+        if (options.json) {
+            printJson({{"log", options.log},
+                       {"manoeuvre", manoeuvre},
+                       {"detected", detected},
+                       {"metrics", tread::json(found)}});
+        } else {
+            print(text(manoeuvre, found));
+        }
+    } catch (const MetricError& error) {
+        throw LoadError({{options.log, 0, 0, "", error.what()}});
+    }
+    return kYes;
+}
+
+}  // namespace tread::program

@@ -1,0 +1,78 @@
+#include "overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "log/resample.h"
+
+namespace tread::program {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+// A heading that is logged between -pi and pi jumps by a whole turn.
+bool wraps(const Channel& channel) {
+    const auto jumps = [](double before, double after) { return std::abs(after - before) > std::numbers::pi; };
+    return channel.unit == "rad" &&
+           std::adjacent_find(channel.values.begin(), channel.values.end(), jumps) != channel.values.end();
+}
+
+// Drawn, and read between samples, a heading must go on.
+std::vector<double> unwrapped(std::vector<double> angles) {
+    double turns = 0;
+    for (std::size_t i = 1; i < angles.size(); ++i) {
+        const double jump = angles[i] + turns - angles[i - 1];
+        if (std::isfinite(jump)) turns -= kTurn * std::round(jump / kTurn);
+        angles[i] += turns;
+    }
+    return angles;
+}
+
+// Whole turns between two curves are no difference; nearest at the first sample where both have a value.
+void bringNear(std::vector<double>& candidate, const std::vector<double>& reference) {
+    for (std::size_t i = 0; i < candidate.size(); ++i) {
+        const double turns = kTurn * std::round((candidate[i] - reference[i]) / kTurn);
+        if (!std::isfinite(turns)) continue;
+        if (turns != 0) {
+            for (double& value : candidate) value -= turns;
+        }
+        return;
+    }
+}
+
+}  // namespace
+
+std::vector<ChannelOverlay> overlays(const Log& reference, const Log& candidate, const Comparison& comparison) {
+    const std::vector<double>& clock = reference.channels.front().values;
+    const auto first = std::lower_bound(clock.begin(), clock.end(), comparison.from) - clock.begin();
+    const auto last = std::upper_bound(clock.begin(), clock.end(), comparison.to) - clock.begin();
+    const std::vector<double> time(clock.begin() + first, clock.begin() + last);
+    std::vector<double> shifted = time;
+    for (double& t : shifted) t += comparison.time_shift;
+
+    std::vector<ChannelOverlay> result;
+    for (const ChannelComparison& channel : comparison.channels) {
+        const Channel& here = *reference.find(channel.channel);
+        const Channel& there = *candidate.find(channel.channel);
+        const bool wrapped = wraps(here) || wraps(there);
+        const std::vector<double> values = wrapped ? unwrapped(here.values) : here.values;
+        const std::vector<double> others = wrapped ? unwrapped(there.values) : there.values;
+        ChannelOverlay overlay{.name = channel.channel,
+                               .unit = channel.unit,
+                               .time = time,
+                               .reference = {values.begin() + first, values.begin() + last},
+                               .candidate = resample(candidate.channels.front().values, others, shifted),
+                               .tolerance = channel.allowed,
+                               .largest = channel.largest,
+                               .rms = channel.rms,
+                               .first_time_out = {},
+                               .ok = channel.same};
+        if (wrapped) bringNear(overlay.candidate, overlay.reference);
+        if (channel.first) overlay.first_time_out = channel.first->time;
+        result.push_back(std::move(overlay));
+    }
+    return result;
+}
+
+}  // namespace tread::program

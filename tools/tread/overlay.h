@@ -1,0 +1,14 @@
+// The overlay report of a comparison.
+#pragma once
+
+#include "compare/compare.h"
+#include "log/log.h"
+#include "report/overlay_report.h"
+
+namespace tread::program {
+
+// The curves, on the samples of the reference within the common time; the constant delay that the comparison found is
+// taken out.
+std::vector<ChannelOverlay> overlays(const Log& reference, const Log& candidate, const Comparison& comparison);
+
+}  // namespace tread::program

@@ -1,0 +1,115 @@
+// The command `tread tyre`: a tyre's forces at given points, its transients, its curves, or what it is at a glance.
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/setting.h"
+#include "commands.h"
+#include "tread/load.h"
+#include "tyre_figures.h"
+#include "tyre_output.h"
+#include "tyre_overview.h"
+#include "tyre_steady.h"
+#include "tyre_transient.h"
+
+namespace tread::program {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void rejectOptionsThatDoNotFit(const TyreOptions& options) {
+    std::vector<Problem> problems;
+    const auto complain = [&](std::string option, std::string text) {
+        problems.push_back({std::move(option), 0, 0, "", std::move(text)});
+    };
+    const bool transient = !options.transient.empty();
+    if (!options.table.empty() && transient) {
+        complain("--transient", "given together with --table, expected one of them; run the program twice");
+    }
+    if (options.table.empty() && !transient && !options.output.empty()) {
+        complain("--output", "nothing to write to it, expected --table or --transient as well");
+    }
+    const TyreOptions usual;
+    if (!transient && options.substeps != usual.substeps) complain("--substeps", "expected only with --transient");
+    if (!transient && options.interpolate != usual.interpolate) {
+        complain("--interpolate", "expected only with --transient");
+    }
+    if (!transient && options.standstill) complain("--standstill", "expected only with --transient");
+    if (!problems.empty()) throw LoadError(std::move(problems));
+}
+
+std::string counted(std::size_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+// What was done, in words and for programs.
+struct Outcome {
+    std::string text;
+    Json json;
+};
+
+void addAnswer(Outcome& outcome, const std::string& answer) {
+    outcome.text += answer + "\n";
+    if (!outcome.json.contains("answer")) outcome.json["answer"] = answer;
+}
+
+void writeTable(Outcome& outcome, const TyreParams& tyre, const TyreOptions& options, Axes axes) {
+    const bool transient = !options.transient.empty();
+    const TransientOptions how{.axes = axes,
+                               .linear = options.interpolate == "linear",
+                               .substeps = options.substeps,
+                               .standstill = options.standstill ? Standstill::hold : Standstill::paper};
+    const std::size_t rows = transient ? writeTransientTable(tyre, options.transient, how, options.output)
+                                       : writeSteadyTable(tyre, options.table, axes, options.output);
+    addAnswer(outcome, fmt::format("Wrote {} to {}", counted(rows, transient ? "row" : "point"),
+                                   options.output.empty() ? "standard output" : options.output));
+    outcome.json[transient ? "transient" : "table"] = {
+        {"rows", rows}, {"axes", options.axes}, {"file", options.output}};
+}
+
+void writePage(Outcome& outcome, const TyreParams& tyre, const TyreOptions& options, Axes axes) {
+    std::size_t charts = 0;
+    const std::string page = tyrePage({tyre, axes}, charts);
+    OutputFile file(options.plot);
+    file.write(page);
+    file.finish();
+    addAnswer(outcome, fmt::format("Wrote {} of {} to {}", counted(charts, "chart"), tyreName(tyre), options.plot));
+    outcome.json["plot"] = {{"charts", charts}, {"axes", options.axes}, {"file", options.plot}};
+}
+
+void describeTyre(Outcome& outcome, const TyreParams& tyre) {
+    const std::vector<TyreFact> facts = tyreFacts(tyre);
+    outcome.text = overviewText(tyre, facts);
+    outcome.json["answer"] = outcome.text.substr(0, outcome.text.find('\n'));
+    for (const TyreFact& fact : facts) {
+        outcome.json["facts"][fmt::format("{} [{}]", fact.key, fact.unit)] = fact.value;
+    }
+}
+
+}  // namespace
+
+int tyre(const TyreOptions& given) {
+    TyreOptions options = given;
+    if (options.output == "-" || options.output == "/dev/stdout") options.output.clear();
+    rejectOptionsThatDoNotFit(given);
+    TyreParams params = loadTyre(options.tyre);
+    for (const std::string& note : params.notes) fmt::print(stderr, "warning: {}\n", note);
+    applySettings(params, options.settings, "--set");
+    const Axes axes = options.axes == "iso" ? Axes::iso : Axes::paper;
+
+    const bool table = !options.table.empty() || !options.transient.empty();
+    Outcome outcome;
+    if (table) writeTable(outcome, params, options, axes);
+    if (!options.plot.empty()) writePage(outcome, params, options, axes);
+    if (!table && options.plot.empty()) describeTyre(outcome, params);
+
+    // Standard output belongs to the table when it went there.
+    outcome.json["tyre"] = params.name;
+    outcome.json["notes"] = params.notes;
+    const bool table_on_output = table && options.output.empty();
+    fmt::print(table_on_output ? stderr : stdout, "{}", options.json ? outcome.json.dump(2) + "\n" : outcome.text);
+    return kYes;
+}
+
+}  // namespace tread::program
