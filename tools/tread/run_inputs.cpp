@@ -96,6 +96,8 @@ TextPosition positionOfValue(const std::string& file, std::string_view path) {
     return node ? TextPosition{node->line, node->column} : TextPosition{0, 0};
 }
 
+}  // namespace
+
 Scenario readScenario(const std::string& file) {
     Scenario scenario = loadScenario(file);
     std::vector<Problem> problems;
@@ -106,8 +108,6 @@ Scenario readScenario(const std::string& file) {
     if (!problems.empty()) throw LoadError(std::move(problems));
     return scenario;
 }
-
-}  // namespace
 
 RunRecord readRunInputs(const RunOptions& options) {
     // Both files are read before anything is complained about.
