@@ -14,8 +14,9 @@ namespace {
 constexpr double kTimeRounding = 1e-9;  // s: a phase that ends at a step's end ends in it
 
 std::string shortNumber(double value) {
+    constexpr double kNothing = 5e-4;  // of any unit
     char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
+    std::snprintf(text, sizeof text, "%.4g", std::abs(value) < kNothing ? 0 : value);
     return text;
 }
 
@@ -29,6 +30,11 @@ void Driver::look(double time, const ChassisOutput& chassis) {
         phase_distance_ += dt * std::hypot(chassis.vx, chassis.vy);
         if (const auto* hold = std::get_if<HoldSpeed>(&phase().throttle)) {
             missing_way_ += dt * ((hold->speed > 0 ? hold->speed : phase_speed_) - chassis.vx);
+            // A pedal at its end asks for no more: what piled up there would have to be driven off again.
+            if (hold->integral > 0) {
+                missing_way_ =
+                    std::clamp(missing_way_, -held_.throttle / hold->integral, (1 - held_.throttle) / hold->integral);
+            }
         }
     } else {
         phase_speed_ = chassis.vx;

@@ -7,6 +7,7 @@
 
 #include "compare/compare.h"
 #include "log/log.h"
+#include "tread/vehicle.h"
 
 namespace tread::golden {
 
@@ -15,8 +16,11 @@ std::vector<std::string> names();
 
 std::filesystem::path fileOf(const std::string& name);
 
+// The car that drives them.
+VehicleParams car();
+
 // The run as the program now drives it, rounded to the digits that a golden log keeps.
-Log run(const std::string& name);
+Log run(const std::string& name, const VehicleParams& car);
 
 // Against the golden log: as narrow as another compiler and another processor allow.
 Comparison compareToGolden(const std::string& name, const Log& log);

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <exception>
+#include <filesystem>
 #include <iostream>
-#include <set>
-#include <string_view>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "golden/golden_run.h"
 #include "log/csv.h"
@@ -22,7 +24,7 @@ TEST_P(Golden, RunIsAsItWas) {
     const std::string& name = GetParam();
     ASSERT_TRUE(std::filesystem::exists(golden::fileOf(name)))
         << "scenario " << name << " has no golden log; `tools/update_golden " << name << "` makes it";
-    const Comparison comparison = golden::compareToGolden(name, golden::run(name));
+    const Comparison comparison = golden::compareToGolden(name, golden::run(name, golden::car()));
     EXPECT_TRUE(comparison.same) << text(comparison) << "\nIf the change is meant, `tools/update_golden " << name
                                  << "` shows it and renews the log.";
 }
@@ -33,6 +35,14 @@ TEST_P(Golden, LogIsSmall) {
 
 INSTANTIATE_TEST_SUITE_P(Scenario, Golden, testing::ValuesIn(golden::names()),
                          [](const auto& scenario) { return scenario.param; });
+
+TEST(GoldenLogs, ShowAThousandthOfTheMass) {
+    VehicleParams heavier = golden::car();
+    heavier.mass *= 1.001;
+    const Comparison comparison = golden::compareToGolden("step_steer_80", golden::run("step_steer_80", heavier));
+    EXPECT_FALSE(comparison.same);
+    EXPECT_GT(comparison.differing(), 10u) << text(comparison);
+}
 
 TEST(GoldenLogs, EachBelongsToAScenario) {
     const std::vector<std::string> names = golden::names();
@@ -62,12 +72,13 @@ int update(std::vector<std::string> wanted, bool ask) {
             std::cerr << "update_golden: there is no scenarios/" << name << ".yaml\n";
             return 2;
         }
-        Log log = golden::run(name);
+        Log log = golden::run(name, golden::car());
         if (!std::filesystem::exists(golden::fileOf(name))) {
             std::cout << name << ": new\n";
         } else {
             const Comparison comparison = golden::compareToGolden(name, log);
-            std::cout << name << ": " << text(comparison) << '\n';
+            const std::string found = text(comparison, comparison.channels.size());
+            std::cout << name << ": " << (comparison.same ? found.substr(0, found.find('\n')) : found) << '\n';
             if (comparison.same) continue;
         }
         changed.emplace_back(name, std::move(log));

@@ -221,6 +221,17 @@ TEST(Driver, HoldSpeedNeverPressesThePedalThroughTheFloor) {
     }
 }
 
+TEST(Driver, HoldSpeedReleasesThePedalAtOnceAfterALongTimeAtTheFloor) {
+    const Scenario scenario = scenarioOf(
+        "  - {throttle: {hold_speed: {speed: 60, proportional: 0.1, integral: 0.05}}, "
+        "until: {duration: 200}}\n");
+    Driver driver(scenario, {.throttle = 0.3});
+    for (int second = 0; second < 100; ++second) driver.look(second, at(20));
+    EXPECT_EQ(driver.inputAt(99.01).throttle, 1);
+    driver.look(99.01, at(62));
+    EXPECT_NEAR(driver.inputAt(99.02).throttle, 1 - 0.1 * 2 - 0.05 * 0.01 * 2, kRounding);
+}
+
 TEST(Driver, HoldSpeedWithoutSpeedHoldsThatAtTheBeginningOfItsPhase) {
     const Scenario scenario = scenarioOf(withSpeed("0"));
     Driver driver(scenario, {.throttle = 0.1});
@@ -244,7 +255,7 @@ TEST(Driver, HoldSpeedInTheFirstPhaseHoldsTheSpeedOfTheStart) {
 TEST(Driver, SaysWhichPhaseWaitsForWhatAndWhatTheCarDoes) {
     const Scenario scenario = scenarioOf("  - {name: run up, until: {speed_above: 50, distance: 2000}}\n");
     Driver driver(scenario, {});
-    driver.look(0, at(20.04, -1.5));
+    driver.look(0, at(20.0004, -1.5));
     EXPECT_EQ(driver.waitsFor(),
               "phase \"run up\" waits for a speed above 50 m/s or a way of 2000 m; the car has 20 m/s and 1.5 m/s2 to "
               "the side");

@@ -38,16 +38,16 @@ const std::vector<Wording>& wordings() {
         {"straight_braking",
          {{"stopping_distance", 1, 1, "stops within {} m"},
           {"mfdd", 1, 2, "mean fully developed deceleration {} m/s2"},
-          {"locked_share_front_left", 100, 0, "front wheels locked for {} % of the time"},
+          {"locked_share_front_left", 100, 0, "front left wheel locked for {} % of the time"},
           {"lateral_deviation", 1, 2, "{} m off its line"}}},
         {"coast_down",
-         {{"distance", 1, 0, "rolls {} m"},
-          {"time", 1, 1, "in {} s"},
+         {{"time", 1, 1, "coasts for {} s"},
+          {"distance", 1, 0, "rolls {} m"},
           {"rolling_resistance", 1, 4, "rolling resistance coefficient {}"}}},
         {"step_steer",
          {{"yaw_rate_response_time", 1000, 0, "yaw rate answers within {} ms"},
           {"yaw_rate_overshoot", 100, 0, "overshoots by {} %"},
-          {"steady_ay", 1, 2, "settles at {} m/s2 to the side"}}},
+          {"steady_ay", 1, 2, "settles at {} m/s2 of lateral acceleration"}}},
         {"sine_steer",
          {{"yaw_rate_gain", 1, 3, "yaw rate gain {} 1/s"},
           {"yaw_rate_phase_lag", 1, 1, "yaw rate lags by {} deg"},
@@ -57,7 +57,7 @@ const std::vector<Wording>& wordings() {
         {"steady_circle",
          {{"understeer_gradient", 1, 2, "understeer gradient {} deg/g"},
           {"roll_gradient", 1, 2, "roll gradient {} deg/g"},
-          {"largest_ay", 1, 2, "up to {} m/s2 to the side"}}}};
+          {"largest_ay", 1, 2, "up to {} m/s2 of lateral acceleration"}}}};
     return list;
 }
 

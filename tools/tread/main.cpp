@@ -20,7 +20,8 @@ void addRun(CLI::App& app, RunOptions& o) {
     app.add_option("scenario", o.scenario, "scenario file (YAML)")->required();
     app.add_option("-o,--output", o.output, "folder for log, metrics and report (default: out/<scenario>)");
     app.add_option("--set", o.settings,
-                   "path=value, for example front.suspension.spring=\"25 kN/m\" or scenario.step=0.002");
+                   "path=value, for example front.suspension.spring=\"25 kN/m\" or scenario.step=0.002")
+        ->allow_extra_args(false);  // one each, or files that follow would be taken for settings
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 

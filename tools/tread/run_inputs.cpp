@@ -4,11 +4,14 @@
 #include <utility>
 
 #include "base/did_you_mean.h"
+#include "base/field_path.h"
 #include "base/number_text.h"
+#include "base/pattern.h"
 #include "base/setting.h"
 #include "base/text_file.h"
 #include "base/yaml_document.h"
 #include "metrics/metrics.h"
+#include "run/simulate.h"
 #include "scenario/load.h"
 #include "tread/load.h"
 
@@ -27,40 +30,84 @@ struct Settable {
     static void check(const auto& self, auto&& complain) { VehicleParams::check(self.vehicle, complain); }
 };
 
-// Empty when metrics of that name exist, or none are asked for.
-std::string manoeuvreFault(const std::string& name) {
-    std::vector<std::string_view> names;
-    for (const Manoeuvre& known : manoeuvres()) names.push_back(known.name);
-    if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) return {};
-    return "found the unknown manoeuvre " + quote(name) + ", expected " + listed(names) + didYouMean(name, names) +
-           "; without a manoeuvre the run has no metrics";
+struct Fault {
+    std::string path;
+    std::string text;
+};
+
+// What only the layers above a scenario can judge: names of manoeuvres and of channels.
+std::vector<Fault> unknownNames(const Scenario& scenario) {
+    std::vector<Fault> faults;
+    std::vector<std::string_view> known;
+    for (const Manoeuvre& manoeuvre : manoeuvres()) known.push_back(manoeuvre.name);
+    const std::string& name = scenario.manoeuvre;
+    if (!name.empty() && std::find(known.begin(), known.end(), name) == known.end()) {
+        faults.push_back({"manoeuvre", "found the unknown manoeuvre " + quote(name) + ", expected " + listed(known) +
+                                           ", or no such line for a run without metrics" + didYouMean(name, known)});
+    }
+
+    const std::vector<Column> all = recordedColumns({});
+    known.clear();
+    for (const Column& column : all) known.push_back(column.name);
+    for (std::size_t i = 0; i < scenario.log.channels.size(); ++i) {
+        const std::string& pattern = scenario.log.channels[i];
+        const auto fits = [&](std::string_view channel) { return matches(pattern, channel); };
+        if (std::any_of(known.begin(), known.end(), fits)) continue;
+        const std::string suggestion = didYouMean(pattern, known);
+        faults.push_back({"log.channels." + std::to_string(i),
+                          "found " + quote(pattern) + ", which fits no channel, expected a name or a pattern with *" +
+                              (suggestion.empty() ? ";" : suggestion) + " `tread describe log` lists all channels"});
+    }
+    return faults;
 }
 
-// Where a top-level key of a file has its value; {0, 0} when it has none.
-TextPosition positionOfValue(const std::string& file, std::string_view key) {
+// A file of another kind has dozens of faults: the first of them tell.
+[[noreturn]] void refuse(std::vector<Problem> problems) {
+    constexpr std::size_t kMost = 20;
+    if (problems.size() > kMost) {
+        const std::string more = std::to_string(problems.size() - kMost);
+        problems.resize(kMost);
+        problems.push_back({"", 0, 0, "", "and " + more + " more faults; `tread check` lists all"});
+    }
+    throw LoadError(std::move(problems));
+}
+
+// The child of a map or list with this key or index; nullptr when there is none.
+const YamlNode* childOf(const YamlDocument& document, const YamlNode& parent, std::string_view name) {
+    const std::vector<std::size_t>& children = parent.children;
+    if (parent.kind == YamlNode::Kind::list) {
+        const std::size_t index = detail::elementIndex(name, children.size());
+        return index < children.size() ? &document.nodes[children[index]] : nullptr;
+    }
+    for (std::size_t i = 0; i + 1 < children.size(); i += 2) {
+        if (document.nodes[children[i]].text == name) return &document.nodes[children[i + 1]];
+    }
+    return nullptr;
+}
+
+// Where a file says the value of a path; {0, 0} when it does not.
+TextPosition positionOfValue(const std::string& file, std::string_view path) {
     std::string fault;
     std::vector<Problem> problems;
     const auto text = readTextFile(file, fault);
     const auto document = text ? parseYaml(*text, file, problems) : std::nullopt;
-    if (!document) return {0, 0};
-    const std::vector<std::size_t>& children = document->root().children;
-    for (std::size_t i = 0; i + 1 < children.size(); i += 2) {
-        const YamlNode& value = document->nodes[children[i + 1]];
-        if (document->nodes[children[i]].text == key) return {value.line, value.column};
-    }
-    return {0, 0};
-}
-
-Scenario readScenario(const std::string& file) {
-    Scenario scenario = loadScenario(file);
-    if (const std::string fault = manoeuvreFault(scenario.manoeuvre); !fault.empty()) {
-        const TextPosition position = positionOfValue(file, "manoeuvre");
-        throw LoadError({{file, position.line, position.column, "manoeuvre", fault}});
-    }
-    return scenario;
+    const YamlNode* node = document ? &document->root() : nullptr;
+    while (node && !path.empty()) node = childOf(*document, *node, takeName(path));
+    return node ? TextPosition{node->line, node->column} : TextPosition{0, 0};
 }
 
 }  // namespace
+
+Scenario readScenario(const std::string& file) {
+    Scenario scenario = loadScenario(file);
+    std::vector<Problem> problems;
+    for (const Fault& fault : unknownNames(scenario)) {
+        const TextPosition position = positionOfValue(file, fault.path);
+        problems.push_back({file, position.line, position.column, fault.path, fault.text});
+    }
+    if (!problems.empty()) throw LoadError(std::move(problems));
+    return scenario;
+}
 
 RunRecord readRunInputs(const RunOptions& options) {
     // Both files are read before anything is complained about.
@@ -75,13 +122,15 @@ RunRecord readRunInputs(const RunOptions& options) {
     };
     collect([&] { inputs.vehicle = loadVehicle(options.vehicle); });
     collect([&] { inputs.scenario = readScenario(options.scenario); });
-    if (!problems.empty()) throw LoadError(std::move(problems));
+    if (!problems.empty()) refuse(std::move(problems));
 
     constexpr const char* kSource = "--set";
     applySettings(inputs, options.settings, kSource);
-    if (const std::string fault = manoeuvreFault(inputs.scenario.manoeuvre); !fault.empty()) {
-        throw LoadError({{kSource, 0, 0, "scenario.manoeuvre", fault}});
+    for (const Fault& fault : unknownNames(inputs.scenario)) {
+        problems.push_back({kSource, 0, 0, "scenario." + fault.path, fault.text});
     }
+    if (!problems.empty()) throw LoadError(std::move(problems));
+
     RunRecord record;
     record.tread_version = TREAD_VERSION;
     record.vehicle = std::move(inputs.vehicle);

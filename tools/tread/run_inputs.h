@@ -6,7 +6,11 @@
 
 namespace tread::program {
 
-// Throws LoadError: faults of the files, a manoeuvre that no metrics exist for, settings that do not fit.
+// A scenario file; also refuses what only the layers above can judge: a manoeuvre without metrics, channels that do not
+// exist. Throws LoadError.
+Scenario readScenario(const std::string& file);
+
+// Throws LoadError: faults of the files and of the settings, a manoeuvre without metrics, channels that do not exist.
 RunRecord readRunInputs(const RunOptions& options);
 
 }  // namespace tread::program
