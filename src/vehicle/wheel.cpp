@@ -6,11 +6,10 @@
 namespace tread {
 namespace {
 
-// Velocity of the contact centre, taken as fixed to the wheel carrier, relative to the ground. Compression moves it
-// along the links' slopes: the same slopes by which horizontal forces push along the travel, or energy would appear.
-Vector3 contactVelocity(const WheelContact& contact, const BodyFrame& body, const LinkSlopes& slopes, double rate) {
-    return body.velocity_B + body.angular_velocity_B.cross(contact.point_B) +
-           rate * Vector3(slopes.forward, slopes.left, 1) - contact.ground_velocity_B;
+// Velocity of the contact centre, taken as fixed to the wheel carrier, relative to the ground. `slopes` is how it moves
+// over the suspension travel.
+Vector3 contactVelocity(const WheelContact& contact, const BodyFrame& body, const Vector3& slopes, double rate) {
+    return body.velocity_B + body.angular_velocity_B.cross(contact.point_B) + rate * slopes - contact.ground_velocity_B;
 }
 
 }  // namespace
@@ -72,7 +71,7 @@ TyreLoad tyreLoad(const TyreParams& tyre, const WheelContact& contact, const Bod
     return {load, stiffness, damping};
 }
 
-TyreMotion tyreMotion(const WheelContact& contact, const BodyFrame& body, const LinkSlopes& slopes, double rate,
+TyreMotion tyreMotion(const WheelContact& contact, const BodyFrame& body, const Vector3& slopes, double rate,
                       double yaw_rate, double load) {
     const Vector3 velocity = contactVelocity(contact, body, slopes, rate);
     TyreMotion motion;
