@@ -8,7 +8,7 @@
 namespace tread {
 namespace {
 
-Series seriesOf(const Log& log, std::string_view manoeuvre, const Channel& channel) {
+TimeSeries seriesOf(const Log& log, std::string_view manoeuvre, const Channel& channel) {
     const std::vector<double>& time = log.channels.front().values;
     for (std::size_t i = 0; i < channel.values.size(); ++i) {
         if (!std::isfinite(channel.values[i])) {
@@ -21,7 +21,7 @@ Series seriesOf(const Log& log, std::string_view manoeuvre, const Channel& chann
 
 }  // namespace
 
-std::vector<Series> channels(const Log& log, std::string_view manoeuvre, const std::vector<std::string_view>& names) {
+std::vector<TimeSeries> channels(const Log& log, std::string_view manoeuvre, const std::vector<std::string_view>& names) {
     std::string missing;
     for (std::string_view name : names) {
         if (!log.find(name)) missing += fmt::format("{}{}", missing.empty() ? "" : ", ", name);
@@ -29,30 +29,30 @@ std::vector<Series> channels(const Log& log, std::string_view manoeuvre, const s
     if (!missing.empty())
         throw MetricError(fmt::format("{} needs {}, which the log does not have", manoeuvre, missing));
     if (log.samples() < 2) throw MetricError(fmt::format("{} needs a log with at least two samples", manoeuvre));
-    std::vector<Series> out;
+    std::vector<TimeSeries> out;
     for (std::string_view name : names) out.push_back(seriesOf(log, manoeuvre, *log.find(name)));
     return out;
 }
 
-std::optional<Series> channelIfThere(const Log& log, std::string_view manoeuvre, std::string_view name) {
+std::optional<TimeSeries> channelIfThere(const Log& log, std::string_view manoeuvre, std::string_view name) {
     const Channel* channel = log.find(name);
     if (!channel) return {};
     return seriesOf(log, manoeuvre, *channel);
 }
 
-Series speed(const Log& log, std::string_view manoeuvre) {
-    Series out = channels(log, manoeuvre, {"chassis.vx"}).front();
+TimeSeries speed(const Log& log, std::string_view manoeuvre) {
+    TimeSeries out = channels(log, manoeuvre, {"chassis.vx"}).front();
     if (const auto lateral = channelIfThere(log, manoeuvre, "chassis.vy")) {
         for (std::size_t i = 0; i < out.size(); ++i) out.value[i] = std::hypot(out.value[i], lateral->value[i]);
     }
     return out;
 }
 
-std::optional<Series> sideslip(const Log& log, std::string_view manoeuvre) {
+std::optional<TimeSeries> sideslip(const Log& log, std::string_view manoeuvre) {
     if (auto logged = channelIfThere(log, manoeuvre, "chassis.sideslip")) return logged;
     auto lateral = channelIfThere(log, manoeuvre, "chassis.vy");
     if (!lateral) return {};
-    const Series forward = channels(log, manoeuvre, {"chassis.vx"}).front();
+    const TimeSeries forward = channels(log, manoeuvre, {"chassis.vx"}).front();
     for (std::size_t i = 0; i < lateral->size(); ++i) {
         lateral->value[i] = std::atan2(lateral->value[i], forward.value[i]);
     }

@@ -19,15 +19,15 @@ inline constexpr double kKmh = 1 / 3.6;  // m/s
 inline constexpr double kResponseHalfWidth = 0.075;  // s
 
 // The channels in the order of `names`. Throws when any is missing or holds values that are not finite.
-std::vector<Series> channels(const Log& log, std::string_view manoeuvre, const std::vector<std::string_view>& names);
+std::vector<TimeSeries> channels(const Log& log, std::string_view manoeuvre, const std::vector<std::string_view>& names);
 // The same for a channel that the manoeuvre can do without.
-std::optional<Series> channelIfThere(const Log& log, std::string_view manoeuvre, std::string_view name);
+std::optional<TimeSeries> channelIfThere(const Log& log, std::string_view manoeuvre, std::string_view name);
 
 // Magnitude of the horizontal velocity; of its forward part when there is no chassis.vy.
-Series speed(const Log& log, std::string_view manoeuvre);
+TimeSeries speed(const Log& log, std::string_view manoeuvre);
 
 // chassis.sideslip, or the angle of the velocity when only chassis.vy is logged.
-std::optional<Series> sideslip(const Log& log, std::string_view manoeuvre);
+std::optional<TimeSeries> sideslip(const Log& log, std::string_view manoeuvre);
 
 // Ends the search for a manoeuvre with a sentence.
 [[noreturn]] void notFound(std::string_view manoeuvre, std::string_view why);

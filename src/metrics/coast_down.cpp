@@ -28,8 +28,8 @@ struct Interval {
 };
 
 // Longest time with both pedals released and the steering straight.
-Interval findCoasting(const Series& throttle, const Series& brake, const Series& v,
-                      const std::optional<Series>& steering) {
+Interval findCoasting(const TimeSeries& throttle, const TimeSeries& brake, const TimeSeries& v,
+                      const std::optional<TimeSeries>& steering) {
     Interval longest, current;
     bool coasting = false;
     for (std::size_t i = 0; i < v.size(); ++i) {
@@ -50,7 +50,7 @@ struct Resistance {
 };
 
 // v(t) = c - a0 t - a2 * integral of v^2: needs no derivative of a noisy speed.
-Resistance fitResistance(const Series& v) {
+Resistance fitResistance(const TimeSeries& v) {
     const auto n = static_cast<Eigen::Index>(v.size());
     Eigen::MatrixXd terms(n, 3);
     Eigen::VectorXd target(n);
@@ -70,7 +70,7 @@ Resistance fitResistance(const Series& v) {
     return {found[1], found[2], rms};
 }
 
-void addBands(std::vector<Metric>& out, const Series& v) {
+void addBands(std::vector<Metric>& out, const TimeSeries& v) {
     const double fastest = *std::max_element(v.value.begin(), v.value.end());
     for (double high = std::floor(fastest / kBand) * kBand; high > kBand / 2; high -= kBand) {
         const double low = high - kBand;
@@ -95,8 +95,8 @@ std::vector<Metric> coastDownMetrics(const Log& log, const KnownCar&) {
                                     "looked for at least {:.2g} s",
                                     found.length(), kShortest));
     }
-    const Series v = part(needed[2], found.from, found.to);
-    const Series clean = cleaned(v, kSpeedHalfWidth);
+    const TimeSeries v = part(needed[2], found.from, found.to);
+    const TimeSeries clean = cleaned(v, kSpeedHalfWidth);
     const double first = clean.value.front(), last = clean.value.back();
     if (last > (1 - kLeastLoss) * first) {
         notFound(kName,

@@ -25,7 +25,7 @@ struct Bounce {
 };
 
 // Times at which the body passes its height at rest, between one turning point and the next.
-std::vector<double> passages(const Series& z, double rest, const std::vector<Instant>& turns) {
+std::vector<double> passages(const TimeSeries& z, double rest, const std::vector<Instant>& turns) {
     std::vector<double> times;
     for (std::size_t i = 0; i + 1 < turns.size(); ++i) {
         if (const auto t = firstCrossing(z, rest, turns[i].time, turns[i + 1].time)) times.push_back(*t);
@@ -33,7 +33,7 @@ std::vector<double> passages(const Series& z, double rest, const std::vector<Ins
     return times;
 }
 
-Bounce findBounce(const Series& z, double rest, const std::vector<Instant>& turns) {
+Bounce findBounce(const TimeSeries& z, double rest, const std::vector<Instant>& turns) {
     Bounce bounce;
     if (turns.size() < 3) return bounce;
     const auto times = passages(z, rest, turns);
@@ -51,7 +51,7 @@ Bounce findBounce(const Series& z, double rest, const std::vector<Instant>& turn
     return bounce;
 }
 
-double settlingTime(const Series& z, double rest, double band) {
+double settlingTime(const TimeSeries& z, double rest, double band) {
     for (std::size_t i = z.size(); i-- > 0;) {
         if (std::abs(z.value[i] - rest) <= band) continue;
         if (i + 1 == z.size()) return kUndefined;
@@ -64,9 +64,9 @@ double settlingTime(const Series& z, double rest, double band) {
 }  // namespace
 
 std::vector<Metric> dropAndSettleMetrics(const Log& log, const KnownCar&) {
-    const Series measured = channels(log, kName, {"chassis.z", "chassis.vx"}).front();
-    const Series z = cleaned(measured, kHeightHalfWidth);
-    const Series v = speed(log, kName);
+    const TimeSeries measured = channels(log, kName, {"chassis.z", "chassis.vx"}).front();
+    const TimeSeries z = cleaned(measured, kHeightHalfWidth);
+    const TimeSeries v = speed(log, kName);
     const double fastest =
         *std::max_element(v.value.begin(), v.value.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
     if (std::abs(fastest) > kFastest) {

@@ -17,7 +17,7 @@ constexpr double kFastest = 0.3;   // m/s: more is no parked car
 constexpr double kMinute = 60;     // s
 constexpr double kMillimetres = 1000;
 
-double largestMagnitude(const Series& series) {
+double largestMagnitude(const TimeSeries& series) {
     double largest = 0;
     for (double value : series.value) largest = std::max(largest, std::abs(value));
     return largest;
@@ -32,7 +32,7 @@ std::vector<Metric> parkedMetrics(const Log& log, const KnownCar&) {
         notFound(kName, fmt::format("the log lasts {:.2g} s, looked for at least {:.2g} s", kSettling + to - from,
                                     kSettling + kShortest));
     }
-    const Series v = part(speed(log, kName), from, to), x = part(needed[0], from, to), y = part(needed[1], from, to);
+    const TimeSeries v = part(speed(log, kName), from, to), x = part(needed[0], from, to), y = part(needed[1], from, to);
     const double fastest = largestMagnitude(v);
     if (fastest > kFastest) {
         notFound(kName,
@@ -44,7 +44,7 @@ std::vector<Metric> parkedMetrics(const Log& log, const KnownCar&) {
     }
     const double drift = std::hypot(fitLine(x.time, x.value).slope, fitLine(y.time, y.value).slope);
     const auto yaw = channelIfThere(log, kName, "chassis.yaw");
-    const Series heading = yaw ? part(*yaw, from, to) : Series{};
+    const TimeSeries heading = yaw ? part(*yaw, from, to) : TimeSeries{};
 
     std::vector<Metric> out;
     out.push_back({"drift", kMillimetres * kMinute * drift, "mm/min",

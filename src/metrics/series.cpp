@@ -12,12 +12,12 @@ namespace {
 constexpr double kNegligibleNoise = 1e-3;
 constexpr std::size_t kFewestForParabola = 5;
 
-std::size_t firstAtOrAfter(const Series& series, double t) {
+std::size_t firstAtOrAfter(const TimeSeries& series, double t) {
     return static_cast<std::size_t>(std::lower_bound(series.time.begin(), series.time.end(), t) - series.time.begin());
 }
 
 // Vertex of the parabola through sample i and its neighbours, when that is where the sample's peak is.
-Instant vertex(const Series& series, std::size_t i) {
+Instant vertex(const TimeSeries& series, std::size_t i) {
     const Instant sample{series.time[i], series.value[i]};
     if (i == 0 || i + 1 == series.size()) return sample;
     const double hl = series.time[i] - series.time[i - 1], hr = series.time[i + 1] - series.time[i];
@@ -29,7 +29,7 @@ Instant vertex(const Series& series, std::size_t i) {
     return {sample.time + to, sample.value + slope * to + 0.5 * curvature * to * to};
 }
 
-Instant extreme(const Series& series, double from, double to, double sign) {
+Instant extreme(const TimeSeries& series, double from, double to, double sign) {
     std::size_t best = std::min(firstAtOrAfter(series, from), series.size() - 1);
     for (std::size_t i = best; i < series.size() && series.time[i] <= to; ++i) {
         if (sign * series.value[i] > sign * series.value[best]) best = i;
@@ -43,7 +43,7 @@ struct LocalFit {
 };
 
 // Least-squares parabola through the samples [first, last) around time t, which is at index `here`.
-LocalFit localFit(const Series& series, std::size_t first, std::size_t last, std::size_t here) {
+LocalFit localFit(const TimeSeries& series, std::size_t first, std::size_t last, std::size_t here) {
     double s0 = 0, s1 = 0, s2 = 0, s3 = 0, s4 = 0, y0 = 0, y1 = 0, y2 = 0;
     const double scale = series.time[last - 1] - series.time[first];
     for (std::size_t i = first; i < last; ++i) {
@@ -65,14 +65,14 @@ LocalFit localFit(const Series& series, std::size_t first, std::size_t last, std
             (y0 * c1 + y1 * d1 + y2 * d2) / determinant / scale};
 }
 
-double plainSlope(const Series& series, std::size_t i) {
+double plainSlope(const TimeSeries& series, std::size_t i) {
     const std::size_t left = i == 0 ? 0 : i - 1, right = std::min(i + 1, series.size() - 1);
     if (left == right) return 0;
     return (series.value[right] - series.value[left]) / (series.time[right] - series.time[left]);
 }
 
-Series local(const Series& series, double half_width, double LocalFit::*what) {
-    Series out{series.time, {}};
+TimeSeries local(const TimeSeries& series, double half_width, double LocalFit::*what) {
+    TimeSeries out{series.time, {}};
     out.value.reserve(series.size());
     std::size_t first = 0, last = 0;
     for (std::size_t i = 0; i < series.size(); ++i) {
@@ -89,13 +89,13 @@ Series local(const Series& series, double half_width, double LocalFit::*what) {
 
 }  // namespace
 
-double at(const Series& series, double t) {
+double at(const TimeSeries& series, double t) {
     if (t <= series.begin()) return series.value.front();
     if (t >= series.end()) return series.value.back();
     return valueAt(series.time, series.value, t);
 }
 
-double integral(const Series& series, double from, double to) {
+double integral(const TimeSeries& series, double from, double to) {
     double sum = 0, time = from, value = at(series, from);
     for (std::size_t i = firstAtOrAfter(series, from); i < series.size() && series.time[i] < to; ++i) {
         sum += 0.5 * (value + series.value[i]) * (series.time[i] - time);
@@ -105,16 +105,16 @@ double integral(const Series& series, double from, double to) {
     return sum + 0.5 * (value + at(series, to)) * (to - time);
 }
 
-double mean(const Series& series, double from, double to) {
+double mean(const TimeSeries& series, double from, double to) {
     from = std::max(from, series.begin());
     to = std::min(to, series.end());
     return to > from ? integral(series, from, to) / (to - from) : at(series, from);
 }
 
-Series part(const Series& series, double from, double to) {
+TimeSeries part(const TimeSeries& series, double from, double to) {
     from = std::max(from, series.begin());
     to = std::min(to, series.end());
-    Series out{{from}, {at(series, from)}};
+    TimeSeries out{{from}, {at(series, from)}};
     for (std::size_t i = firstAtOrAfter(series, from); i < series.size() && series.time[i] < to; ++i) {
         if (series.time[i] == from) continue;
         out.time.push_back(series.time[i]);
@@ -127,13 +127,13 @@ Series part(const Series& series, double from, double to) {
     return out;
 }
 
-Series increments(const Series& series, double level, double factor) {
-    Series out = series;
+TimeSeries increments(const TimeSeries& series, double level, double factor) {
+    TimeSeries out = series;
     for (double& value : out.value) value = factor * (value - level);
     return out;
 }
 
-std::optional<double> firstCrossing(const Series& series, double level, double from, double to) {
+std::optional<double> firstCrossing(const TimeSeries& series, double level, double from, double to) {
     from = std::max(from, series.begin());
     double time = from, value = at(series, from) - level;
     if (value == 0) return from;
@@ -150,7 +150,7 @@ std::optional<double> firstCrossing(const Series& series, double level, double f
     return {};
 }
 
-std::optional<double> lastCrossing(const Series& series, double level, double from, double to) {
+std::optional<double> lastCrossing(const TimeSeries& series, double level, double from, double to) {
     std::optional<double> last;
     for (double t = from; t <= to;) {
         const auto next = firstCrossing(series, level, t, to);
@@ -164,14 +164,14 @@ std::optional<double> lastCrossing(const Series& series, double level, double fr
     return last;
 }
 
-Instant highest(const Series& series, double from, double to) {
+Instant highest(const TimeSeries& series, double from, double to) {
     return extreme(series, from, to, 1);
 }
-Instant lowest(const Series& series, double from, double to) {
+Instant lowest(const TimeSeries& series, double from, double to) {
     return extreme(series, from, to, -1);
 }
 
-std::vector<Instant> turningPoints(const Series& series, double swing) {
+std::vector<Instant> turningPoints(const TimeSeries& series, double swing) {
     std::vector<Instant> points;
     const std::vector<double>& v = series.value;
     std::size_t low = 0, high = 0;
@@ -208,7 +208,7 @@ Line fitLine(std::span<const double> x, std::span<const double> y) {
     return {my - slope * mx, slope};
 }
 
-double noise(const Series& series) {
+double noise(const TimeSeries& series) {
     std::vector<double> differences;
     const std::vector<double>& v = series.value;
     for (std::size_t i = 4; i < v.size(); ++i) {
@@ -221,31 +221,31 @@ double noise(const Series& series) {
     return 1.4826 * *middle / std::sqrt(70.0);
 }
 
-Series smoothed(const Series& series, double half_width) {
+TimeSeries smoothed(const TimeSeries& series, double half_width) {
     return local(series, half_width, &LocalFit::value);
 }
-Series derivative(const Series& series, double half_width) {
+TimeSeries derivative(const TimeSeries& series, double half_width) {
     return local(series, half_width, &LocalFit::slope);
 }
 
-Series averaged(const Series& series, double half_width) {
-    Series out = series;
+TimeSeries averaged(const TimeSeries& series, double half_width) {
+    TimeSeries out = series;
     for (std::size_t i = 0; i < series.size(); ++i) {
         out.value[i] = mean(series, series.time[i] - half_width, series.time[i] + half_width);
     }
     return out;
 }
 
-bool isNoisy(const Series& series) {
+bool isNoisy(const TimeSeries& series) {
     const auto [low, high] = std::minmax_element(series.value.begin(), series.value.end());
     return noise(series) > kNegligibleNoise * (*high - *low);
 }
 
-Series cleaned(const Series& series, double half_width) {
+TimeSeries cleaned(const TimeSeries& series, double half_width) {
     return isNoisy(series) ? smoothed(series, half_width) : series;
 }
 
-Series cleanDerivative(const Series& series, double half_width) {
+TimeSeries cleanDerivative(const TimeSeries& series, double half_width) {
     return derivative(series, isNoisy(series) ? half_width : 0);
 }
 

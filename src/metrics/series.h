@@ -8,7 +8,7 @@
 
 namespace tread {
 
-struct Series {
+struct TimeSeries {
     std::vector<double> time;   // s, increasing, at least one sample
     std::vector<double> value;  // one per time
 
@@ -27,41 +27,41 @@ struct Line {
     double slope;
 };
 
-double at(const Series& series, double t);                      // held beyond the ends
-double integral(const Series& series, double from, double to);  // within the series
-double mean(const Series& series, double from, double to);      // time-weighted; at(from) when the interval is empty
-Series part(const Series& series, double from, double to);      // the samples within, and the values at both ends
-Series increments(const Series& series, double level, double factor = 1);  // factor (value - level)
+double at(const TimeSeries& series, double t);                      // held beyond the ends
+double integral(const TimeSeries& series, double from, double to);  // within the series
+double mean(const TimeSeries& series, double from, double to);      // time-weighted; at(from) when the interval is empty
+TimeSeries part(const TimeSeries& series, double from, double to);      // the samples within, and the values at both ends
+TimeSeries increments(const TimeSeries& series, double level, double factor = 1);  // factor (value - level)
 
 // First time from `from` on at which the series reaches the level, from either side.
-std::optional<double> firstCrossing(const Series& series, double level, double from,
+std::optional<double> firstCrossing(const TimeSeries& series, double level, double from,
                                     double to = std::numeric_limits<double>::infinity());
-std::optional<double> lastCrossing(const Series& series, double level, double from, double to);
+std::optional<double> lastCrossing(const TimeSeries& series, double level, double from, double to);
 
 // Largest value within the interval; the parabola through its neighbours gives it between the samples.
-Instant highest(const Series& series, double from, double to);
-Instant lowest(const Series& series, double from, double to);
+Instant highest(const TimeSeries& series, double from, double to);
+Instant lowest(const TimeSeries& series, double from, double to);
 
 // Where the series turns back by at least `swing`, alternately up and down; not its first and last sample.
-std::vector<Instant> turningPoints(const Series& series, double swing);
+std::vector<Instant> turningPoints(const TimeSeries& series, double swing);
 
 // Least-squares line.
 Line fitLine(std::span<const double> x, std::span<const double> y);
 
 // Standard deviation of white measurement noise, from fourth differences: nearly blind to the signal itself.
-double noise(const Series& series);
+double noise(const TimeSeries& series);
 
 // Local parabola over +-half_width around each sample: its value, and its slope. Fewer than five samples in reach: the
 // series itself, and its plain differences.
-Series smoothed(const Series& series, double half_width);
-Series derivative(const Series& series, double half_width);
+TimeSeries smoothed(const TimeSeries& series, double half_width);
+TimeSeries derivative(const TimeSeries& series, double half_width);
 
 // Mean over +-half_width: rounds corners, but never goes beyond the values around.
-Series averaged(const Series& series, double half_width);
+TimeSeries averaged(const TimeSeries& series, double half_width);
 
 // Smoothed when there is noise to speak of; a simulated log stays as it is, corners and all.
-bool isNoisy(const Series& series);
-Series cleaned(const Series& series, double half_width);
-Series cleanDerivative(const Series& series, double half_width);
+bool isNoisy(const TimeSeries& series);
+TimeSeries cleaned(const TimeSeries& series, double half_width);
+TimeSeries cleanDerivative(const TimeSeries& series, double half_width);
 
 }  // namespace tread

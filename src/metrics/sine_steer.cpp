@@ -28,7 +28,7 @@ struct SineFit {
 };
 
 // Least squares of a sine, a constant and a drift.
-SineFit fitSine(const Series& series, double frequency) {
+SineFit fitSine(const TimeSeries& series, double frequency) {
     const auto n = static_cast<Eigen::Index>(series.size());
     const double omega = 2 * std::numbers::pi * frequency;
     Eigen::MatrixXd terms(n, 4);
@@ -44,7 +44,7 @@ SineFit fitSine(const Series& series, double frequency) {
 }
 
 // The frequency near the estimate at which a sine fits best: golden-section search.
-double bestFrequency(const Series& series, double estimate) {
+double bestFrequency(const TimeSeries& series, double estimate) {
     const double golden = (std::sqrt(5.0) - 1) / 2;
     double low = estimate * (1 - kFrequencySearch), high = estimate * (1 + kFrequencySearch);
     while (high - low > 1e-7 * estimate) {
@@ -65,7 +65,7 @@ struct Sine {
 };
 
 // First and last time at which the steering is away from its middle.
-std::pair<double, double> activeTime(const Series& steering, double middle, double level) {
+std::pair<double, double> activeTime(const TimeSeries& steering, double middle, double level) {
     std::size_t first = steering.size(), last = 0;
     for (std::size_t i = 0; i < steering.size(); ++i) {
         if (std::abs(steering.value[i] - middle) <= level) continue;
@@ -76,7 +76,7 @@ std::pair<double, double> activeTime(const Series& steering, double middle, doub
 }
 
 // Durations of the half-waves between the first and the last turning point.
-std::vector<double> halfWaves(const Series& steering, const std::vector<Instant>& turns) {
+std::vector<double> halfWaves(const TimeSeries& steering, const std::vector<Instant>& turns) {
     std::vector<double> crossings, durations;
     for (std::size_t i = 0; i + 1 < turns.size(); ++i) {
         const double middle = 0.5 * (turns[i].value + turns[i + 1].value);
@@ -86,7 +86,7 @@ std::vector<double> halfWaves(const Series& steering, const std::vector<Instant>
     return durations;
 }
 
-Sine findSine(const Series& steering) {
+Sine findSine(const TimeSeries& steering) {
     const double middle = steering.value.front();
     const auto [low, high] = std::minmax_element(steering.value.begin(), steering.value.end());
     const double amplitude = 0.5 * (*high - *low);
@@ -119,7 +119,7 @@ Sine findSine(const Series& steering) {
         sine.frequency = static_cast<double>(halves.size()) / (2 * sum);
         sine.from = std::max(sine.to - 2 / sine.frequency, begin);
     }
-    const Series window = part(steering, sine.from, sine.to);
+    const TimeSeries window = part(steering, sine.from, sine.to);
     sine.frequency = bestFrequency(window, sine.frequency);
     const double misfit = fitSine(window, sine.frequency).misfit;
     if (misfit > kLargestMisfit) {
@@ -129,7 +129,7 @@ Sine findSine(const Series& steering) {
     return sine;
 }
 
-void addContinuous(std::vector<Metric>& out, const Sine& sine, const Series& steering, const Series& response,
+void addContinuous(std::vector<Metric>& out, const Sine& sine, const TimeSeries& steering, const TimeSeries& response,
                    std::string_view name, std::string_view words, std::string_view gain_unit) {
     const auto input = fitSine(part(steering, sine.from, sine.to), sine.frequency).phasor;
     const auto output = fitSine(part(response, sine.from, sine.to), sine.frequency).phasor;
@@ -147,7 +147,7 @@ void addContinuous(std::vector<Metric>& out, const Sine& sine, const Series& ste
 }
 
 // Peaks of the answer to one period, the first in the direction of the steering.
-void addOnePeriod(std::vector<Metric>& out, const Sine& sine, const std::vector<Instant>& turns, const Series& response,
+void addOnePeriod(std::vector<Metric>& out, const Sine& sine, const std::vector<Instant>& turns, const TimeSeries& response,
                   std::string_view name, std::string_view words, std::string_view gain_unit) {
     const bool up = turns[0].value > turns[1].value;
     const double period = 1 / sine.frequency, half = 0.5 * (turns[0].time + turns[1].time);
@@ -170,7 +170,7 @@ void addOnePeriod(std::vector<Metric>& out, const Sine& sine, const std::vector<
 std::vector<Metric> sineSteerMetrics(const Log& log, const KnownCar&) {
     const auto needed =
         channels(log, kName, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
-    const Series steering = cleaned(needed[0], kSteeringHalfWidth);
+    const TimeSeries steering = cleaned(needed[0], kSteeringHalfWidth);
     const Sine sine = findSine(steering);
     const double amplitude = std::abs(fitSine(part(steering, sine.from, sine.to), sine.frequency).phasor);
 
@@ -181,7 +181,7 @@ std::vector<Metric> sineSteerMetrics(const Log& log, const KnownCar&) {
          "1: a single period, evaluated by its peaks; 2: the last two of a continuous sine, evaluated by fits"});
     out.push_back({"frequency", sine.frequency, "Hz", "of the steering, from the sine that fits best"});
     out.push_back({"steering_amplitude", kDegrees * amplitude, "deg", "amplitude of that sine"});
-    const auto add = [&](const Series& response, std::string_view name, std::string_view words, std::string_view unit) {
+    const auto add = [&](const TimeSeries& response, std::string_view name, std::string_view words, std::string_view unit) {
         if (sine.one_period) {
             const double swing = 0.5 * amplitude;
             addOnePeriod(out, sine, turningPoints(steering, swing), cleaned(response, kPeakHalfWidth / sine.frequency),

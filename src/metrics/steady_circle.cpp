@@ -38,8 +38,8 @@ constexpr std::string_view wordsOf(Method method) {
 }
 
 struct Circle {
-    Series steering, v, yaw_rate, ay;
-    std::optional<Series> brake;
+    TimeSeries steering, v, yaw_rate, ay;
+    std::optional<TimeSeries> brake;
     std::vector<std::vector<std::size_t>> turns;  // samples for the regressions, one list per direction driven
 };
 
@@ -71,7 +71,7 @@ Circle findCircle(const Log& log) {
                   channelIfThere(log, kName, "driver.brake"),
                   {}};
     // Changes of the steering that are too quick for a steady state are left out; a log made of them is refused.
-    const Series rate = cleanDerivative(needed[0], kHalfWidth);
+    const TimeSeries rate = cleanDerivative(needed[0], kHalfWidth);
     std::size_t all = 0, slow = 0;
     for (const double direction : {1.0, -1.0}) {
         auto samples = samplesOfTurn(circle, direction);
@@ -138,7 +138,7 @@ Method methodOf(const Circle& circle) {
 }
 
 // Mean over left and right of a channel of the front wheels, less that of the rear wheels.
-std::optional<Series> frontLessRear(const Log& log, const std::string& what) {
+std::optional<TimeSeries> frontLessRear(const Log& log, const std::string& what) {
     const auto wheel = [&](const char* which) {
         return channelIfThere(log, kName, std::string("wheel.") + which + "." + what);
     };
@@ -151,7 +151,7 @@ std::optional<Series> frontLessRear(const Log& log, const std::string& what) {
     return cleaned(*out, kHalfWidth);
 }
 
-std::optional<Series> roadWheelAngle(const Log& log, const Circle& circle, const KnownCar& car) {
+std::optional<TimeSeries> roadWheelAngle(const Log& log, const Circle& circle, const KnownCar& car) {
     if (auto logged = frontLessRear(log, "steer")) return logged;
     if (std::isnan(car.steering_ratio)) return {};
     return increments(circle.steering, 0, 1 / car.steering_ratio);
@@ -171,16 +171,16 @@ double understeer(const Log& log, const Circle& circle, const KnownCar& car, Met
     // delta - L / R is also the front slip angle less the rear one, counted positive where the tyre pushes into the
     // turn.
     if (const auto slip = frontLessRear(log, "slip_angle")) {
-        const Series front = *channelIfThere(log, kName, "wheel.front_left.slip_angle");
+        const TimeSeries front = *channelIfThere(log, kName, "wheel.front_left.slip_angle");
         const double sign = gradient(circle, [&](std::size_t i) { return front.value[i]; }) < 0 ? -1 : 1;
         return sign * gradient(circle, [&](std::size_t i) { return slip->value[i]; });
     }
     return kUndefined;
 }
 
-double channelGradient(const Circle& circle, const std::optional<Series>& channel) {
+double channelGradient(const Circle& circle, const std::optional<TimeSeries>& channel) {
     if (!channel) return kUndefined;
-    const Series clean = cleaned(*channel, kHalfWidth);
+    const TimeSeries clean = cleaned(*channel, kHalfWidth);
     return gradient(circle, [&](std::size_t i) { return clean.value[i]; });
 }
 

@@ -44,7 +44,7 @@ struct Hold {
     double from = 0, to = 0;
     double share = 0;  // of the samples that lie within the band
 };
-Hold findHold(const Series& steering, double held, double amplitude) {
+Hold findHold(const TimeSeries& steering, double held, double amplitude) {
     Hold hold;
     std::size_t first = steering.size(), last = 0, inside = 0;
     for (std::size_t i = 0; i < steering.size(); ++i) {
@@ -58,7 +58,7 @@ Hold findHold(const Series& steering, double held, double amplitude) {
             static_cast<double>(inside) / static_cast<double>(last - first + 1)};
 }
 
-Step findStep(const Series& steering) {
+Step findStep(const TimeSeries& steering) {
     // Rough: from the first sample to the largest change, and how long more than half of that lasts.
     const double start = steering.value.front();
     double farthest = 0;
@@ -76,7 +76,7 @@ Step findStep(const Series& steering) {
     const double half_end =
         firstCrossing(steering, start + 0.5 * farthest, steering.time[std::min(behind, steering.size() - 1)])
             .value_or(steering.end());
-    const Series high = part(steering, rough_half, half_end);
+    const TimeSeries high = part(steering, rough_half, half_end);
     const Hold hold = findHold(high, median(high.value), farthest);
 
     // Refined: levels as means over the quiet times before and behind.
@@ -126,17 +126,17 @@ struct Response {
     double overshoot = 0;           // (peak - steady) / steady
 };
 
-Response respond(const Series& measured, const Step& step, double half_width) {
-    const Series clean = cleaned(measured, half_width);
+Response respond(const TimeSeries& measured, const Step& step, double half_width) {
+    const TimeSeries clean = cleaned(measured, half_width);
     const double before = mean(measured, step.onset - 1, step.onset);
     const double sign = mean(measured, step.hold_end - 0.2, step.hold_end) < before ? -1 : 1;
     const double window = std::min(kSteadyWindow, (step.hold_end - step.half) / 3);
-    const Series end = increments(part(measured, step.hold_end - window, step.hold_end), before, sign);
+    const TimeSeries end = increments(part(measured, step.hold_end - window, step.hold_end), before, sign);
 
     Response response{};
     const double steady = mean(end, end.begin(), end.end());
     response.drift = fitLine(end.time, end.value).slope * window / steady;
-    const Series answer = increments(clean, before, sign);
+    const TimeSeries answer = increments(clean, before, sign);
     if (const auto t = firstCrossing(answer, 0.9 * steady, step.onset, step.hold_end)) response.time90 = *t - step.half;
     const Instant peak = highest(answer, step.onset, step.hold_end);
     response.overshoot = std::max(0.0, peak.value / steady - 1);
@@ -147,7 +147,7 @@ Response respond(const Series& measured, const Step& step, double half_width) {
 }
 
 // Increment of a channel from before the step to the end of the hold.
-double steadyIncrement(const Series& series, const Step& step) {
+double steadyIncrement(const TimeSeries& series, const Step& step) {
     const double window = std::min(kSteadyWindow, (step.hold_end - step.half) / 3);
     return mean(series, step.hold_end - window, step.hold_end) - mean(series, step.onset - 1, step.onset);
 }

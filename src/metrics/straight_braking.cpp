@@ -31,7 +31,7 @@ struct Stop {
     double distance;       // m
 };
 
-double brakeOnset(const Series& brake) {
+double brakeOnset(const TimeSeries& brake) {
     const double most = *std::max_element(brake.value.begin(), brake.value.end());
     if (most < kLeastBrake) notFound(kName, "the brake is never applied");
     // The application that leads to the stop begins where the pedal last left zero before its largest value.
@@ -41,7 +41,7 @@ double brakeOnset(const Series& brake) {
     return lastCrossing(brake, level, brake.begin(), peak).value_or(brake.begin());
 }
 
-Stop findStop(const Series& v, const Series& brake) {
+Stop findStop(const TimeSeries& v, const TimeSeries& brake) {
     Stop stop{};
     stop.start = brakeOnset(brake);
     stop.initial_speed = at(v, stop.start);
@@ -71,7 +71,7 @@ void checkStraight(const Log& log, const Stop& stop) {
     }
     const auto steering = channelIfThere(log, kName, "driver.steering_wheel_angle");
     if (!steering) return;
-    const Series during = part(*steering, stop.start, stop.end);
+    const TimeSeries during = part(*steering, stop.start, stop.end);
     for (double angle : during.value) {
         if (std::abs(angle - during.value.front()) <= kLargestSteering) continue;
         notFound(kName, fmt::format("the steering wheel turns by more than {:.0f} deg while braking",
@@ -80,19 +80,19 @@ void checkStraight(const Log& log, const Stop& stop) {
 }
 
 // Mean fully developed deceleration: the average over distance between 80 and 10 % of the initial speed.
-double meanFullyDeveloped(const Series& v, const Stop& stop) {
+double meanFullyDeveloped(const TimeSeries& v, const Stop& stop) {
     const double vb = 0.8 * stop.initial_speed, ve = 0.1 * stop.initial_speed;
     const auto tb = firstCrossing(v, vb, stop.start), te = firstCrossing(v, ve, stop.start);
     if (!tb || !te) return kUndefined;
     return (vb * vb - ve * ve) / (2 * integral(v, *tb, *te));
 }
 
-double peakDeceleration(const Log& log, const Series& v, const Stop& stop) {
+double peakDeceleration(const Log& log, const TimeSeries& v, const Stop& stop) {
     const auto logged = channelIfThere(log, kName, "chassis.ax");
-    const Series acceleration = logged ? *logged : cleanDerivative(v, kSpeedHalfWidth);
+    const TimeSeries acceleration = logged ? *logged : cleanDerivative(v, kSpeedHalfWidth);
     // Averaged and not smoothed: a parabola would overshoot where the car comes to rest with a jerk.
     const bool noisy = logged && isNoisy(*logged);
-    const Series during = part(noisy ? averaged(*logged, kPeakHalfWidth) : acceleration, stop.start, stop.end);
+    const TimeSeries during = part(noisy ? averaged(*logged, kPeakHalfWidth) : acceleration, stop.start, stop.end);
     return -*std::min_element(during.value.begin(), during.value.end());
 }
 
@@ -102,17 +102,17 @@ double lateralDeviation(const Log& log, const Stop& stop) {
     const auto yaw = channelIfThere(log, kName, "chassis.yaw");
     if (!x || !y || !yaw) return kUndefined;
     const double heading = at(*yaw, stop.start), x0 = at(*x, stop.start), y0 = at(*y, stop.start);
-    Series away = *x;
+    TimeSeries away = *x;
     for (std::size_t i = 0; i < away.size(); ++i) {
         away.value[i] = (y->value[i] - y0) * std::cos(heading) - (x->value[i] - x0) * std::sin(heading);
     }
-    const Series during = part(away, stop.start, stop.end);
+    const TimeSeries during = part(away, stop.start, stop.end);
     return *std::max_element(during.value.begin(), during.value.end(),
                              [](double a, double b) { return std::abs(a) < std::abs(b); });
 }
 
 // Slip ratio of a wheel; from its spin, with the rolling radius it had when the brake was applied, if not logged.
-std::optional<Series> slipOf(const Log& log, const Series& v, const Stop& stop, const std::string& wheel) {
+std::optional<TimeSeries> slipOf(const Log& log, const TimeSeries& v, const Stop& stop, const std::string& wheel) {
     if (auto slip = channelIfThere(log, kName, wheel + ".slip_ratio")) return slip;
     auto spin = channelIfThere(log, kName, wheel + ".spin");
     if (!spin || at(*spin, stop.start) <= 0) return {};
@@ -123,12 +123,12 @@ std::optional<Series> slipOf(const Log& log, const Series& v, const Stop& stop, 
     return spin;
 }
 
-void addLockedShares(std::vector<Metric>& out, const Log& log, const Series& v, const Stop& stop) {
+void addLockedShares(std::vector<Metric>& out, const Log& log, const TimeSeries& v, const Stop& stop) {
     const double until = firstCrossing(v, kLockedUntil, stop.start).value_or(stop.end);
     for (const char* wheel : {"front_left", "front_right", "rear_left", "rear_right"}) {
         const auto slip = slipOf(log, v, stop, std::string("wheel.") + wheel);
         if (!slip) continue;
-        Series locked = part(*slip, stop.start, until);
+        TimeSeries locked = part(*slip, stop.start, until);
         for (double& value : locked.value) value = value < kLockedSlip ? 1 : 0;
         out.push_back({std::string("locked_share_") + wheel, mean(locked, stop.start, until), "-",
                        fmt::format("share of the time, down to {:.0f} m/s, with a slip ratio below {:.1f}",
@@ -139,8 +139,8 @@ void addLockedShares(std::vector<Metric>& out, const Log& log, const Series& v, 
 }  // namespace
 
 std::vector<Metric> straightBrakingMetrics(const Log& log, const KnownCar&) {
-    const Series brake = channels(log, kName, {"driver.brake", "chassis.vx"}).front();
-    const Series v = cleaned(speed(log, kName), kSpeedHalfWidth);
+    const TimeSeries brake = channels(log, kName, {"driver.brake", "chassis.vx"}).front();
+    const TimeSeries v = cleaned(speed(log, kName), kSpeedHalfWidth);
     const Stop stop = findStop(v, brake);
     checkStraight(log, stop);
     const double nominal = std::max(1.0, std::round(stop.initial_speed / kNominalSteps)) * kNominalSteps;
