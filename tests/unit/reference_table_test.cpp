@@ -13,8 +13,8 @@
 #include "tread/tyre.h"
 #include "tread/wheels.h"
 
-namespace tread {
-namespace {
+// Not an anonymous namespace: clang 14 wants to see conversions to a type without linkage defined.
+namespace tread::reference_table_test {
 
 struct Keep {
     static constexpr std::string_view kName = "keep";
@@ -106,5 +106,4 @@ TEST(ReferenceTable, TyreHasAllItsParameters) {
     EXPECT_EQ(rows[2].default_text, "required");
 }
 
-}  // namespace
-}  // namespace tread
+}  // namespace tread::reference_table_test

@@ -13,8 +13,8 @@
 #include "tread/tyre.h"
 #include "tread/wheels.h"
 
-namespace tread {
-namespace {
+// Not an anonymous namespace: clang 14 wants to see conversions to a type without linkage defined.
+namespace tread::schema_test {
 
 using Json = nlohmann::json;
 
@@ -151,5 +151,4 @@ TEST(Schema, PatternAgreesWithTheReaderAboutQuantities) {
     }
 }
 
-}  // namespace
-}  // namespace tread
+}  // namespace tread::schema_test
