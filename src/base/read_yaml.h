@@ -5,7 +5,7 @@
 // A bare number is SI; "1480 mm" or 4.5 deg are converted to the described unit. A key that is absent leaves the
 // default; a number without default must be given. A struct may have
 //   static void check(const auto& self, auto&& complain);
-//       rules across fields: complain("bump", "found ..., expected ..."); asked only when the fields themselves are fine
+//       rules across fields: complain("bump", "found ..., expected ..."); asked only when the fields are fine
 //   static constexpr bool kIncludable = true;
 //       the name of a file, relative to the including one, may stand for the struct
 // and, declared beside its definition so that every reader of the type sees it,
