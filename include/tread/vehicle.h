@@ -128,10 +128,11 @@ struct WheelState {
     double steer = 0;   // rad, of the wheel against the body, toe included
     // Forces of the road on the tyre at the end of the last step, ISO 8855 wheel axes.
     double load = 0, fx = 0, fy = 0, mz = 0;
-    double vertical_force = 0;  // N, of the load along the body's z axis
-    double inclined_force = 0;  // N, of fx and fy along the body's z axis
-    double drive_torque = 0;    // N m, of the driveline
-    double brake_torque = 0;    // N m, that the brake can hold
+    double vertical_force = 0;    // N, of the load along the body's z axis
+    double suspension_force = 0;  // N, of spring, damper, bar and stops, up on the body
+    double link_force = 0;        // N, of the links, up on the wheel
+    double drive_torque = 0;      // N m, of the driveline
+    double brake_torque = 0;      // N m, that the brake can hold
 };
 
 struct VehicleState {

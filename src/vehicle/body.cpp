@@ -37,6 +37,25 @@ Wrench weight(const Vehicle& vehicle, const BodyFrame& body) {
     return wrench;
 }
 
+Wrench displacedWheels(const Vehicle& vehicle, const PerWheel<WheelState>& wheels, const BodyFrame& body) {
+    const Vector3& w = body.angular_velocity_B;
+    const auto accelerationAt = [&](const Vector3& point) -> Vector3 {
+        return body.acceleration_B + body.angular_acceleration_B.cross(point) + w.cross(w.cross(point));
+    };
+    Wrench wrench;
+    for (std::size_t i = 0; i < kWheels; ++i) {
+        const Vehicle::Corner& corner = vehicle.corners[i];
+        const Vector3 there = corner.hub_B + Vector3(0, 0, wheels[i].travel);
+        const Vector3 coriolis = 2 * w.cross(Vector3(0, 0, wheels[i].rate));
+        Vector3 is = corner.unsprung_mass * (body.gravity_B - accelerationAt(there) - coriolis);
+        Vector3 counted = corner.unsprung_mass * (body.gravity_B - accelerationAt(corner.hub_B));
+        is.z() = counted.z() = 0;
+        wrench.add(is, there);
+        wrench.add(-counted, corner.hub_B);
+    }
+    return wrench;
+}
+
 Wrench aeroWrench(const Vehicle& vehicle, const BodyFrame& body) {
     const VehicleParams& params = vehicle.params;
     const AeroForces air = forces(params.aero, body.velocity_B);
@@ -59,12 +78,14 @@ void addWheel(Wrench& wrench, const WheelAction& wheel, const BodyFrame& body) {
     const Vector3 beside(contact.point_B.x() - contact.hub_B.x(), contact.point_B.y() - contact.hub_B.y(), 0);
     wrench.moment_B += beside.cross(Vector3(0, 0, road_force.z()));
 
-    // Moments of the tyre, and the reaction of the spinning wheel (its own acceleration and its gyroscopic couple).
+    // Moments of the tyre, and the reaction of the spinning wheel (its own acceleration and its gyroscopic couple,
+    // which it owes to the turning of the body and to steering).
     wrench.moment_B +=
         wheel.tyre.Mx * contact.forward_B + wheel.tyre.My * contact.left_B + wheel.tyre.Mz * contact.normal_B;
     const double inertia = wheel.corner.wheel_inertia;
     wrench.moment_B -= inertia * wheel.spin_rate * contact.axis_B;
-    wrench.moment_B -= body.angular_velocity_B.cross(inertia * wheel.spin * contact.axis_B);
+    const Vector3 turning = body.angular_velocity_B + Vector3(0, 0, wheel.steer_rate);
+    wrench.moment_B -= turning.cross(inertia * wheel.spin * contact.axis_B);
 }
 
 void correct(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle, const BodyFrame& body,
@@ -73,14 +94,27 @@ void correct(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
     const Vector3& w = body.angular_velocity_B;
     const Vector3 spin(inertia.roll * w.x() - inertia.roll_yaw * w.z(), inertia.pitch * w.y(),
                        inertia.yaw * w.z() - inertia.roll_yaw * w.x());
+    Wrench total = wrench;
+    total.moment_B -= w.cross(spin);
+    // The centrifugal force of an unsprung mass along z pulls at its spring, not at the body.
+    for (std::size_t i = 0; i < kWheels; ++i) {
+        const Vehicle::Corner& corner = vehicle.corners[i];
+        total.add({0, 0, corner.unsprung_mass * w.cross(w.cross(corner.hub_B)).z()}, corner.hub_B);
+    }
     Eigen::Vector<double, 6> load;
-    load << wrench.force_B, wrench.moment_B - w.cross(spin);
+    load << total.force_B, total.moment_B;
     const Eigen::Vector<double, 6> acceleration = vehicle.inverse_mass * load;
 
     const Vector3 a = body.to_world * acceleration.head<3>();
     const Vector3 alpha = body.to_world * acceleration.tail<3>();
     motion.velocity_W += 0.5 * dt * (a - toVector(state.acceleration_W));
     motion.angular_velocity_W += 0.5 * dt * (alpha - toVector(state.angular_acceleration_W));
+
+    // The wheels keep their own velocity along z: their travel takes the opposite of the hub's correction.
+    const Vector3 change = acceleration.head<3>() - body.acceleration_B;
+    const Vector3 turn = acceleration.tail<3>() - body.angular_acceleration_B;
+    for (std::size_t i = 0; i < kWheels; ++i)
+        state.wheels[i].rate -= 0.5 * dt * (change + turn.cross(vehicle.corners[i].hub_B)).z();
     state.acceleration_W = toArray(a);
     state.angular_acceleration_W = toArray(alpha);
 }

@@ -15,13 +15,21 @@ struct Wrench {
         force_B += force;
         moment_B += at.cross(force);
     }
+    void add(const Wrench& other) {
+        force_B += other.force_B;
+        moment_B += other.moment_B;
+    }
 };
 
 // Position and attitude after dt, velocities predicted with the accelerations of the last step.
 ChassisMotion predicted(const ChassisMotion& from, const VehicleState& state, double dt);
 
-// Weight of the body; the wheels' weight hangs on their suspension (wheelWrench).
+// Weight of the body; the wheels' weight along z hangs on their suspension.
 Wrench weight(const Vehicle& vehicle, const BodyFrame& body);
+
+// What the wheels' weight and inertia along x and y do more where the wheels are than where the mass matrix and
+// weight() count them, at static load.
+Wrench displacedWheels(const Vehicle& vehicle, const PerWheel<WheelState>& wheels, const BodyFrame& body);
 
 Wrench aeroWrench(const Vehicle& vehicle, const BodyFrame& body);
 
@@ -36,6 +44,7 @@ struct WheelAction {
     double link_force;        // N, up on the wheel
     double spin;              // rad/s
     double spin_rate;         // rad/s2
+    double steer_rate;        // rad/s, against the body
 };
 void addWheel(Wrench& wrench, const WheelAction& wheel, const BodyFrame& body);
 

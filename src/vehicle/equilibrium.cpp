@@ -46,7 +46,7 @@ VehicleState resting(const Vehicle& vehicle, const Start& start) {
         wheel.spin = start.speed / p.Re;
         wheel.motion.Vx = start.speed;
         wheel.motion.Fz = vehicle.corners[i].static_force;
-        wheel.load = wheel.vertical_force = vehicle.corners[i].static_force;
+        wheel.suspension_force = wheel.load = wheel.vertical_force = vehicle.corners[i].static_force;
     }
     return state;
 }

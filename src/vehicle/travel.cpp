@@ -1,6 +1,6 @@
-// The wheel's own velocity w along the body's z axis obeys m_u dw/dt = tyre + links - suspension + weight, its travel
-// dz/dt = w - (velocity of the hub on the body). Trapezoidal rule, linearised at the predicted end of the step: second
-// order, stable for any stiffness, and it keeps the energy of an undamped wheel.
+// Along the body's z axis a wheel accelerates by (tyre + links - suspension) / m_u + gravity; its travel by that less
+// the acceleration of the place where it hangs on the body. Trapezoidal rule, linearised at the predicted end of the
+// step: second order, stable for any stiffness, and it keeps the energy of an undamped wheel.
 
 #include "vehicle/travel.h"
 
@@ -10,9 +10,20 @@
 namespace tread {
 namespace {
 
-double hubVelocity(const BodyFrame& body, const Vehicle::Corner& corner) {
-    return body.velocity_B.z() + body.angular_velocity_B.x() * corner.hub_B.y() -
-           body.angular_velocity_B.y() * corner.hub_B.x();
+// Acceleration along z of the point of the body where the wheel hangs: of the point itself, not of a component in
+// turning axes, so that a pitching car does not feel how fast it drives.
+double hubAcceleration(const BodyFrame& body, const Vehicle::Corner& corner, double travel) {
+    const Vector3& w = body.angular_velocity_B;
+    const Vector3 hub = corner.hub_B + Vector3(0, 0, travel);
+    return (body.acceleration_B + body.angular_acceleration_B.cross(hub) + w.cross(w.cross(hub))).z();
+}
+
+SuspensionForce suspensionForce(const Vehicle& vehicle, const PerWheel<WheelState>& wheels, std::size_t wheel) {
+    const std::size_t opposite = wheel ^ 1;
+    return forces(suspensionOf(vehicle, wheel), {.travel = wheels[wheel].travel,
+                                                 .rate = wheels[wheel].rate,
+                                                 .opposite_travel = wheels[opposite].travel,
+                                                 .static_force = vehicle.corners[wheel].static_force});
 }
 
 // The wheel centre rises by `rise` against the body: the contact slides along the wheel plane.
@@ -29,45 +40,13 @@ const SuspensionParams& suspensionOf(const Vehicle& vehicle, std::size_t wheel) 
     return axleOf(wheel) == 0 ? vehicle.params.front.suspension : vehicle.params.rear.suspension;
 }
 
-SuspensionForce suspensionForce(const Vehicle& vehicle, const PerWheel<WheelState>& wheels, std::size_t wheel) {
-    const std::size_t opposite = wheel ^ 1;
-    return forces(suspensionOf(vehicle, wheel), {.travel = wheels[wheel].travel,
-                                                 .rate = wheels[wheel].rate,
-                                                 .opposite_travel = wheels[opposite].travel,
-                                                 .static_force = vehicle.corners[wheel].static_force});
-}
-
-LinkSlopes linkSlopes(const Vehicle& vehicle, const WheelState& wheel, std::size_t index) {
-    const SuspensionParams& suspension = suspensionOf(vehicle, index);
-    const bool locked = wheel.spin == 0 && wheel.brake_torque > 0;
-    return {.forward = locked ? suspension.side_view_slope_braking : suspension.side_view_slope_driving,
-            .left = vehicle.corners[index].lateral_slope};
-}
-
-double linkForce(const Vehicle& vehicle, const WheelState& wheel, std::size_t index) {
-    const SuspensionParams& suspension = suspensionOf(vehicle, index);
-    const double cosine = std::cos(wheel.steer);
-    const double sine = std::sin(wheel.steer);
-    const double along = wheel.fx * cosine - wheel.fy * sine;
-    const double across = wheel.fx * sine + wheel.fy * cosine;
-    double force = vehicle.corners[index].lateral_slope * across + suspension.side_view_slope_driving * along;
-    // What the brake holds turns the hub: the contact point follows the braking slope.
-    const double by_brake = suspension.side_view_slope_braking - suspension.side_view_slope_driving;
-    if (wheel.brake_torque > 0 && wheel.radius > 0) {
-        const double capacity = wheel.spin == 0 ? kInfinity : wheel.brake_torque / wheel.radius;
-        force += by_brake * std::clamp(along, -capacity, capacity);
-    }
-    return force;
-}
-
 PerWheel<WheelContact> advanceTravel(PerWheel<WheelState>& wheels, const Vehicle& vehicle, const BodyFrame& begin,
                                      const BodyFrame& end, const PerWheel<double>& steer, const Road& road, double dt) {
-    // Vertical force on each wheel at the start, with what the horizontal tyre forces add; travel as if its rate
-    // stayed.
-    PerWheel<double> sideways, force_begin, rate_begin;
+    // Vertical force on each wheel at the start; travel as if its rate stayed.
+    PerWheel<double> force_begin, travel_begin, rate_begin;
     for (std::size_t i = 0; i < kWheels; ++i) {
-        sideways[i] = wheels[i].inclined_force + linkForce(vehicle, wheels[i], i);
-        force_begin[i] = wheels[i].vertical_force + sideways[i] - suspensionForce(vehicle, wheels, i).force;
+        force_begin[i] = wheels[i].vertical_force + wheels[i].link_force - wheels[i].suspension_force;
+        travel_begin[i] = wheels[i].travel;
         rate_begin[i] = wheels[i].rate;
     }
     for (std::size_t i = 0; i < kWheels; ++i) wheels[i].travel += dt * rate_begin[i];
@@ -83,13 +62,13 @@ PerWheel<WheelContact> advanceTravel(PerWheel<WheelState>& wheels, const Vehicle
         contacts[i] = wheelContact(end, corner, wheel.travel, lean.camber, wheel.steer, road, i);
         const TyreLoad tyre = tyreLoad(corner.tyre, contacts[i], end, wheel.rate);
         const SuspensionForce spring = suspensionForce(vehicle, wheels, i);
-        const double force_end = tyre.load * contacts[i].normal_B.z() + sideways[i] - spring.force;
+        const double force_end = tyre.load * contacts[i].normal_B.z() + wheel.link_force - spring.force;
 
-        const double mean =
-            0.5 * dt * ((force_begin[i] + force_end) / corner.unsprung_mass + begin.gravity_B.z() + end.gravity_B.z());
-        const double hub_change = hubVelocity(end, corner) - hubVelocity(begin, corner);
+        const double forces = (force_begin[i] + force_end) / corner.unsprung_mass;
+        const double gravity = begin.gravity_B.z() + end.gravity_B.z();
+        const double hub = hubAcceleration(begin, corner, travel_begin[i]) + hubAcceleration(end, corner, wheel.travel);
         const double slope = 0.5 * dt * (tyre.by_deflection + spring.by_travel) + tyre.by_rate + spring.by_rate;
-        change[i] = (mean - hub_change) / (1 + 0.5 * dt * slope / corner.unsprung_mass);
+        change[i] = 0.5 * dt * (forces + gravity - hub) / (1 + 0.5 * dt * slope / corner.unsprung_mass);
     }
     for (std::size_t i = 0; i < kWheels; ++i) {
         WheelState& wheel = wheels[i];
@@ -100,7 +79,24 @@ PerWheel<WheelContact> advanceTravel(PerWheel<WheelState>& wheels, const Vehicle
         wheel.load = tyreLoad(vehicle.corners[i].tyre, contacts[i], end, wheel.rate).load;
         wheel.vertical_force = wheel.load * contacts[i].normal_B.z();
     }
+    for (std::size_t i = 0; i < kWheels; ++i) wheels[i].suspension_force = suspensionForce(vehicle, wheels, i).force;
     return contacts;
+}
+
+void correctLinks(WheelState& wheel, const Vehicle& vehicle, std::size_t index, double dt) {
+    const SuspensionParams& suspension = suspensionOf(vehicle, index);
+    const double cosine = std::cos(wheel.steer);
+    const double sine = std::sin(wheel.steer);
+    const double along = wheel.fx * cosine - wheel.fy * sine;
+    const double across = wheel.fx * sine + wheel.fy * cosine;
+    double force = vehicle.corners[index].lateral_slope * across + suspension.side_view_slope_driving * along;
+    if (wheel.radius > 0) {
+        const double capacity = wheel.brake_torque / wheel.radius;
+        const double braking = std::clamp(along, -capacity, capacity);
+        force += (suspension.side_view_slope_braking - suspension.side_view_slope_driving) * braking;
+    }
+    wheel.rate += 0.5 * dt * (force - wheel.link_force) / vehicle.corners[index].unsprung_mass;
+    wheel.link_force = force;
 }
 
 }  // namespace tread

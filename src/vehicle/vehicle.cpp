@@ -19,6 +19,10 @@ PerWheel<double> steered(const VehicleParams& params, double steering_wheel_angl
     return {front.left, front.right, 0, 0};
 }
 
+double middle(double begin, double end) {
+    return 0.5 * (begin + end);
+}
+
 PerWheel<double> spins(const PerWheel<WheelState>& wheels) {
     return {wheels[0].spin, wheels[1].spin, wheels[2].spin, wheels[3].spin};
 }
@@ -45,8 +49,8 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
 
     // Body: where it is at the end of the step.
     ChassisMotion next = predicted(motion, state, dt);
-    const BodyFrame from = bodyFrame(motion, surroundings.gravity_W);
-    const BodyFrame to = bodyFrame(next, surroundings.gravity_W);
+    const BodyFrame from = bodyFrame(motion, state, surroundings.gravity_W);
+    const BodyFrame to = bodyFrame(next, state, surroundings.gravity_W);
 
     // Steering.
     const PerWheel<double> steer_begin = steered(params, begin.steering_wheel_angle);
@@ -55,10 +59,11 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
     // Suspension travel and wheel loads.
     const auto contacts = advanceTravel(state.wheels, vehicle, from, to, steer, surroundings.road, dt);
 
-    // Driveline and brake torques.
+    // Driveline and brake torques, constant over the step.
     const DrivelineTorques drive =
-        advance(state.driveline, params.driveline, {end.throttle, end.clutch, spins(state.wheels)}, dt);
-    const PerAxle<double> brake = brakeTorques(params.brakes, end.brake);
+        advance(state.driveline, params.driveline,
+                {middle(begin.throttle, end.throttle), middle(begin.clutch, end.clutch), spins(state.wheels)}, dt);
+    const PerAxle<double> brake = brakeTorques(params.brakes, middle(begin.brake, end.brake));
     state.engine_torque = drive.engine;
 
     // Tyre forces and spin, and what each wheel hands to the body.
@@ -69,30 +74,31 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
         wheel.drive_torque = drive.wheel[axleOf(i)];
         wheel.brake_torque = brake[axleOf(i)];
         const double spin_begin = wheel.spin;
-        const TyreMotion at_end = tyreMotion(contacts[i], to, linkSlopes(vehicle, wheel, i), wheel.rate,
-                                             (steer[i] - steer_begin[i]) / dt, wheel.load);
+        const double steer_rate = (steer[i] - steer_begin[i]) / dt;
+        const TyreMotion at_end = tyreMotion(contacts[i], to, corner, wheel.rate, steer_rate, wheel.load);
         const TyreForces tyre = advanceTyre(wheel, corner, contacts[i], at_end, dt);
         wheel.motion = at_end;
         wheel.fx = tyre.Fx;
         wheel.fy = tyre.Fy;
         wheel.mz = tyre.Mz;
-        wheel.inclined_force = tyre.Fx * contacts[i].forward_B.z() + tyre.Fy * contacts[i].left_B.z();
+        correctLinks(wheel, vehicle, i, dt);
         addWheel(wrench,
                  {.corner = corner,
                   .contact = contacts[i],
                   .tyre = tyre,
                   .load = wheel.load,
-                  .suspension_force = suspensionForce(vehicle, state.wheels, i).force,
-                  .link_force = linkForce(vehicle, wheel, i),
+                  .suspension_force = wheel.suspension_force,
+                  .link_force = wheel.link_force,
                   .spin = wheel.spin,
-                  .spin_rate = (wheel.spin - spin_begin) / dt},
+                  .spin_rate = (wheel.spin - spin_begin) / dt,
+                  .steer_rate = steer_rate},
                  to);
     }
 
+    wrench.add(displacedWheels(vehicle, state.wheels, to));
+
     // Aerodynamics.
-    const Wrench air = aeroWrench(vehicle, to);
-    wrench.force_B += air.force_B;
-    wrench.moment_B += air.moment_B;
+    wrench.add(aeroWrench(vehicle, to));
 
     // One wrench moves the body.
     correct(next, state, vehicle, to, wrench, dt);

@@ -15,12 +15,16 @@ Vector3 contactVelocity(const WheelContact& contact, const BodyFrame& body, cons
 
 }  // namespace
 
-BodyFrame bodyFrame(const ChassisMotion& motion, const Vector3& gravity_W) {
+BodyFrame bodyFrame(const ChassisMotion& motion, const VehicleState& state, const Vector3& gravity_W) {
+    const auto& [ax, ay, az] = state.acceleration_W;
+    const auto& [roll, pitch, yaw] = state.angular_acceleration_W;
     BodyFrame body;
     body.to_world = motion.orientation.toRotationMatrix();
     body.position_W = motion.position_W;
     body.velocity_B = body.to_world.transpose() * motion.velocity_W;
     body.angular_velocity_B = body.to_world.transpose() * motion.angular_velocity_W;
+    body.acceleration_B = body.to_world.transpose() * Vector3(ax, ay, az);
+    body.angular_acceleration_B = body.to_world.transpose() * Vector3(roll, pitch, yaw);
     body.gravity_B = body.to_world.transpose() * gravity_W;
     return body;
 }

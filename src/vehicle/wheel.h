@@ -9,11 +9,13 @@ namespace tread {
 struct BodyFrame {
     Vector3 velocity_B;
     Vector3 angular_velocity_B;
+    Vector3 acceleration_B;  // as it was at the end of the last step
+    Vector3 angular_acceleration_B;
     Eigen::Matrix3d to_world;  // body to world
     Vector3 position_W;
     Vector3 gravity_B;
 };
-BodyFrame bodyFrame(const ChassisMotion& motion, const Vector3& gravity_W);
+BodyFrame bodyFrame(const ChassisMotion& motion, const VehicleState& state, const Vector3& gravity_W);
 
 // Contact of a wheel with the plane of the road, in body axes.
 struct WheelContact {
