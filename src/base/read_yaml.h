@@ -3,14 +3,14 @@
 //     const auto tyre = readYaml<TyreParams>("vehicles/tyres/car_205_60R15.yaml");
 //
 // A bare number is SI; "1480 mm" or 4.5 deg are converted to the described unit. A key that is absent leaves the
-// default; a number without default must be given. A struct may add
-//   static void check(const auto& self, auto&& complain)   rules across fields: complain("bump", "found ..., expected
-//   ...");
-//                                                          asked only when the fields themselves are fine
-//   static constexpr bool kIncludable = true;              a file name, relative to the including file, may stand for
-//   it
-// and, beside its definition so that every reader of the type sees it, a function that is found by its argument:
-//   bool readForeign(T&, const std::filesystem::path&, std::vector<Problem>&);   true when it took the file (".tir")
+// default; a number without default must be given. A struct may have
+//   static void check(const auto& self, auto&& complain);
+//       rules across fields: complain("bump", "found ..., expected ..."); asked only when the fields are fine
+//   static constexpr bool kIncludable = true;
+//       the name of a file, relative to the including one, may stand for the struct
+// and, declared beside its definition so that every reader of the type sees it,
+//   bool readForeign(T&, const std::filesystem::path&, std::vector<Problem>&);
+//       is asked first for every file; true when it took the file (".tir")
 #pragma once
 
 #include <array>

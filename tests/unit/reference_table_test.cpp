@@ -2,17 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "base/numbers.h"
 #include "tread/tyre.h"
 #include "tread/wheels.h"
 
-namespace tread {
-namespace {
+// Not an anonymous namespace: clang 14 wants to see conversions to a type without linkage defined.
+namespace tread::reference_table_test {
 
 struct Keep {
     static constexpr std::string_view kName = "keep";
@@ -93,10 +95,15 @@ TEST(ReferenceTable, HasARowForEveryField) {
 
 TEST(ReferenceTable, TyreHasAllItsParameters) {
     const auto rows = referenceTable<TyreParams>();
-    EXPECT_EQ(rows.size(), 125u);
+    TyreParams tyre;
+    for (const Number& number : numbers(tyre)) {
+        EXPECT_EQ(
+            std::count_if(rows.begin(), rows.end(), [&](const ReferenceRow& row) { return row.path == number.path; }),
+            1)
+            << number.path;
+    }
     EXPECT_EQ(rows[2].path, "parameters.Fzo");
     EXPECT_EQ(rows[2].default_text, "required");
 }
 
-}  // namespace
-}  // namespace tread
+}  // namespace tread::reference_table_test

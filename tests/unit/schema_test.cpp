@@ -15,8 +15,8 @@
 #include "tread/tyre.h"
 #include "tread/wheels.h"
 
-namespace tread {
-namespace {
+// Not an anonymous namespace: clang 14 wants to see conversions to a type without linkage defined.
+namespace tread::schema_test {
 
 using Json = nlohmann::json;
 
@@ -174,5 +174,4 @@ TEST(Schema, PatternAgreesWithTheReaderAboutQuantities) {
     expectPattern("rad/s", kPositive, {"6500 rpm", "3 deg/s", "2 rev/s"}, {"6500 Hz", "6500 deg"});
 }
 
-}  // namespace
-}  // namespace tread
+}  // namespace tread::schema_test

@@ -11,8 +11,8 @@
 #include "tread/tyre.h"
 #include "tread/wheels.h"
 
-namespace tread {
-namespace {
+// Not an anonymous namespace: clang 14 wants to see conversions to a type without linkage defined.
+namespace tread::setting_test {
 
 struct Damper {
     double bump = kRequired;
@@ -198,5 +198,4 @@ TEST(Setting, SeveralFaultsAreReportedTogether) {
               "vehicle` lists all paths");
 }
 
-}  // namespace
-}  // namespace tread
+}  // namespace tread::setting_test

@@ -15,8 +15,8 @@
 #include "tread/tyre.h"
 #include "tread/wheels.h"
 
-namespace tread {
-namespace {
+// Not an anonymous namespace: clang 14 wants to see conversions to a type without linkage defined.
+namespace tread::yaml_reader_test {
 
 using Texts = std::vector<std::string>;
 
@@ -605,5 +605,4 @@ TEST_F(YamlFiles, FilesThatCannotBeReadAreOneFault) {
     EXPECT_EQ(faultsOf(secret), (Texts{secret + ": found a file that cannot be read; check its permissions"}));
 }
 
-}  // namespace
-}  // namespace tread
+}  // namespace tread::yaml_reader_test

@@ -19,8 +19,8 @@
 #include "tread/tyre.h"
 #include "tread/wheels.h"
 
-namespace tread {
-namespace {
+// Not an anonymous namespace: clang 14 wants to see conversions to a type without linkage defined.
+namespace tread::yaml_writer_test {
 
 struct Ramp {
     static constexpr std::string_view kName = "ramp";
@@ -230,5 +230,4 @@ TEST(YamlWriter, AnyTextReadsBackEqual) {
     }
 }
 
-}  // namespace
-}  // namespace tread
+}  // namespace tread::yaml_writer_test
