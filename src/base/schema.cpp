@@ -1,17 +1,14 @@
 #include "base/schema.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/concat.h"
 #include "base/number_text.h"
+#include "base/quantity_pattern.h"
 
 namespace tread::detail {
 namespace {
-
-// "1480 mm", "-.5", "2e3 N s/m": what toSi takes, without looking at the unit.
-constexpr std::string_view kQuantityPattern =
-    R"(^\\s*[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?(\\s+1/.*|\\s*[A-Za-z%°µ(].*)?$)";
-constexpr std::string_view kQuantity = R"({"$ref": "#/definitions/_quantity"})";
 
 std::string jsonString(std::string_view text) {
     constexpr char kHex[] = "0123456789abcdef";
@@ -64,24 +61,49 @@ std::string limitsSchema(const Limits& limits) {
     return text;
 }
 
-std::string numberOrQuantity(const Limits& limits) {
-    return concat({R"("anyOf": [{"type": "number")", limitsSchema(limits), "}, ", kQuantity, "]"});
+// A word for a definition: "_N_s_per_m".
+std::string definitionName(std::string_view unit) {
+    std::string name = "_";
+    for (const char c : unit.empty() || unit == "-" ? std::string_view("number") : unit) {
+        if (c == '/') {
+            name += "_per_";
+        } else {
+            name += c == ' ' ? '_' : c;
+        }
+    }
+    return name;
 }
 
 }  // namespace
 
-std::string SchemaBuilder::number(const About& about) const {
-    return concat({"{", description(about), numberOrQuantity(about.limits), "}"});
+// Texts with a unit are defined once for each unit, so that every field only refers to its kind.
+std::string SchemaBuilder::numberOrQuantity(std::string_view unit, const Limits& limits) {
+    const bool negative = !(limits.lowest >= 0);
+    const std::string name = definitionName(unit) + (negative ? "" : "_not_negative");
+    const auto is_same = [&](const auto& quantity) { return quantity.first == name; };
+    if (std::none_of(quantities_.begin(), quantities_.end(), is_same)) {
+        const std::string words = unit.empty() || unit == "-" ? "a number" : concat({"a number in ", unit});
+        quantities_.emplace_back(
+            name, concat({R"({"description": )", jsonString(words + ", or followed by its unit"),
+                          R"(, "type": "string", "pattern": )", jsonString(quantityPattern(unit, limits)), "}"}));
+    }
+    return concat(
+        {R"("anyOf": [{"type": "number")", limitsSchema(limits), R"(}, {"$ref": "#/definitions/)", name, "\"}]"});
+}
+
+std::string SchemaBuilder::number(const About& about) {
+    return concat({"{", description(about), numberOrQuantity(about.unit, about.limits), "}"});
 }
 
 std::string SchemaBuilder::wholeNumber(const About& about) const {
     return concat({"{", description(about), R"("type": "integer")", limitsSchema(about.limits), "}"});
 }
 
-std::string SchemaBuilder::curve(const About& about) const {
+std::string SchemaBuilder::curve(const About& about) {
+    const std::string x = numberOrQuantity(about.argument, kAny), y = numberOrQuantity(about.unit, about.limits);
     return concat({"{", description(about),
-                   R"("type": "array", "items": {"type": "array", "minItems": 2, "maxItems": 2, )", R"("items": [{)",
-                   numberOrQuantity(kAny), "}, {", numberOrQuantity(about.limits), "}]}}"});
+                   R"("type": "array", "items": {"type": "array", "minItems": 2, "maxItems": 2, )", R"("items": [{)", x,
+                   "}, {", y, "}]}}"});
 }
 
 std::string SchemaBuilder::simple(std::string_view type, const About& about) const {
@@ -138,10 +160,12 @@ std::pair<std::string, bool> SchemaBuilder::definition(std::type_index type, con
 std::string SchemaBuilder::document(std::string_view title, std::string_view id, const std::string& root) const {
     std::string text =
         concat({"{\n\"$schema\": \"http://json-schema.org/draft-07/schema#\",\n\"$id\": ", jsonString(id),
-                ",\n\"title\": ", jsonString(title), ",\n\"definitions\": {\n\"_quantity\": ",
-                R"({"description": "a number, alone or followed by a unit", "type": "string", "pattern": ")",
-                kQuantityPattern, "\"}"});
-    for (const auto& [name, schema] : definitions_) text += concat({",\n", jsonString(name), ": ", schema});
+                ",\n\"title\": ", jsonString(title), ",\n\"definitions\": {"});
+    for (const auto* definitions : {&quantities_, &definitions_}) {
+        for (const auto& [name, schema] : *definitions) {
+            text += concat({text.ends_with('{') ? "\n" : ",\n", jsonString(name), ": ", schema});
+        }
+    }
     return concat({text, "\n},\n", root.substr(1), "\n"});
 }
 

@@ -32,9 +32,9 @@ struct SchemaProperty {
 // Collects the definitions; every function returns JSON text.
 class SchemaBuilder {
 public:
-    std::string number(const About& about) const;
+    std::string number(const About& about);
     std::string wholeNumber(const About& about) const;
-    std::string curve(const About& about) const;
+    std::string curve(const About& about);
     std::string simple(std::string_view type, const About& about) const;
     std::string choice(std::span<const std::string_view> names, const About& about) const;
     std::string list(const std::string& element, const About& about) const;
@@ -50,6 +50,9 @@ public:
     std::string document(std::string_view title, std::string_view id, const std::string& root) const;
 
 private:
+    std::string numberOrQuantity(std::string_view unit, const Limits& limits);
+
+    std::vector<std::pair<std::string, std::string>> quantities_;  // name and schema
     std::unordered_map<std::type_index, std::string> names_;
     std::vector<std::pair<std::string, std::string>> definitions_;
 };

@@ -18,9 +18,12 @@ constexpr double kTipped = 80 * std::numbers::pi / 180;  // rad
 }  // namespace
 
 void checkHealth(const VehicleOutput& output, double time) {
-    // A number that is not finite spreads into the body's acceleration within a step.
+    // A number that is not finite spreads from a tyre or the suspension into the body's acceleration within a step;
+    // what turns may be cut off from the body by an open clutch or a wheel in the air.
     const ChassisOutput& c = output.chassis;
-    if (!std::isfinite(c.ax + c.ay + c.az + c.roll_rate + c.pitch_rate + c.yaw_rate)) {
+    double sum = c.ax + c.ay + c.az + c.roll_rate + c.pitch_rate + c.yaw_rate + output.driveline.engine_speed;
+    for (std::size_t i = 0; i < kWheels; ++i) sum += output.wheel[i].spin;
+    if (!std::isfinite(sum)) {
         VehicleOutput copy = output;
         for (const Number& number : numbers(copy)) {
             if (std::isfinite(*number.value)) continue;
@@ -39,17 +42,16 @@ void checkHealth(const VehicleOutput& output, double time) {
     }
     const double speed = std::hypot(c.vx, c.vy, c.vz);
     if (speed > kFastest) {
-        throw SimulationError(
-            fmt::format(
-                "the car left the bounds of the simulation at t = {:.4g} s: its speed is {:.3g} m/s, more than {} m/s",
-                time, speed, kFastest),
-            time);
+        throw SimulationError(fmt::format("the car left the bounds of the simulation at t = {:.4g} s: its speed "
+                                          "(chassis.vx, vy, vz) is {:.3g} m/s, more than {} m/s",
+                                          time, speed, kFastest),
+                              time);
     }
     if (std::hypot(c.x, c.y, c.z) > kFarthest) {
-        throw SimulationError(
-            fmt::format("the car left the bounds of the simulation at t = {:.4g} s: it is {:.3g} m from the origin",
-                        time, std::hypot(c.x, c.y, c.z)),
-            time);
+        throw SimulationError(fmt::format("the car left the bounds of the simulation at t = {:.4g} s: it is {:.3g} m "
+                                          "from the origin (chassis.x, y, z)",
+                                          time, std::hypot(c.x, c.y, c.z)),
+                              time);
     }
 }
 

@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kNoEquilibrium = 0.01;  // m/s2 or rad/s2 left after settling
 constexpr double kThrottleRounding = 1e-3;
+constexpr double kMostStepsPerRow = 1e9;  // a row at the beginning and one at the end is the least
 
 // What the run logs: columns, and where in the sample each number is read.
 class Sample {
@@ -61,11 +62,19 @@ Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const
     const StartParams& start = scenario.start;
     Equilibrium rest = equilibrium(prepare(params), surroundings,
                                    {.heading = start.heading, .speed = start.speed, .input = {.brake = start.brake}});
-    if (!(rest.acceleration < kNoEquilibrium)) {
+    if (!std::isfinite(rest.acceleration)) {
         throw SimulationError(
-            fmt::format("the car finds no equilibrium to start from: {:.3g} m/s2 are left (does it stand on a slope "
-                        "with its brakes off, or on stops?)",
+            fmt::format("the simulation broke down before the start, while the car settled on its wheels: its "
+                        "acceleration is {} (a parameter far from that of a real car can do this)",
                         rest.acceleration),
+            0);
+    }
+    if (rest.acceleration >= kNoEquilibrium) {
+        throw SimulationError(
+            fmt::format(
+                "the car finds no equilibrium to start from: {:.3g} m/s2 are left after settling (does it stand "
+                "on a slope with its brakes off, or on ice?)",
+                rest.acceleration),
             0);
     }
     if (start.speed > 0 && (rest.throttle < -kThrottleRounding || rest.throttle > 1 + kThrottleRounding)) {
@@ -96,7 +105,7 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
 
     // Step by step: look, record, decide, move.
     const double dt = scenario.step;
-    const auto steps_per_row = std::max(1L, std::lround(1 / (scenario.log.rate * dt)));
+    const long steps_per_row = std::lround(std::clamp(1 / (scenario.log.rate * dt), 1.0, kMostStepsPerRow));
     for (long k = 0;; ++k) {
         sample.time = static_cast<double>(k) * dt;
         const double yaw_before = sample.car.chassis.yaw;
@@ -106,12 +115,11 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
         driver.look(sample.time, sample.car.chassis);
 
         const bool finished = driver.finished(sample.time);
-        if (k % steps_per_row == 0 || finished) {
-            recorder.row(sample.row());
-            if (recorder.stop(sample.time))
-                throw Interrupted(fmt::format("interrupted at t = {:.4g} s", sample.time), sample.time);
-        }
+        if (k % steps_per_row == 0 || finished) recorder.row(sample.row());
         if (finished) break;
+        if (recorder.stop(sample.time)) {
+            throw Interrupted(fmt::format("interrupted at t = {:.4g} s", sample.time), sample.time);
+        }
         if (sample.time > scenario.time_limit) {
             throw SimulationError(
                 fmt::format("the manoeuvre did not end within {:.4g} s: {}; change the scenario, or raise time_limit",
@@ -125,6 +133,10 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
         world.step(dt);
         car.observe();
     }
+}
+
+std::vector<Column> recordedColumns(const std::vector<std::string>& patterns) {
+    return Sample(patterns).columns();
 }
 
 Log simulate(const VehicleParams& vehicle, const Scenario& scenario) {

@@ -31,8 +31,11 @@ public:
 struct Recorder {
     std::function<void(const std::vector<Column>&)> begin = [](const std::vector<Column>&) {};
     std::function<void(std::span<const double>)> row = [](std::span<const double>) {};
-    std::function<bool(double time)> stop = [](double) { return false; };  // asked once a row
+    std::function<bool(double time)> stop = [](double) { return false; };  // asked in every step
 };
+
+// Columns of the log of a scenario with these `log.channels`; none: all.
+std::vector<Column> recordedColumns(const std::vector<std::string>& patterns);
 
 // Throws SimulationError when a value is not finite or out of bounds, when the car cannot hold the speed at which the
 // scenario starts, or when the manoeuvre does not end.

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
+#include <vector>
+
+#include "base/did_you_mean.h"
 
 namespace tread {
 namespace {
@@ -10,8 +14,9 @@ namespace {
 constexpr double kTimeRounding = 1e-9;  // s: a phase that ends at a step's end ends in it
 
 std::string shortNumber(double value) {
+    constexpr double kNothing = 5e-4;  // of any unit
     char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
+    std::snprintf(text, sizeof text, "%.4g", std::abs(value) < kNothing ? 0 : value);
     return text;
 }
 
@@ -25,6 +30,11 @@ void Driver::look(double time, const ChassisOutput& chassis) {
         phase_distance_ += dt * std::hypot(chassis.vx, chassis.vy);
         if (const auto* hold = std::get_if<HoldSpeed>(&phase().throttle)) {
             missing_way_ += dt * ((hold->speed > 0 ? hold->speed : phase_speed_) - chassis.vx);
+            // A pedal at its end asks for no more: what piled up there would have to be driven off again.
+            if (hold->integral > 0) {
+                missing_way_ =
+                    std::clamp(missing_way_, -held_.throttle / hold->integral, (1 - held_.throttle) / hold->integral);
+            }
         }
     } else {
         phase_speed_ = chassis.vx;
@@ -86,14 +96,18 @@ bool Driver::finished(double time) const {
 
 std::string Driver::waitsFor() const {
     const Until& until = phase().until;
-    std::string text = "phase \"" + (phase().name.empty() ? std::to_string(phase_) : phase().name) + "\" waits for";
-    if (until.speed_below) text += " a speed below " + shortNumber(*until.speed_below) + " m/s";
-    if (until.speed_above) text += " a speed above " + shortNumber(*until.speed_above) + " m/s";
+    std::vector<std::string> ends;
+    if (until.speed_below) ends.push_back("a speed below " + shortNumber(*until.speed_below) + " m/s");
+    if (until.speed_above) ends.push_back("a speed above " + shortNumber(*until.speed_above) + " m/s");
     if (until.lateral_acceleration_above)
-        text += " a lateral acceleration above " + shortNumber(*until.lateral_acceleration_above) + " m/s2";
-    if (until.distance) text += " a way of " + shortNumber(*until.distance) + " m";
-    if (until.duration) text += " " + shortNumber(*until.duration) + " s to pass";
-    return text + "; the car has " + shortNumber(seen_.vx) + " m/s and " + shortNumber(std::abs(seen_.ay)) + " m/s2";
+        ends.push_back("a lateral acceleration above " + shortNumber(*until.lateral_acceleration_above) + " m/s2");
+    if (until.distance) ends.push_back("a way of " + shortNumber(*until.distance) + " m");
+    if (until.duration) ends.push_back(shortNumber(*until.duration) + " s to pass");
+
+    const bool named = !phase().name.empty();
+    return (named ? "phase \"" + phase().name + "\"" : "phases." + std::to_string(phase_)) + " waits for " +
+           listed(std::vector<std::string_view>(ends.begin(), ends.end())) + "; the car has " + shortNumber(seen_.vx) +
+           " m/s and " + shortNumber(std::abs(seen_.ay)) + " m/s2 to the side";
 }
 
 }  // namespace tread

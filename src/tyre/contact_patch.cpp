@@ -32,6 +32,9 @@ constexpr double kNoHoldSpeed = 2.0;    // m/s
 // Half the contact length over the chord that a circle of radius Ro cuts at the nominal deflection (a loaded tyre
 // flattens over about half that chord).
 constexpr double kContactLengthShare = 0.5;
+// Loss of the carcass near standstill, as damping over stiffness: rubber loses about 15 % per radian at the 5 Hz at
+// which a car rocks on its tyres. Without it a parked car would rock for minutes after each touch.
+constexpr double kHysteresisTime = 0.005;  // s
 
 struct Slip {
     double kappa = 0;
@@ -58,6 +61,10 @@ struct Relaxation {
 
     // |Vx|' of (31); in full hold the floor goes, or a held wheel would creep.
     double speed(double Vx) const { return std::max(std::abs(Vx), kEpsX * (1 - weight)); }
+
+    // Carcass damping (17), (18).
+    double kFx(const TyreCoefficients& p) const { return p.kFx + weight * kHysteresisTime * p.cFx; }
+    double kFy(const TyreCoefficients& p) const { return p.kFy + weight * kHysteresisTime * p.cFy; }
 };
 
 Relaxation relaxation(const TyreCoefficients& p, const TyreMotion& motion, Standstill standstill) {
@@ -121,6 +128,7 @@ struct Stage {
     double Vsy_slope;  // slip velocity of the patch per dv: 1 and the belt yaw (19), (27)
     double speed;      // |Vx|'
     double sigma;      // relaxation length of the contact patch, 0 in the paper
+    double kFx, kFy;   // carcass damping
     double Fy_direct;  // Fygyr - FyNL (18)
     SlipLimit limit;
 
@@ -154,8 +162,8 @@ Residual residual(const Stage& s, const PatchVelocity& at) {
     r.forces = delft97::horizontalForces<Dual>(s.p, s.l, s.c, {r.slip.kappa, 1, 0}, {r.slip.alpha, 0, 1});
     const auto& f = r.forces;
     const double mass_rate = s.p.mc / s.step;
-    const double impedance_x = mass_rate + s.p.kFx + s.step * s.p.cFx;
-    const double impedance_y = mass_rate + s.p.kFy + s.step * s.p.cFy;
+    const double impedance_x = mass_rate + s.kFx + s.step * s.p.cFx;
+    const double impedance_y = mass_rate + s.kFy + s.step * s.p.cFy;
 
     r.x = impedance_x * at.du - mass_rate * s.base.du + s.p.cFx * s.base.u - f.Fx.value;                // (17)
     r.y = impedance_y * at.dv - mass_rate * s.base.dv + s.p.cFy * s.base.v - f.Fy.value - s.Fy_direct;  // (18)
@@ -247,6 +255,8 @@ Stage stageAt(const TyreParams& tyre, const delft97::LoadCoefficients& c, const 
             .Vsy_slope = lateralSlope(p, motion),
             .speed = relax.speed(motion.Vx),
             .sigma = relax.length,
+            .kFx = relax.kFx(p),
+            .kFy = relax.kFy(p),
             .Fy_direct = gyroscopicLateralForce(p, motion) - nonLaggingCamberForce(p, c),
             .limit = slipLimit(c, relax.weight)};
 }
@@ -268,16 +278,16 @@ TyreState carried(const TyreState& start, const TyreState& stage) {
 }
 
 TyreForces rimForces(const TyreParams& tyre, const delft97::LoadCoefficients& c, const TyreState& state,
-                     const delft97::HorizontalForces<double>& f, const TyreMotion& motion) {
+                     const delft97::HorizontalForces<double>& f, const TyreMotion& motion, const Relaxation& relax) {
     const TyreCoefficients& p = tyre.parameters;
     const TyreScaling& l = tyre.lambda;
     const double c_alpha = delft97::cosineOfSlipAngle(motion.Vx, motion.Vsy);
     const auto m = delft97::aligningTorque(p, l, c, state.kappa, state.alpha, f, c_alpha);
 
     TyreForces forces;
-    forces.Fx = p.kFx * state.du + p.cFx * state.u;  // (21)
-    forces.Fy =
-        p.kFy * state.dv + p.cFy * state.v + nonLaggingCamberForce(p, c) - gyroscopicLateralForce(p, motion);  // (22)
+    forces.Fx = relax.kFx(p) * state.du + p.cFx * state.u;  // (21)
+    forces.Fy = relax.kFy(p) * state.dv + p.cFy * state.v + nonLaggingCamberForce(p, c) -
+                gyroscopicLateralForce(p, motion);  // (22)
     forces.Mx = delft97::overturningCouple(p, l, c, forces.Fy);
     forces.My = delft97::rollingResistanceTorque(p, l, c, forces.Fx, motion.Vx - motion.Vsx);
     forces.Mz = m.Mz - p.czgyr * p.Ro * p.mt * motion.Omega * state.dv;  // (23)
@@ -304,7 +314,7 @@ struct SpinStage {
     Affine omega(const Stage& s, double brake_torque) const {
         const double rate = s.step / wheel.inertia;
         return {base + rate * (torque_free + brake_torque - wheel.radius * s.p.cFx * s.base.u),
-                -rate * wheel.radius * (s.p.kFx + s.step * s.p.cFx)};
+                -rate * wheel.radius * (s.kFx + s.step * s.p.cFx)};
     }
 };
 
@@ -357,7 +367,7 @@ TyreForces step(TyreState& state, const TyreParams& tyre, const TyreMotion& begi
 
     state = stateAt(second, patch2);
     snapToZero(state);
-    return rimForces(tyre, c2, state, patch2.forces, end);
+    return rimForces(tyre, c2, state, patch2.forces, end, relax);
 }
 
 TyreForces step(TyreState& state, double& Omega, const TyreParams& tyre, const TyreMotion& begin, const TyreMotion& end,
@@ -368,7 +378,7 @@ TyreForces step(TyreState& state, double& Omega, const TyreParams& tyre, const T
     start.Omega = Omega;
     start.Vsx = begin.Vx - p.Re * Omega;
     const Relaxation relax = relaxation(p, start, standstill);
-    const double Fx = p.kFx * state.du + p.cFx * state.u;
+    const double Fx = relax.kFx(p) * state.du + p.cFx * state.u;
     const auto freeTorque = [&](const delft97::LoadCoefficients& c, double spin_speed) {
         return spin.drive_torque - delft97::rollingResistanceTorque(p, tyre.lambda, c, Fx, p.Re * spin_speed);
     };
@@ -393,7 +403,7 @@ TyreForces step(TyreState& state, double& Omega, const TyreParams& tyre, const T
     snapToZero(state);
     late.Omega = Omega;
     late.Vsx = end.Vx - p.Re * Omega;
-    return rimForces(tyre, c2, state, s2.patch.forces, late);
+    return rimForces(tyre, c2, state, s2.patch.forces, late, relax);
 }
 
 // ---- Refinement ----
@@ -452,7 +462,7 @@ TyreForces rimForces(const TyreState& state, const TyreParams& tyre, const TyreM
     }
     const auto c = delft97::loadCoefficients(p, tyre.lambda, motion.Fz, motion.gamma);
     const auto f = delft97::horizontalForces(p, tyre.lambda, c, now.kappa, now.alpha);
-    return rimForces(tyre, c, now, f, motion);
+    return rimForces(tyre, c, now, f, motion, relax);
 }
 
 TyreForces advance(TyreState& state, const TyreParams& tyre, const TyreMotion& begin, const TyreMotion& end, double dt,

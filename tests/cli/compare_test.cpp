@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -131,22 +133,53 @@ TEST_F(Compare, FullStandardOutputIsOneSentenceWithStatusTwo) {
     EXPECT_EQ(result.err, "tread: cannot write the answer to standard output: No space left on device\n");
 }
 
-// A heading of 170 deg on one side and -170 deg on the other differs by 20 deg, and is drawn so.
+std::string decodeBase64(const std::string& text) {
+    const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string bytes;
+    std::uint32_t bits = 0;
+    int count = 0;
+    for (const char c : text) {
+        if (c == '=') break;
+        bits = bits << 6 | static_cast<std::uint32_t>(letters.find(c));
+        count += 6;
+        if (count >= 8) bytes += static_cast<char>(bits >> (count -= 8) & 0xFF);
+    }
+    return bytes;
+}
+
+// The values of the first curve behind a place in the page.
+std::vector<float> valuesBehind(const std::string& page, const std::string& place) {
+    const std::string key = "\"values\":\"";
+    const std::size_t begin = page.find(key, page.find(place)) + key.size();
+    const std::string bytes = decodeBase64(page.substr(begin, page.find('"', begin) - begin));
+    std::vector<float> values(bytes.size() / sizeof(float));
+    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(float));
+    return values;
+}
+
+// A heading of 179 deg in one log and -178 deg in the other differs by 3 deg, and is drawn so, also where both have
+// turned several times.
 TEST_F(Compare, OverlayTakesWholeTurnsOutOfAHeading) {
-    constexpr double kPi = std::numbers::pi;
+    constexpr double kTurn = 2 * std::numbers::pi, kAhead = 0.05;
     Log turning{{{"time", "s", {}}, {"chassis.yaw", "rad", {}}}};
     for (int i = 0; i <= 100; ++i) {
         turning.channels[0].values.push_back(0.1 * i);
-        turning.channels[1].values.push_back(std::remainder(0.1 * i, 2 * kPi));
+        turning.channels[1].values.push_back(std::remainder(3.1 + 0.1 * i, kTurn));
     }
-    const Log ahead =
-        cli::with(turning, "chassis.yaw", [](double t, double) { return std::remainder(t + 0.2, 2 * kPi); });
     writeLog(reference, turning);
-    writeLog(other, ahead);
-    const Json json = Json::parse(runProgram({"compare", reference, other, "--json"}).out);
-    EXPECT_NEAR(json["channels"][0]["largest_difference"].get<double>(), 0.2, 1e-9);
-    EXPECT_EQ(runProgram({"compare", reference, other, "--report", scratch.path("yaw.html")}).status, 1);
-    EXPECT_NE(contentOf(scratch.path("yaw.html")).find("chassis.yaw"), std::string::npos);
+    writeLog(other,
+             cli::with(turning, "chassis.yaw", [](double, double yaw) { return std::remainder(yaw + kAhead, kTurn); }));
+    const std::string report = scratch.path("yaw.html");
+    const Result result = runProgram({"compare", reference, other, "--report", report, "--json"});
+    EXPECT_NEAR(Json::parse(result.out)["channels"][0]["largest_difference"].get<double>(), kAhead, 1e-9);
+
+    const std::string page = contentOf(report);
+    const std::vector<float> differences = valuesBehind(page, "\"title\":\"Difference\"");
+    ASSERT_EQ(differences.size(), 101u);
+    for (const float value : differences) EXPECT_NEAR(value, kAhead * 360 / kTurn, 1e-3) << "deg";
+    const std::vector<float> heading = valuesBehind(page, "\"title\":\"chassis.yaw\"");
+    ASSERT_EQ(heading.size(), 101u);
+    EXPECT_NEAR(heading.back() - heading.front(), 10 * 360 / kTurn, 1e-3) << "goes on through half a turn";
 }
 
 }  // namespace

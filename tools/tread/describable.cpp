@@ -7,6 +7,7 @@
 #include "base/schema.h"
 #include "compare/tolerances.h"
 #include "log_columns.h"
+#include "scenario/load.h"
 #include "tread/load.h"
 
 namespace tread::program {
@@ -36,6 +37,11 @@ std::vector<std::string> readVehicleFile(const Path& file) {
     return notes;
 }
 
+std::vector<std::string> readScenarioFile(const Path& file) {
+    loadScenario(file);
+    return {};
+}
+
 std::vector<std::string> readTolerancesFile(const Path& file) {
     readYaml<Tolerances>(file);
     return {};
@@ -49,7 +55,8 @@ const std::vector<Describable>& describables() {
          [] { return jsonSchema<VehicleParams>("Car", "vehicle.schema.json"); }, readVehicleFile},
         {"tyre", "a tyre", topOf<TyreParams>, referenceTable<TyreParams>,
          [] { return jsonSchema<TyreParams>("Tyre", "tyre.schema.json"); }, readTyreFile},
-        // {"scenario", "a manoeuvre", topOf<Scenario>, referenceTable<Scenario>, ...}: here, as soon as it is described
+        {"scenario", "a manoeuvre", topOf<Scenario>, referenceTable<Scenario>,
+         [] { return jsonSchema<Scenario>("Manoeuvre", "scenario.schema.json"); }, readScenarioFile},
         {"log", "the columns of a log", topOf<LogColumns>, logRows},
         {"tolerances", "how far two logs may differ", topOf<Tolerances>, referenceTable<Tolerances>,
          [] { return jsonSchema<Tolerances>("Tolerances", "tolerances.schema.json"); }, readTolerancesFile},

@@ -20,7 +20,8 @@ void addRun(CLI::App& app, RunOptions& o) {
     app.add_option("scenario", o.scenario, "scenario file (YAML)")->required();
     app.add_option("-o,--output", o.output, "folder for log, metrics and report (default: out/<scenario>)");
     app.add_option("--set", o.settings,
-                   "path=value, for example front.suspension.spring=\"25 kN/m\" or scenario.step=0.002");
+                   "path=value, for example front.suspension.spring=\"25 kN/m\" or scenario.step=0.002")
+        ->allow_extra_args(false);  // one each, or files that follow would be taken for settings
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
@@ -140,7 +141,8 @@ int dispatch(int argc, char** argv) {
     command->add_flag("--json", describe_options.json, "print the result as JSON");
     command->callback([&] { status = describe(describe_options); });
 
-    command = app.add_subcommand("check", "check files: vehicles, tyres, tolerances, logs; status 2 when one has faults");
+    command =
+        app.add_subcommand("check", "check files: vehicles, tyres, tolerances, logs; status 2 when one has faults");
     command->add_option("files", check_options.files, "YAML, .tir or CSV files")->required();
     command->add_flag("--json", check_options.json, "print the result as JSON");
     command->callback([&] { status = check(check_options); });

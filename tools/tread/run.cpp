@@ -1,47 +1,60 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <csignal>
-#include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <system_error>
 
-#include "base/setting.h"
+#include "answer.h"
 #include "base/write_yaml.h"
 #include "commands.h"
 #include "log/csv.h"
 #include "metrics/metrics.h"
+#include "output.h"
 #include "progress.h"
 #include "report/run_report.h"
-#include "run/run_record.h"
 #include "run/simulate.h"
+#include "run_inputs.h"
 #include "scenario/load.h"
-#include "tread/load.h"
-#include "write_file.h"
 
 namespace tread::program {
 namespace {
 
-constexpr int kInterrupted = 130;  // what shells expect after Ctrl-C
+constexpr int kSignalStatus = 128;  // what shells add to the signal that ended a program
 
-volatile std::sig_atomic_t interrupted = 0;
-void onInterrupt(int) {
-    interrupted = 1;
+volatile std::sig_atomic_t stopped_by = 0;
+
+// The first Ctrl-C ends the run in order, the second ends the program.
+extern "C" void stopRun(int signal) {
+    stopped_by = signal;
+    std::signal(signal, SIG_DFL);
 }
 
-// Vehicle and scenario with all settings applied.
-RunRecord resolve(const RunOptions& options) {
-    RunRecord record;
-    record.tread_version = TREAD_VERSION;
-    record.vehicle = loadVehicle(options.vehicle);
-    record.scenario = loadScenario(options.scenario);
-    constexpr std::string_view kScenario = "scenario.";
-    std::vector<std::string> for_vehicle, for_scenario;
-    for (const std::string& setting : options.settings) {
-        if (setting.starts_with(kScenario)) for_scenario.push_back(setting.substr(kScenario.size()));
-        else for_vehicle.push_back(setting);
+void listenToSignals() {
+    std::signal(SIGINT, stopRun);
+    std::signal(SIGTERM, stopRun);
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told by the write that fails
+}
+
+// A folder for the results, without those of an earlier run: what it holds at the end is of this run.
+void prepareFolder(const Path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) {
+        throw FileError(
+            fmt::format("cannot create the folder {}: {}; choose another with -o", folder.string(), error.message()));
     }
-    applySettings(record.vehicle, for_vehicle, "--set");
-    applySettings(record.scenario, for_scenario, "--set scenario.");
-    return record;
+    for (const char* name : {"log.csv", "log.incomplete.csv", "run.yaml", "metrics.json", "report.html"}) {
+        const Path file = folder / name;
+        std::filesystem::remove(file, error);
+        if (error) {
+            throw FileError(
+                fmt::format("cannot remove {}, which an earlier run has left: {}; choose another folder with -o",
+                            file.string(), error.message()));
+        }
+    }
 }
 
 // Runs into the log file and into memory; a failed run leaves its rows in log.incomplete.csv.
@@ -59,61 +72,46 @@ Log drive(const RunRecord& record, const Path& folder) {
         for (std::size_t i = 0; i < row.size(); ++i) log.channels[i].values.push_back(row[i]);
         progress.at(row.front());
     };
-    recorder.stop = [](double) { return interrupted != 0; };
+    recorder.stop = [](double) { return stopped_by != 0; };
     simulate(record.vehicle, record.scenario, recorder);
     writer->finish();
     return log;
 }
 
-std::string answerOf(const RunRecord& record, const Log& log, const std::vector<Metric>& metrics) {
-    std::string answer = fmt::format("{}, {}: {:.4g} s driven", record.scenario.title, record.vehicle.name,
-                                     log.channels.front().values.back());
-    constexpr std::size_t kShown = 3;
-    for (std::size_t i = 0; i < std::min(kShown, metrics.size()); ++i) {
-        std::string name = metrics[i].name;
-        std::replace(name.begin(), name.end(), '_', ' ');
-        answer += fmt::format(", {} {:.3g} {}", name, metrics[i].value, metrics[i].unit == "-" ? "" : metrics[i].unit);
-        while (answer.back() == ' ') answer.pop_back();
-    }
-    return answer + ".";
-}
+struct Findings {
+    std::vector<Metric> metrics;
+    std::vector<std::string> warnings;
+};
 
-nlohmann::json metricsJson(const RunRecord& record, const std::string& answer, const std::vector<Metric>& metrics) {
-    nlohmann::json json{{"answer", answer},
-                        {"tread_version", record.tread_version},
-                        {"vehicle", record.vehicle.name},
-                        {"scenario", record.scenario.title},
-                        {"manoeuvre", record.scenario.manoeuvre},
-                        {"metrics", nlohmann::json::array()}};
-    for (const Metric& m : metrics) {
-        json["metrics"].push_back(
-            {{"name", m.name}, {"value", m.value}, {"unit", m.unit}, {"definition", m.definition}});
+Findings evaluate(const RunRecord& record, const Log& log) {
+    Findings found;
+    if (const std::string& manoeuvre = record.scenario.manoeuvre; !manoeuvre.empty()) {
+        try {
+            found.metrics = tread::metrics(log, manoeuvre, {record.vehicle.wheelbase, record.vehicle.steering.ratio});
+        } catch (const MetricError& error) {
+            found.warnings.push_back(fmt::format("no metrics of {}: {}", manoeuvre, error.what()));
+        }
     }
-    return json;
+    const VehicleParams& car = record.vehicle;
+    found.warnings.insert(found.warnings.end(), car.front.tyre.notes.begin(), car.front.tyre.notes.end());
+    for (const std::string& note : car.rear.tyre.notes) {
+        const auto& known = car.front.tyre.notes;
+        if (std::find(known.begin(), known.end(), note) == known.end()) found.warnings.push_back(note);
+    }
+    return found;
 }
 
 void saveResults(const RunRecord& record, const Log& log, const RunOptions& options, const Path& folder) {
-    // Metrics.
-    std::vector<std::string> warnings;
-    std::vector<Metric> found;
-    if (!record.scenario.manoeuvre.empty()) {
-        try {
-            found = tread::metrics(log, record.scenario.manoeuvre,
-                                   {record.vehicle.wheelbase, record.vehicle.steering.ratio});
-        } catch (const MetricError& error) {
-            warnings.push_back(fmt::format("no metrics of {}: {}", record.scenario.manoeuvre, error.what()));
-        }
-    }
-    for (const TyreParams* tyre : {&record.vehicle.front.tyre, &record.vehicle.rear.tyre}) {
-        warnings.insert(warnings.end(), tyre->notes.begin(), tyre->notes.end());
-    }
-    for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
-
-    // Files.
-    const std::string answer = answerOf(record, log, found);
-    const std::string resolved = writeYaml(record);
-    const nlohmann::json json = metricsJson(record, answer, found);
-    writeFile(folder / "run.yaml", resolved);
+    const Findings found = evaluate(record, log);
+    for (const std::string& warning : found.warnings) fmt::print(stderr, "warning: {}\n", warning);
+    const std::string answer = runAnswer(record, log, found.metrics);
+    const nlohmann::json json{{"answer", answer},
+                              {"tread_version", record.tread_version},
+                              {"vehicle", record.vehicle.name},
+                              {"scenario", record.scenario.title},
+                              {"manoeuvre", record.scenario.manoeuvre},
+                              {"warnings", found.warnings},
+                              {"metrics", tread::json(found.metrics)}};
     writeFile(folder / "metrics.json", json.dump(2) + "\n");
     writeFile(folder / "report.html", runReport({.title = record.scenario.title,
                                                  .answer = answer,
@@ -122,29 +120,30 @@ void saveResults(const RunRecord& record, const Log& log, const RunOptions& opti
                                                  .scenario_description = record.scenario.description,
                                                  .version = record.tread_version,
                                                  .log = log,
-                                                 .metrics = found,
-                                                 .resolved_yaml = resolved,
-                                                 .warnings = warnings}));
-
-    // Answer.
+                                                 .metrics = found.metrics,
+                                                 .resolved_yaml = writeYaml(record),
+                                                 .warnings = found.warnings}));
     if (options.json) {
-        fmt::print("{}\n", json.dump(2));
+        printJson(json);
         return;
     }
-    fmt::print("{}\n", answer);
-    for (const Metric& m : found) fmt::print("  {:<36} {:>12.5g} {}\n", m.name, m.value, m.unit);
-    fmt::print("Report: {}\n", std::filesystem::absolute(folder / "report.html").lexically_normal().string());
+    std::string text = answer + "\n";
+    for (const Metric& m : found.metrics) {
+        const std::string value = std::isnan(m.value) ? "undefined" : fmt::format("{:.5g}", m.value);
+        text += fmt::format("  {:<36} {:>12} {}\n", m.name, value, m.unit);
+    }
+    text += fmt::format("Report: {}\n", std::filesystem::absolute(folder / "report.html").lexically_normal().string());
+    print(text);
 }
 
 }  // namespace
 
 int run(const RunOptions& options) {
-    const RunRecord record = resolve(options);
+    const RunRecord record = readRunInputs(options);
     const Path folder = options.output.empty() ? Path("out") / Path(options.scenario).stem() : Path(options.output);
-    makeFolder(folder);
-
-    std::signal(SIGINT, onInterrupt);
-    std::signal(SIGTERM, onInterrupt);
+    listenToSignals();
+    prepareFolder(folder);
+    writeFile(folder / "run.yaml", writeYaml(record));
     try {
         const Log log = drive(record, folder);
         saveResults(record, log, options, folder);
@@ -153,7 +152,7 @@ int run(const RunOptions& options) {
         const bool kept = std::filesystem::exists(rows);
         fmt::print(stderr, "tread run: {}{}\n", error.what(),
                    kept ? fmt::format("; the log so far is in {}", rows.string()) : "");
-        return dynamic_cast<const Interrupted*>(&error) ? kInterrupted : kRunFailed;
+        return dynamic_cast<const Interrupted*>(&error) ? kSignalStatus + stopped_by : kRunFailed;
     }
     return kYes;
 }

@@ -89,8 +89,10 @@ void describeTyre(Outcome& outcome, const TyreParams& tyre) {
 
 }  // namespace
 
-int tyre(const TyreOptions& options) {
-    rejectOptionsThatDoNotFit(options);
+int tyre(const TyreOptions& given) {
+    TyreOptions options = given;
+    if (options.output == "-" || options.output == "/dev/stdout") options.output.clear();
+    rejectOptionsThatDoNotFit(given);
     TyreParams params = loadTyre(options.tyre);
     for (const std::string& note : params.notes) fmt::print(stderr, "warning: {}\n", note);
     applySettings(params, options.settings, "--set");

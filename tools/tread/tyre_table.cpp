@@ -121,14 +121,15 @@ private:
 
     void readHeaderCell(const HeaderCell& cell, std::vector<bool>& seen) {
         if (!cell.closed) return complain(cell.column, "", "quote without its partner in " + quote(cell.text));
-        const auto [name, unit] = takeApart(cell.text);
+        const NameAndUnit given = takeApart(cell.text);
+        const std::string_view name = given.name;
         const auto known =
             std::find_if(kinds_.begin(), kinds_.end(), [&](const ColumnKind& kind) { return kind.name == name; });
         if (known == kinds_.end()) return complain(cell.column, "", unknownColumn(name));
         const auto kind = static_cast<std::size_t>(known - kinds_.begin());
         if (seen[kind]) return complain(cell.column, "", "column " + quote(name) + " appears twice");
         seen[kind] = true;
-        table_.columns.push_back({cell.text, kind, unitOf(cell, *known, unit)});
+        table_.columns.push_back({cell.text, kind, unitOf(cell, *known, given.unit)});
     }
 
     std::string unknownColumn(std::string_view name) const {

@@ -18,31 +18,6 @@ namespace {
 // Two intervals of a table count as equal when they differ by less than this part.
 constexpr double kEqualSampling = 1e-6;
 
-struct TransientRow {
-    double u = 0;
-    double v = 0;
-    double du = 0;
-    double dv = 0;
-    double Fx = 0;
-    double Fy = 0;
-    double Mx = 0;
-    double My = 0;
-    double Mz = 0;
-
-    static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(u), About{"m", "longitudinal deflection of the contact patch against the rim (17)"});
-        field(TREAD_FIELD(v), About{"m", "lateral deflection (18)"});
-        field(TREAD_FIELD(du), About{"m/s", "rate of u"});
-        field(TREAD_FIELD(dv), About{"m/s", "rate of v"});
-        field(TREAD_FIELD(Fx), About{"N", "longitudinal force on the rim (21)"});
-        field(TREAD_FIELD(Fy), About{"N", "lateral force on the rim (22)"});
-        field(TREAD_FIELD(Mx), About{"N m", "overturning couple (84)"});
-        field(TREAD_FIELD(My), About{"N m", "rolling resistance torque (85)"});
-        field(TREAD_FIELD(Mz), About{"N m", "aligning torque (23)"});
-    }
-};
-static_assert(describesEveryMember<TransientRow>() && hasAxisSigns<TransientRow>());
-
 TransientRow rowOf(const TyreState& state, const TyreForces& forces) {
     return {.u = state.u,
             .v = state.v,

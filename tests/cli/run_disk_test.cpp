@@ -1,0 +1,118 @@
+// `tread run` where it may not write, and where the disk is full.
+
+#include <sys/resource.h>
+
+#include "cli/tread_run.h"
+#include "log/csv.h"
+
+namespace tread {
+namespace {
+
+TEST_F(TreadRun, OutputBelowAFileIsRefused) {
+    const std::string file = car();
+    scenario();
+    const Result result = runProgram({"run", file, scratch.path("scenario.yaml"), "-o", file + "/out"});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err,
+              "tread: cannot create the folder " + file + "/out: Not a directory; choose another with -o\n");
+}
+
+TEST_F(TreadRun, OutputThatCannotBeWrittenIsRefused) {
+    car();
+    scenario();
+    for (const std::string folder : {"/proc/tread/out", "/dev/null/x"}) {
+        const Result result =
+            runProgram({"run", scratch.path("car.yaml"), scratch.path("scenario.yaml"), "-o", folder});
+        EXPECT_EQ(result.status, 2);
+        EXPECT_EQ(result.out, "");
+        expectStart(result.err, "tread: cannot create the folder " + folder + ": ");
+        EXPECT_TRUE(result.err.ends_with("; choose another with -o\n")) << result.err;
+    }
+}
+
+TEST_F(TreadRun, EarlierResultThatCannotBeReplacedIsRefused) {
+    car();
+    scenario();
+    std::filesystem::create_directories(out("log.csv/in the way"));
+    const Result result = run();
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err, "tread: cannot remove " + out("log.csv") +
+                              ", which an earlier run has left: Directory not empty; choose another folder with -o\n");
+}
+
+// No file may grow beyond this size, as on a disk that is full; for this program and those that it starts.
+class FileSizeLimit {
+public:
+    explicit FileSizeLimit(rlim_t bytes) {
+        getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit narrow{bytes, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &narrow);
+    }
+    ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
+    FileSizeLimit(const FileSizeLimit&) = delete;
+    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+private:
+    rlimit before_{};
+};
+
+TEST_F(TreadRun, LogThatFillsTheDiskKeepsItsWholeRows) {
+    car();
+    scenario(replaced(kScenario, "0.2 s", "2 s") + "log: {rate: 1000}\n");
+    Result result;
+    {
+        const FileSizeLimit limit(200'000);
+        result = run();
+    }
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err, "tread: cannot write '" + out("log.csv") + "': File too large; the rows so far are in '" +
+                              out("log.incomplete.csv") + "'\n");
+    EXPECT_EQ(results(), kFailedResults);
+    const Log log = readLog(out("log.incomplete.csv"));
+    EXPECT_GT(log.samples(), 50u);
+    EXPECT_EQ(log.channels[0].values[7], 0.007);
+    EXPECT_GT(std::filesystem::file_size(out("log.incomplete.csv")), 190'000u);
+}
+
+TEST_F(TreadRun, ReportThatFillsTheDiskLeavesTheLogAndNoReport) {
+    car();
+    scenario();
+    Result result;
+    {
+        const FileSizeLimit limit(45'000);
+        result = run({"--set", "scenario.log.rate=50"});
+    }
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err, "tread: cannot write '" + out("report.html") + "': File too large\n");
+    EXPECT_EQ(results(), (Names{"log.csv", "metrics.json", "run.yaml"}));
+    EXPECT_GT(readLog(out("log.csv")).samples(), 10u);
+}
+
+TEST_F(TreadRun, DiskWithoutSpaceIsTold) {
+    car();
+    scenario();
+    std::filesystem::create_directories(out());
+    std::filesystem::create_symlink("/dev/full", out("log.csv.part"));
+    const Result result = run();
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find("cannot write '" + out("log.csv") + "': No space left on device"), std::string::npos)
+        << result.err;
+    EXPECT_FALSE(std::filesystem::exists(out("log.csv")));
+    EXPECT_FALSE(std::filesystem::exists(out("report.html")));
+}
+
+TEST_F(TreadRun, AnswerThatCannotBePrintedIsAFault) {
+    car();
+    scenario();
+    const Result result = runProgram(words(), "/dev/full");
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.err, "tread: cannot write the answer to standard output: No space left on device\n");
+}
+
+}  // namespace
+}  // namespace tread

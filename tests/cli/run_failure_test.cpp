@@ -1,0 +1,128 @@
+// `tread run` with manoeuvres that the car cannot do and cars that break down.
+
+#include <cmath>
+
+#include "cli/tread_run.h"
+#include "log/csv.h"
+
+namespace tread {
+namespace {
+
+TEST_F(TreadRun, SpeedThatIsNeverReachedFailsAndNamesThePhase) {
+    car();
+    scenario(R"(time_limit: 1.5 s
+start: {speed: 80 km/h}
+phases:
+  - name: run up
+    throttle: {constant: {value: 1}}
+    until: {speed_above: 300 km/h}
+)");
+    const Result result = run();
+    EXPECT_EQ(result.status, 3);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err.substr(0, result.err.find("; the car has ")),
+              "tread run: the manoeuvre did not end within 1.5 s: phase \"run up\" waits for a speed above 83.33 m/s");
+    EXPECT_TRUE(result.err.ends_with(" to the side; change the scenario, or raise time_limit; the log so far is in " +
+                                     out("log.incomplete.csv") + "\n"))
+        << result.err;
+    EXPECT_EQ(results(), kFailedResults);
+    EXPECT_NEAR(readLog(out("log.incomplete.csv")).channels[0].values.back(), 1.5, 0.011);
+}
+
+TEST_F(TreadRun, StartSpeedThatTheCarCannotHoldFails) {
+    car();
+    scenario(replaced(kScenario, "80 km/h", "250 km/h"));
+    const Result result = run();
+    EXPECT_EQ(result.status, 3);
+    EXPECT_EQ(result.out, "");
+    expectStart(
+        result.err,
+        "tread run: the car cannot hold the 69.4 m/s at which the scenario starts: that would take a throttle of ");
+    EXPECT_TRUE(result.err.ends_with(", and only 0 to 1 is possible; lower start.speed or give the car more power\n"))
+        << result.err;
+    EXPECT_EQ(results(), Names{"run.yaml"});
+}
+
+TEST_F(TreadRun, StandingOnASlopeWithoutBrakesFails) {
+    car();
+    scenario("road: {grade: 20 %}\nphases: [{until: {duration: 1}}]\n");
+    const Result result = run();
+    EXPECT_EQ(result.status, 3);
+    expectStart(result.err, "tread run: the car finds no equilibrium to start from: ");
+    EXPECT_TRUE(
+        result.err.ends_with(" m/s2 are left after settling (does it stand on a slope with its brakes off, or on "
+                             "ice?)\n"))
+        << result.err;
+    EXPECT_EQ(results(), Names{"run.yaml"});
+}
+
+TEST_F(TreadRun, CarThatRollsOverFailsAndKeepsItsLog) {
+    car();
+    scenario(R"(start: {speed: 80 km/h}
+phases:
+  - {steering: {ramp: {to: 400 deg, rate: 1000 deg/s}}, until: {duration: 10 s}}
+)");
+    const Result result = run({"--set", "height=1.6"});
+    EXPECT_EQ(result.status, 3);
+    EXPECT_EQ(result.out, "");
+    expectStart(result.err, "tread run: the car rolled over at t = ");
+    EXPECT_NE(result.err.find(" s: chassis.roll is 8"), std::string::npos) << result.err;
+    EXPECT_TRUE(result.err.ends_with("; the log so far is in " + out("log.incomplete.csv") + "\n")) << result.err;
+    EXPECT_EQ(results(), kFailedResults);
+}
+
+TEST_F(TreadRun, CarThatBreaksDownNumericallyFailsAndNamesTheChannel) {
+    car();
+    scenario();
+    const Result result = run({"--set", "driveline.shaft_stiffness=1e300", "--set", "scenario.log.rate=1000"});
+    EXPECT_EQ(result.status, 3);
+    EXPECT_EQ(result.out, "");
+    expectStart(result.err, "tread run: the simulation broke down at t = 0.00");
+    EXPECT_NE(result.err.find(" s: chassis."), std::string::npos) << result.err;
+    EXPECT_TRUE(
+        result.err.ends_with(" (a parameter far from that of a real car, or a step that is too long, can do "
+                             "this); the log so far is in " +
+                             out("log.incomplete.csv") + "\n"))
+        << result.err;
+    EXPECT_EQ(results(), kFailedResults);
+    for (const Channel& channel : readLog(out("log.incomplete.csv")).channels) {
+        for (const double value : channel.values) EXPECT_TRUE(std::isfinite(value)) << channel.name;
+    }
+}
+
+TEST_F(TreadRun, CarThatBreaksDownWhileItSettlesFails) {
+    car();
+    scenario();
+    const Result result = run({"--set", "inertia.roll=1e-9"});
+    EXPECT_EQ(result.status, 3);
+    EXPECT_EQ(result.out, "");
+    expectStart(result.err,
+                "tread run: the simulation broke down before the start, while the car settled on its wheels: its "
+                "acceleration is ");
+    EXPECT_EQ(results(), Names{"run.yaml"});
+}
+
+TEST_F(TreadRun, FailureDoesNotPassOffAnEarlierLogAsItsOwn) {
+    car();
+    scenario();
+    std::filesystem::create_directories(out());
+    for (const char* name : {"log.csv", "log.incomplete.csv", "report.html", "metrics.json"}) {
+        std::ofstream(out(name)) << "of an earlier run\n";
+    }
+    const Result result = run({"--set", "scenario.start.speed=250 km/h"});
+    EXPECT_EQ(result.status, 3);
+    EXPECT_EQ(result.err.find("log so far"), std::string::npos) << result.err;
+    EXPECT_EQ(results(), Names{"run.yaml"});
+}
+
+TEST_F(TreadRun, BadInputLeavesEarlierResultsAlone) {
+    car();
+    scenario();
+    std::filesystem::create_directories(out());
+    std::ofstream(out("log.csv")) << "of an earlier run\n";
+    EXPECT_EQ(run({"--set", "mass=-1"}).status, 2);
+    EXPECT_EQ(contentOf(out("log.csv")), "of an earlier run\n");
+}
+
+}  // namespace
+}  // namespace tread

@@ -1,0 +1,127 @@
+// Ctrl-C in the middle of a run, and the progress that is shown until then.
+
+#include <signal.h>
+
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "cli/tread_run.h"
+#include "log/csv.h"
+
+namespace tread {
+namespace {
+
+// The program while it runs.
+class Running {
+public:
+    Running(std::vector<std::string> words, const std::string& out, const std::string& err) {
+        posix_spawn_file_actions_t actions;
+        posix_spawn_file_actions_init(&actions);
+        posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        words.insert(words.begin(), TREAD_PROGRAM);
+        std::vector<char*> argv;
+        for (std::string& word : words) argv.push_back(word.data());
+        argv.push_back(nullptr);
+        const int fault = posix_spawn(&child_, TREAD_PROGRAM, &actions, nullptr, argv.data(), environ);
+        posix_spawn_file_actions_destroy(&actions);
+        if (fault != 0) throw std::runtime_error("cannot start " TREAD_PROGRAM);
+    }
+    ~Running() {
+        if (child_ == 0) return;
+        kill(child_, SIGKILL);
+        waitpid(child_, nullptr, 0);
+    }
+    Running(const Running&) = delete;
+    Running& operator=(const Running&) = delete;
+
+    void send(int signal) const { kill(child_, signal); }
+    int waitForStatus() {
+        int state = 0;
+        waitpid(child_, &state, 0);
+        child_ = 0;
+        return WIFEXITED(state) ? WEXITSTATUS(state) : -1;
+    }
+
+private:
+    pid_t child_ = 0;
+};
+
+// True when the file has that many bytes before the time is over.
+bool grows(const std::string& file, std::uintmax_t bytes) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(300);
+    std::error_code error;
+    while (std::chrono::steady_clock::now() < end) {
+        const std::uintmax_t size = std::filesystem::file_size(file, error);
+        if (!error && size >= bytes) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return false;
+}
+
+class TreadRunInterrupted : public TreadRun, public testing::WithParamInterface<std::pair<int, int>> {};
+
+TEST_P(TreadRunInterrupted, KeepsTheLogSoFarAndSaysWhere) {
+    const auto [signal, status] = GetParam();
+    car();
+    scenario();
+    Running program(words({"--set", "scenario.phases.0.until.duration=100000", "--set", "scenario.time_limit=200000"}),
+                    scratch.path("stdout"), scratch.path("stderr"));
+    ASSERT_TRUE(grows(out("log.csv.part"), 1));
+    program.send(signal);
+    EXPECT_EQ(program.waitForStatus(), status);
+
+    EXPECT_EQ(results(), kFailedResults);
+    const Log log = readLog(out("log.incomplete.csv"));
+    ASSERT_GT(log.samples(), 1u);
+    for (const Channel& channel : log.channels) EXPECT_EQ(channel.values.size(), log.samples());
+    const std::string err = contentOf(scratch.path("stderr"));
+    EXPECT_EQ(err.rfind("tread run: interrupted at t = ", 0), 0u) << err;
+    EXPECT_TRUE(err.ends_with(" s; the log so far is in " + out("log.incomplete.csv") + "\n")) << err;
+    EXPECT_EQ(contentOf(scratch.path("stdout")), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(By, TreadRunInterrupted, testing::Values(std::pair(SIGINT, 130), std::pair(SIGTERM, 143)),
+                         [](const auto& by) { return by.param.first == SIGINT ? "CtrlC" : "Termination"; });
+
+TEST_F(TreadRun, InterruptIsHeardBetweenRowsThatAreFarApart) {
+    car();
+    scenario();
+    Running program(words({"--set", "scenario.phases.0.until.duration=100000", "--set", "scenario.time_limit=200000",
+                           "--set", "scenario.log.rate=0.00001"}),
+                    scratch.path("stdout"), scratch.path("stderr"));
+    ASSERT_TRUE(grows(out("log.csv.part"), 0));
+    program.send(SIGINT);
+    EXPECT_EQ(program.waitForStatus(), 130);
+    EXPECT_EQ(readLog(out("log.incomplete.csv")).samples(), 1u);
+}
+
+TEST_F(TreadRun, ProgressIsShownOnATerminalAndWipedBeforeTheMessage) {
+    car();
+    scenario();
+    const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+    ASSERT_GE(terminal, 0);
+    ASSERT_EQ(grantpt(terminal), 0);
+    ASSERT_EQ(unlockpt(terminal), 0);
+    Running program(words({"--set", "scenario.phases.0.until.duration=100000", "--set", "scenario.time_limit=200000"}),
+                    scratch.path("stdout"), ptsname(terminal));
+
+    std::string shown;
+    char piece[256];
+    bool interrupted = false;
+    for (ssize_t size = 0; (size = read(terminal, piece, sizeof piece)) > 0;) {
+        shown.append(piece, static_cast<std::size_t>(size));
+        if (!interrupted && shown.find(" s [") != std::string::npos) {
+            interrupted = true;
+            program.send(SIGINT);
+        }
+    }
+    close(terminal);
+    EXPECT_EQ(program.waitForStatus(), 130);
+    EXPECT_EQ(shown.front(), '\r') << shown;
+    EXPECT_NE(shown.find("\r\033[Ktread run: interrupted at t = "), std::string::npos) << shown;
+}
+
+}  // namespace
+}  // namespace tread

@@ -1,0 +1,81 @@
+// `tread run --set`: what it reaches, and what it says of bad paths and values.
+
+#include "cli/tread_run.h"
+#include "log/csv.h"
+
+namespace tread {
+namespace {
+
+const std::string kHeavy =
+    "--set: mass: found \"heavy\", which is not a number, expected kg; write a decimal number, alone or followed by a "
+    "unit";
+const std::string kLongStep =
+    "--set: scenario.step: found \"1\", expected a number in s from 0.00001 to 0.05; correct the value";
+
+TEST_F(TreadRun, SettingsReachCarAndScenario) {
+    car();
+    scenario();
+    const Result result =
+        run({"--set", "mass=1400", "--set", "front.suspension.spring=25 kN/m", "--set", "scenario.step=0.016666",
+             "--set", "scenario.phases.0.until.duration=0.1 s", "--set", "scenario.log.channels=[chassis.vx]"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    const std::string resolved = contentOf(out("run.yaml"));
+    for (const char* line : {"  mass: 1400 ", "      spring: 25000 ", "  step: 0.016666 ", "        duration: 0.1 "}) {
+        EXPECT_NE(resolved.find(line), std::string::npos) << line;
+    }
+    const Log log = readLog(out("log.csv"));
+    EXPECT_EQ(log.channels.size(), 2u);
+    EXPECT_EQ(log.channels[0].values[1], 0.016666);
+    EXPECT_NEAR(log.channels[0].values.back(), 0.1, 0.016666);
+}
+
+TEST_F(TreadRun, UnknownPathIsAnsweredWithTheRightOne) {
+    car();
+    scenario();
+    const auto expectAnswer = [&](const std::string& path, const std::string& suggestion) {
+        const Result result = run({"--set", path + "=1"});
+        EXPECT_EQ(result.status, 2);
+        EXPECT_EQ(result.out, "");
+        const std::string expected = "--set: " + path + ": found the unknown path \"" + path +
+                                     "\", expected the path of a field; did you mean " + suggestion + "? ";
+        EXPECT_EQ(result.err.substr(0, expected.size()), expected);
+        EXPECT_FALSE(std::filesystem::exists(out()));
+    };
+    expectAnswer("front.suspension.sprng", "\"front.suspension.spring\"");
+    expectAnswer("spring", "front.suspension.spring or rear.suspension.spring");
+    expectAnswer("scenario.stp", "\"scenario.step\"");
+    expectAnswer("step", "scenario.step");
+}
+
+TEST_F(TreadRun, BadValueOfASettingIsRefused) {
+    car();
+    scenario();
+    expectRefused(run({"--set", "mass=1350 m"}), "--set: mass: found a length (\"m\"), expected kg; correct the unit");
+    expectRefused(run({"--set", "mass=heavy"}), kHeavy);
+    expectRefused(run({"--set", "mass"}),
+                  "--set: found \"mass\", expected path=value; write for example front.damper.bump=1800");
+    expectRefused(run({"--set", "front_axle_distance=3"}),
+                  "--set: front_axle_distance: the centre of gravity must lie between the axles (front_axle_distance < "
+                  "wheelbase)");
+    expectRefused(run({"--set", "scenario.step=1"}), kLongStep);
+    expectRefused(run({"--set", "scenario.manoeuvre=turn"}),
+                  "--set: scenario.manoeuvre: found the unknown manoeuvre \"turn\", expected " + kManoeuvres);
+    expectRefused(run({"--set", "scenario.log.channels=[chassis.vxx]"}),
+                  "--set: scenario.log.channels.0: found \"chassis.vxx\", which fits no channel, expected a name or a "
+                  "pattern with *; did you mean \"chassis.vx\"? `tread describe log` lists all channels");
+}
+
+TEST_F(TreadRun, AllBadSettingsAreToldAtOnce) {
+    car();
+    scenario();
+    expectRefused(run({"--set", "mass=heavy", "--set", "scenario.step=1"}), kHeavy + "\n" + kLongStep);
+}
+
+TEST_F(TreadRun, SettingMayStandBeforeTheFiles) {
+    const Result result = runProgram({"run", "--set", "mass=1400", car(), scenario(), "-o", out()});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(contentOf(out("run.yaml")).find("  mass: 1400 "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tread

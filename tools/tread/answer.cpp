@@ -1,0 +1,101 @@
+#include "answer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace tread::program {
+namespace {
+
+constexpr std::size_t kPhrases = 3;
+
+// A metric in words. An answer has the first three that are defined, so what says most comes first.
+struct Phrase {
+    std::string_view metric;
+    double scale;  // from the unit of the metric to that of the words
+    int decimals;
+    std::string_view words;  // {} stands for the number
+};
+
+struct Wording {
+    std::string_view manoeuvre;
+    std::vector<Phrase> phrases;
+};
+
+const std::vector<Wording>& wordings() {
+    static const std::vector<Wording> list = {
+        {"drop_and_settle",
+         {{"settling_time", 1, 2, "settles within {} s"},
+          {"bounce_frequency", 1, 2, "bounces at {} Hz"},
+          {"damping_ratio", 1, 2, "damping ratio {}"},
+          {"overshoot", 100, 0, "dips by {} % of the drop"}}},
+        {"parked",
+         {{"drift", 1, 3, "creeps by {} mm in a minute"},
+          {"largest_excursion", 1, 3, "moves by at most {} mm"},
+          {"rotation", 1, 4, "turns by {} deg in a minute"}}},
+        {"straight_braking",
+         {{"stopping_distance", 1, 1, "stops within {} m"},
+          {"mfdd", 1, 2, "mean fully developed deceleration {} m/s2"},
+          {"locked_share_front_left", 100, 0, "front left wheel locked for {} % of the time"},
+          {"lateral_deviation", 1, 2, "{} m off its line"}}},
+        {"coast_down",
+         {{"time", 1, 1, "coasts for {} s"},
+          {"distance", 1, 0, "rolls {} m"},
+          {"rolling_resistance", 1, 4, "rolling resistance coefficient {}"}}},
+        {"step_steer",
+         {{"yaw_rate_response_time", 1000, 0, "yaw rate answers within {} ms"},
+          {"yaw_rate_overshoot", 100, 0, "overshoots by {} %"},
+          {"steady_ay", 1, 2, "settles at {} m/s2 of lateral acceleration"}}},
+        {"sine_steer",
+         {{"yaw_rate_gain", 1, 3, "yaw rate gain {} 1/s"},
+          {"yaw_rate_phase_lag", 1, 1, "yaw rate lags by {} deg"},
+          {"yaw_rate_first_peak_lag", 1000, 0, "first yaw rate peak lags by {} ms"},
+          {"ay_phase_lag", 1, 1, "lateral acceleration by {} deg"},
+          {"ay_first_peak_lag", 1000, 0, "that of the lateral acceleration by {} ms"}}},
+        {"steady_circle",
+         {{"understeer_gradient", 1, 2, "understeer gradient {} deg/g"},
+          {"roll_gradient", 1, 2, "roll gradient {} deg/g"},
+          {"largest_ay", 1, 2, "up to {} m/s2 of lateral acceleration"}}}};
+    return list;
+}
+
+// Rounded, without zeros at the end and without a sign of zero.
+std::string shortNumber(double value, int decimals) {
+    std::string text = fmt::format("{:.{}f}", value, decimals);
+    if (decimals > 0) {
+        while (text.back() == '0') text.pop_back();
+        if (text.back() == '.') text.pop_back();
+    }
+    return text == "-0" ? "0" : text;
+}
+
+std::string inWords(const Wording& wording, const std::vector<Metric>& metrics) {
+    std::string words;
+    std::size_t count = 0;
+    for (const Phrase& phrase : wording.phrases) {
+        const auto metric = std::find_if(metrics.begin(), metrics.end(),
+                                         [&](const Metric& candidate) { return candidate.name == phrase.metric; });
+        if (metric == metrics.end() || !std::isfinite(metric->value) || count == kPhrases) continue;
+        const std::string number = shortNumber(phrase.scale * metric->value, phrase.decimals);
+        words += (count == 0 ? "" : ", ") + fmt::format(fmt::runtime(phrase.words), number);
+        ++count;
+    }
+    return words;
+}
+
+}  // namespace
+
+std::string runAnswer(const RunRecord& record, const Log& log, const std::vector<Metric>& metrics) {
+    const std::string title = record.scenario.title.empty() ? "A scenario without title" : record.scenario.title;
+    const std::string car = record.vehicle.name.empty() ? "car without name" : record.vehicle.name;
+    std::string words;
+    for (const Wording& wording : wordings()) {
+        if (wording.manoeuvre == record.scenario.manoeuvre) words = inWords(wording, metrics);
+    }
+    if (words.empty()) words = fmt::format("drove {} s", shortNumber(log.channels.front().values.back(), 2));
+    return fmt::format("{}, {}: {}", title, car, words);
+}
+
+}  // namespace tread::program

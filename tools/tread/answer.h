@@ -1,0 +1,17 @@
+// The answer of a run in words: the first line that the program prints, and the head of the report.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "log/log.h"
+#include "metrics/metric.h"
+#include "run/run_record.h"
+
+namespace tread::program {
+
+// "Straight braking from 100 km/h, compact hatchback: stops within 43.7 m, ...": the most telling metrics of the
+// manoeuvre, or how long the car drove when there are none.
+std::string runAnswer(const RunRecord& record, const Log& log, const std::vector<Metric>& metrics);
+
+}  // namespace tread::program

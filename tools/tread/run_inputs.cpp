@@ -1,0 +1,141 @@
+#include "run_inputs.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/did_you_mean.h"
+#include "base/field_path.h"
+#include "base/number_text.h"
+#include "base/pattern.h"
+#include "base/setting.h"
+#include "base/text_file.h"
+#include "base/yaml_document.h"
+#include "metrics/metrics.h"
+#include "run/simulate.h"
+#include "scenario/load.h"
+#include "tread/load.h"
+
+namespace tread::program {
+namespace {
+
+// All that --set reaches: the fields of the car by their own names, those of the scenario behind "scenario.".
+struct Settable {
+    VehicleParams vehicle;
+    Scenario scenario;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        VehicleParams::describe(self.vehicle, field);
+        field(TREAD_FIELD(scenario), About{"", "scenario"});
+    }
+    static void check(const auto& self, auto&& complain) { VehicleParams::check(self.vehicle, complain); }
+};
+
+struct Fault {
+    std::string path;
+    std::string text;
+};
+
+// What only the layers above a scenario can judge: names of manoeuvres and of channels.
+std::vector<Fault> unknownNames(const Scenario& scenario) {
+    std::vector<Fault> faults;
+    std::vector<std::string_view> known;
+    for (const Manoeuvre& manoeuvre : manoeuvres()) known.push_back(manoeuvre.name);
+    const std::string& name = scenario.manoeuvre;
+    if (!name.empty() && std::find(known.begin(), known.end(), name) == known.end()) {
+        faults.push_back({"manoeuvre", "found the unknown manoeuvre " + quote(name) + ", expected " + listed(known) +
+                                           ", or no such line for a run without metrics" + didYouMean(name, known)});
+    }
+
+    const std::vector<Column> all = recordedColumns({});
+    known.clear();
+    for (const Column& column : all) known.push_back(column.name);
+    for (std::size_t i = 0; i < scenario.log.channels.size(); ++i) {
+        const std::string& pattern = scenario.log.channels[i];
+        const auto fits = [&](std::string_view channel) { return matches(pattern, channel); };
+        if (std::any_of(known.begin(), known.end(), fits)) continue;
+        const std::string suggestion = didYouMean(pattern, known);
+        faults.push_back({"log.channels." + std::to_string(i),
+                          "found " + quote(pattern) + ", which fits no channel, expected a name or a pattern with *" +
+                              (suggestion.empty() ? ";" : suggestion) + " `tread describe log` lists all channels"});
+    }
+    return faults;
+}
+
+// A file of another kind has dozens of faults: the first of them tell.
+[[noreturn]] void refuse(std::vector<Problem> problems) {
+    constexpr std::size_t kMost = 20;
+    if (problems.size() > kMost) {
+        const std::string more = std::to_string(problems.size() - kMost);
+        problems.resize(kMost);
+        problems.push_back({"", 0, 0, "", "and " + more + " more faults; `tread check` lists all"});
+    }
+    throw LoadError(std::move(problems));
+}
+
+// The child of a map or list with this key or index; nullptr when there is none.
+const YamlNode* childOf(const YamlDocument& document, const YamlNode& parent, std::string_view name) {
+    const std::vector<std::size_t>& children = parent.children;
+    if (parent.kind == YamlNode::Kind::list) {
+        const std::size_t index = detail::elementIndex(name, children.size());
+        return index < children.size() ? &document.nodes[children[index]] : nullptr;
+    }
+    for (std::size_t i = 0; i + 1 < children.size(); i += 2) {
+        if (document.nodes[children[i]].text == name) return &document.nodes[children[i + 1]];
+    }
+    return nullptr;
+}
+
+// Where a file says the value of a path; {0, 0} when it does not.
+TextPosition positionOfValue(const std::string& file, std::string_view path) {
+    std::string fault;
+    std::vector<Problem> problems;
+    const auto text = readTextFile(file, fault);
+    const auto document = text ? parseYaml(*text, file, problems) : std::nullopt;
+    const YamlNode* node = document ? &document->root() : nullptr;
+    while (node && !path.empty()) node = childOf(*document, *node, takeName(path));
+    return node ? TextPosition{node->line, node->column} : TextPosition{0, 0};
+}
+
+}  // namespace
+
+Scenario readScenario(const std::string& file) {
+    Scenario scenario = loadScenario(file);
+    std::vector<Problem> problems;
+    for (const Fault& fault : unknownNames(scenario)) {
+        const TextPosition position = positionOfValue(file, fault.path);
+        problems.push_back({file, position.line, position.column, fault.path, fault.text});
+    }
+    if (!problems.empty()) throw LoadError(std::move(problems));
+    return scenario;
+}
+
+RunRecord readRunInputs(const RunOptions& options) {
+    // Both files are read before anything is complained about.
+    Settable inputs;
+    std::vector<Problem> problems;
+    const auto collect = [&](const auto& read) {
+        try {
+            read();
+        } catch (const LoadError& error) {
+            problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+        }
+    };
+    collect([&] { inputs.vehicle = loadVehicle(options.vehicle); });
+    collect([&] { inputs.scenario = readScenario(options.scenario); });
+    if (!problems.empty()) refuse(std::move(problems));
+
+    constexpr const char* kSource = "--set";
+    applySettings(inputs, options.settings, kSource);
+    for (const Fault& fault : unknownNames(inputs.scenario)) {
+        problems.push_back({kSource, 0, 0, "scenario." + fault.path, fault.text});
+    }
+    if (!problems.empty()) throw LoadError(std::move(problems));
+
+    RunRecord record;
+    record.tread_version = TREAD_VERSION;
+    record.vehicle = std::move(inputs.vehicle);
+    record.scenario = std::move(inputs.scenario);
+    return record;
+}
+
+}  // namespace tread::program
