@@ -11,7 +11,7 @@ struct Start {
     double y = 0;        // m
     double heading = 0;  // rad, about the vertical, 0 along x
     double speed = 0;    // m/s, forward
-    VehicleInput input;  // hand wheel, brake and clutch as they are held; the throttle is found for speeds above 0
+    VehicleInput input{};  // hand wheel, brake and clutch as they are held; the throttle is found for speeds above 0
 };
 
 struct Equilibrium {

@@ -131,6 +131,7 @@ struct WheelState {
     double vertical_force = 0;    // N, of the load along the body's z axis
     double suspension_force = 0;  // N, of spring, damper, bar and stops, up on the body
     double link_force = 0;        // N, of the links, up on the wheel
+    double tangent_force = 0;     // N, of fx and fy along the body's z axis: not zero when the body leans or pitches
     double drive_torque = 0;      // N m, of the driveline
     double brake_torque = 0;      // N m, that the brake can hold
 };

@@ -40,12 +40,20 @@ const SuspensionParams& suspensionOf(const Vehicle& vehicle, std::size_t wheel) 
     return axleOf(wheel) == 0 ? vehicle.params.front.suspension : vehicle.params.rear.suspension;
 }
 
+Vector3 contactSlopes(const WheelState& wheel, const Vehicle& vehicle, std::size_t index) {
+    const SuspensionParams& suspension = suspensionOf(vehicle, index);
+    const bool locked = wheel.spin == 0 && wheel.brake_torque > 0;
+    return {locked ? suspension.side_view_slope_braking : suspension.side_view_slope_driving,
+            vehicle.corners[index].lateral_slope, 1};
+}
+
 PerWheel<WheelContact> advanceTravel(PerWheel<WheelState>& wheels, const Vehicle& vehicle, const BodyFrame& begin,
                                      const BodyFrame& end, const PerWheel<double>& steer, const Road& road, double dt) {
     // Vertical force on each wheel at the start; travel as if its rate stayed.
     PerWheel<double> force_begin, travel_begin, rate_begin;
     for (std::size_t i = 0; i < kWheels; ++i) {
-        force_begin[i] = wheels[i].vertical_force + wheels[i].link_force - wheels[i].suspension_force;
+        force_begin[i] =
+            wheels[i].vertical_force + wheels[i].link_force + wheels[i].tangent_force - wheels[i].suspension_force;
         travel_begin[i] = wheels[i].travel;
         rate_begin[i] = wheels[i].rate;
     }
@@ -62,7 +70,8 @@ PerWheel<WheelContact> advanceTravel(PerWheel<WheelState>& wheels, const Vehicle
         contacts[i] = wheelContact(end, corner, wheel.travel, lean.camber, wheel.steer, road, i);
         const TyreLoad tyre = tyreLoad(corner.tyre, contacts[i], end, wheel.rate);
         const SuspensionForce spring = suspensionForce(vehicle, wheels, i);
-        const double force_end = tyre.load * contacts[i].normal_B.z() + wheel.link_force - spring.force;
+        const double force_end =
+            tyre.load * contacts[i].normal_B.z() + wheel.link_force + wheel.tangent_force - spring.force;
 
         const double forces = (force_begin[i] + force_end) / corner.unsprung_mass;
         const double gravity = begin.gravity_B.z() + end.gravity_B.z();
@@ -83,20 +92,28 @@ PerWheel<WheelContact> advanceTravel(PerWheel<WheelState>& wheels, const Vehicle
     return contacts;
 }
 
-void correctLinks(WheelState& wheel, const Vehicle& vehicle, std::size_t index, double dt) {
+void takeTyreForces(WheelState& wheel, const TyreForces& tyre, const Vehicle& vehicle, const WheelContact& contact,
+                    std::size_t index, double dt) {
+    wheel.fx = tyre.Fx;
+    wheel.fy = tyre.Fy;
+    wheel.mz = tyre.Mz;
+
+    // The links let the contact move along (slope, lateral slope, 1) times the travel: what the road does along x and y
+    // there, it does along the travel.
     const SuspensionParams& suspension = suspensionOf(vehicle, index);
-    const double cosine = std::cos(wheel.steer);
-    const double sine = std::sin(wheel.steer);
-    const double along = wheel.fx * cosine - wheel.fy * sine;
-    const double across = wheel.fx * sine + wheel.fy * cosine;
-    double force = vehicle.corners[index].lateral_slope * across + suspension.side_view_slope_driving * along;
+    const Vector3 tangent = wheel.fx * contact.forward_B + wheel.fy * contact.left_B;
+    const Vector3 road = tangent + wheel.load * contact.normal_B;
+    double link = vehicle.corners[index].lateral_slope * road.y() + suspension.side_view_slope_driving * road.x();
     if (wheel.radius > 0) {
         const double capacity = wheel.brake_torque / wheel.radius;
-        const double braking = std::clamp(along, -capacity, capacity);
-        force += (suspension.side_view_slope_braking - suspension.side_view_slope_driving) * braking;
+        const double braking = std::clamp(road.x(), -capacity, capacity);
+        link += (suspension.side_view_slope_braking - suspension.side_view_slope_driving) * braking;
     }
-    wheel.rate += 0.5 * dt * (force - wheel.link_force) / vehicle.corners[index].unsprung_mass;
-    wheel.link_force = force;
+
+    const double change = link - wheel.link_force + tangent.z() - wheel.tangent_force;
+    wheel.rate += 0.5 * dt * change / vehicle.corners[index].unsprung_mass;
+    wheel.link_force = link;
+    wheel.tangent_force = tangent.z();
 }
 
 }  // namespace tread

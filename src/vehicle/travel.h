@@ -13,8 +13,13 @@ const SuspensionParams& suspensionOf(const Vehicle& vehicle, std::size_t wheel);
 PerWheel<WheelContact> advanceTravel(PerWheel<WheelState>& wheels, const Vehicle& vehicle, const BodyFrame& begin,
                                      const BodyFrame& end, const PerWheel<double>& steer, const Road& road, double dt);
 
-// The force that the links carry up onto the wheel, from the tyre forces at the end of the step: roll centre (lateral
-// force) and side-view slopes (longitudinal force). The wheel takes the change against what it moved under.
-void correctLinks(WheelState& wheel, const Vehicle& vehicle, std::size_t index, double dt);
+// How the contact of a wheel moves in the body over its travel. A wheel that its brake locks turns with its carrier.
+Vector3 contactSlopes(const WheelState& wheel, const Vehicle& vehicle, std::size_t index);
+
+// Keeps the tyre forces at the end of the step, and what they push along the wheel's travel: their own share along the
+// body's z axis, and the links (roll centre, side-view slopes). The wheel moved under those of the step's beginning and
+// takes the change.
+void takeTyreForces(WheelState& wheel, const TyreForces& tyre, const Vehicle& vehicle, const WheelContact& contact,
+                    std::size_t index, double dt);
 
 }  // namespace tread

@@ -75,13 +75,11 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
         wheel.brake_torque = brake[axleOf(i)];
         const double spin_begin = wheel.spin;
         const double steer_rate = (steer[i] - steer_begin[i]) / dt;
-        const TyreMotion at_end = tyreMotion(contacts[i], to, corner, wheel.rate, steer_rate, wheel.load);
+        const TyreMotion at_end =
+            tyreMotion(contacts[i], to, contactSlopes(wheel, vehicle, i), wheel.rate, steer_rate, wheel.load);
         const TyreForces tyre = advanceTyre(wheel, corner, contacts[i], at_end, dt);
         wheel.motion = at_end;
-        wheel.fx = tyre.Fx;
-        wheel.fy = tyre.Fy;
-        wheel.mz = tyre.Mz;
-        correctLinks(wheel, vehicle, i, dt);
+        takeTyreForces(wheel, tyre, vehicle, contacts[i], i, dt);
         addWheel(wrench,
                  {.corner = corner,
                   .contact = contacts[i],

@@ -6,10 +6,10 @@
 namespace tread {
 namespace {
 
-// Velocity of the contact centre, taken as fixed to the wheel carrier, relative to the ground.
-Vector3 contactVelocity(const WheelContact& contact, const BodyFrame& body, double lateral_slope, double rate) {
-    return body.velocity_B + body.angular_velocity_B.cross(contact.point_B) + Vector3(0, lateral_slope * rate, rate) -
-           contact.ground_velocity_B;
+// Velocity of the contact centre, taken as fixed to the wheel carrier, relative to the ground. `slopes` is how it moves
+// over the suspension travel.
+Vector3 contactVelocity(const WheelContact& contact, const BodyFrame& body, const Vector3& slopes, double rate) {
+    return body.velocity_B + body.angular_velocity_B.cross(contact.point_B) + rate * slopes - contact.ground_velocity_B;
 }
 
 }  // namespace
@@ -71,9 +71,9 @@ TyreLoad tyreLoad(const TyreParams& tyre, const WheelContact& contact, const Bod
     return {load, stiffness, damping};
 }
 
-TyreMotion tyreMotion(const WheelContact& contact, const BodyFrame& body, const Vehicle::Corner& corner, double rate,
+TyreMotion tyreMotion(const WheelContact& contact, const BodyFrame& body, const Vector3& slopes, double rate,
                       double yaw_rate, double load) {
-    const Vector3 velocity = contactVelocity(contact, body, corner.lateral_slope, rate);
+    const Vector3 velocity = contactVelocity(contact, body, slopes, rate);
     TyreMotion motion;
     motion.Vx = velocity.dot(contact.forward_B);
     motion.Vsy = -velocity.dot(contact.left_B);

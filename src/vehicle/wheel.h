@@ -42,8 +42,9 @@ struct TyreLoad {
 };
 TyreLoad tyreLoad(const TyreParams& tyre, const WheelContact& contact, const BodyFrame& body, double rate);
 
-// Motion of the tyre in the paper's axes; `yaw_rate` is that of the wheel relative to the body.
-TyreMotion tyreMotion(const WheelContact& contact, const BodyFrame& body, const Vehicle::Corner& corner, double rate,
+// Motion of the tyre in the paper's axes; `slopes` is how the contact moves in the body over the suspension travel,
+// `yaw_rate` is that of the wheel relative to the body.
+TyreMotion tyreMotion(const WheelContact& contact, const BodyFrame& body, const Vector3& slopes, double rate,
                       double yaw_rate, double load);
 
 // Forces of the tyre, converted from the paper's axes to ISO 8855 wheel axes.
