@@ -244,7 +244,7 @@ TEST(Cornering, SteadyCircleIsBalanced) {
     for (const VehicleParams& shipped : cars()) {
         const VehicleParams params = withoutAir(shipped);
         for (const double direction : {1.0, -1.0}) {
-            const reference::Car car = steadyTurn(params, road, 20, direction * 0.06, 12);
+            const reference::Car car = steadyTurn(params, road, 20, direction * 0.065, 12);
             const ChassisOutput out = car.output().chassis;
             Vector3 force = Vector3::Zero(), moment = Vector3::Zero();
             for (std::size_t i = 0; i < kWheels; ++i) {
