@@ -12,6 +12,8 @@ constexpr double kClutchCloses = 1.50;  // times idle speed
 constexpr double kIdleControl = 2.0;    // N m per rad/s below idle speed
 constexpr double kIdleTorque = 60;      // N m, most that the idle control gives
 constexpr double kShiftPause = 1.0;     // s between shifts
+// A gearbox that turns more slowly than this stands: what loads it drives the car, though it may tremble.
+constexpr double kStandingGearbox = 1.0;  // rad/s
 // At closed throttle the next gear is taken at this share of the full-throttle shift speed.
 constexpr double kRelaxedShift = 0.45;
 
@@ -74,8 +76,9 @@ DrivelineTorques advance(DrivelineState& state, const DrivelineParams& params, c
         return params.shaft_stiffness * (state.twist + step * rate) + params.shaft_damping * rate;
     };
     const double half = 0.5 * dt;
-    const double power = shaftTorque(state.gearbox_speed, 0) * state.gearbox_speed;
-    const double loss = power > 0 ? gearbox.efficiency : 1 / gearbox.efficiency;
+    const double direction = shaftTorque(state.gearbox_speed, 0) < 0 ? -1 : 1;
+    const bool driving = direction * state.gearbox_speed > -kStandingGearbox;
+    const double loss = driving ? gearbox.efficiency : 1 / gearbox.efficiency;
     const double impedance = (params.shaft_damping + params.shaft_stiffness * half) / (ratio * ratio * loss);
     const double per_torque = half / (gearbox.inertia + half * impedance);
     const double free = (gearbox.inertia * state.gearbox_speed - half * shaftTorque(0, half) / (ratio * loss)) /
