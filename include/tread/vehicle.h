@@ -128,6 +128,7 @@ struct WheelState {
     double steer = 0;   // rad, of the wheel against the body, toe included
     // Forces of the road on the tyre at the end of the last step, ISO 8855 wheel axes.
     double load = 0, fx = 0, fy = 0, mz = 0;
+    double fy_rate = 0;           // N/s, over the last step
     double vertical_force = 0;    // N, of the load along the body's z axis
     double suspension_force = 0;  // N, of spring, damper, bar and stops, up on the body
     double link_force = 0;        // N, of the links, up on the wheel

@@ -12,6 +12,8 @@ constexpr double kClutchCloses = 1.50;  // times idle speed
 constexpr double kIdleControl = 2.0;    // N m per rad/s below idle speed
 constexpr double kIdleTorque = 60;      // N m, most that the idle control gives
 constexpr double kShiftPause = 1.0;     // s between shifts
+// A gearbox that turns more slowly than this stands: what loads it drives the car, though it may tremble.
+constexpr double kStandingGearbox = 1.0;  // rad/s
 // At closed throttle the next gear is taken at this share of the full-throttle shift speed.
 constexpr double kRelaxedShift = 0.45;
 
@@ -66,24 +68,35 @@ DrivelineTorques advance(DrivelineState& state, const DrivelineParams& params, c
     shift(state, gearbox, input.throttle, dt);
     const double ratio = totalRatio(gearbox, state.gear);
 
-    // Shafts: a torsional spring between gearbox and wheels.
+    // Shafts: a torsional spring between gearbox and wheels, by the implicit midpoint rule: stable for any stiffness
+    // and inertia. The gearbox's mean speed over the step is then free + per_torque * (torque of the clutch).
     const double wheels = meanSpin(input.wheel_spin, params.front_share);
-    const double shaft_rate = state.gearbox_speed / ratio - wheels;
-    const double shaft = params.shaft_stiffness * state.twist + params.shaft_damping * shaft_rate;
-    const double loss = shaft * state.gearbox_speed > 0 ? gearbox.efficiency : 1 / gearbox.efficiency;
-    const double gearbox_load = shaft / (ratio * loss);
+    const auto shaftTorque = [&](double gearbox_speed, double step) {
+        const double rate = gearbox_speed / ratio - wheels;
+        return params.shaft_stiffness * (state.twist + step * rate) + params.shaft_damping * rate;
+    };
+    const double half = 0.5 * dt;
+    const double direction = shaftTorque(state.gearbox_speed, 0) < 0 ? -1 : 1;
+    const bool driving = direction * state.gearbox_speed > -kStandingGearbox;
+    const double loss = driving ? gearbox.efficiency : 1 / gearbox.efficiency;
+    const double impedance = (params.shaft_damping + params.shaft_stiffness * half) / (ratio * ratio * loss);
+    const double per_torque = half / (gearbox.inertia + half * impedance);
+    const double free = (gearbox.inertia * state.gearbox_speed - half * shaftTorque(0, half) / (ratio * loss)) /
+                        (gearbox.inertia + half * impedance);
 
-    // Clutch: the torque that makes both sides equally fast, as far as the clutch holds it.
+    // Clutch: the torque that makes both sides equally fast at the end, as far as the clutch holds it.
     const double torque = engineTorque(engine, input.throttle, state.engine_speed);
     const double engine_speed = state.engine_speed + dt * torque / engine.inertia;
-    const double gearbox_speed = state.gearbox_speed - dt * gearbox_load / gearbox.inertia;
-    const double needed = (engine_speed - gearbox_speed) / (dt * (1 / engine.inertia + 1 / gearbox.inertia));
+    const double gearbox_speed = 2 * free - state.gearbox_speed;
+    const double needed = (engine_speed - gearbox_speed) / (dt / engine.inertia + 2 * per_torque);
     const double capacity = clutchCapacity(params, state.engine_speed, input.clutch_pedal);
     const double clutch = std::clamp(needed, -capacity, capacity);
 
+    const double mean = free + per_torque * clutch;
+    const double shaft = shaftTorque(mean, half);
     state.engine_speed = std::max(engine_speed - dt * clutch / engine.inertia, 0.0);
-    state.gearbox_speed = gearbox_speed + dt * clutch / gearbox.inertia;
-    state.twist += dt * (state.gearbox_speed / ratio - wheels);
+    state.gearbox_speed = 2 * mean - state.gearbox_speed;
+    state.twist += dt * (mean / ratio - wheels);
     return {split(shaft, params.front_share), torque};
 }
 

@@ -66,7 +66,8 @@ PerWheel<WheelContact> advanceTravel(PerWheel<WheelState>& wheels, const Vehicle
         const Vehicle::Corner& corner = vehicle.corners[i];
         WheelState& wheel = wheels[i];
         const WheelAngles lean = angles(suspensionOf(vehicle, i), wheel.travel, isLeft(i));
-        wheel.steer = steer[i] + lean.toe + suspensionOf(vehicle, i).steer_by_lateral_force * wheel.fy;
+        wheel.steer =
+            steer[i] + lean.toe + suspensionOf(vehicle, i).steer_by_lateral_force * (wheel.fy + dt * wheel.fy_rate);
         contacts[i] = wheelContact(end, corner, wheel.travel, lean.camber, wheel.steer, road, i);
         const TyreLoad tyre = tyreLoad(corner.tyre, contacts[i], end, wheel.rate);
         const SuspensionForce spring = suspensionForce(vehicle, wheels, i);
@@ -95,6 +96,7 @@ PerWheel<WheelContact> advanceTravel(PerWheel<WheelState>& wheels, const Vehicle
 void takeTyreForces(WheelState& wheel, const TyreForces& tyre, const Vehicle& vehicle, const WheelContact& contact,
                     std::size_t index, double dt) {
     wheel.fx = tyre.Fx;
+    wheel.fy_rate = (tyre.Fy - wheel.fy) / dt;
     wheel.fy = tyre.Fy;
     wheel.mz = tyre.Mz;
 

@@ -29,8 +29,8 @@ PerWheel<double> spins(const PerWheel<WheelState>& wheels) {
 
 // Tyre forces and spin of one wheel over the step, in ISO 8855 wheel axes.
 TyreForces advanceTyre(WheelState& wheel, const Vehicle::Corner& corner, const WheelContact& contact,
-                       const TyreMotion& end, double dt) {
-    const TyreSpin spin{corner.wheel_inertia, contact.radius, wheel.drive_torque, wheel.brake_torque};
+                       const TyreMotion& end, double brake_torque, double dt) {
+    const TyreSpin spin{corner.wheel_inertia, contact.radius, wheel.drive_torque, brake_torque};
     const auto step = [&](const TyreParams& tyre) {
         return toIso(advance(wheel.tyre, wheel.spin, tyre, wheel.motion, end, spin, dt, Standstill::hold));
     };
@@ -59,11 +59,12 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
     // Suspension travel and wheel loads.
     const auto contacts = advanceTravel(state.wheels, vehicle, from, to, steer, surroundings.road, dt);
 
-    // Driveline and brake torques, constant over the step.
+    // Driveline and brake torques, with their mean over the step.
     const DrivelineTorques drive =
         advance(state.driveline, params.driveline,
                 {middle(begin.throttle, end.throttle), middle(begin.clutch, end.clutch), spins(state.wheels)}, dt);
-    const PerAxle<double> brake = brakeTorques(params.brakes, middle(begin.brake, end.brake));
+    const PerAxle<double> brake = brakeTorques(params.brakes, end.brake);
+    const PerAxle<double> mean_brake = brakeTorques(params.brakes, middle(begin.brake, end.brake));
     state.engine_torque = drive.engine;
 
     // Tyre forces and spin, and what each wheel hands to the body.
@@ -77,7 +78,7 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
         const double steer_rate = (steer[i] - steer_begin[i]) / dt;
         const TyreMotion at_end =
             tyreMotion(contacts[i], to, contactSlopes(wheel, vehicle, i), wheel.rate, steer_rate, wheel.load);
-        const TyreForces tyre = advanceTyre(wheel, corner, contacts[i], at_end, dt);
+        const TyreForces tyre = advanceTyre(wheel, corner, contacts[i], at_end, mean_brake[axleOf(i)], dt);
         wheel.motion = at_end;
         takeTyreForces(wheel, tyre, vehicle, contacts[i], i, dt);
         addWheel(wrench,
