@@ -102,7 +102,6 @@ private:
         const bool empty = cell.find_first_not_of(" \t") == std::string_view::npos;
         fault(place, "column " + shown(log_.channels[column].name) + ": " +
                          (empty ? "the cell is empty, expected a number" : shown(cell) + " is not a number"));
-        dropTornRow();
     }
 
     void ragged(std::size_t place) {
@@ -112,13 +111,6 @@ private:
             return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
         };
         fault(place, "the row has " + counted(values, "value") + ", the header has " + counted(columns, "column"));
-        dropTornRow();
-    }
-
-    // Columns that already took a value of a faulty row give it back, so that later rows are still checked.
-    void dropTornRow() {
-        const std::size_t rows = log_.channels.back().values.size();
-        for (Channel& channel : log_.channels) channel.values.resize(rows);
     }
 
     void checkTime() {

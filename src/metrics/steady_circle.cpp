@@ -152,9 +152,8 @@ std::optional<TimeSeries> frontLessRear(const Log& log, const std::string& what)
 }
 
 std::optional<TimeSeries> roadWheelAngle(const Log& log, const Circle& circle, const KnownCar& car) {
-    if (auto logged = frontLessRear(log, "steer")) return logged;
-    if (std::isnan(car.steering_ratio)) return {};
-    return increments(circle.steering, 0, 1 / car.steering_ratio);
+    if (!std::isnan(car.steering_ratio)) return increments(circle.steering, 0, 1 / car.steering_ratio);
+    return frontLessRear(log, "steer");
 }
 
 // K = d(delta - L / R) / d ay, from the first of these that the log allows. rad per m/s2.

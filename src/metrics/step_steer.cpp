@@ -182,6 +182,17 @@ std::vector<Metric> stepSteerMetrics(const Log& log, const KnownCar&) {
     const bool steady = std::abs(yaw.drift) <= kSteadyDrift && std::abs(lateral.drift) <= kSteadyDrift;
 
     std::vector<Metric> out;
+    addResponse(out, "yaw_rate", "yaw rate", yaw);
+    addResponse(out, "ay", "lateral acceleration", lateral);
+    out.push_back({"yaw_rate_gain", yaw.steady / step.amplitude, "1/s", "steady yaw rate over steering-wheel angle"});
+    out.push_back({"ay_gain", lateral.steady / step.amplitude, "m/s2/rad",
+                   "steady lateral acceleration over steering-wheel angle"});
+    out.push_back({"steady_sideslip", slip_deg, "deg", "sideslip angle at the end of the hold, as in a left turn"});
+    out.push_back(
+        {"tb", yaw.peak_time * slip_deg, "s deg", "peak response time of the yaw rate times steady sideslip"});
+    out.push_back({"roll_gradient", roll_gradient, "deg/g", "steady roll angle over steady lateral acceleration"});
+
+    // Conditions of the test.
     out.push_back({"speed", v, "m/s", "forward speed when the steering begins"});
     out.push_back(
         {"steering_amplitude", kDegrees * step.amplitude, "deg", "steering-wheel angle held, less that before"});
@@ -195,15 +206,6 @@ std::vector<Metric> stepSteerMetrics(const Log& log, const KnownCar&) {
                      100 * kSteadyDrift)});
     out.push_back(
         {"steady_drift", yaw.drift, "-", "change of the yaw rate over the last part of the hold, as a share"});
-    addResponse(out, "yaw_rate", "yaw rate", yaw);
-    addResponse(out, "ay", "lateral acceleration", lateral);
-    out.push_back({"yaw_rate_gain", yaw.steady / step.amplitude, "1/s", "steady yaw rate over steering-wheel angle"});
-    out.push_back({"ay_gain", lateral.steady / step.amplitude, "m/s2/rad",
-                   "steady lateral acceleration over steering-wheel angle"});
-    out.push_back({"steady_sideslip", slip_deg, "deg", "sideslip angle at the end of the hold, as in a left turn"});
-    out.push_back(
-        {"tb", yaw.peak_time * slip_deg, "s deg", "peak response time of the yaw rate times steady sideslip"});
-    out.push_back({"roll_gradient", roll_gradient, "deg/g", "steady roll angle over steady lateral acceleration"});
     return out;
 }
 

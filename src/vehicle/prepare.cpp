@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "tread/vehicle.h"
 
 namespace tread {
@@ -19,9 +21,13 @@ Vehicle::Corner cornerOf(const VehicleParams& params, std::size_t wheel, double 
     const TyreCoefficients& p = axle.tyre.parameters;
     const double radius = p.Ro - load / (p.pz1 * axle.tyre.lambda.Cz);
 
+    // The track is measured at the contacts, which lie below the hubs in the plane of the leaning wheels.
+    const double camber = axle.suspension.camber;
+    const double beside = 0.5 * axle.track + radius * std::sin(camber);
+
     Vehicle::Corner corner;
-    corner.hub_B = {front ? params.front_axle_distance : -rear_axle_distance, sideSign(wheel) * 0.5 * axle.track,
-                    radius - params.height};
+    corner.hub_B = {front ? params.front_axle_distance : -rear_axle_distance, sideSign(wheel) * beside,
+                    radius * std::cos(camber) - params.height};
     corner.static_force = load - axle.unsprung_mass * gravity;
     corner.lateral_slope = sideSign(wheel) * axle.suspension.roll_centre_height / (0.5 * axle.track);
     corner.unsprung_mass = axle.unsprung_mass;

@@ -17,7 +17,7 @@ TEST_F(TreadRun, MissingNumberOfTheCarIsNamedWithItsPlaceUnitAndMeaning) {
 }
 
 TEST_F(TreadRun, MisspeltKeyOfTheCarIsAnsweredWithTheRightOne) {
-    expectCarRefused(carText("anti_roll_bar: 9 kN/m", "anti_rol_bar: 9 kN/m"), "anti_rol_bar",
+    expectCarRefused(carText("anti_roll_bar: 15 kN/m", "anti_rol_bar: 15 kN/m"), "anti_rol_bar",
                      "front.suspension: found the unknown key \"anti_rol_bar\", expected the name of a field; did you "
                      "mean \"anti_roll_bar\"?");
 }

@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             if (!std::isfinite(time[i]) || (i > 0 && time[i] <= time[i - 1])) std::abort();
         }
     } catch (const tread::LoadError& error) {
-        if (error.problems.empty()) std::abort();
+        if (error.problems().empty()) std::abort();
     }
     return 0;
 }

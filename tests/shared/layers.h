@@ -25,7 +25,7 @@ inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{
     {"road", {"road"}},
     {"tyre", {"tyre"}},
     {"vehicle", {"suspension", "steering", "driveline", "brakes", "aero", "vehicle", "equilibrium", "load"}},
-    {"bullet", {"bullet_vehicle", "raycast_vehicle"}},
+    {"bullet", {"bullet_road", "bullet_vehicle", "raycast_vehicle"}},
 };
 
 // The sub-models of the car: they meet in vehicle.h and vehicle.cpp only.

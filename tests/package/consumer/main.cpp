@@ -35,7 +35,7 @@ bool drive(const char* vehicle_file) {
     constexpr double kSteer = 0.3;                // rad at the hand wheel
     constexpr btScalar kStep = btScalar(1) / 60;  // s
     const tread::VehicleParams params = tread::loadVehicle(vehicle_file);
-    const FlatGround ground;
+    FlatGround ground;
     World world;
     world.dynamics.setGravity(btVector3(0, 0, btScalar(-tread::kStandardGravity)));
     btBoxShape shape(btVector3(2, btScalar(0.8), btScalar(0.3)));
