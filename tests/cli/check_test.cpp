@@ -11,6 +11,7 @@ namespace {
 using Json = nlohmann::json;
 
 const std::string kVehicles = TREAD_SOURCE_DIR "/vehicles/";
+const std::string kScenarios = TREAD_SOURCE_DIR "/scenarios/";
 
 // The text with its first `from` replaced.
 std::string with(std::string text, const std::string& from, const std::string& to) {
@@ -60,12 +61,14 @@ TEST_F(Check, TellsEveryKindOfFileByItsContent) {
     EXPECT_EQ(firstLine(runProgram({"check", car}).out), "1 file is fine");
 }
 
-TEST_F(Check, ShippedVehiclesAndTyresAreFine) {
+TEST_F(Check, ShippedFilesAreFine) {
     std::vector<std::string> arguments{"check"};
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(kVehicles)) {
-        if (entry.path().extension() == ".yaml") arguments.push_back(entry.path().string());
+    for (const std::string& folder : {kVehicles, kScenarios}) {
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+            if (entry.path().extension() == ".yaml") arguments.push_back(entry.path().string());
+        }
     }
-    ASSERT_GE(arguments.size(), 4u);
+    ASSERT_GE(arguments.size(), 11u);
     const Result result = runProgram(arguments);
     EXPECT_EQ(result.status, 0) << result.out;
 }
@@ -153,6 +156,19 @@ TEST_F(Check, FileThatIsNothingKnownIsAFault) {
     EXPECT_NE(fault(ambiguous).find("found \"name\", expected the keys of a vehicle, tyre"), std::string::npos);
     const std::string list = scratch.file("list.yaml", "- 1\n");
     EXPECT_NE(fault(list).find("found no \"key: value\" lines, expected the keys of a vehicle"), std::string::npos);
+}
+
+TEST_F(Check, ScenarioWithNamesThatNobodyKnowsIsAFault) {
+    const std::string sound_text = contentOf(kScenarios + "step_steer_80.yaml");
+    const std::string sound = scratch.file("sound.yaml", sound_text);
+    EXPECT_EQ(runProgram({"check", sound}).out, "1 file is fine\n" + sound + ": scenario, fine\n");
+    const std::string text = with(sound_text, "manoeuvre: step_steer", "manoeuvre: stp_steer");
+    const std::string bad = scratch.file("bad.yaml", text);
+    const Result result = runProgram({"check", bad});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.out.find("1 fault in 1 file\n" + bad + ":" + place(text, "stp_steer") + ": manoeuvre: "), 0u)
+        << result.out;
+    EXPECT_NE(result.out.find("did you mean \"step_steer\"?"), std::string::npos) << result.out;
 }
 
 TEST_F(Check, MistypedKeysStillTellTheKind) {

@@ -7,6 +7,7 @@
 #include "cli/program.h"
 #include "compare/tolerances.h"
 #include "metrics/metrics.h"
+#include "scenario/scenario.h"
 #include "tread/vehicle.h"
 
 namespace tread {
@@ -54,6 +55,7 @@ void expectEveryFieldOnce(const std::string& what) {
 TEST(Describe, ListsEveryFieldOfEveryFile) {
     expectEveryFieldOnce<VehicleParams>("vehicle");
     expectEveryFieldOnce<TyreParams>("tyre");
+    expectEveryFieldOnce<Scenario>("scenario");
     expectEveryFieldOnce<Tolerances>("tolerances");
 }
 

@@ -10,7 +10,7 @@ namespace {
 using Json = nlohmann::json;
 
 TEST(SchemaCommand, PrintsJsonSchema) {
-    for (const char* what : {"vehicle", "tyre", "tolerances"}) {
+    for (const char* what : {"vehicle", "tyre", "scenario", "tolerances"}) {
         const Result result = runProgram({"schema", what});
         EXPECT_EQ(result.status, 0) << what;
         EXPECT_EQ(result.err, "") << what;
@@ -29,20 +29,24 @@ void expectFresh(const std::string& what, const std::string& file) {
 TEST(SchemaCommand, ShippedSchemasAreFresh) {
     expectFresh("vehicle", "vehicles/vehicle.schema.json");
     expectFresh("tyre", "vehicles/tyres/tyre.schema.json");
+    expectFresh("scenario", "scenarios/scenario.schema.json");
 }
 
 // An editor finds the schema by the first line of the file.
 TEST(SchemaCommand, ShippedFilesNameASchemaThatIsThere) {
     const std::string marker = "# yaml-language-server: $schema=";
     std::size_t files = 0;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(TREAD_SOURCE_DIR "/vehicles")) {
-        if (entry.path().extension() != ".yaml") continue;
-        const std::string line = firstLine(contentOf(entry.path().string()));
-        ASSERT_EQ(line.find(marker), 0u) << entry.path();
-        EXPECT_TRUE(std::filesystem::exists(entry.path().parent_path() / line.substr(marker.size()))) << entry.path();
-        ++files;
+    for (const char* folder : {TREAD_SOURCE_DIR "/vehicles", TREAD_SOURCE_DIR "/scenarios"}) {
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+            if (entry.path().extension() != ".yaml") continue;
+            const std::string line = firstLine(contentOf(entry.path().string()));
+            ASSERT_EQ(line.find(marker), 0u) << entry.path();
+            const auto named = entry.path().parent_path() / line.substr(marker.size());
+            EXPECT_TRUE(std::filesystem::exists(named)) << entry.path();
+            ++files;
+        }
     }
-    EXPECT_GE(files, 3u);
+    EXPECT_GE(files, 10u);
 }
 
 TEST(SchemaCommand, WritesTheFileUnderItsNameOnlyWhenComplete) {

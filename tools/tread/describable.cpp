@@ -7,7 +7,7 @@
 #include "base/schema.h"
 #include "compare/tolerances.h"
 #include "log_columns.h"
-#include "scenario/load.h"
+#include "run_inputs.h"
 #include "tread/load.h"
 
 namespace tread::program {
@@ -38,7 +38,7 @@ std::vector<std::string> readVehicleFile(const Path& file) {
 }
 
 std::vector<std::string> readScenarioFile(const Path& file) {
-    loadScenario(file);
+    readScenario(file.string());
     return {};
 }
 

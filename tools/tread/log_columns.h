@@ -15,7 +15,7 @@ struct LogColumns {
 
     // The parts of the output are columns of their own: "chassis.vx", not "output.chassis.vx".
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(time), About{"s", "time"});
+        field(TREAD_FIELD(time), About{"s", "time since the start of the manoeuvre"});
         field(TREAD_FIELD(driver), About{"", "what the driver does"});
         VehicleOutput::describe(self.output, field);
     }

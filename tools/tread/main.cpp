@@ -141,8 +141,8 @@ int dispatch(int argc, char** argv) {
     command->add_flag("--json", describe_options.json, "print the result as JSON");
     command->callback([&] { status = describe(describe_options); });
 
-    command =
-        app.add_subcommand("check", "check files: vehicles, tyres, tolerances, logs; status 2 when one has faults");
+    command = app.add_subcommand(
+        "check", "check files: vehicles, tyres, scenarios, tolerances, logs; status 2 when one has faults");
     command->add_option("files", check_options.files, "YAML, .tir or CSV files")->required();
     command->add_flag("--json", check_options.json, "print the result as JSON");
     command->callback([&] { status = check(check_options); });
