@@ -76,10 +76,12 @@ TEST(Suspension, SlopesAreTheDerivativesOfTheForce) {
     for (const double travel : {-0.2, -0.09, -0.03, 0.02, 0.08}) {
         for (const double rate : {-0.4, -0.003, 0.002, 0.7}) {
             const SuspensionForce at = forces(p, {travel, rate, 0.01, 3000});
-            const double by_travel = (forceAt(p, {travel + kSmall, rate, 0.01, 3000}) -
-                                      forceAt(p, {travel - kSmall, rate, 0.01, 3000})) / (2 * kSmall);
-            const double by_rate = (forceAt(p, {travel, rate + kSmall, 0.01, 3000}) -
-                                    forceAt(p, {travel, rate - kSmall, 0.01, 3000})) / (2 * kSmall);
+            const double by_travel =
+                (forceAt(p, {travel + kSmall, rate, 0.01, 3000}) - forceAt(p, {travel - kSmall, rate, 0.01, 3000})) /
+                (2 * kSmall);
+            const double by_rate =
+                (forceAt(p, {travel, rate + kSmall, 0.01, 3000}) - forceAt(p, {travel, rate - kSmall, 0.01, 3000})) /
+                (2 * kSmall);
             EXPECT_NEAR(at.by_travel, by_travel, 1e-4 * by_travel + 1) << travel;
             EXPECT_NEAR(at.by_rate, by_rate, 1e-4 * by_rate + 1) << rate;
         }
