@@ -1,6 +1,7 @@
 // The equilibrium is found by letting the car settle: all sub-models, present and future, are in it as they are. What
 // the settling adds vanishes at rest: the body heaves, rolls and pitches as if it were light, and is damped; a rolling
-// car is held at its speed while the torque at the wheels is sought that leaves no longitudinal acceleration.
+// car is held at its speed while the torque at the wheels is sought that leaves no longitudinal acceleration. Dry friction
+// in the suspension could hold the body anywhere nearby; it is left out, so that the car stands where it does not act.
 
 #include "tread/equilibrium.h"
 
@@ -96,7 +97,9 @@ double meanDrivenSpin(const VehicleState& state, double front_share) {
 
 }  // namespace
 
-Equilibrium equilibrium(const Vehicle& vehicle, const Surroundings& surroundings, const Start& start) {
+Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, const Start& start) {
+    Vehicle vehicle = car;
+    for (AxleParams* axle : {&vehicle.params.front, &vehicle.params.rear}) axle->suspension.damper.friction = 0;
     const ChassisMotion place = placed(vehicle, surroundings, start);
     const bool rolls = start.speed != 0;
     const double front_share = vehicle.params.driveline.front_share;
