@@ -9,7 +9,8 @@
 #include <fstream>
 #include <limits>
 #include <random>
-#include <sstream>
+
+#include "shared/scratch.h"
 
 namespace tread {
 namespace {
@@ -18,26 +19,11 @@ namespace fs = std::filesystem;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// A folder of its own for each test.
 class LogCsv : public testing::Test {
 protected:
-    void SetUp() override {
-        const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-        folder_ = fs::path(testing::TempDir()) / ("tread_log_csv_" + test);
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
+    fs::path at(const char* name) const { return scratch.path(name); }
 
-    fs::path at(const char* name) const { return folder_ / name; }
-    static std::string textOf(const fs::path& path) {
-        std::ifstream file(path, std::ios::binary);
-        std::stringstream text;
-        text << file.rdbuf();
-        return text.str();
-    }
-
-    fs::path folder_;
+    Scratch scratch;
 };
 
 std::vector<Problem> problemsOf(std::string_view text) {
@@ -64,7 +50,7 @@ TEST_F(LogCsv, RowsAreShortestRoundTripUnderOneHeader) {
     writer.write(std::vector{0.1, 1.0 / 3.0});
     writer.write(std::vector{0.30000000000000004, -kNan});
     writer.finish();
-    EXPECT_EQ(textOf(at("a.csv")), "time [s],driver.brake [-]\n0.1,0.3333333333333333\n0.30000000000000004,nan\n");
+    EXPECT_EQ(contentOf(at("a.csv")), "time [s],driver.brake [-]\n0.1,0.3333333333333333\n0.30000000000000004,nan\n");
     EXPECT_FALSE(fs::exists(at("a.csv.part")));
 }
 
@@ -109,9 +95,9 @@ TEST_F(LogCsv, FinishingReplacesAnOlderLog) {
     std::ofstream(at("a.csv")) << "old";
     LogWriter writer(at("a.csv"), {{"time", "s"}});
     writer.write(std::vector{1.0});
-    EXPECT_EQ(textOf(at("a.csv")), "old") << "the old log stays until the new one is whole";
+    EXPECT_EQ(contentOf(at("a.csv")), "old") << "the old log stays until the new one is whole";
     writer.finish();
-    EXPECT_EQ(textOf(at("a.csv")), "time [s]\n1\n");
+    EXPECT_EQ(contentOf(at("a.csv")), "time [s]\n1\n");
 }
 
 TEST_F(LogCsv, AFolderThatDoesNotExistIsOneClearSentence) {
@@ -168,7 +154,7 @@ TEST_F(LogCsv, ColumnsThatCouldNotBeReadBackAreNotWritten) {
     EXPECT_THROW(LogWriter(at("a.csv"), {{"a", "m"}}), FileError);
     EXPECT_THROW(LogWriter(at("a.csv"), {{"time", "s"}, {"a", ""}}), FileError);
     EXPECT_THROW(LogWriter(at("a.csv"), {{"time", "s"}, {"a\nb", "m"}}), FileError);
-    EXPECT_TRUE(fs::is_empty(folder_));
+    EXPECT_TRUE(scratch.names().empty());
 }
 
 // ---- Reading: what is accepted -------------------------------------------------------------------------------------
@@ -265,7 +251,7 @@ TEST_F(LogCsv, AMissingFileAndAFolderAreClearSentences) {
         EXPECT_EQ(std::string(error.what()),
                   "cannot read '" + at("none.csv").string() + "': No such file or directory");
     }
-    EXPECT_THROW(readLog(folder_), FileError);
+    EXPECT_THROW(readLog(scratch.folder()), FileError);
 }
 
 }  // namespace
