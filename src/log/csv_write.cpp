@@ -1,10 +1,11 @@
+#include <unistd.h>
+
 #include <cassert>
 #include <cerrno>
-#include <charconv>
-#include <cmath>
 #include <system_error>
 #include <utility>
 
+#include "base/number_text.h"
 #include "log/csv.h"
 #include "log/csv_header.h"
 
@@ -12,17 +13,6 @@ namespace tread {
 namespace {
 
 constexpr std::size_t kFlushBytes = 1 << 16;  // a crash of the whole process loses at most this much
-constexpr std::size_t kNumberBytes = 32;      // the longest double has 24 characters
-
-void appendNumber(std::string& out, double value) {
-    if (std::isnan(value)) {
-        out += "nan";  // one spelling, whatever its sign bit, so that the same run gives the same bytes
-        return;
-    }
-    char digits[kNumberBytes];
-    const auto result = std::to_chars(digits, digits + sizeof digits, value);
-    out.append(digits, result.ptr);
-}
 
 std::string reasonOf(int error) {
     return std::generic_category().message(error);
@@ -67,7 +57,8 @@ void LogWriter::write(std::span<const double> row) {
 void LogWriter::finish() {
     assert(file_);
     flush();
-    // Some file systems report a full disk only on closing.
+    // The rows must be on the disk before the name is: some file systems report a full disk only here or on closing.
+    if (fsync(fileno(file_.get())) != 0) fail(reasonOf(errno));
     if (std::fclose(file_.release()) != 0) fail(reasonOf(errno));
     std::error_code error;
     std::filesystem::rename(part_, path_, error);

@@ -121,11 +121,5 @@ TEST(Describe, UnknownNameIsAnsweredWithASuggestionAndTheList) {
     EXPECT_NE(result.err.find("; did you mean \"vehicle\"?\n"), std::string::npos) << result.err;
 }
 
-TEST(Describe, FullStandardOutputIsOneSentence) {
-    const Result result = runProgram({"describe", "tyre"}, "/dev/full");
-    EXPECT_EQ(result.status, 2);
-    EXPECT_EQ(result.err, "tread: cannot write the answer to standard output: No space left on device\n");
-}
-
 }  // namespace
 }  // namespace tread

@@ -102,43 +102,6 @@ TEST(TyreInputs, AMissingFileIsNamed) {
     EXPECT_TRUE(scratch.names().empty());
 }
 
-TEST(TyreInputs, AnOutputThatCannotBeWrittenIsNamed) {
-    const Scratch scratch;
-    const std::string in = scratch.file("in.csv", kHeader + "4000,0,20,0,1\n");
-    const auto expectRefused = [&](const std::string& option, const std::string& out, const std::string& reason) {
-        const Result result = runProgram({"tyre", kCarTyre, "--table", in, option, out});
-        EXPECT_EQ(result.status, 2) << out;
-        EXPECT_NE(result.err.find("cannot write '" + out + "': " + reason), std::string::npos) << result.err;
-    };
-    expectRefused("-o", scratch.path("none/out.csv"), "No such file or directory");
-    expectRefused("--plot", scratch.path("none/out.html"), "No such file or directory");
-    expectRefused("-o", in + "/out.csv", "Not a directory");
-    expectRefused("-o", scratch.folder(), "Is a directory");
-    expectRefused("-o", "/dev/full", "No space left on device");
-    EXPECT_EQ(scratch.names(), std::vector<std::string>{"in.csv"});
-}
-
-TEST(TyreInputs, AFolderWithoutWritePermissionIsNamed) {
-    if (geteuid() == 0) GTEST_SKIP() << "the superuser may write everywhere";
-    const Scratch scratch;
-    const std::string in = scratch.file("in.csv", kHeader + "4000,0,20,0,1\n"), closed = scratch.path("closed");
-    std::filesystem::create_directory(closed);
-    std::filesystem::permissions(closed, std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
-    const Result result = runProgram({"tyre", kCarTyre, "--table", in, "-o", closed + "/out.csv"});
-    EXPECT_EQ(result.status, 2);
-    EXPECT_NE(result.err.find("cannot write '" + closed + "/out.csv': Permission denied"), std::string::npos);
-}
-
-TEST(TyreInputs, ALinkAsOutputStaysALink) {
-    const Scratch scratch;
-    const std::string in = scratch.file("in.csv", kHeader + "4000,0,20,0,1\n");
-    scratch.file("real.csv", "old");
-    std::filesystem::create_symlink("real.csv", scratch.path("link.csv"));
-    EXPECT_EQ(runProgram({"tyre", kCarTyre, "--table", in, "-o", scratch.path("link.csv")}).status, 0);
-    EXPECT_TRUE(std::filesystem::is_symlink(scratch.path("link.csv")));
-    EXPECT_EQ(parse(contentOf(scratch.path("real.csv"))).rows.size(), 1u);
-}
-
 TEST(TyreInputs, OptionsThatDoNotFitTogetherAreNamed) {
     const Scratch scratch;
     const std::string in = scratch.file("in.csv", kHeader + "4000,0,20,0,1\n");

@@ -1,7 +1,6 @@
 #include "log/csv.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <bit>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <limits>
 #include <random>
 
+#include "shared/file_size_limit.h"
 #include "shared/scratch.h"
 
 namespace tread {
@@ -126,21 +126,14 @@ TEST_F(LogCsv, AFullDiskIsReportedAtTheLatestWhenFinishing) {
 
 TEST_F(LogCsv, AShortWriteKeepsTheWholeRowsAndCutsTheTornOne) {
     std::signal(SIGXFSZ, SIG_IGN);
-    rlimit before{};
-    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-    rlimit small = before;
-    small.rlim_cur = 100'003;  // inside the second flush, inside a row
     bool failed = false;
-    {
+    try {
         LogWriter writer(at("a.csv"), {{"time", "s"}, {"a", "m"}});
-        ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-        try {
-            for (int i = 0; i < 100'000; ++i) writer.write(std::vector{i * 0.25, 1.0 / (i + 3)});
-        } catch (const FileError& error) {
-            failed = true;
-            EXPECT_NE(std::string(error.what()).find("a.incomplete.csv"), std::string::npos) << error.what();
-        }
-        setrlimit(RLIMIT_FSIZE, &before);
+        const FileSizeLimit limit(100'003);  // inside the second flush, inside a row
+        for (int i = 0; i < 100'000; ++i) writer.write(std::vector{i * 0.25, 1.0 / (i + 3)});
+    } catch (const FileError& error) {
+        failed = true;
+        EXPECT_NE(std::string(error.what()).find("a.incomplete.csv"), std::string::npos) << error.what();
     }
     ASSERT_TRUE(failed);
     EXPECT_FALSE(fs::exists(at("a.csv")));

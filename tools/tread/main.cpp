@@ -1,8 +1,10 @@
 // The program `tread`: reads the command line, calls one command, turns every failure into one message and a status.
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +12,7 @@
 #include "base/did_you_mean.h"
 #include "base/number_text.h"
 #include "commands.h"
+#include "output.h"
 #include "tread/problem.h"
 
 namespace tread::program {
@@ -163,7 +166,9 @@ int dispatch(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help_or_version) {
-        return app.exit(help_or_version);
+        std::ostringstream out;
+        app.exit(help_or_version, out);
+        print(out.str());
     } catch (const CLI::ParseError& error) {
         return refuse(app, error);
     }
@@ -174,6 +179,7 @@ int dispatch(int argc, char** argv) {
 }  // namespace tread::program
 
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told by the write that fails
     try {
         return tread::program::dispatch(argc, argv);
     } catch (const tread::LoadError& error) {

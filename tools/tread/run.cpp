@@ -35,7 +35,6 @@ extern "C" void stopRun(int signal) {
 void listenToSignals() {
     std::signal(SIGINT, stopRun);
     std::signal(SIGTERM, stopRun);
-    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told by the write that fails
 }
 
 // A folder for the results, without those of an earlier run: what it holds at the end is of this run.
@@ -112,7 +111,7 @@ void saveResults(const RunRecord& record, const Log& log, const RunOptions& opti
                               {"manoeuvre", record.scenario.manoeuvre},
                               {"warnings", found.warnings},
                               {"metrics", tread::json(found.metrics)}};
-    writeFile(folder / "metrics.json", json.dump(2) + "\n");
+    writeFile(folder / "metrics.json", jsonText(json));
     writeFile(folder / "report.html", runReport({.title = record.scenario.title,
                                                  .answer = answer,
                                                  .vehicle = record.vehicle.name,
