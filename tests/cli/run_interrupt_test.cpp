@@ -40,7 +40,7 @@ TEST_P(TreadRunInterrupted, KeepsTheLogSoFarAndSaysWhere) {
     for (const Channel& channel : log.channels) EXPECT_EQ(channel.values.size(), log.samples());
     const std::string err = contentOf(scratch.path("stderr"));
     EXPECT_EQ(err.rfind("tread run: interrupted at t = ", 0), 0u) << err;
-    EXPECT_TRUE(err.ends_with(" s; the log so far is in " + out("log.incomplete.csv") + "\n")) << err;
+    EXPECT_TRUE(err.ends_with(" s; the rows so far are in '" + out("log.incomplete.csv") + "'\n")) << err;
     EXPECT_EQ(contentOf(scratch.path("stdout")), "");
 }
 

@@ -91,6 +91,28 @@ TEST_F(LogCsv, AWriterThatIsNotFinishedLeavesItsRowsUnderANameThatSaysSo) {
     EXPECT_EQ(readLog(at("a.incomplete.csv")).channels[0].values, std::vector{0.5});
 }
 
+TEST_F(LogCsv, WhatBecomesOfTheRowsIsTold) {
+    {
+        LogWriter writer(at("none.csv"), {{"time", "s"}});
+        EXPECT_EQ(writer.keepIncomplete(), "no row was written");
+    }
+    EXPECT_TRUE(scratch.names().empty());
+    {
+        LogWriter writer(at("a.csv"), {{"time", "s"}});
+        writer.write(std::vector{0.5});
+        EXPECT_EQ(writer.keepIncomplete(), "the rows so far are in '" + at("a.incomplete.csv").string() + "'");
+    }
+    fs::create_directory(at("b.incomplete.csv"));
+    {
+        LogWriter writer(at("b.csv"), {{"time", "s"}});
+        writer.write(std::vector{0.25});
+        EXPECT_EQ(writer.keepIncomplete(), "the rows so far stay in '" + at("b.csv.part").string() +
+                                               "', which cannot become '" + at("b.incomplete.csv").string() +
+                                               "': Is a directory");
+    }
+    EXPECT_EQ(readLog(at("b.csv.part")).channels[0].values, std::vector{0.25});
+}
+
 TEST_F(LogCsv, FinishingReplacesAnOlderLog) {
     std::ofstream(at("a.csv")) << "old";
     LogWriter writer(at("a.csv"), {{"time", "s"}});
@@ -119,9 +141,10 @@ TEST_F(LogCsv, AFullDiskIsReportedAtTheLatestWhenFinishing) {
         writer.finish();
         FAIL();
     } catch (const FileError& error) {
-        EXPECT_NE(std::string(error.what()).find("No space left on device"), std::string::npos) << error.what();
+        EXPECT_EQ(std::string(error.what()),
+                  "cannot write '" + at("a.csv").string() + "': No space left on device; no row was written");
     }
-    EXPECT_FALSE(fs::exists(at("a.csv")));
+    EXPECT_TRUE(scratch.names().empty());
 }
 
 TEST_F(LogCsv, AShortWriteKeepsTheWholeRowsAndCutsTheTornOne) {

@@ -56,14 +56,13 @@ void prepareFolder(const Path& folder) {
     }
 }
 
-// Runs into the log file and into memory; a failed run leaves its rows in log.incomplete.csv.
-Log drive(const RunRecord& record, const Path& folder) {
+// Runs into the log file and into memory. A run that fails leaves a writer with the rows so far.
+Log drive(const RunRecord& record, const Path& file, std::optional<LogWriter>& writer) {
     Log log;
-    std::optional<LogWriter> writer;
     Progress progress(longestDuration(record.scenario));
     Recorder recorder;
     recorder.begin = [&](const std::vector<Column>& columns) {
-        writer.emplace(folder / "log.csv", columns);
+        writer.emplace(file, columns);
         for (const Column& column : columns) log.channels.push_back({column.name, column.unit, {}});
     };
     recorder.row = [&](std::span<const double> row) {
@@ -143,14 +142,12 @@ int run(const RunOptions& options) {
     listenToSignals();
     prepareFolder(folder);
     writeFile(folder / "run.yaml", writeYaml(record));
+    std::optional<LogWriter> writer;
     try {
-        const Log log = drive(record, folder);
-        saveResults(record, log, options, folder);
+        saveResults(record, drive(record, folder / "log.csv", writer), options, folder);
     } catch (const SimulationError& error) {
-        const Path rows = folder / "log.incomplete.csv";
-        const bool kept = std::filesystem::exists(rows);
-        fmt::print(stderr, "tread run: {}{}\n", error.what(),
-                   kept ? fmt::format("; the log so far is in {}", rows.string()) : "");
+        const std::string rows = writer ? "; " + writer->keepIncomplete() : "";
+        fmt::print(stderr, "tread run: {}{}\n", error.what(), rows);
         return dynamic_cast<const Interrupted*>(&error) ? kSignalStatus + stopped_by : kRunFailed;
     }
     return kYes;
