@@ -295,6 +295,12 @@ TEST(TyreOverview, GivesSiNumbersAsJson) {
     EXPECT_NEAR(json["facts"]["lateral_relaxation_length [m]"], Ky / p.cFy, 1e-12);
 }
 
+TEST(TyreSettings, TakeOneValueEach) {
+    const Result result = runProgram({"tyre", "--set", "lambda.mux=0.8", kCarTyre, "--json"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.out, runProgram({"tyre", kCarTyre, "--json", "--set", "lambda.mux=0.8"}).out);
+}
+
 TEST(TyreAnswer, GoesToStandardErrorWhenTheTableGoesToStandardOutput) {
     const Scratch scratch;
     const std::string in = scratch.file("in.csv", "Fz,gamma,Vx,Vsx,Vsy\n4000,0.05,20,-1,2\n");

@@ -18,13 +18,16 @@
 namespace tread::program {
 namespace {
 
+void addSettings(CLI::App& app, std::vector<std::string>& settings, const std::string& meaning) {
+    // One value each, or files that follow would be taken for settings.
+    app.add_option("--set", settings, meaning)->allow_extra_args(false);
+}
+
 void addRun(CLI::App& app, RunOptions& o) {
     app.add_option("vehicle", o.vehicle, "vehicle file (YAML)")->required();
     app.add_option("scenario", o.scenario, "scenario file (YAML)")->required();
     app.add_option("-o,--output", o.output, "folder for log, metrics and report (default: out/<scenario>)");
-    app.add_option("--set", o.settings,
-                   "path=value, for example front.suspension.spring=\"25 kN/m\" or scenario.step=0.002")
-        ->allow_extra_args(false);  // one each, or files that follow would be taken for settings
+    addSettings(app, o.settings, "path=value, for example front.suspension.spring=\"25 kN/m\" or scenario.step=0.002");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
@@ -46,7 +49,10 @@ void addTyre(CLI::App& app, TyreOptions& o) {
     app.add_option("tyre", o.tyre, "tyre file (YAML or .tir)")->required();
     app.add_option("--axes", o.axes, "axes of the table: paper (y right, z down) or iso (ISO 8855: y left, z up)")
         ->check(CLI::IsMember({"paper", "iso"}));
-    app.add_option("--table", o.table, "steady state at the points of this table (CSV)");
+    app.add_option(
+        "--table", o.table,
+        "steady state at the points of this table (CSV); its lambda_* columns replace the tyre file's factors, "
+        "they do not multiply them");
     app.add_option("--transient", o.transient, "contact-patch transients under the motion of this table (CSV)");
     app.add_option("-o,--output", o.output, "table to write (default: standard output)");
     app.add_option("--plot", o.plot, "page of curves to write (HTML)");
@@ -55,7 +61,7 @@ void addTyre(CLI::App& app, TyreOptions& o) {
         ->check(CLI::IsMember({"hold", "linear"}));
     app.add_flag("--standstill", o.standstill,
                  "with the standstill extension that the car uses (default: the paper alone)");
-    app.add_option("--set", o.settings, "path=value, for example lambda.mux=0.8");
+    addSettings(app, o.settings, "path=value, for example lambda.mux=0.8");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 

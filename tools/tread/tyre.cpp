@@ -90,7 +90,8 @@ int tyre(const TyreOptions& given) {
     rejectOptionsThatDoNotFit(given);
     TyreParams params = loadTyre(options.tyre);
     for (const std::string& note : params.notes) fmt::print(stderr, "warning: {}\n", note);
-    applySettings(params, options.settings, "--set");
+    applySettings(params, options.settings, "--set",
+                  [](std::string_view) -> std::string { return "`tread describe tyre` lists all paths"; });
     const Axes axes = options.axes == "iso" ? Axes::iso : Axes::paper;
 
     const bool table = !options.table.empty() || !options.transient.empty();
