@@ -12,6 +12,7 @@
 #include "base/did_you_mean.h"
 #include "base/number_text.h"
 #include "commands.h"
+#include "describable.h"
 #include "output.h"
 #include "tread/problem.h"
 
@@ -145,8 +146,7 @@ int dispatch(int argc, char** argv) {
     command->callback([&] { status = tyre(tyre_options); });
 
     command = app.add_subcommand("describe", "all fields with units, meaning, limits and defaults");
-    command->add_option("what", describe_options.what, "vehicle, tyre, scenario, log, tolerances or metrics")
-        ->required();
+    command->add_option("what", describe_options.what, listed(describableNames(false)))->required();
     command->add_flag("--json", describe_options.json, "print the result as JSON");
     command->callback([&] { status = describe(describe_options); });
 
@@ -157,7 +157,7 @@ int dispatch(int argc, char** argv) {
     command->callback([&] { status = check(check_options); });
 
     command = app.add_subcommand("schema", "JSON Schema of a file, for editors");
-    command->add_option("what", schema_options.what, "vehicle, tyre, scenario or tolerances")->required();
+    command->add_option("what", schema_options.what, listed(describableNames(true)))->required();
     command->add_option("-o,--output", schema_options.output, "file to write (default: standard output)");
     command->callback([&] { status = schema(schema_options); });
 
