@@ -53,17 +53,9 @@ Table randomSlips(int points, unsigned seed, bool with_lambdas) {
     return table;
 }
 
-// The program's table for an input table.
-Table steadyTable(const Table& input, const std::string& axes, const std::vector<std::string>& more = {}) {
-    const Scratch scratch;
-    std::vector<std::string> arguments{
-        "tyre", kCarTyre, "--axes", axes, "--table", scratch.file("in.csv", csv(input)), "-o", scratch.path("out.csv")};
-    arguments.insert(arguments.end(), kCouples.begin(), kCouples.end());
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Result result = runProgram(arguments);
-    if (result.status != 0) throw std::runtime_error(result.err);
-    EXPECT_EQ(scratch.names(), (std::vector<std::string>{"in.csv", "out.csv"}));
-    return parse(contentOf(scratch.path("out.csv")));
+Table steadyTable(const Table& input, const std::string& axes, std::vector<std::string> more = {}) {
+    more.insert(more.end(), {"--axes", axes});
+    return programTable("--table", input, more);
 }
 
 // ---- Steady state ----
