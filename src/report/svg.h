@@ -50,7 +50,4 @@ struct Chart {
 // For an HTML page, whose style sheet colours text and grid.
 std::string svgInline(const Chart& chart);
 
-// A complete .svg file, which follows the light or dark scheme of its viewer.
-std::string svgFile(const Chart& chart);
-
 }  // namespace tread

@@ -12,6 +12,7 @@
 #include "cli/program.h"
 #include "cli/tyre_table.h"
 #include "shared/delft97_reference.h"
+#include "shared/markup.h"
 #include "shared/near.h"
 #include "tread/tyre.h"
 
@@ -240,12 +241,6 @@ TEST(TyreAxes, IsoIsTheDefault) {
 
 // ---- Page, overview, JSON ----
 
-std::size_t occurrences(const std::string& text, const std::string& part) {
-    std::size_t count = 0;
-    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-    return count;
-}
-
 TEST(TyrePlot, WritesAPageOfCurvesForEachAxisSystem) {
     const Scratch scratch;
     for (const char* axes : {"iso", "paper"}) {
@@ -255,7 +250,7 @@ TEST(TyrePlot, WritesAPageOfCurvesForEachAxisSystem) {
         EXPECT_EQ(result.out, "Wrote 17 charts of car_205_60R15 to " + page + "\n");
         const std::string html = contentOf(page);
         EXPECT_NE(html.find("<h1>Tyre car_205_60R15</h1>"), std::string::npos);
-        EXPECT_EQ(occurrences(html, "class=\"tread-chart\""), 17u);
+        EXPECT_EQ(count(html, "class=\"tread-chart\""), 17u);
         for (const char* title : {"Longitudinal force at pure slip", "Friction ellipse", "Pneumatic trail",
                                   "Cornering stiffness", "Camber force", "after a step of slip angle"}) {
             EXPECT_NE(html.find(title), std::string::npos) << title;
