@@ -1,4 +1,4 @@
-// A chart as SVG: cross-plots, paths, tyre curves, pictures for a README. Nothing but text goes out: no fonts, no
+// A chart as SVG: cross-plots, paths, tyre curves. Nothing but text goes out: no fonts, no
 // scripts, no references.
 #pragma once
 
