@@ -12,6 +12,7 @@
 #include "tread/aero.h"
 #include "tread/brakes.h"
 #include "tread/driveline.h"
+#include "tread/four_tyres.h"
 #include "tread/road.h"
 #include "tread/steering.h"
 #include "tread/suspension.h"
@@ -111,6 +112,7 @@ struct Vehicle {
 
     VehicleParams params;
     PerWheel<Corner> corners;
+    FourTyres tyres;  // of the corners, for evaluation together
     Eigen::Matrix<double, 6, 6>
         inverse_mass;  // body axes: forces and moments to accelerations, unsprung masses free to move along z
 };

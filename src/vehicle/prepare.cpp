@@ -42,6 +42,8 @@ Vehicle prepare(const VehicleParams& params, double gravity) {
     Vehicle vehicle;
     vehicle.params = params;
     for (std::size_t i = 0; i < kWheels; ++i) vehicle.corners[i] = cornerOf(params, i, gravity);
+    vehicle.tyres =
+        together({vehicle.corners[0].tyre, vehicle.corners[1].tyre, vehicle.corners[2].tyre, vehicle.corners[3].tyre});
 
     // Mass matrix of the body whose unsprung masses move freely along z: the rigid car less m_u J J^T per wheel, where
     // J takes the body's acceleration to the vertical acceleration of a hub.

@@ -27,20 +27,6 @@ PerWheel<double> spins(const PerWheel<WheelState>& wheels) {
     return {wheels[0].spin, wheels[1].spin, wheels[2].spin, wheels[3].spin};
 }
 
-// Tyre forces and spin of one wheel over the step, in ISO 8855 wheel axes.
-TyreForces advanceTyre(WheelState& wheel, const Vehicle::Corner& corner, const WheelContact& contact,
-                       const TyreMotion& end, double brake_torque, double dt) {
-    const TyreSpin spin{corner.wheel_inertia, contact.radius, wheel.drive_torque, brake_torque};
-    const auto step = [&](const TyreParams& tyre) {
-        return toIso(advance(wheel.tyre, wheel.spin, tyre, wheel.motion, end, spin, dt, Standstill::hold));
-    };
-    if (contact.friction == 1) return step(corner.tyre);
-    TyreParams tyre = corner.tyre;
-    tyre.lambda.mux *= contact.friction;
-    tyre.lambda.muy *= contact.friction;
-    return step(tyre);
-}
-
 }  // namespace
 
 void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle, const VehicleInput& begin,
@@ -67,30 +53,47 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
     const PerAxle<double> mean_brake = brakeTorques(params.brakes, middle(begin.brake, end.brake));
     state.engine_torque = drive.engine;
 
-    // Tyre forces and spin, and what each wheel hands to the body.
-    Wrench wrench = weight(vehicle, to);
+    // Tyre forces and spin.
+    PerWheel<TyreState> tyres;
+    PerWheel<TyreMotion> motion_begin, motion_end;
+    PerWheel<TyreSpin> torques;
+    PerWheel<double> friction, steer_rate, spin;
+    const PerWheel<double> spin_begin = spins(state.wheels);
     for (std::size_t i = 0; i < kWheels; ++i) {
-        const Vehicle::Corner& corner = vehicle.corners[i];
         WheelState& wheel = state.wheels[i];
         wheel.drive_torque = drive.wheel[axleOf(i)];
         wheel.brake_torque = brake[axleOf(i)];
-        const double spin_begin = wheel.spin;
-        const double steer_rate = (steer[i] - steer_begin[i]) / dt;
-        const TyreMotion at_end =
-            tyreMotion(contacts[i], to, contactSlopes(wheel, vehicle, i), wheel.rate, steer_rate, wheel.load);
-        const TyreForces tyre = advanceTyre(wheel, corner, contacts[i], at_end, mean_brake[axleOf(i)], dt);
-        wheel.motion = at_end;
+        steer_rate[i] = (steer[i] - steer_begin[i]) / dt;
+        tyres[i] = wheel.tyre;
+        motion_begin[i] = wheel.motion;
+        motion_end[i] =
+            tyreMotion(contacts[i], to, contactSlopes(wheel, vehicle, i), wheel.rate, steer_rate[i], wheel.load);
+        torques[i] = {vehicle.corners[i].wheel_inertia, contacts[i].radius, wheel.drive_torque, mean_brake[axleOf(i)]};
+        friction[i] = contacts[i].friction;
+        spin[i] = wheel.spin;
+    }
+    const PerWheel<TyreForces> paper =
+        advance(tyres, spin, vehicle.tyres, friction, motion_begin, motion_end, torques, dt);
+
+    // What each wheel hands to the body.
+    Wrench wrench = weight(vehicle, to);
+    for (std::size_t i = 0; i < kWheels; ++i) {
+        WheelState& wheel = state.wheels[i];
+        wheel.tyre = tyres[i];
+        wheel.spin = spin[i];
+        wheel.motion = motion_end[i];
+        const TyreForces tyre = toIso(paper[i]);
         takeTyreForces(wheel, tyre, vehicle, contacts[i], i, dt);
         addWheel(wrench,
-                 {.corner = corner,
+                 {.corner = vehicle.corners[i],
                   .contact = contacts[i],
                   .tyre = tyre,
                   .load = wheel.load,
                   .suspension_force = wheel.suspension_force,
                   .link_force = wheel.link_force,
                   .spin = wheel.spin,
-                  .spin_rate = (wheel.spin - spin_begin) / dt,
-                  .steer_rate = steer_rate},
+                  .spin_rate = (wheel.spin - spin_begin[i]) / dt,
+                  .steer_rate = steer_rate[i]},
                  to);
     }
 
