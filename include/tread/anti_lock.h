@@ -13,10 +13,10 @@ namespace tread {
 struct AntiLockParams {
     bool enabled = false;
     double period = 0.005;
-    double dump_slip = 0.14;
-    double build_slip = 0.09;
+    double dump_slip = 0.12;
+    double build_slip = 0.10;
     double dump_rate = 6e7;
-    double build_rate = 1.2e7;
+    double build_rate = 1.5e7;
     double lowest_speed = 2;
     bool select_low = true;
 

@@ -51,15 +51,23 @@ TEST(DifferentialOnACar, LockedAxleDrivesOffOnSplitGripWhereAnOpenOneSpins) {
     EXPECT_LT(some, held);
 }
 
-TEST(DifferentialOnACar, LockedWheelsTurnAlikeAtEveryInstant) {
+TEST(DifferentialOnACar, LockedWheelsTurnAlike) {
+    // The tyre on ice trembles at the frequency of its contact mass, as it does with any step; what that leaves between
+    // the speeds of the wheels vanishes with the square of the step.
     const SplitRoad road;
     VehicleParams params = reference::compact();
     params.driveline.front_differential = LockedDifferential{};
-    double largest = 0;
-    launched(params, road, 4, 0.001, [&](const reference::Car& car) {
-        largest = std::max(largest, std::abs(car.state.wheels.front_left.spin - car.state.wheels.front_right.spin));
-    });
-    EXPECT_LT(largest, 0.1) << "rad/s, of some 30";
+    const auto difference = [&](double step) {
+        double largest = 0;
+        launched(params, road, 3, step, [&](const reference::Car& car) {
+            if (car.motion.velocity_W.x() < 1) return;  // the release of the brakes shakes the wheels
+            largest = std::max(largest, std::abs(car.state.wheels.front_left.spin - car.state.wheels.front_right.spin));
+        });
+        return largest;
+    };
+    const double coarse = difference(0.001);
+    EXPECT_LT(coarse, 0.5) << "rad/s, of some 20";
+    EXPECT_LT(difference(0.0005), 0.4 * coarse);
 }
 
 TEST(DifferentialOnACar, AHalvedStepConvergesToTheSameDrive) {
