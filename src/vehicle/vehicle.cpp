@@ -27,29 +27,39 @@ PerWheel<double> spins(const PerWheel<WheelState>& wheels) {
     return {wheels[0].spin, wheels[1].spin, wheels[2].spin, wheels[3].spin};
 }
 
-// What the driveline sees of the wheels, and of the body that leans on them.
-DrivelineInput drivelineInput(const Vehicle& vehicle, const VehicleState& state, const BodyFrame& body) {
-    DrivelineInput input{.throttle = 0, .clutch_pedal = 0, .wheel_spin = spins(state.wheels)};
+// What the driver asks of the driveline, and what it sees of the wheels and of the body that leans on them.
+DrivelineInput drivelineInput(const Vehicle& vehicle, const VehicleState& state, const BodyFrame& body,
+                              const VehicleInput& begin, const VehicleInput& end) {
+    DrivelineInput input{.throttle = middle(begin.throttle, end.throttle),
+                         .clutch_pedal = middle(begin.clutch, end.clutch),
+                         .wheel_spin = spins(state.wheels)};
     for (std::size_t i = 0; i < kWheels; ++i) {
         const WheelState& wheel = state.wheels[i];
         input.wheel_inertia[i] = vehicle.corners[i].wheel_inertia;
         input.wheel_load[i] = vehicle.corners[i].wheel_inertia * wheel.spin_rate - wheel.drive_torque;
     }
     input.lateral_acceleration = body.acceleration_B.y();
+    // A motor leaves wheels that may lock to their brakes.
+    if (regulatedWheels(state.brakes.anti_lock) == 0)
+        input.brake_torque = vehicle.params.brakes.full_pedal_torque * middle(begin.brake, end.brake);
     return input;
 }
 
-BrakeInput brakeInput(const Vehicle& vehicle, const VehicleState& state, const BodyFrame& body) {
-    BrakeInput input;
+// The same for the brakes and their controllers.
+BrakeInput brakeInput(const Vehicle& vehicle, const VehicleState& state, const BodyFrame& body,
+                      const VehicleInput& begin, const VehicleInput& end) {
+    BrakeInput input{.pedal_begin = begin.brake,
+                     .pedal_end = end.brake,
+                     .parking_begin = begin.parking_brake,
+                     .parking_end = end.parking_brake};
     for (std::size_t i = 0; i < kWheels; ++i) {
         input.spin[i] = state.wheels[i].spin;
         input.speed[i] = state.wheels[i].motion.Vx;
         input.rolling[i] = vehicle.corners[i].tyre.parameters.Re * state.wheels[i].spin;
     }
-    input.car = {.speed = body.velocity_B.x(),
-                 .steer = 0,
-                 .yaw_rate = body.angular_velocity_B.z(),
-                 .wheelbase = vehicle.params.wheelbase};
+    input.car.speed = body.velocity_B.x();
+    input.car.yaw_rate = body.angular_velocity_B.z();
+    input.car.wheelbase = vehicle.params.wheelbase;
     return input;
 }
 
@@ -72,18 +82,9 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
     const auto contacts = advanceTravel(state.wheels, vehicle, from, to, steer, surroundings.road, dt);
 
     // Driveline and brake torques, with their mean over the step.
-    DrivelineInput drive_input = drivelineInput(vehicle, state, from);
-    drive_input.throttle = middle(begin.throttle, end.throttle);
-    drive_input.clutch_pedal = middle(begin.clutch, end.clutch);
-    drive_input.brake_torque = regulatedWheels(state.brakes.anti_lock) > 0
-                                   ? 0  // a motor leaves a wheel that may lock to its brake
-                                   : params.brakes.full_pedal_torque * middle(begin.brake, end.brake);
-    const DrivelineTorques drive = advance(state.driveline, params.driveline, drive_input, dt);
-    BrakeInput brake_input = brakeInput(vehicle, state, from);
-    brake_input.pedal_begin = begin.brake;
-    brake_input.pedal_end = end.brake;
-    brake_input.parking_begin = begin.parking_brake;
-    brake_input.parking_end = end.parking_brake;
+    const DrivelineTorques drive =
+        advance(state.driveline, params.driveline, drivelineInput(vehicle, state, from, begin, end), dt);
+    BrakeInput brake_input = brakeInput(vehicle, state, from, begin, end);
     brake_input.recovered = drive.braked;
     brake_input.car.steer = middle(steer.front_left, steer.front_right);
     const BrakeTorques brake = advance(state.brakes, params.brakes, brake_input, dt);
