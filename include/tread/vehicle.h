@@ -122,12 +122,13 @@ Vehicle prepare(const VehicleParams& params, double gravity = kStandardGravity);
 
 struct WheelState {
     TyreState tyre;
-    TyreMotion motion;  // of the tyre at the end of the last step, paper axes
-    double spin = 0;    // rad/s, positive forward
-    double travel = 0;  // m, compression
-    double rate = 0;    // m/s
-    double radius = 0;  // m, wheel centre to road
-    double steer = 0;   // rad, of the wheel against the body, toe included
+    TyreMotion motion;     // of the tyre at the end of the last step, paper axes
+    double spin = 0;       // rad/s, positive forward
+    double spin_rate = 0;  // rad/s2, over the last step
+    double travel = 0;     // m, compression
+    double rate = 0;       // m/s
+    double radius = 0;     // m, wheel centre to road
+    double steer = 0;      // rad, of the wheel against the body, toe included
     // Forces of the road on the tyre at the end of the last step, ISO 8855 wheel axes.
     double load = 0, fx = 0, fy = 0, mz = 0;
     double fy_rate = 0;           // N/s, over the last step
@@ -142,9 +143,11 @@ struct WheelState {
 struct VehicleState {
     PerWheel<WheelState> wheels;
     DrivelineState driveline;
+    BrakeState brakes;
     std::array<double, 3> acceleration_W{};          // m/s2, of the centre of gravity at the end of the last step
     std::array<double, 3> angular_acceleration_W{};  // rad/s2
     double engine_torque = 0;                        // N m
+    double motor_torque = 0;                         // N m
 };
 static_assert(std::is_trivially_copyable_v<VehicleState>, "a snapshot is a copy");
 
@@ -160,6 +163,7 @@ struct ChassisMotion {
 struct Surroundings {
     const Road& road;
     Vector3 gravity_W{0, 0, -kStandardGravity};
+    Vector3 wind_W{0, 0, 0};  // m/s, velocity of the air
 };
 
 // Advances car and body by dt (at most about 2 ms); the driver's input is given at both ends of the step.

@@ -58,10 +58,20 @@ double unwrapped(double angle, double previous) {
     return angle - 2 * std::numbers::pi * std::round((angle - previous) / (2 * std::numbers::pi));
 }
 
+// The car starts in the part of the steady wind that blows along its heading: a side wind it meets as it starts, for
+// held straight it is in no equilibrium there.
+Vector3 startingWind(const Scenario& scenario) {
+    const Vector3 heading(std::cos(scenario.start.heading), std::sin(scenario.start.heading), 0);
+    return windAt({.speed = scenario.wind.speed, .direction = scenario.wind.direction, .gust = {}}, 0, 0).dot(heading) *
+           heading;
+}
+
 Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const Surroundings& surroundings) {
     const StartParams& start = scenario.start;
     Equilibrium rest = equilibrium(prepare(params), surroundings,
-                                   {.heading = start.heading, .speed = start.speed, .input = {.brake = start.brake}});
+                                   {.heading = start.heading,
+                                    .speed = start.speed,
+                                    .input = {.brake = start.brake, .parking_brake = start.parking_brake}});
     if (!std::isfinite(rest.acceleration)) {
         throw SimulationError(
             fmt::format("the simulation broke down before the start, while the car settled on its wheels: its "
@@ -94,7 +104,7 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
     // World, car and road; the car in equilibrium.
     World world(params);
     PlaneRoad road(scenario.road.grade, scenario.road.bank, scenario.road.friction);
-    const Equilibrium rest = startOf(params, scenario, {road});
+    const Equilibrium rest = startOf(params, scenario, {.road = road, .wind_W = startingWind(scenario)});
     BulletVehicle car(params, world.chassis(), road);
     car.restore(rest.motion, rest.state, rest.input);
     Driver driver(scenario, rest.input);
@@ -129,6 +139,7 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
 
         sample.driver = driver.inputAt(static_cast<double>(k + 1) * dt);
         car.setInput(sample.driver);
+        car.setWind(windAt(scenario.wind, sample.time + 0.5 * dt, sample.car.chassis.x));
         car.plan(dt);
         world.step(dt);
         car.observe();

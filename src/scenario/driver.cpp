@@ -74,6 +74,7 @@ VehicleInput Driver::signals(double time) const {
     input.throttle = valueAt(now.throttle, held_.throttle, elapsed);
     input.brake = valueAt(now.brake, held_.brake, elapsed);
     input.clutch = valueAt(now.clutch, held_.clutch, elapsed);
+    input.parking_brake = valueAt(now.parking_brake, held_.parking_brake, elapsed);
     if (const auto* hold = std::get_if<HoldSpeed>(&now.throttle)) {
         const double missing = (hold->speed > 0 ? hold->speed : phase_speed_) - seen_.vx;
         input.throttle = held_.throttle + hold->proportional * missing + hold->integral * missing_way_;

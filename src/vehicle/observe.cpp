@@ -64,8 +64,12 @@ VehicleOutput observe(const ChassisMotion& motion, const VehicleState& state, co
     out.chassis = observeChassis(motion, state, up);
     for (std::size_t i = 0; i < kWheels; ++i) {
         out.wheel[i] = observeWheel(state.wheels[i], vehicle.corners[i].tyre.parameters.Re);
+        out.wheel[i].brake_temperature = vehicle.params.brakes.ambient_temperature + state.brakes.heating[i];
+        out.brakes.stability_control += state.brakes.stability_control.torque[i];
     }
-    out.driveline = {state.driveline.engine_speed, state.engine_torque, static_cast<double>(state.driveline.gear)};
+    out.brakes.anti_lock = regulatedWheels(state.brakes.anti_lock);
+    out.driveline = {state.driveline.engine_speed, state.engine_torque, state.motor_torque,
+                     static_cast<double>(state.driveline.gear)};
     return out;
 }
 

@@ -27,6 +27,42 @@ PerWheel<double> spins(const PerWheel<WheelState>& wheels) {
     return {wheels[0].spin, wheels[1].spin, wheels[2].spin, wheels[3].spin};
 }
 
+// What the driver asks of the driveline, and what it sees of the wheels and of the body that leans on them.
+DrivelineInput drivelineInput(const Vehicle& vehicle, const VehicleState& state, const BodyFrame& body,
+                              const VehicleInput& begin, const VehicleInput& end) {
+    DrivelineInput input{.throttle = middle(begin.throttle, end.throttle),
+                         .clutch_pedal = middle(begin.clutch, end.clutch),
+                         .wheel_spin = spins(state.wheels)};
+    for (std::size_t i = 0; i < kWheels; ++i) {
+        const WheelState& wheel = state.wheels[i];
+        input.wheel_inertia[i] = vehicle.corners[i].wheel_inertia;
+        input.wheel_load[i] = vehicle.corners[i].wheel_inertia * wheel.spin_rate - wheel.drive_torque;
+    }
+    input.lateral_acceleration = body.acceleration_B.y();
+    // A motor leaves wheels that may lock to their brakes.
+    if (regulatedWheels(state.brakes.anti_lock) == 0)
+        input.brake_torque = vehicle.params.brakes.full_pedal_torque * middle(begin.brake, end.brake);
+    return input;
+}
+
+// The same for the brakes and their controllers.
+BrakeInput brakeInput(const Vehicle& vehicle, const VehicleState& state, const BodyFrame& body,
+                      const VehicleInput& begin, const VehicleInput& end) {
+    BrakeInput input{.pedal_begin = begin.brake,
+                     .pedal_end = end.brake,
+                     .parking_begin = begin.parking_brake,
+                     .parking_end = end.parking_brake};
+    for (std::size_t i = 0; i < kWheels; ++i) {
+        input.spin[i] = state.wheels[i].spin;
+        input.speed[i] = state.wheels[i].motion.Vx;
+        input.rolling[i] = vehicle.corners[i].tyre.parameters.Re * state.wheels[i].spin;
+    }
+    input.car.speed = body.velocity_B.x();
+    input.car.yaw_rate = body.angular_velocity_B.z();
+    input.car.wheelbase = vehicle.params.wheelbase;
+    return input;
+}
+
 }  // namespace
 
 void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle, const VehicleInput& begin,
@@ -47,11 +83,13 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
 
     // Driveline and brake torques, with their mean over the step.
     const DrivelineTorques drive =
-        advance(state.driveline, params.driveline,
-                {middle(begin.throttle, end.throttle), middle(begin.clutch, end.clutch), spins(state.wheels)}, dt);
-    const PerAxle<double> brake = brakeTorques(params.brakes, end.brake);
-    const PerAxle<double> mean_brake = brakeTorques(params.brakes, middle(begin.brake, end.brake));
+        advance(state.driveline, params.driveline, drivelineInput(vehicle, state, from, begin, end), dt);
+    BrakeInput brake_input = brakeInput(vehicle, state, from, begin, end);
+    brake_input.recovered = drive.braked;
+    brake_input.car.steer = middle(steer.front_left, steer.front_right);
+    const BrakeTorques brake = advance(state.brakes, params.brakes, brake_input, dt);
     state.engine_torque = drive.engine;
+    state.motor_torque = drive.motor;
 
     // Tyre forces and spin.
     PerWheel<TyreState> tyres;
@@ -61,14 +99,14 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
     const PerWheel<double> spin_begin = spins(state.wheels);
     for (std::size_t i = 0; i < kWheels; ++i) {
         WheelState& wheel = state.wheels[i];
-        wheel.drive_torque = drive.wheel[axleOf(i)];
-        wheel.brake_torque = brake[axleOf(i)];
+        wheel.drive_torque = drive.wheel[i];
+        wheel.brake_torque = brake.end[i];
         steer_rate[i] = (steer[i] - steer_begin[i]) / dt;
         tyres[i] = wheel.tyre;
         motion_begin[i] = wheel.motion;
         motion_end[i] =
             tyreMotion(contacts[i], to, contactSlopes(wheel, vehicle, i), wheel.rate, steer_rate[i], wheel.load);
-        torques[i] = {vehicle.corners[i].wheel_inertia, contacts[i].radius, wheel.drive_torque, mean_brake[axleOf(i)]};
+        torques[i] = {vehicle.corners[i].wheel_inertia, contacts[i].radius, wheel.drive_torque, brake.mean[i]};
         friction[i] = contacts[i].friction;
         spin[i] = wheel.spin;
     }
@@ -81,6 +119,7 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
         WheelState& wheel = state.wheels[i];
         wheel.tyre = tyres[i];
         wheel.spin = spin[i];
+        wheel.spin_rate = (wheel.spin - spin_begin[i]) / dt;
         wheel.motion = motion_end[i];
         const TyreForces tyre = toIso(paper[i]);
         takeTyreForces(wheel, tyre, vehicle, contacts[i], i, dt);
@@ -92,7 +131,7 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
                   .suspension_force = wheel.suspension_force,
                   .link_force = wheel.link_force,
                   .spin = wheel.spin,
-                  .spin_rate = (wheel.spin - spin_begin[i]) / dt,
+                  .spin_rate = wheel.spin_rate,
                   .steer_rate = steer_rate[i]},
                  to);
     }
@@ -100,7 +139,7 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
     wrench.add(displacedWheels(vehicle, state.wheels, to));
 
     // Aerodynamics.
-    wrench.add(aeroWrench(vehicle, to));
+    wrench.add(aeroWrench(vehicle, to, surroundings.wind_W));
 
     // One wrench moves the body.
     correct(next, state, vehicle, to, wrench, dt);

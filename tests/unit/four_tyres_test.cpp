@@ -47,10 +47,10 @@ TEST(FourTyres, GetTheBitsThatEachGetsAlone) {
         PerWheel<double> friction;
         for (std::size_t i = 0; i < kWheels; ++i) {
             const double speed = drive % 3 == 0 ? 2 * std::abs(unit(random)) : 40 * unit(random);
-            begin[i] = {0, 3 * unit(random), speed, 0, 0.5 * unit(random), 0.05 * unit(random),
-                        4000 + 4000 * unit(random)};
-            rate[i] = {0, 20 * unit(random), -8 * unit(random), 0, 2 * unit(random), 0.3 * unit(random),
-                       20000 * unit(random)};
+            begin[i] = {
+                0, 3 * unit(random), speed, 0, 0.5 * unit(random), 0.05 * unit(random), 4000 + 4000 * unit(random)};
+            rate[i] = {
+                0, 20 * unit(random), -8 * unit(random), 0, 2 * unit(random), 0.3 * unit(random), 20000 * unit(random)};
             spins[i] = {1.2, 0.3, 400 * unit(random), drive % 2 == 0 ? 0 : 1500 * std::abs(unit(random))};
             friction[i] = i == 2 ? 0.4 : 1;
             Omega[i] = speed / each[i].parameters.Re;
@@ -70,8 +70,8 @@ TEST(FourTyres, GetTheBitsThatEachGetsAlone) {
                 TyreParams tyre = each[i];
                 tyre.lambda.mux *= friction[i];
                 tyre.lambda.muy *= friction[i];
-                const TyreForces alone = advance(states_alone[i], Omega_alone[i], tyre, begin[i], end[i], spins[i], dt,
-                                                 Standstill::hold);
+                const TyreForces alone =
+                    advance(states_alone[i], Omega_alone[i], tyre, begin[i], end[i], spins[i], dt, Standstill::hold);
                 ASSERT_TRUE(std::isfinite(alone.Fx + alone.Fy + alone.Mz));
                 ASSERT_TRUE(sameBits(forces[i], alone)) << "drive " << drive << " step " << k << " wheel " << i;
                 ASSERT_TRUE(sameBits(states[i], states_alone[i]));
