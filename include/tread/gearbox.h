@@ -90,9 +90,11 @@ struct GearboxParams {
         }
         if (self.ratios.size() < 2) return;
         if (self.shift_up_speed == 0)
-            complain("shift_up_speed", "missing, expected a speed: there is more than one gear");
+            complain("shift_up_speed", "missing, expected the speed at which a gearbox with several gears shifts up");
         if (self.shift_down_speed == 0)
-            complain("shift_down_speed", "missing, expected a speed: there is more than one gear");
+            complain("shift_down_speed",
+                     "missing, expected the speed at which a gearbox with several gears shifts down");
+        if (self.shift_up_speed == 0 || self.shift_down_speed == 0) return;
         // Down at a pedal position, and at once up again?
         for (const Curve* map : {&self.shift_up_share, &self.shift_down_share}) {
             for (const Curve::Point& p : map->points) {
