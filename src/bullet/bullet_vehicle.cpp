@@ -153,6 +153,7 @@ void BulletVehicle::plan(double dt) {
         input.throttle += share * (s.next.throttle - s.input.throttle);
         input.brake += share * (s.next.brake - s.input.brake);
         input.clutch += share * (s.next.clutch - s.input.clutch);
+        input.hands_off = s.next.hands_off;
         return input;
     };
     for (int k = 0; k < substeps; ++k) {
