@@ -16,7 +16,7 @@ namespace tread {
 
 struct SteeringParams {
     double ratio = kRequired;
-    Curve ratio_curve;
+    Curve ratio_curve{};
     double ackermann = 0;
     double delay = 0;
     double lag = 0;

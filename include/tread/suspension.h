@@ -10,8 +10,8 @@ namespace tread {
 struct DamperParams {
     double bump = kRequired;
     double rebound = kRequired;
-    Curve bump_curve;
-    Curve rebound_curve;
+    Curve bump_curve{};
+    Curve rebound_curve{};
     double friction = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
@@ -62,7 +62,7 @@ static_assert(describesEveryMember<StopParams>());
 
 struct SuspensionParams {
     double spring = kRequired;
-    Curve spring_curve;
+    Curve spring_curve{};
     DamperParams damper;
     double anti_roll_bar = 0;
     StopParams bump_stop;

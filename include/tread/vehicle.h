@@ -44,8 +44,8 @@ static_assert(describesEveryMember<InertiaParams>());
 
 // What one wheel has that its axle has not.
 struct WheelParams {
-    std::optional<TyreParams> tyre;
-    std::optional<TyreSurroundingsParams> tyre_surroundings;
+    std::optional<TyreParams> tyre{};
+    std::optional<TyreSurroundingsParams> tyre_surroundings{};
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(tyre), About{"", "tyre of this wheel alone, or the file that describes it"});
@@ -132,7 +132,7 @@ struct Vehicle {
         TyreParams tyre;       // as mounted on this side, at its pressure
         TyreShift tyre_shift;  // ply-steer and conicity
         TyreTemperatureParams temperature;
-        double aligning_stiffness;  // N m/rad, about the steering axis: not less than the tyre's at its static load
+        double aligning_stiffness;  // N m/rad, of the tyre about the steering axis, at static load
     };
 
     VehicleParams params;

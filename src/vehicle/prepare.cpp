@@ -12,18 +12,16 @@ TyreParams mounted(const TyreParams& tyre, bool left) {
     return here;
 }
 
-// The slope of the moment about the steering axis with the steer angle, at small slip and twice as steep: a wheel may
-// carry twice its static load.
+// The slope of the moment about the steering axis with the steer angle, at small slip.
 double aligningStiffness(const TyreParams& tyre, double load, double caster_trail) {
     constexpr double kSmall = 1e-3;  // rad
     constexpr double kSpeed = 20;    // m/s
-    constexpr double kReserve = 2;
     const auto at = [&](double slip) {
         return steadyState(tyre, {.Fz = load, .gamma = 0, .Vx = kSpeed, .Vsx = 0, .Vsy = kSpeed * slip});
     };
     const TyreSteadyState more = at(kSmall), less = at(-kSmall);
     const double slope = more.Mz - less.Mz - caster_trail * (more.Fy - less.Fy);
-    return kReserve * std::abs(slope) / (2 * kSmall);
+    return std::abs(slope) / (2 * kSmall);
 }
 
 Vehicle::Corner cornerOf(const VehicleParams& params, std::size_t wheel, double gravity) {

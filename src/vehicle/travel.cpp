@@ -71,8 +71,8 @@ PerWheel<WheelContact> advanceTravel(PerWheel<WheelState>& wheels, const Vehicle
             compliance(suspension, wheel.fx + dt * wheel.fx_rate, wheel.fy + dt * wheel.fy_rate, isLeft(i));
         wheel.steer = steer[i] + lean.toe + yielding.toe;
         if (suspension.steer_by_aligning_moment != 0) {
-            wheel.steer +=
-                wheel.moment_steer.advance(suspension.steer_by_aligning_moment, corner.aligning_stiffness, wheel.mz);
+            wheel.steer += wheel.moment_steer.advance(suspension.steer_by_aligning_moment, corner.aligning_stiffness,
+                                                      wheel.mz, dt);
         }
         contacts[i] = wheelContact(end, corner, {wheel.recession.travel, 0, wheel.travel},
                                    lean.camber + yielding.camber, wheel.steer, road, i);
