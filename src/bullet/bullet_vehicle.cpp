@@ -160,6 +160,7 @@ void BulletVehicle::plan(double dt) {
         input.brake += share * (s.next.brake - s.input.brake);
         input.clutch += share * (s.next.clutch - s.input.clutch);
         input.parking_brake += share * (s.next.parking_brake - s.input.parking_brake);
+        input.hands_off = s.next.hands_off;
         return input;
     };
     for (int k = 0; k < substeps; ++k) {

@@ -122,7 +122,7 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
         sample.car = car.output();
         sample.car.chassis.yaw = unwrapped(sample.car.chassis.yaw, yaw_before);
         checkHealth(sample.car, sample.time);
-        driver.look(sample.time, sample.car.chassis);
+        driver.look(sample.time, sample.car.chassis, sample.car.steering.angle);
 
         const bool finished = driver.finished(sample.time);
         if (k % steps_per_row == 0 || finished) recorder.row(sample.row());

@@ -48,6 +48,9 @@ ChassisMotion placed(const Vehicle& vehicle, const Surroundings& surroundings, c
 
 VehicleState resting(const Vehicle& vehicle, const Start& start) {
     VehicleState state;
+    const VehicleParams& params = vehicle.params;
+    state.steering =
+        steadySteering(params.steering, start.input.steering_wheel_angle, params.front.track, params.wheelbase);
     for (std::size_t i = 0; i < kWheels; ++i) {
         const TyreCoefficients& p = vehicle.corners[i].tyre.parameters;
         WheelState& wheel = state.wheels[i];
@@ -149,7 +152,11 @@ Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, co
     // Rest at last: what the settling left is below what matters.
     result.motion.velocity_W = place.velocity_W;
     result.motion.angular_velocity_W.setZero();
-    for (std::size_t i = 0; i < kWheels; ++i) state.wheels[i].rate = 0;
+    for (std::size_t i = 0; i < kWheels; ++i) {
+        WheelState& wheel = state.wheels[i];
+        wheel.rate = wheel.recession.rate = wheel.recession.acceleration = 0;
+        wheel.warming = 0;
+    }
     return result;
 }
 

@@ -48,6 +48,12 @@ std::vector<Drive> drives(const VehicleParams& params) {
                   in.clutch = t < 0.7 ? 1 : 0;
                   return in;
               }});
+    // Letting the hand wheel go in a turn.
+    all.push_back(Drive{reference::settled(params, level, {.speed = 15}), 300, [](double t, VehicleInput in) {
+                            in.steering_wheel_angle = std::min(4 * t, 0.6);
+                            in.hands_off = t < 0.2 ? 0 : 1;
+                            return in;
+                        }});
     // Into the shift up from first gear, at full throttle, and down from second.
     const GearboxParams& box = params.driveline.gearbox;
     const auto inGear = [&](std::size_t gear, double gearbox_speed, double throttle) {
@@ -181,7 +187,42 @@ TEST(NumbersOfACar, EachOneIsFelt) {
         axle->suspension.side_view_slope_driving = 0.05;
         axle->tyre.parameters.pVx1 = 0.01;
         axle->tyre.parameters.qx1 = 1e-5;
+        axle->suspension.steer_by_aligning_moment = 1e-5;
+        axle->suspension.steer_by_longitudinal_force = 1e-6;
+        axle->suspension.camber_by_lateral_force = 1e-6;
+        axle->suspension.longitudinal_compliance = 1e-6;
+        axle->tyre_surroundings = {.pressure = {.inflation = 200000,
+                                                .radial_stiffness = 0.7,
+                                                .slip_stiffness = 0.2,
+                                                .cornering_stiffness = 0.5,
+                                                .cornering_peak_load = 0.4},
+                                   .temperature = {.start = 300,
+                                                   .heat_capacity = 2000,
+                                                   .slip_share = 0.7,
+                                                   .cooling = 10,
+                                                   .cooling_by_speed = 1,
+                                                   .friction = 0.001,
+                                                   .friction_squared = -1e-5,
+                                                   .stiffness = -0.002},
+                                   .ply_steer = 0.001,
+                                   .conicity = 0.002};
     }
+    // One wheel wears another tyre than its axle.
+    params.rear.right = {.tyre = params.rear.tyre, .tyre_surroundings = params.rear.tyre_surroundings};
+    params.rear.right.tyre->parameters.Ro -= 0.002;
+    params.steering = {.ratio = params.steering.ratio,
+                       .ratio_curve = {},
+                       .ackermann = params.steering.ackermann,
+                       .delay = 0.012,
+                       .lag = 0.02,
+                       .play = 0.02,
+                       .column_compliance = 0.005,
+                       .rack_compliance = 2e-5,
+                       .caster_trail = 0.02,
+                       .scrub_radius = 0.01,
+                       .inertia = 0.05,
+                       .damping = 0.2,
+                       .friction = 0.3};
     expectEachIsFelt(params, {""});
 }
 

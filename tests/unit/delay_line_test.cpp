@@ -2,35 +2,35 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace tread {
 namespace {
 
-TEST(DelayLine, ReturnsTheInputOfSoManyStepsAgo) {
+// A ramp of 1/s, so that the answer tells the time that it is late.
+double rampAfter(double delay, double dt, int steps) {
     DelayLine line;
-    for (int k = 1; k <= 500; ++k) EXPECT_EQ(line.advance(k, 0.05, 0.001), k <= 50 ? 0 : k - 50) << k;
+    double out = 0;
+    for (int k = 1; k <= steps; ++k) out = line.advance(dt * (k - 1), dt * k, delay, dt);
+    return out;
 }
 
 TEST(DelayLine, WithoutDelayReturnsTheInput) {
     DelayLine line;
-    EXPECT_EQ(line.advance(0.7, 0, 0.001), 0.7);
+    EXPECT_EQ(line.advance(0.2, 0.7, 0, 0.001), 0.7);
 }
 
-TEST(DelayLine, InterpolatesBetweenSteps) {
-    DelayLine line;
-    double out = 0;
-    for (int k = 1; k <= 100; ++k) out = line.advance(0.002 * k, 0.0133, 0.002);
-    EXPECT_NEAR(out, 0.2 - 0.0133, 1e-12) << "a ramp of 1/s, 13.3 ms late";
-    out = 0;
-    DelayLine shorter;
-    for (int k = 1; k <= 100; ++k) out = shorter.advance(0.002 * k, 0.0007, 0.002);
-    EXPECT_NEAR(out, 0.2 - 0.0007, 1e-12) << "a delay of less than a step";
+TEST(DelayLine, RampIsLateByTheDelay) {
+    EXPECT_NEAR(rampAfter(0.05, 0.001, 500), 0.5 - 0.05, 1e-12);
+    EXPECT_NEAR(rampAfter(0.0133, 0.002, 100), 0.2 - 0.0133, 1e-12);
+    EXPECT_NEAR(rampAfter(0.0007, 0.002, 100), 0.2 - 0.0007, 1e-12) << "a delay of less than a step";
+    EXPECT_NEAR(rampAfter(0.8, 0.001, 5000), 5 - 0.8, 1e-12) << "a delay of many steps";
 }
 
-TEST(DelayLine, LongDelayOfAShortStepIsSampledMoreCoarsely) {
+TEST(DelayLine, BeginsWithWhatItIsFilledWith) {
     DelayLine line;
-    double out = 0;
-    for (int k = 1; k <= 5000; ++k) out = line.advance(0.001 * k, 0.8, 0.001);
-    EXPECT_NEAR(out, 5 - 0.8, 0.8 / 126);
+    line.fill(3);
+    EXPECT_EQ(line.advance(5, 5, 0.01, 0.001), 3);
 }
 
 }  // namespace
