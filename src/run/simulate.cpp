@@ -4,16 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "base/numbers.h"
 #include "base/pattern.h"
-#include "road/plane.h"
 #include "run/health.h"
 #include "run/world.h"
 #include "scenario/driver.h"
 #include "tread/bullet_vehicle.h"
 #include "tread/equilibrium.h"
+#include "tread/road_surface.h"
 
 namespace tread {
 namespace {
@@ -93,9 +94,9 @@ Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const
 void simulate(const VehicleParams& params, const Scenario& scenario, const Recorder& recorder) {
     // World, car and road; the car in equilibrium.
     World world(params);
-    PlaneRoad road(scenario.road.grade, scenario.road.bank, scenario.road.friction);
-    const Equilibrium rest = startOf(params, scenario, {road});
-    BulletVehicle car(params, world.chassis(), road);
+    const std::unique_ptr<Road> road = makeRoad(scenario.road);
+    const Equilibrium rest = startOf(params, scenario, {*road});
+    BulletVehicle car(params, world.chassis(), *road);
     car.restore(rest.motion, rest.state, rest.input);
     Driver driver(scenario, rest.input);
 

@@ -8,21 +8,9 @@
 
 #include "scenario/signals.h"
 #include "tread/describe.h"
+#include "tread/road_params.h"
 
 namespace tread {
-
-struct RoadParams {
-    double grade = 0;
-    double bank = 0;
-    double friction = 1;
-
-    static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(grade), About{"-", "rise over run along x"});
-        field(TREAD_FIELD(bank), About{"-", "rise over run along y"});
-        field(TREAD_FIELD(friction), About{"-", "scales the friction of the tyre files", kNonNegative});
-    }
-};
-static_assert(describesEveryMember<RoadParams>());
 
 // The car starts in equilibrium: settled on its suspension, wheels rolling, the throttle that holds the speed.
 struct StartParams {

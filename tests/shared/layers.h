@@ -22,10 +22,10 @@ inline const std::vector<std::string> kOrder{"base",     "road",     "tyre",    
 // Public headers share one folder; each belongs to a layer.
 inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{
     {"base", {"describe", "wheels", "lanes", "curve", "problem", "vector", "vehicle_output"}},
-    {"road", {"road"}},
+    {"road", {"road", "height_field", "road_params", "road_surface"}},
     {"tyre", {"tyre", "four_tyres"}},
     {"vehicle", {"suspension", "steering", "driveline", "brakes", "aero", "vehicle", "equilibrium", "load"}},
-    {"bullet", {"bullet_road", "bullet_vehicle", "raycast_vehicle"}},
+    {"bullet", {"bullet_road", "bullet_ground", "bullet_vehicle", "raycast_vehicle"}},
 };
 
 // The sub-models of the car: they meet in vehicle.h and vehicle.cpp only.
