@@ -131,6 +131,7 @@ struct RoadParams {
     double crown = 0;
     double crown_y = 0;
     double crown_rounding = 0.5;
+    double crown_begin = -kInfinity;
     double friction = 1;
     double contact_length = 0.15;
     std::vector<FrictionPatch> friction_patches;
@@ -144,6 +145,7 @@ struct RoadParams {
         field(TREAD_FIELD(crown), About{"-", "fall over run to both sides of the crown"});
         field(TREAD_FIELD(crown_y), About{"m", "y of the crown"});
         field(TREAD_FIELD(crown_rounding), About{"m", "distance over which the crown is rounded", kPositive});
+        field(TREAD_FIELD(crown_begin), About{"m", "x where the crown begins, growing over 20 m"});
         field(TREAD_FIELD(friction), About{"-", "scales the friction of the tyre files", kNonNegative});
         field(TREAD_FIELD(contact_length),
               About{"m",

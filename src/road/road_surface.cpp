@@ -3,11 +3,17 @@
 #include <array>
 #include <cmath>
 
+#include "road/fade.h"
 #include "road/obstacle.h"
 #include "road/plane.h"
 #include "road/roughness.h"
 
 namespace tread {
+namespace {
+
+constexpr double kCrownFade = 20;  // m, over which the crown begins: what a road takes to change its cross fall
+
+}  // namespace
 
 struct RoadSurface::Parts {
     RoadParams params;
@@ -41,7 +47,8 @@ SurfacePoint RoadSurface::base(double x, double y) const {
     if (p.crown != 0) {
         const double aside = y - p.crown_y;
         const double root = std::hypot(aside, p.crown_rounding);
-        point += {-p.crown * (root - p.crown_rounding), 0, -p.crown * aside / root};
+        const SurfacePoint crown{-p.crown * (root - p.crown_rounding), 0, -p.crown * aside / root};
+        point += fadedIn(crown, x - p.crown_begin, kCrownFade);
     }
     return point;
 }

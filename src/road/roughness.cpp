@@ -6,6 +6,7 @@
 #include <unsupported/Eigen/FFT>
 
 #include "base/random.h"
+#include "road/fade.h"
 
 namespace tread {
 namespace {
@@ -116,17 +117,10 @@ SurfacePoint Roughness::evaluate(const Profile& profile, double x, double y) con
 
     // Across the road.
     const double cosine = std::cos(wave_across_ * y), sine = std::sin(wave_across_ * y);
-    SurfacePoint point{value[0] + value[1] * cosine + value[2] * sine, slope[0] + slope[1] * cosine + slope[2] * sine,
-                       wave_across_ * (value[2] * cosine - value[1] * sine)};
-    if (x < begin_ + kFade) {
-        const double way = (x - begin_) / kFade;
-        const double share = way * way * (3 - 2 * way);
-        const double rise = 6 * way * (1 - way) / kFade;
-        const double height = point.height;
-        point = share * point;
-        point.slope_x += rise * height;
-    }
-    return point;
+    const SurfacePoint surface{value[0] + value[1] * cosine + value[2] * sine,
+                               slope[0] + slope[1] * cosine + slope[2] * sine,
+                               wave_across_ * (value[2] * cosine - value[1] * sine)};
+    return fadedIn(surface, x - begin_, kFade);
 }
 
 }  // namespace tread

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scenario/sensor.h"
 #include "scenario/signals.h"
 #include "tread/describe.h"
 #include "tread/road_params.h"
@@ -83,11 +84,13 @@ static_assert(describesEveryMember<Phase>());
 struct LogParams {
     double rate = 100;
     std::vector<std::string> channels;
+    std::vector<SensorParams> sensors = {};
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(rate),
               About{"1/s", "rows per second (rounded to a whole number of steps per row)", kPositive});
         field(TREAD_FIELD(channels), About{"", "names of the channels to log, * for any characters; none: all"});
+        field(TREAD_FIELD(sensors), About{"", "sensors, logged beside the channels as sensor.<name>"});
     }
 };
 static_assert(describesEveryMember<LogParams>());

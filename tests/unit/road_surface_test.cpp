@@ -110,9 +110,9 @@ TEST(RoadSurface, PointContactFeelsTheRoadItself) {
 }
 
 TEST(RoadSurface, SlopesAreThoseOfTheHeights) {
-    const RoadSurface surface(
-        roadOf("{grade: 0.03, bank: -0.02, crown: 0.025, crown_y: -1, roughness: {road_class: E, begin: -3}, "
-               "obstacles: [{x: 1, length: 5, height: 0.2, heading: 0.3}]}"));
+    const RoadSurface surface(roadOf(
+        "{grade: 0.03, bank: -0.02, crown: 0.025, crown_y: -1, crown_begin: -5, roughness: {road_class: E, begin: -3}, "
+        "obstacles: [{x: 1, length: 5, height: 0.2, heading: 0.3}]}"));
     constexpr double kNear = 1e-5;
     for (double x = -4; x < 9; x += 0.317) {
         for (const double y : {-2.0, -0.7, 0.9}) {
