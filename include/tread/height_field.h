@@ -32,6 +32,10 @@ struct SurfacePoint {
     }
 };
 
+// Coordinates and heights as they can be on Earth, spacings that can be measured: m.
+inline constexpr Limits kOnEarth{-1e7, 1e7};
+inline constexpr Limits kGridSpacing{1e-4, 1e5};
+
 struct HeightField {
     static constexpr bool kIncludable = true;
 
@@ -43,12 +47,13 @@ struct HeightField {
     std::vector<double> heights;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(x_first), About{"m", "x of the first row"});
-        field(TREAD_FIELD(y_first), About{"m", "y of the first column"});
-        field(TREAD_FIELD(x_spacing), About{"m", "distance between rows", kPositive});
-        field(TREAD_FIELD(y_spacing), About{"m", "distance between columns", kPositive});
+        field(TREAD_FIELD(x_first), About{"m", "x of the first row", kOnEarth});
+        field(TREAD_FIELD(y_first), About{"m", "y of the first column", kOnEarth});
+        field(TREAD_FIELD(x_spacing), About{"m", "distance between rows", kGridSpacing});
+        field(TREAD_FIELD(y_spacing), About{"m", "distance between columns", kGridSpacing});
         field(TREAD_FIELD(columns), About{"-", "points in a row", {2, 1e6}});
-        field(TREAD_FIELD(heights), About{"m", "heights, row by row: all of the first x, then all of the next"});
+        field(TREAD_FIELD(heights),
+              About{"m", "heights, row by row: all of the first x, then all of the next", kOnEarth});
     }
 
     static void check(const auto& self, auto&& complain) {

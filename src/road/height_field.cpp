@@ -14,7 +14,7 @@ struct Cell {
 };
 Cell cellOf(double u, std::size_t nodes) {
     const double last = static_cast<double>(nodes - 1);
-    const double inside = std::clamp(u, 0.0, last);
+    const double inside = u > 0 ? std::min(u, last) : 0;  // 0 also for what is no number
     const double first = std::min(std::floor(inside), last - 1);
     return {static_cast<std::size_t>(first), inside - first, u < 0 || u > last};
 }

@@ -1,11 +1,10 @@
-// Height fields as CSV.
+#include "road/height_field_file.h"
 
+#include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "base/number_text.h"
 #include "base/text_file.h"
-#include "tread/height_field.h"
 
 namespace tread {
 namespace {
@@ -72,6 +71,10 @@ private:
                     fault(begin + 1, "found " + quote(text) + ", expected a number in m");
                     return false;
                 }
+                if (!kOnEarth.allow(*number)) {
+                    fault(begin + 1, "found " + quote(text) + ", expected a number " + limitsText(kOnEarth) + " m");
+                    return false;
+                }
                 numbers.push_back(*number);
             }
             if (end == line_.size()) return true;
@@ -79,16 +82,16 @@ private:
         }
     }
 
-    // Complains unless the last coordinate goes on in the steps of the first two.
-    void checkStep(const std::vector<double>& at, const char* name) {
-        if (at.size() < 2) return;
-        const double step = at[1] - at[0], last = at.back() - at[at.size() - 2];
+    // Complains unless the last of the first `count` coordinates goes on in the step of the first two.
+    void checkStep(const std::vector<double>& at, std::size_t count, const char* name) {
+        if (count < 2) return;
+        const double step = at[1] - at[0], before = at[count - 2], last = at[count - 1];
         if (!(step > 0)) {
             fault(1, std::string("found ") + name + " = " + numberText(at[1]) + " after " + numberText(at[0]) +
                          ", expected it to increase");
-        } else if (std::abs(last - step) > kEvenness * step) {
-            fault(1, std::string("found ") + name + " = " + numberText(at.back()) + " after " +
-                         numberText(at[at.size() - 2]) + ", expected equal steps of " + numberText(step) + " m");
+        } else if (std::abs(last - before - step) > kEvenness * step) {
+            fault(1, std::string("found ") + name + " = " + numberText(last) + " after " + numberText(before) +
+                         ", expected equal steps of " + numberText(step) + " m");
         }
     }
 
@@ -103,9 +106,7 @@ private:
             return;
         }
         if (y_.size() < 2) return fault(1, "found one column, expected at least two");
-        for (std::size_t i = 2; i <= y_.size() && fine(); ++i) {
-            checkStep({y_.begin(), y_.begin() + static_cast<std::ptrdiff_t>(i)}, "y");
-        }
+        for (std::size_t count = 2; count <= y_.size() && fine(); ++count) checkStep(y_, count, "y");
         field.heights.clear();
     }
 
@@ -117,7 +118,7 @@ private:
                                 std::to_string(y_.size()) + " heights");
         }
         x_.push_back(row.front());
-        checkStep(x_, "x");
+        checkStep(x_, x_.size(), "x");
         field.heights.insert(field.heights.end(), row.begin() + 1, row.end());
     }
 
@@ -132,14 +133,19 @@ private:
 
 }  // namespace
 
+void parseHeightField(HeightField& field, std::string_view text, const std::string& file,
+                      std::vector<Problem>& problems) {
+    if (isPlainText(text, file, problems)) Table(text, file, problems).read(field);
+}
+
 bool readForeign(HeightField& field, const std::filesystem::path& file, std::vector<Problem>& problems) {
     if (file.extension() != ".csv" && file.extension() != ".CSV") return false;
     const std::string name = file.string();
     std::string fault;
     if (const auto text = readTextFile(file, fault); !text) {
         problems.push_back({name, 0, 0, "", fault});
-    } else if (isPlainText(*text, name, problems)) {
-        Table(*text, name, problems).read(field);
+    } else {
+        parseHeightField(field, *text, name, problems);
     }
     return true;
 }

@@ -22,6 +22,7 @@ constexpr std::size_t kNodes = 65536;
 constexpr double kSpacing = 0.05;      // m
 constexpr double kLowest = 1 / 128.0;  // cycles/m
 constexpr double kHighest = 5;         // cycles/m
+constexpr double kFarthest = 1e12;     // m, where a double still knows a node from the next
 constexpr double kFade = 10;           // m, over which the roughness begins
 
 double sinc(double x) {
@@ -98,7 +99,7 @@ Roughness::Roughness(const RoughnessParams& params, double contact_length)
 }
 
 SurfacePoint Roughness::evaluate(const Profile& profile, double x, double y) const {
-    if (x <= begin_) return {};
+    if (!(x > begin_) || std::abs(x) > kFarthest) return {};
 
     // Cubic B-spline along x: values and slopes of the three profiles.
     const double u = x / kSpacing, whole = std::floor(u), t = u - whole, s = 1 - t;
