@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <string_view>
 
 #include "road/height_field_file.h"
@@ -21,10 +22,12 @@ inline bool readHostileHeights(std::string_view text) {
     if (field.columns < 2 || field.rows() < 2 || field.heights.size() % static_cast<std::size_t>(field.columns) != 0)
         std::abort();
     if (!kGridSpacing.allow(field.x_spacing) || !kGridSpacing.allow(field.y_spacing)) return false;  // the reader's
-    for (const double x : {-INFINITY, -1e300, 0.0, 0.3, 1e300, INFINITY, static_cast<double>(NAN)}) {
-        for (const double y : {-INFINITY, 0.1, 1e300, static_cast<double>(NAN)}) {
-            if (std::isnan(x) || std::isnan(y)) field.at(x, y);
-            else if (std::isnan(field.at(x, y).height)) std::abort();
+    constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+    for (const double x : {-kInfinity, -1e300, 0.0, 0.3, 1e300, kInfinity}) {
+        field.at(x, kNoNumber);
+        field.at(kNoNumber, x);
+        for (const double y : {-kInfinity, 0.1, 1e300}) {
+            if (std::isnan(field.at(x, y).height)) std::abort();
         }
     }
     return true;
