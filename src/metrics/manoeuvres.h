@@ -12,5 +12,6 @@ Manoeuvre coastDown();
 Manoeuvre stepSteer();
 Manoeuvre sineSteer();
 Manoeuvre steadyCircle();
+Manoeuvre ride();
 
 }  // namespace tread

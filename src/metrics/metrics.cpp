@@ -13,7 +13,7 @@ namespace tread {
 // What is more special comes first: a car that is dropped is parked as well, a step is slow steering at its end.
 const std::vector<Manoeuvre>& manoeuvres() {
     static const std::vector<Manoeuvre> list = {dropAndSettle(), parked(),    straightBraking(), coastDown(),
-                                                stepSteer(),     sineSteer(), steadyCircle()};
+                                                stepSteer(),     sineSteer(), steadyCircle(), ride()};
     return list;
 }
 

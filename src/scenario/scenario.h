@@ -6,24 +6,13 @@
 #include <string_view>
 #include <vector>
 
+#include "scenario/sensor.h"
 #include "scenario/signals.h"
 #include "scenario/wind.h"
 #include "tread/describe.h"
+#include "tread/road_params.h"
 
 namespace tread {
-
-struct RoadParams {
-    double grade = 0;
-    double bank = 0;
-    double friction = 1;
-
-    static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(grade), About{"-", "rise over run along x"});
-        field(TREAD_FIELD(bank), About{"-", "rise over run along y"});
-        field(TREAD_FIELD(friction), About{"-", "scales the friction of the tyre files", kNonNegative});
-    }
-};
-static_assert(describesEveryMember<RoadParams>());
 
 // The car starts in equilibrium: settled on its suspension, wheels rolling, the throttle that holds the speed.
 struct StartParams {
@@ -101,11 +90,13 @@ static_assert(describesEveryMember<Phase>());
 struct LogParams {
     double rate = 100;
     std::vector<std::string> channels;
+    std::vector<SensorParams> sensors = {};
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(rate),
               About{"1/s", "rows per second (rounded to a whole number of steps per row)", kPositive});
         field(TREAD_FIELD(channels), About{"", "names of the channels to log, * for any characters; none: all"});
+        field(TREAD_FIELD(sensors), About{"", "sensors, logged beside the channels as sensor.<name>"});
     }
 };
 static_assert(describesEveryMember<LogParams>());

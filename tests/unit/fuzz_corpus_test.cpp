@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fuzz/csv_entry.h"
+#include "fuzz/height_field_entry.h"
 #include "fuzz/yaml_entry.h"
 #include "shared/scratch.h"
 
@@ -38,6 +39,12 @@ TEST(FuzzCorpus, EveryLogIsTakenOrRefusedInWords) {
     const auto [files, taken] = replay("csv", fuzz::readHostileCsv);
     EXPECT_GE(files, 8u);
     EXPECT_EQ(taken, (std::vector<std::string>{"plain.csv", "windows.csv"}));
+}
+
+TEST(FuzzCorpus, EveryHeightFieldIsTakenOrRefusedInWords) {
+    const auto [files, taken] = replay("height_field", fuzz::readHostileHeights);
+    EXPECT_GE(files, 9u);
+    EXPECT_EQ(taken, (std::vector<std::string>{"plain.csv"}));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "base/text_file.h"
 #include "base/yaml_document.h"
 #include "metrics/metrics.h"
+#include "run/sensors.h"
 #include "run/simulate.h"
 #include "scenario/load.h"
 #include "tread/load.h"
@@ -62,6 +63,9 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
         faults.push_back({"log.channels." + std::to_string(i),
                           "found " + quote(pattern) + ", which fits no channel, expected a name or a pattern with *" +
                               (suggestion.empty() ? ";" : suggestion) + " `tread describe log` lists all channels"});
+    }
+    for (SensorFault& fault : sensorFaults(scenario.log.sensors, known)) {
+        faults.push_back({"log.sensors." + std::to_string(fault.sensor) + "." + fault.path, std::move(fault.text)});
     }
     return faults;
 }
