@@ -2,35 +2,45 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace tread {
 namespace {
 
-TEST(DelayLine, ReturnsTheInputOfSoManyStepsAgo) {
-    DelayLine line;
-    for (int k = 1; k <= 500; ++k) EXPECT_EQ(line.advance(k, 0.05, 0.001), k <= 50 ? 0 : k - 50) << k;
+TEST(DelayLine, ReturnsWhatTheSignalWasBefore) {
+    for (const double delay : {0.0007, 0.0133, 0.05, 0.2}) {
+        for (const double step : {0.0005, 0.001, 0.002}) {
+            DelayLine line;
+            const auto signal = [](double t) { return 3 * t; };
+            for (int k = 1; k <= 600; ++k) {
+                const double t = k * step;
+                const double out = line.advance(signal(t - step), signal(t), delay, step);
+                if (t > delay + step) {
+                    EXPECT_NEAR(out, signal(t - delay), 1e-9) << delay << " " << step;
+                } else if (t < delay) {
+                    EXPECT_EQ(out, 0);
+                }
+            }
+        }
+    }
 }
 
-TEST(DelayLine, WithoutDelayReturnsTheInput) {
+TEST(DelayLine, JumpComesAfterTheDelay) {
     DelayLine line;
-    EXPECT_EQ(line.advance(0.7, 0, 0.001), 0.7);
+    for (int k = 1; k <= 200; ++k) EXPECT_NEAR(line.advance(1, 1, 0.05, 0.001), k <= 50 ? 0 : 1, 1e-12) << k;
 }
 
-TEST(DelayLine, InterpolatesBetweenSteps) {
+TEST(DelayLine, LongDelayIsSampledMoreCoarsely) {
     DelayLine line;
     double out = 0;
-    for (int k = 1; k <= 100; ++k) out = line.advance(0.002 * k, 0.0133, 0.002);
-    EXPECT_NEAR(out, 0.2 - 0.0133, 1e-12) << "a ramp of 1/s, 13.3 ms late";
-    out = 0;
-    DelayLine shorter;
-    for (int k = 1; k <= 100; ++k) out = shorter.advance(0.002 * k, 0.0007, 0.002);
-    EXPECT_NEAR(out, 0.2 - 0.0007, 1e-12) << "a delay of less than a step";
+    for (int k = 1; k <= 5000; ++k) out = line.advance(std::sin((k - 1) * 0.001), std::sin(k * 0.001), 0.8, 0.001);
+    EXPECT_NEAR(out, std::sin(5 - 0.8), 1e-5);
 }
 
-TEST(DelayLine, LongDelayOfAShortStepIsSampledMoreCoarsely) {
+TEST(DelayLine, FilledLineStays) {
     DelayLine line;
-    double out = 0;
-    for (int k = 1; k <= 5000; ++k) out = line.advance(0.001 * k, 0.8, 0.001);
-    EXPECT_NEAR(out, 5 - 0.8, 0.8 / 126);
+    line.fill(0.7);
+    for (int k = 0; k < 100; ++k) EXPECT_EQ(line.advance(0.7, 0.7, 0.02, 0.001), 0.7);
 }
 
 }  // namespace
