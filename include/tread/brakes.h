@@ -77,7 +77,6 @@ static_assert(describesEveryMember<BrakeParams>());
 
 struct BrakeState {
     DelayLine pedal;
-    double delayed_pedal = 0;
     PerWheel<double> pressure;  // Pa
     PerWheel<double> heating;   // K, of the discs above the air
     AntiLockState anti_lock;

@@ -1,9 +1,7 @@
 // A pure time delay in trivially copyable state.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 namespace tread {

@@ -15,7 +15,7 @@ double rampAfter(double delay, double dt, int steps) {
     return out;
 }
 
-TEST(DelayLine, WithoutDelayReturnsTheInput) {
+TEST(DelayLine, JumpComesAfterTheDelay) {
     DelayLine line;
     EXPECT_EQ(line.advance(0.2, 0.7, 0, 0.001), 0.7);
 }

@@ -63,7 +63,7 @@ BrakeTorques advance(BrakeState& state, const BrakeParams& params, const BrakeIn
     } else {
         state.delayed_pedal = state.pedal.advance(in.pedal_begin, in.pedal_end, params.delay, dt);
         for (std::size_t i = 0; i < kWheels; ++i) begin[i] = state.pressure[i] / params.full_pedal_pressure;
-        end = controlled(state, params, shares(params, state.delayed_pedal), in, dt);
+        end = controlled(state, params, shares(params, pedal), in, dt);
     }
 
     // Torques, with the friction of the hot disc, less what a motor brakes; and the parking brake.
