@@ -80,8 +80,8 @@ struct TyreTemperatureParams {
 static_assert(describesEveryMember<TyreTemperatureParams>());
 
 struct TyreSurroundingsParams {
-    TyrePressureParams pressure;
-    TyreTemperatureParams temperature;
+    TyrePressureParams pressure{};
+    TyreTemperatureParams temperature{};
     double ply_steer = 0;
     double conicity = 0;
 

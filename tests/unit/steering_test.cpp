@@ -106,7 +106,8 @@ TEST(Steering, DelayShiftsEverySignalByItsTime) {
             }
             // Linear between points: an eighth of curvature times distance squared, of the driver's steps and of the
             // line's.
-            EXPECT_LT(largest, 2 * 81 * dt * dt / 8 + 1e-9) << delay << ", " << dt;
+            const double point = delay / 200;
+            EXPECT_LT(largest, 81 * (dt * dt + point * point) / 8 + 1e-9) << delay << ", " << dt;
         }
     }
 }

@@ -56,7 +56,7 @@ TEST(TyreTemperature, SettlesWhereCoolingEqualsTheSlipPower) {
     double warming = 0;
     const double power = 5000, speed = -30, settled = 290 + 0.6 * 5000 / (20 + 30) - 300;
     const double time_constant = 3000 / 50.0, dt = 0.01;
-    for (int k = 1; k <= 60000; ++k) {
+    for (int k = 1; k <= 120000; ++k) {
         warming = advanceWarming(warming, p, power, speed, dt);
         if (k == 3000) {
             const double exact = settled * (1 - std::exp(-30 / time_constant));
