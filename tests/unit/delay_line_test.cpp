@@ -7,30 +7,40 @@
 namespace tread {
 namespace {
 
-// A ramp of 1/s, so that the answer tells the time that it is late.
-double rampAfter(double delay, double dt, int steps) {
-    DelayLine line;
-    double out = 0;
-    for (int k = 1; k <= steps; ++k) out = line.advance(dt * (k - 1), dt * k, delay, dt);
-    return out;
+TEST(DelayLine, ReturnsWhatTheSignalWasBefore) {
+    for (const double delay : {0.0007, 0.0133, 0.05, 0.2}) {
+        for (const double step : {0.0005, 0.001, 0.002}) {
+            DelayLine line;
+            const auto signal = [](double t) { return 3 * t; };
+            for (int k = 1; k <= 600; ++k) {
+                const double t = k * step;
+                const double out = line.advance(signal(t - step), signal(t), delay, step);
+                if (t > delay + step) {
+                    EXPECT_NEAR(out, signal(t - delay), 1e-9) << delay << " " << step;
+                } else if (t < delay) {
+                    EXPECT_EQ(out, 0);
+                }
+            }
+        }
+    }
 }
 
 TEST(DelayLine, JumpComesAfterTheDelay) {
     DelayLine line;
-    EXPECT_EQ(line.advance(0.2, 0.7, 0, 0.001), 0.7);
+    for (int k = 1; k <= 200; ++k) EXPECT_NEAR(line.advance(1, 1, 0.05, 0.001), k <= 50 ? 0 : 1, 1e-12) << k;
 }
 
-TEST(DelayLine, RampIsLateByTheDelay) {
-    EXPECT_NEAR(rampAfter(0.05, 0.001, 500), 0.5 - 0.05, 1e-12);
-    EXPECT_NEAR(rampAfter(0.0133, 0.002, 100), 0.2 - 0.0133, 1e-12);
-    EXPECT_NEAR(rampAfter(0.0007, 0.002, 100), 0.2 - 0.0007, 1e-12) << "a delay of less than a step";
-    EXPECT_NEAR(rampAfter(0.8, 0.001, 5000), 5 - 0.8, 1e-12) << "a delay of many steps";
-}
-
-TEST(DelayLine, BeginsWithWhatItIsFilledWith) {
+TEST(DelayLine, LongDelayIsSampledMoreCoarsely) {
     DelayLine line;
-    line.fill(3);
-    EXPECT_EQ(line.advance(5, 5, 0.01, 0.001), 3);
+    double out = 0;
+    for (int k = 1; k <= 5000; ++k) out = line.advance(std::sin((k - 1) * 0.001), std::sin(k * 0.001), 0.8, 0.001);
+    EXPECT_NEAR(out, std::sin(5 - 0.8), 1e-5);
+}
+
+TEST(DelayLine, FilledLineStays) {
+    DelayLine line;
+    line.fill(0.7);
+    for (int k = 0; k < 100; ++k) EXPECT_EQ(line.advance(0.7, 0.7, 0.02, 0.001), 0.7);
 }
 
 }  // namespace

@@ -195,9 +195,8 @@ TEST(Driver, HandsOffLeavesTheHandWheelAndTakesItUpWhereItIs) {
         driver.look(0.01 * k, at(20), k < 20 ? angle : 0.3);
         const VehicleInput input = driver.inputAt(0.01 * (k + 1));
         EXPECT_EQ(input.hands_off, k >= 10 && k < 20 ? 1 : 0) << k;
-        if (k < 10) EXPECT_EQ(input.steering_wheel_angle, 0.5);
-        if (k >= 10 && k < 20) EXPECT_EQ(input.steering_wheel_angle, angle);
-        if (k >= 20) EXPECT_EQ(input.steering_wheel_angle, 0.3) << "where the hands found it";
+        const double expected = k < 10 ? 0.5 : k < 20 ? angle : 0.3;  // at last where the hands found it
+        EXPECT_EQ(input.steering_wheel_angle, expected) << k;
     }
 }
 

@@ -61,7 +61,8 @@ BrakeTorques advance(BrakeState& state, const BrakeParams& params, const BrakeIn
         begin = shares(params, in.pedal_begin);
         end = shares(params, in.pedal_end);
     } else {
-        state.delayed_pedal = state.pedal.advance(in.pedal_begin, in.pedal_end, params.delay, dt);
+        const double pedal =
+            params.delay == 0 ? in.pedal_end : state.pedal.advance(in.pedal_begin, in.pedal_end, params.delay, dt);
         for (std::size_t i = 0; i < kWheels; ++i) begin[i] = state.pressure[i] / params.full_pedal_pressure;
         end = controlled(state, params, shares(params, pedal), in, dt);
     }
