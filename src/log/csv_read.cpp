@@ -136,7 +136,7 @@ Log parseLog(std::string_view text, const std::string& file) {
     return Reader(text, file).read();
 }
 
-Log readLog(const std::filesystem::path& path) {
+std::string readBytes(const std::filesystem::path& path) {
     const auto close = [](std::FILE* file) { std::fclose(file); };
     const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
     const auto fail = [&] {
@@ -151,7 +151,11 @@ Log readLog(const std::filesystem::path& path) {
         text.resize(size + std::fread(text.data() + size, 1, kReadBytes, file.get()));
         if (std::ferror(file.get())) fail();
     } while (text.size() > size);
-    return parseLog(text, path.string());
+    return text;
+}
+
+Log readLog(const std::filesystem::path& path) {
+    return parseLog(readBytes(path), path.string());
 }
 
 }  // namespace tread

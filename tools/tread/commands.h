@@ -42,6 +42,15 @@ struct MetricsOptions {
 };
 int metrics(const MetricsOptions& options);
 
+struct ImportOptions {
+    std::string file;
+    std::string map;     // file; empty: guessed
+    std::string init;    // mapping file to write; empty: none
+    std::string output;  // log, or tyre file; empty: beside the input, with another extension
+    bool json = false;
+};
+int import(const ImportOptions& options);
+
 struct TyreOptions {
     std::string tyre;
     std::string axes = "iso";
@@ -58,7 +67,7 @@ struct TyreOptions {
 int tyre(const TyreOptions& options);
 
 struct DescribeOptions {
-    std::string what;  // vehicle, tyre, scenario, log, tolerances, metrics
+    std::string what;  // vehicle, tyre, scenario, log, import, tolerances, metrics
     bool json = false;
 };
 int describe(const DescribeOptions& options);
@@ -70,7 +79,7 @@ struct CheckOptions {
 int check(const CheckOptions& options);
 
 struct SchemaOptions {
-    std::string what;    // vehicle, tyre, scenario, tolerances
+    std::string what;    // vehicle, tyre, scenario, import, tolerances
     std::string output;  // file; empty: standard output
 };
 int schema(const SchemaOptions& options);

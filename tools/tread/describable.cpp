@@ -6,7 +6,8 @@
 #include "base/read_yaml.h"
 #include "base/schema.h"
 #include "compare/tolerances.h"
-#include "log_columns.h"
+#include "import/import_map.h"
+#include "log/log_columns.h"
 #include "run_inputs.h"
 #include "tread/load.h"
 
@@ -42,6 +43,11 @@ std::vector<std::string> readScenarioFile(const Path& file) {
     return {};
 }
 
+std::vector<std::string> readImportFile(const Path& file) {
+    readYaml<ImportMap>(file);
+    return {};
+}
+
 std::vector<std::string> readTolerancesFile(const Path& file) {
     readYaml<Tolerances>(file);
     return {};
@@ -58,6 +64,8 @@ const std::vector<Describable>& describables() {
         {"scenario", "a manoeuvre", topOf<Scenario>, referenceTable<Scenario>,
          [] { return jsonSchema<Scenario>("Manoeuvre", "scenario.schema.json"); }, readScenarioFile},
         {"log", "the columns of a log", topOf<LogColumns>, logRows},
+        {"import", "how a foreign log becomes a log", topOf<ImportMap>, referenceTable<ImportMap>,
+         [] { return jsonSchema<ImportMap>("Import", "import.schema.json"); }, readImportFile},
         {"tolerances", "how far two logs may differ", topOf<Tolerances>, referenceTable<Tolerances>,
          [] { return jsonSchema<Tolerances>("Tolerances", "tolerances.schema.json"); }, readTolerancesFile},
     };

@@ -39,6 +39,14 @@ void addMetrics(CLI::App& app, MetricsOptions& o) {
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
+void addImport(CLI::App& app, ImportOptions& o) {
+    app.add_option("file", o.file, "foreign log (.vbo, .mat, text table) or tyre property file (.tir)")->required();
+    app.add_option("--map", o.map, "mapping from its columns to channels (YAML; default: guessed from the names)");
+    app.add_option("--init", o.init, "write the guessed mapping to this file, to be edited, and no log");
+    app.add_option("-o,--output", o.output, "log or tyre file to write (default: <file>.csv or .yaml, in this folder)");
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
 void addTyre(CLI::App& app, TyreOptions& o) {
     app.add_option("tyre", o.tyre, "tyre file (YAML or .tir)")->required();
     app.add_option("--axes", o.axes, "axes of the table: paper (y right, z down) or iso (ISO 8855: y left, z up)")
@@ -114,6 +122,7 @@ int dispatch(int argc, char** argv) {
     RunOptions run_options;
     CompareOptions compare_options;
     MetricsOptions metrics_options;
+    ImportOptions import_options;
     TyreOptions tyre_options;
     DescribeOptions describe_options;
     CheckOptions check_options;
@@ -131,24 +140,28 @@ int dispatch(int argc, char** argv) {
     addMetrics(*command, metrics_options);
     command->callback([&] { status = metrics(metrics_options); });
 
+    command = app.add_subcommand("import", "make a log of a VBOX, MATLAB or text file, a tyre of a .tir file");
+    addImport(*command, import_options);
+    command->callback([&] { status = import(import_options); });
+
     command = app.add_subcommand("tyre", "forces of a tyre at given points, transients, curves");
     addTyre(*command, tyre_options);
     command->callback([&] { status = tyre(tyre_options); });
 
     command = app.add_subcommand("describe", "all fields with units, meaning, limits and defaults");
-    command->add_option("what", describe_options.what, "vehicle, tyre, scenario, log, tolerances or metrics")
+    command->add_option("what", describe_options.what, "vehicle, tyre, scenario, log, import, tolerances or metrics")
         ->required();
     command->add_flag("--json", describe_options.json, "print the result as JSON");
     command->callback([&] { status = describe(describe_options); });
 
     command = app.add_subcommand(
-        "check", "check files: vehicles, tyres, scenarios, tolerances, logs; status 2 when one has faults");
+        "check", "check files: vehicles, tyres, scenarios, mappings, tolerances, logs; status 2 when one has faults");
     command->add_option("files", check_options.files, "YAML, .tir or CSV files")->required();
     command->add_flag("--json", check_options.json, "print the result as JSON");
     command->callback([&] { status = check(check_options); });
 
     command = app.add_subcommand("schema", "JSON Schema of a file, for editors");
-    command->add_option("what", schema_options.what, "vehicle, tyre, scenario or tolerances")->required();
+    command->add_option("what", schema_options.what, "vehicle, tyre, scenario, import or tolerances")->required();
     command->add_option("-o,--output", schema_options.output, "file to write (default: standard output)");
     command->callback([&] { status = schema(schema_options); });
 
