@@ -116,12 +116,10 @@ std::vector<TextCell> cellsOf(std::string_view line, char delimiter) {
 
 std::optional<double> cellNumber(std::string_view cell, bool decimal_comma) {
     if (cell.empty() || cell.size() > kLongestNumber) return {};
-    if (cell.find(':') != std::string_view::npos) return clockTime(cell);
-    const std::size_t comma = cell.find(',');
-    if (!decimal_comma || comma == std::string_view::npos) return plainNumber(cell);
     std::string with_point(cell);
-    with_point[comma] = '.';
-    return plainNumber(with_point);
+    const std::size_t comma = cell.find(',');
+    if (decimal_comma && comma != std::string_view::npos) with_point[comma] = '.';
+    return cell.find(':') == std::string_view::npos ? plainNumber(with_point) : clockTime(with_point);
 }
 
 std::string quotedCell(std::string_view cell) {

@@ -36,7 +36,7 @@ struct ImportChannel {
               About{"-", "-1 turns the sign: z down, y right, steering positive to the right", Limits{-1, 1}});
         field(TREAD_FIELD(scale), About{"-", "factor: sensor gain, steering ratio"});
         field(TREAD_FIELD(rolling_radius), About{"m", "wheel speed over this is spin", kPositive});
-        field(TREAD_FIELD(offset), About{"unit of the channel", "added at last"});
+        field(TREAD_FIELD(offset), About{"unit of the channel", "added at last; a bare number"});
         field(TREAD_FIELD(zero_over), About{"s", "the mean over this first part is taken out; 0: none", kNonNegative});
         field(TREAD_FIELD(delay), About{"s", "by how much the foreign channel is late; taken out", Limits{-10, 10}});
         field(TREAD_FIELD(spikes), About{"", "false: spikes of this channel stay"});

@@ -6,6 +6,8 @@
 #include <memory>
 
 #include "import/foreign_table.h"
+#include "import/mat_whole.h"
+#include "log/csv.h"
 
 namespace tread {
 namespace {
@@ -113,9 +115,14 @@ private:
 ForeignTable readMat(const std::filesystem::path& path) {
     const std::string file = path.string();
     ForeignTable table{file, "MATLAB file", {}, {}, {}};
+    if (const std::string fault = matFault(readBytes(path)); !fault.empty()) {
+        throw LoadError({{file, 0, 0, "", fault}});
+    }
     Mat_LogInitFunc("tread", [](int, char*) {});  // its words would stand between ours
     const std::unique_ptr<mat_t, CloseMat> mat(Mat_Open(file.c_str(), MAT_ACC_RDONLY));
-    if (!mat) throw LoadError({{file, 0, 0, "", "is no MATLAB file that can be read, or is cut off in its header"}});
+    if (!mat)
+        throw LoadError(
+            {{file, 0, 0, "", "is no MATLAB file that can be read, or one of version 7.3 that is cut off"}});
 
     Flatten flatten(table);
     std::string last;

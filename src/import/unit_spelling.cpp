@@ -117,13 +117,13 @@ std::size_t lastWord(std::string_view name) {
 std::string spelledUnit(std::string_view foreign) {
     foreign = trimmedText(foreign);
     if (foreign.empty()) return {};
-    std::string fault;
-    // "G" would be the prefix giga, "Nm" and "g" are ours as they are.
-    if (foreign != "1" && parseUnit(foreign, fault)) return std::string(foreign);
     const std::string word = lowerWithoutBlanks(foreign);
     for (const Spelling& spelling : kSpellings) {
         if (spelling.foreign == word) return std::string(spelling.unit);
     }
+    std::string fault;
+    if (parseUnit(foreign, fault)) return std::string(foreign);
+    if (parseUnit(word, fault)) return word;  // "KM/H"
     return {};
 }
 

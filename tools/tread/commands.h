@@ -29,8 +29,11 @@ int run(const RunOptions& options);
 struct CompareOptions {
     std::string reference;
     std::string candidate;
-    std::string tolerances;  // file; empty: defaults
-    std::string report;      // file; empty: none
+    std::string tolerances;            // file; empty: defaults
+    std::string report;                // file; empty: none
+    std::string envelope;              // iso19364 or file; empty: not judged so
+    std::string score;                 // iso18571 or file; empty: not judged so
+    std::vector<std::string> repeats;  // further measurements for these two
     bool json = false;
 };
 int compare(const CompareOptions& options);
@@ -67,7 +70,7 @@ struct TyreOptions {
 int tyre(const TyreOptions& options);
 
 struct DescribeOptions {
-    std::string what;  // vehicle, tyre, scenario, log, import, tolerances, metrics
+    std::string what;  // vehicle, tyre, scenario, log, import, tolerances, envelope, score, metrics
     bool json = false;
 };
 int describe(const DescribeOptions& options);
@@ -79,7 +82,7 @@ struct CheckOptions {
 int check(const CheckOptions& options);
 
 struct SchemaOptions {
-    std::string what;    // vehicle, tyre, scenario, import, tolerances
+    std::string what;    // vehicle, tyre, scenario, import, tolerances, envelope, score
     std::string output;  // file; empty: standard output
 };
 int schema(const SchemaOptions& options);

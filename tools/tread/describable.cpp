@@ -5,6 +5,8 @@
 #include "base/number_text.h"
 #include "base/read_yaml.h"
 #include "base/schema.h"
+#include "compare/cross_plots.h"
+#include "compare/score.h"
 #include "compare/tolerances.h"
 #include "import/import_map.h"
 #include "log/log_columns.h"
@@ -43,13 +45,9 @@ std::vector<std::string> readScenarioFile(const Path& file) {
     return {};
 }
 
-std::vector<std::string> readImportFile(const Path& file) {
-    readYaml<ImportMap>(file);
-    return {};
-}
-
-std::vector<std::string> readTolerancesFile(const Path& file) {
-    readYaml<Tolerances>(file);
+template <class T>
+std::vector<std::string> readDescribed(const Path& file) {
+    readYaml<T>(file);
     return {};
 }
 
@@ -65,9 +63,13 @@ const std::vector<Describable>& describables() {
          [] { return jsonSchema<Scenario>("Manoeuvre", "scenario.schema.json"); }, readScenarioFile},
         {"log", "the columns of a log", topOf<LogColumns>, logRows},
         {"import", "how a foreign log becomes a log", topOf<ImportMap>, referenceTable<ImportMap>,
-         [] { return jsonSchema<ImportMap>("Import", "import.schema.json"); }, readImportFile},
+         [] { return jsonSchema<ImportMap>("Import", "import.schema.json"); }, readDescribed<ImportMap>},
         {"tolerances", "how far two logs may differ", topOf<Tolerances>, referenceTable<Tolerances>,
-         [] { return jsonSchema<Tolerances>("Tolerances", "tolerances.schema.json"); }, readTolerancesFile},
+         [] { return jsonSchema<Tolerances>("Tolerances", "tolerances.schema.json"); }, readDescribed<Tolerances>},
+        {"envelope", "how far measurements may lie off a simulation", topOf<CrossPlots>, referenceTable<CrossPlots>,
+         [] { return jsonSchema<CrossPlots>("Envelope", "envelope.schema.json"); }, readDescribed<CrossPlots>},
+        {"score", "how the likeness of curves is rated", topOf<ScoreParams>, referenceTable<ScoreParams>,
+         [] { return jsonSchema<ScoreParams>("Score", "score.schema.json"); }, readDescribed<ScoreParams>},
     };
     return list;
 }

@@ -30,6 +30,11 @@ void addCompare(CLI::App& app, CompareOptions& o) {
     app.add_option("new", o.candidate, "log to judge (CSV)")->required();
     app.add_option("--tolerances", o.tolerances, "tolerances per channel (YAML)");
     app.add_option("--report", o.report, "write an overlay report (HTML)");
+    app.add_option(
+        "--envelope", o.envelope,
+        "iso19364: do measurements (reference) lie within the boundaries around a simulation (new)? Or a file");
+    app.add_option("--score", o.score, "iso18571: how alike are the curves? Or a file");
+    app.add_option("--repeat", o.repeats, "further measurement of the manoeuvre, for --envelope and --score");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
@@ -149,7 +154,9 @@ int dispatch(int argc, char** argv) {
     command->callback([&] { status = tyre(tyre_options); });
 
     command = app.add_subcommand("describe", "all fields with units, meaning, limits and defaults");
-    command->add_option("what", describe_options.what, "vehicle, tyre, scenario, log, import, tolerances or metrics")
+    command
+        ->add_option("what", describe_options.what,
+                     "vehicle, tyre, scenario, log, import, tolerances, envelope, score or metrics")
         ->required();
     command->add_flag("--json", describe_options.json, "print the result as JSON");
     command->callback([&] { status = describe(describe_options); });
@@ -161,7 +168,8 @@ int dispatch(int argc, char** argv) {
     command->callback([&] { status = check(check_options); });
 
     command = app.add_subcommand("schema", "JSON Schema of a file, for editors");
-    command->add_option("what", schema_options.what, "vehicle, tyre, scenario, import or tolerances")->required();
+    command->add_option("what", schema_options.what, "vehicle, tyre, scenario, import, tolerances, envelope or score")
+        ->required();
     command->add_option("-o,--output", schema_options.output, "file to write (default: standard output)");
     command->callback([&] { status = schema(schema_options); });
 
