@@ -95,6 +95,10 @@ std::optional<std::string> readTextFile(const std::filesystem::path& file, std::
     return text;
 }
 
+bool isUtf8(std::string_view text) {
+    return findInvalidUtf8(text) == kNowhere;
+}
+
 bool isPlainText(std::string_view text, const std::string& file, std::vector<Problem>& problems) {
     const auto refuse = [&](std::size_t byte, std::string fault) {
         const TextPosition position = positionOf(text, byte);

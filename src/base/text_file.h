@@ -25,6 +25,8 @@ std::optional<std::string> readTextFile(const std::filesystem::path& file, std::
 // Whether the text is UTF-8 without NUL, within size and without tabs in its indentation; the first fault otherwise.
 bool isPlainText(std::string_view text, const std::string& file, std::vector<Problem>& problems);
 
+bool isUtf8(std::string_view text);
+
 // Line and column (from 1, in characters) of a byte of the text.
 struct TextPosition {
     int line;

@@ -122,11 +122,15 @@ Log parseLog(std::string_view text, const std::string& file) {
     return Reader(text, file).read();
 }
 
-Log readLog(const std::filesystem::path& path) {
+std::string readBytes(const std::filesystem::path& path) {
     std::string fault;
-    const auto text = readWholeFile(path, fault);
+    auto text = readWholeFile(path, fault);
     if (!text) throw FileError("cannot read '" + path.string() + "': " + fault);
-    return parseLog(*text, path.string());
+    return std::move(*text);
+}
+
+Log readLog(const std::filesystem::path& path) {
+    return parseLog(readBytes(path), path.string());
 }
 
 }  // namespace tread

@@ -16,8 +16,8 @@ using Path = std::filesystem::path;
 
 // A file may include from its own layer and from those to its left.
 inline const std::vector<std::string> kOrder{"base",     "road",     "tyre",     "vehicle", "bullet",
-                                             "log",      "scenario", "run",      "compare", "metrics",
-                                             "identify", "diagnose", "campaign", "report",  "tools"};
+                                             "log",      "import",   "scenario", "run",     "compare",
+                                             "metrics",  "identify", "diagnose", "campaign", "report",  "tools"};
 
 // Public headers share one folder; each belongs to a layer.
 inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{
@@ -46,6 +46,7 @@ inline const std::vector<Library> kLibraries{
     {"fmt", {"fmt/"}, kLab},
     {"nlohmann_json", {"nlohmann/"}, kLab},
     {"CLI11", {"CLI/"}, {"tools"}},
+    {"matio", {"matio.h"}, {"import"}},
 };
 
 inline bool contains(const std::vector<std::string>& list, const std::string& value) {

@@ -38,12 +38,25 @@ void addCompare(CLI::App& app, CompareOptions& o) {
     app.add_option("new", o.candidate, "log to judge (CSV)")->required();
     app.add_option("--tolerances", o.tolerances, "tolerances per channel (YAML)");
     app.add_option("--report", o.report, "write an overlay report (HTML)");
+    app.add_option(
+        "--envelope", o.envelope,
+        "iso19364: do measurements (reference) lie within the boundaries around a simulation (new)? Or a file");
+    app.add_option("--score", o.score, "iso18571: how alike are the curves? Or a file");
+    app.add_option("--repeat", o.repeats, "further measurement of the manoeuvre, for --envelope and --score");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
 void addMetrics(CLI::App& app, MetricsOptions& o) {
     app.add_option("log", o.log, "log (CSV)")->required();
     app.add_option("--manoeuvre", o.manoeuvre, "name of the manoeuvre (default: found from the log)");
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addImport(CLI::App& app, ImportOptions& o) {
+    app.add_option("file", o.file, "foreign log (.vbo, .mat, text table) or tyre property file (.tir)")->required();
+    app.add_option("--map", o.map, "mapping from its columns to channels (YAML; default: guessed from the names)");
+    app.add_option("--init", o.init, "write the guessed mapping to this file, to be edited, and no log");
+    app.add_option("-o,--output", o.output, "log or tyre file to write (default: <file>.csv or .yaml, in this folder)");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
@@ -96,9 +109,12 @@ void addCommands(CLI::App& app, int& status) {
     addCommand(app, "run", "drive a manoeuvre and write log, metrics and report", addRun, run, status);
     addCommand(app, "compare", "compare two logs; status 1 when they differ", addCompare, compare, status);
     addCommand(app, "metrics", "the standards' metrics of a log", addMetrics, metrics, status);
+    addCommand(app, "import", "make a log of a VBOX, MATLAB or text file, a tyre of a .tir file", addImport, import,
+               status);
     addCommand(app, "tyre", "forces of a tyre at given points, transients, curves", addTyre, tyre, status);
     addCommand(app, "describe", "all fields with units, meaning, limits and defaults", addDescribe, describe, status);
-    addCommand(app, "check", "check files: vehicles, tyres, scenarios, tolerances, logs; status 2 when one has faults",
+    addCommand(app, "check",
+               "check files: vehicles, tyres, scenarios, mappings, tolerances, logs; status 2 when one has faults",
                addCheck, check, status);
     addCommand(app, "schema", "JSON Schema of a file, for editors", addSchema, schema, status);
 }

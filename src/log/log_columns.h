@@ -1,12 +1,16 @@
 // The columns of a log.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <string_view>
+
 #include "log/log.h"
 #include "tread/describe.h"
 #include "tread/problem.h"
 #include "tread/vehicle_output.h"
 
-namespace tread::program {
+namespace tread {
 
 struct LogColumns {
     double time = 0;
@@ -21,8 +25,11 @@ struct LogColumns {
     }
 };
 
+// The unit of the column of that name; nothing when tread has none of that name.
+std::optional<std::string_view> logUnit(const std::string& name);
+
 // Columns that bear one of these names but another unit, as faults of `file`: whoever reads the column would take it
 // for something else.
 std::vector<Problem> unitFaults(const Log& log, const std::string& file);
 
-}  // namespace tread::program
+}  // namespace tread
