@@ -165,15 +165,14 @@ struct Recession {
     double travel = 0;        // m, positive forward
     double rate = 0;          // m/s
     double acceleration = 0;  // m/s2
-    double force = 0;         // N, of the road along the body's x axis, that the wheel moves under
+    double push = 0;          // m/s2: force of the road over the wheel's mass, less the body's acceleration there
 };
 
-// Advances it by dt under the force with which the last step ended; `frame_acceleration` is that of the body there less
-// gravity, m/s2. Trapezoidal rule: stable for any stiffness.
-void advance(Recession& recession, const SuspensionParams& params, double mass, double frame_acceleration, double dt);
+// Advances it by dt under the push with which the last step ended. SDIRK2: second order, L-stable, so that a hard bush
+// does not ring.
+void advance(Recession& recession, const SuspensionParams& params, double mass, double dt);
 
-// The wheel moved under the force of the step's beginning and takes the change.
-void takeForce(Recession& recession, const SuspensionParams& params, double mass, double frame_acceleration,
-               double force, double dt);
+// The wheel moved under the push of the step's beginning and takes the change to that of its end.
+void takePush(Recession& recession, const SuspensionParams& params, double mass, double push, double dt);
 
 }  // namespace tread

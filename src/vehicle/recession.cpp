@@ -15,12 +15,11 @@ double frameAcceleration(const BodyFrame& body, const Vehicle::Corner& corner) {
 
 }  // namespace
 
-void advanceRecession(PerWheel<WheelState>& wheels, const Vehicle& vehicle, const BodyFrame& begin, double dt) {
+void advanceRecession(PerWheel<WheelState>& wheels, const Vehicle& vehicle, double dt) {
     for (std::size_t i = 0; i < kWheels; ++i) {
         const SuspensionParams& suspension = suspensionOf(vehicle, i);
         if (suspension.longitudinal_compliance == 0) continue;
-        const Vehicle::Corner& corner = vehicle.corners[i];
-        advance(wheels[i].recession, suspension, corner.unsprung_mass, frameAcceleration(begin, corner), dt);
+        advance(wheels[i].recession, suspension, vehicle.corners[i].unsprung_mass, dt);
     }
 }
 
@@ -39,7 +38,8 @@ Wrench recessionWrench(PerWheel<WheelState>& wheels, const Vehicle& vehicle, con
         WheelState& wheel = wheels[i];
         const Vector3 road =
             wheel.fx * contacts[i].forward_B + wheel.fy * contacts[i].left_B + wheel.load * contacts[i].normal_B;
-        takeForce(wheel.recession, suspension, corner.unsprung_mass, frameAcceleration(end, corner), road.x(), dt);
+        const double push = road.x() / corner.unsprung_mass - frameAcceleration(end, corner);
+        takePush(wheel.recession, suspension, corner.unsprung_mass, push, dt);
         wrench.add({-corner.unsprung_mass * wheel.recession.acceleration, 0, 0}, contacts[i].hub_B);
     }
     return wrench;

@@ -9,7 +9,7 @@
 namespace tread {
 
 // Moves the wheels over the step under the road's forces at its beginning.
-void advanceRecession(PerWheel<WheelState>& wheels, const Vehicle& vehicle, const BodyFrame& begin, double dt);
+void advanceRecession(PerWheel<WheelState>& wheels, const Vehicle& vehicle, double dt);
 
 // Adds the movement of a wheel to the motion of its tyre.
 void recede(TyreMotion& motion, const Recession& recession, const WheelContact& contact);

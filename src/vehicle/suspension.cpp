@@ -1,6 +1,8 @@
 #include "tread/suspension.h"
 
+#include <cassert>
 #include <cmath>
+#include <numbers>
 
 namespace tread {
 namespace {
@@ -28,6 +30,7 @@ struct Line {
 // A curve of two points or more, continued beyond its ends with their slopes.
 Line along(const Curve& curve, double x) {
     const auto& points = curve.points;
+    assert(points.size() > 1);
     std::size_t right = 1;
     while (right + 1 < points.size() && points[right].x < x) ++right;
     const Curve::Point &a = points[right - 1], &b = points[right];
@@ -50,6 +53,17 @@ Line damperForce(const DamperParams& damper, double rate) {
     const double damping = bump ? damper.bump : damper.rebound;
     return {damping * rate, damping};
 }
+
+// Spring and damper between wheel and body along x, over the mass of the wheel.
+struct Bush {
+    double stiffness;  // 1/s2
+    double damping;    // 1/s
+
+    Bush(const SuspensionParams& params, double mass)
+        : stiffness(1 / (params.longitudinal_compliance * mass)), damping(params.longitudinal_damping / mass) {}
+    // Share of a change of rate that the bush lets through in an implicit step of this length.
+    double yields(double step) const { return 1 / (1 + step * (damping + step * stiffness)); }
+};
 
 }  // namespace
 
@@ -97,27 +111,31 @@ WheelAngles compliance(const SuspensionParams& params, double fx, double fy, boo
     return lean;
 }
 
-void advance(Recession& r, const SuspensionParams& params, double mass, double frame_acceleration, double dt) {
-    const double stiffness = 1 / (params.longitudinal_compliance * mass);
-    const double damping = params.longitudinal_damping / mass;
-    const double half = 0.5 * dt;
-    const double external = r.force / mass - frame_acceleration;
-    const double rate = (r.rate + half * (r.acceleration + external - stiffness * (r.travel + half * r.rate))) /
-                        (1 + half * (damping + half * stiffness));
-    r.travel += half * (r.rate + rate);
-    r.rate = rate;
+void advance(Recession& r, const SuspensionParams& params, double mass, double dt) {
+    const Bush bush(params, mass);
+    constexpr double kGamma = 1 - 1 / std::numbers::sqrt2;
+    const double h = kGamma * dt;
+    const auto stage = [&](const Recession& base) {
+        Recession end = base;
+        end.rate = (base.rate + h * (r.push - bush.stiffness * base.travel)) * bush.yields(h);
+        end.travel = base.travel + h * end.rate;
+        return end;
+    };
+    const Recession first = stage(r);
+    Recession base = r;
+    base.rate += (1 - kGamma) / kGamma * (first.rate - r.rate);
+    base.travel += (1 - kGamma) / kGamma * (first.travel - r.travel);
+    r = stage(base);
 }
 
-void takeForce(Recession& r, const SuspensionParams& params, double mass, double frame_acceleration, double force,
-               double dt) {
-    const double stiffness = 1 / (params.longitudinal_compliance * mass);
-    const double damping = params.longitudinal_damping / mass;
+void takePush(Recession& r, const SuspensionParams& params, double mass, double push, double dt) {
+    const Bush bush(params, mass);
     const double half = 0.5 * dt;
-    const double change = half * (force - r.force) / mass / (1 + half * (damping + half * stiffness));
+    const double change = half * (push - r.push) * bush.yields(half);
     r.rate += change;
     r.travel += half * change;
-    r.force = force;
-    r.acceleration = force / mass - frame_acceleration - stiffness * r.travel - damping * r.rate;
+    r.push = push;
+    r.acceleration = push - bush.stiffness * r.travel - bush.damping * r.rate;
 }
 
 }  // namespace tread

@@ -93,7 +93,7 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
     const PerWheel<double> steer_end{front.end.left, front.end.right, 0, 0};
 
     // Suspension travel and wheel loads.
-    if (vehicle.recedes) advanceRecession(state.wheels, vehicle, from, dt);
+    if (vehicle.recedes) advanceRecession(state.wheels, vehicle, dt);
     const auto contacts = advanceTravel(state.wheels, vehicle, from, to, steer_end, surroundings.road, dt);
 
     // Driveline and brake torques, with their mean over the step.
