@@ -63,11 +63,7 @@ TEST(Braking, LockedWheelsStopWithinTheSlidingFriction) {
         load += car.state.wheels[i].load;
     }
     friction /= load;
-    double t = 0;
-    while (car.output().chassis.vx > 3) {
-        car.step(kStep);
-        t += kStep;
-    }
+    while (car.output().chassis.vx > 3) car.step(kStep);
     const double end = car.output().chassis.vx;
     const double distance = (car.motion.position_W - from).norm();
     const double closed = (speed * speed - end * end) / (2 * friction * kStandardGravity);
