@@ -161,6 +161,8 @@ Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, co
             if (pulls) {
                 sideways += kSideGain * step * aside;
                 result.input.steering_wheel_angle -= trim_gain * step * turns;
+                const double turned = (motion.orientation * Vector3::UnitX()).dot(left);
+                motion.orientation = (Quaternion(Eigen::AngleAxisd(-turned, n)) * motion.orientation).normalized();
             }
             push(motion, state, vehicle, place.velocity_W + ride + sideways * left, tilt);
             motion.position_W = place.position_W + (motion.position_W - place.position_W).dot(n) * n;
