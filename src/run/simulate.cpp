@@ -79,6 +79,14 @@ double unwrapped(double angle, double previous) {
     return angle - 2 * std::numbers::pi * std::round((angle - previous) / (2 * std::numbers::pi));
 }
 
+// The car starts in the part of the steady wind that blows along its heading: a side wind it meets as it starts, for
+// held straight it is in no equilibrium there.
+Vector3 startingWind(const Scenario& scenario) {
+    const Vector3 heading(std::cos(scenario.start.heading), std::sin(scenario.start.heading), 0);
+    return windAt({.speed = scenario.wind.speed, .direction = scenario.wind.direction, .gust = {}}, 0, 0).dot(heading) *
+           heading;
+}
+
 BodyMotion bodyMotion(const BulletVehicle& car) {
     const auto vectorOf = [](const std::array<double, 3>& a) { return Vector3(a[0], a[1], a[2]); };
     return {car.motion(), vectorOf(car.state().acceleration_W), vectorOf(car.state().angular_acceleration_W)};
@@ -97,7 +105,9 @@ void checkSensors(const std::vector<SensorParams>& sensors) {
 Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const Surroundings& surroundings) {
     const StartParams& start = scenario.start;
     Equilibrium rest = equilibrium(prepare(params), surroundings,
-                                   {.heading = start.heading, .speed = start.speed, .input = {.brake = start.brake}});
+                                   {.heading = start.heading,
+                                    .speed = start.speed,
+                                    .input = {.brake = start.brake, .parking_brake = start.parking_brake}});
     if (!std::isfinite(rest.acceleration)) {
         throw SimulationError(
             fmt::format("the simulation broke down before the start, while the car settled on its wheels: its "
@@ -130,7 +140,7 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
     // World, car and road; the car in equilibrium.
     World world(params);
     const std::unique_ptr<Road> road = makeRoad(scenario.road);
-    const Equilibrium rest = startOf(params, scenario, {*road});
+    const Equilibrium rest = startOf(params, scenario, {.road = *road, .wind_W = startingWind(scenario)});
     BulletVehicle car(params, world.chassis(), *road);
     car.restore(rest.motion, rest.state, rest.input);
     Driver driver(scenario, rest.input);
@@ -150,7 +160,7 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
         sample.car.chassis.yaw = unwrapped(sample.car.chassis.yaw, yaw_before);
         checkHealth(sample.car, sample.time);
         sample.observe(bodyMotion(car));
-        driver.look(sample.time, sample.car.chassis);
+        driver.look(sample.time, sample.car.chassis, sample.car.steering.angle);
 
         const bool finished = driver.finished(sample.time);
         if (k % steps_per_row == 0 || finished) recorder.row(sample.row());
@@ -167,6 +177,7 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
 
         sample.driver = driver.inputAt(static_cast<double>(k + 1) * dt);
         car.setInput(sample.driver);
+        car.setWind(windAt(scenario.wind, sample.time + 0.5 * dt, sample.car.chassis.x));
         car.plan(dt);
         world.step(dt);
         car.observe();

@@ -282,10 +282,27 @@ TEST(TyreOverview, GivesSiNumbersAsJson) {
     EXPECT_NEAR(json["facts"]["lateral_relaxation_length [m]"], Ky / p.cFy, 1e-12);
 }
 
-TEST(TyreSettings, TakeOneValueEach) {
-    const Result result = runProgram({"tyre", "--set", "lambda.mux=0.8", kCarTyre, "--json"});
-    EXPECT_EQ(result.status, 0) << result.err;
-    EXPECT_EQ(result.out, runProgram({"tyre", kCarTyre, "--json", "--set", "lambda.mux=0.8"}).out);
+TEST(TyreOptions, TakeOneValueEachAndLeaveTheFileThatFollows) {
+    const Scratch scratch;
+    const std::string in = scratch.file("in.csv", "Fz,gamma,Vx,Vsx,Vsy\n4000,0.05,20,-1,2\n");
+    const std::string motion = scratch.file("motion.csv", "t,Vsx,Vsy,Vx,Omega,psidot,gamma,Fz\n0,0,0,9,30,0,0,4000\n");
+    const std::vector<std::vector<std::string>> options{{"--set", "lambda.mux=0.8"},
+                                                        {"--axes", "paper"},
+                                                        {"--plot", scratch.path("plot.html")},
+                                                        {"--table", in},
+                                                        {"--table", in, "-o", scratch.path("out.csv")},
+                                                        {"--transient", motion, "--substeps", "2"},
+                                                        {"--transient", motion, "--interpolate", "linear"}};
+    for (std::vector<std::string> words : options) {
+        SCOPED_TRACE(words.front());
+        words.insert(words.begin(), "tyre");
+        std::vector<std::string> last = words;
+        words.push_back(kCarTyre);
+        last.insert(last.begin() + 1, kCarTyre);
+        const Result result = runProgram(words);
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_EQ(result.out, runProgram(last).out);
+    }
 }
 
 TEST(TyreAnswer, GoesToStandardErrorWhenTheTableGoesToStandardOutput) {

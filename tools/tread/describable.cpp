@@ -11,6 +11,7 @@
 #include "metrics/metrics.h"
 #include "run_inputs.h"
 #include "tread/load.h"
+#include "tyres_of.h"
 
 namespace tread::program {
 namespace {
@@ -52,8 +53,9 @@ std::vector<ReferenceRow> metricRows() {
 std::vector<std::string> readVehicleFile(const Path& file) {
     const VehicleParams car = loadVehicle(file);
     std::vector<std::string> notes;
-    for (const std::string& note : car.front.tyre.notes) notes.push_back("front.tyre: " + note);
-    for (const std::string& note : car.rear.tyre.notes) notes.push_back("rear.tyre: " + note);
+    for (const auto& [path, tyre] : tyresOf(car)) {
+        for (const std::string& note : tyre->notes) notes.push_back(path + ": " + note);
+    }
     return notes;
 }
 
