@@ -79,7 +79,7 @@ TEST_F(Import, FaultsOfTheMappingStandAtTheirPlaceInIt) {
     const Result result = runProgram({"import", table, "--map", wrong, "-o", log});
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.out, "");
-    EXPECT_EQ(result.err, wrong + ":3:34: map.0.from: found \"Sped\", which is no column of " + table +
+    EXPECT_EQ(result.err, wrong + ":3:33: map.0.from: found \"Sped\", which is no column of " + table +
                               "; did you mean \"Speed\"?\n" + wrong +
                               ":5:11: map.1.from: found a speed (\"km/h\", the unit of column \"Speed\"), expected an "
                               "acceleration (m/s2); correct the unit or the channel\n");

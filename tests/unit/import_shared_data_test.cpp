@@ -107,7 +107,7 @@ TEST_F(LogsOfOthers, S90RawFileSaysTheSameAsItsTable) {
 
 TEST_F(LogsOfOthers, Tts) {
     for (const char* file : {"tts/oval_aa.csv", "tts/oval_ab.csv"}) {
-        expectCar(import(file, "tts", 10).logs[0], 0.95);  // 0.63 m/s2 of noise in ay, averaged
+        expectCar(import(file, "tts", 1).logs[0], 0.95);  // ay is noisy: means over a second
     }
 }
 
