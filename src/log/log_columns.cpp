@@ -1,12 +1,15 @@
 #include "log/log_columns.h"
 
-#include <fstream>
+#include <optional>
+#include <string_view>
 #include <unordered_map>
 
 #include "base/concat.h"
 #include "base/number_text.h"
 #include "base/numbers.h"
+#include "base/text_file.h"
 #include "log/csv_header.h"
+#include "log/csv_lines.h"
 
 namespace tread {
 namespace {
@@ -16,17 +19,11 @@ struct Header {
     std::vector<HeaderCell> cells;
 };
 
-// The first line that is neither empty nor a comment, as the reader of logs finds it.
-Header findHeader(const std::string& file) {
-    std::ifstream stream(file);
-    Header header;
-    for (std::string line; std::getline(stream, line);) {
-        ++header.line;
-        if (line.find_first_not_of(" \t\r") == std::string::npos || line.front() == '#') continue;
-        header.cells = splitHeader(line);
-        break;
-    }
-    return header;
+Header headerOf(const std::string& file) {
+    std::string fault;
+    const auto text = readWholeFile(file, fault);
+    CsvLines lines(text ? *text : std::string_view());
+    return lines.next() ? Header{lines.number(), splitHeader(lines.line())} : Header{};
 }
 
 }  // namespace
@@ -43,14 +40,15 @@ std::optional<std::string_view> logUnit(const std::string& name) {
 }
 
 std::vector<Problem> unitFaults(const Log& log, const std::string& file) {
-    const Header header = findHeader(file);
+    std::optional<Header> header;
     std::vector<Problem> problems;
     for (std::size_t i = 0; i < log.channels.size(); ++i) {
         const Channel& channel = log.channels[i];
         const auto known = logUnit(channel.name);
         if (!known || *known == channel.unit) continue;
-        const bool placed = i < header.cells.size();
-        problems.push_back({file, placed ? header.line : 0, placed ? static_cast<int>(header.cells[i].column) : 0,
+        if (!header) header = headerOf(file);
+        const bool placed = i < header->cells.size();
+        problems.push_back({file, placed ? header->line : 0, placed ? static_cast<int>(header->cells[i].column) : 0,
                             channel.name,
                             concat({"found the unit ", quote(channel.unit), ", expected ", quote(*known),
                                     "; convert the column or give it another name"})});

@@ -2,6 +2,7 @@
 
 #include "base/concat.h"
 #include "base/did_you_mean.h"
+#include "base/field_path.h"
 #include "base/number_text.h"
 #include "base/read_yaml.h"
 #include "base/schema.h"
@@ -10,8 +11,10 @@
 #include "compare/tolerances.h"
 #include "import/import_map.h"
 #include "log/log_columns.h"
+#include "metrics/metrics.h"
 #include "run_inputs.h"
 #include "tread/load.h"
+#include "tyres_of.h"
 
 namespace tread::program {
 namespace {
@@ -32,11 +35,30 @@ std::vector<ReferenceRow> logRows() {
     return rows;
 }
 
+std::vector<TopField> manoeuvreFields() {
+    std::vector<TopField> fields;
+    for (const Manoeuvre& known : manoeuvres()) {
+        fields.push_back({std::string(known.name), std::string(known.description)});
+    }
+    return fields;
+}
+
+std::vector<ReferenceRow> metricRows() {
+    std::vector<ReferenceRow> rows;
+    for (const Manoeuvre& known : manoeuvres()) {
+        for (const MetricDefinition& metric : known.definitions()) {
+            rows.push_back({joinPath(known.name, metric.name), metric.unit, metric.definition, "", ""});
+        }
+    }
+    return rows;
+}
+
 std::vector<std::string> readVehicleFile(const Path& file) {
     const VehicleParams car = loadVehicle(file);
     std::vector<std::string> notes;
-    for (const std::string& note : car.front.tyre.notes) notes.push_back("front.tyre: " + note);
-    for (const std::string& note : car.rear.tyre.notes) notes.push_back("rear.tyre: " + note);
+    for (const auto& [path, tyre] : tyresOf(car)) {
+        for (const std::string& note : tyre->notes) notes.push_back(path + ": " + note);
+    }
     return notes;
 }
 
@@ -70,19 +92,25 @@ const std::vector<Describable>& describables() {
          [] { return jsonSchema<CrossPlots>("Envelope", "envelope.schema.json"); }, readDescribed<CrossPlots>},
         {"score", "how the likeness of curves is rated", topOf<ScoreParams>, referenceTable<ScoreParams>,
          [] { return jsonSchema<ScoreParams>("Score", "score.schema.json"); }, readDescribed<ScoreParams>},
+        {"metrics", "the metrics of each manoeuvre, undefined when a log lacks what they need", manoeuvreFields,
+         metricRows},
     };
     return list;
 }
 
-const Describable& describable(std::string_view name, bool only_files, std::vector<std::string_view> further) {
-    std::vector<std::string_view> known;
+std::vector<std::string_view> describableNames(bool only_files) {
+    std::vector<std::string_view> names;
     for (const Describable& entry : describables()) {
-        if (only_files && !entry.isFile()) continue;
-        if (entry.name == name) return entry;
-        known.push_back(entry.name);
+        if (entry.isFile() || !only_files) names.push_back(entry.name);
     }
-    known.insert(known.end(), further.begin(), further.end());
-    rejectName(only_files ? "kind of file" : "description", name, known);
+    return names;
+}
+
+const Describable& describable(std::string_view name, bool only_files) {
+    for (const Describable& entry : describables()) {
+        if (entry.name == name && (entry.isFile() || !only_files)) return entry;
+    }
+    rejectName(only_files ? "kind of file" : "description", name, describableNames(only_files));
 }
 
 std::vector<std::string> readTyreFile(const Path& file) {

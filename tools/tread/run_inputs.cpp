@@ -9,6 +9,7 @@
 #include "base/setting.h"
 #include "base/yaml_position.h"
 #include "metrics/metrics.h"
+#include "run/sensors.h"
 #include "run/simulate.h"
 #include "scenario/load.h"
 #include "tread/load.h"
@@ -27,6 +28,11 @@ struct Settable {
     }
     static void check(const auto& self, auto&& complain) { VehicleParams::check(self.vehicle, complain); }
 };
+
+std::string listingOf(std::string_view path) {
+    if (path.starts_with("scenario")) return "`tread describe scenario` lists all paths behind \"scenario.\"";
+    return "`tread describe vehicle` lists all paths";
+}
 
 struct Fault {
     std::string path;
@@ -55,6 +61,9 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
         faults.push_back({"log.channels." + std::to_string(i),
                           "found " + quote(pattern) + ", which fits no channel, expected a name or a pattern with *" +
                               (suggestion.empty() ? ";" : suggestion) + " `tread describe log` lists all channels"});
+    }
+    for (SensorFault& fault : sensorFaults(scenario.log.sensors, known)) {
+        faults.push_back({"log.sensors." + std::to_string(fault.sensor) + "." + fault.path, std::move(fault.text)});
     }
     return faults;
 }
@@ -99,7 +108,7 @@ RunRecord readRunInputs(const RunOptions& options) {
     if (!problems.empty()) refuse(std::move(problems));
 
     constexpr const char* kSource = "--set";
-    applySettings(inputs, options.settings, kSource);
+    applySettings(inputs, options.settings, kSource, listingOf);
     for (const Fault& fault : unknownNames(inputs.scenario)) {
         problems.push_back({kSource, 0, 0, "scenario." + fault.path, fault.text});
     }
