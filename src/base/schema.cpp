@@ -137,7 +137,7 @@ std::string SchemaBuilder::object(const std::vector<SchemaProperty>& properties)
 }
 
 std::string SchemaBuilder::reference(const std::string& name, const About& about, bool includable) const {
-    const std::string target = concat({R"({"$ref": )", jsonString("#/definitions/" + name), "}"});
+    std::string target = concat({R"({"$ref": )", jsonString("#/definitions/" + name), "}"});
     if (includable) {
         const About file{"", "name of a file, relative to this one"};
         return oneOf({simple("string", file), target}, about);
