@@ -19,112 +19,115 @@
 
 namespace tread {
 
+// Structs that the formulas take are templates over the number type: double, or Lanes for four wheels at once.
+
 // The numbers p, q, r, s of the paper's appendix and of its transient part.
-struct TyreCoefficients {
+template <class T>
+struct BasicTyreCoefficients {
     // Size and nominal state
-    double Fzo = kRequired;
-    double Ro = kRequired;
-    double Re = kRequired;
+    T Fzo = kRequired;
+    T Ro = kRequired;
+    T Re = kRequired;
     // Longitudinal force at pure slip (36)-(45)
-    double pCx1 = kRequired;
-    double pDx1 = kRequired;
-    double pDx2 = 0;
-    double pEx1 = 0;
-    double pEx2 = 0;
-    double pEx3 = 0;
-    double pEx4 = 0;
-    double pKx1 = kRequired;
-    double pKx2 = 0;
-    double pKx3 = 0;
-    double pHx1 = 0;
-    double pHx2 = 0;
-    double pVx1 = 0;
-    double pVx2 = 0;
+    T pCx1 = kRequired;
+    T pDx1 = kRequired;
+    T pDx2 = 0;
+    T pEx1 = 0;
+    T pEx2 = 0;
+    T pEx3 = 0;
+    T pEx4 = 0;
+    T pKx1 = kRequired;
+    T pKx2 = 0;
+    T pKx3 = 0;
+    T pHx1 = 0;
+    T pHx2 = 0;
+    T pVx1 = 0;
+    T pVx2 = 0;
     // Longitudinal force at combined slip (71)-(75)
-    double rBx1 = 0;
-    double rBx2 = 0;
-    double rCx1 = 0;
-    double rHx1 = 0;
+    T rBx1 = 0;
+    T rBx2 = 0;
+    T rCx1 = 0;
+    T rHx1 = 0;
     // Lateral force at pure slip (46)-(56)
-    double pCy1 = kRequired;
-    double pDy1 = kRequired;
-    double pDy2 = 0;
-    double pDy3 = 0;
-    double pEy1 = 0;
-    double pEy2 = 0;
-    double pEy3 = 0;
-    double pEy4 = 0;
-    double pKy1 = kRequired;
-    double pKy2 = kRequired;
-    double pKy3 = 0;
-    double pHy1 = 0;
-    double pHy2 = 0;
-    double pHy3 = 0;
-    double pVy1 = 0;
-    double pVy2 = 0;
-    double pVy3 = 0;
-    double pVy4 = 0;
+    T pCy1 = kRequired;
+    T pDy1 = kRequired;
+    T pDy2 = 0;
+    T pDy3 = 0;
+    T pEy1 = 0;
+    T pEy2 = 0;
+    T pEy3 = 0;
+    T pEy4 = 0;
+    T pKy1 = kRequired;
+    T pKy2 = kRequired;
+    T pKy3 = 0;
+    T pHy1 = 0;
+    T pHy2 = 0;
+    T pHy3 = 0;
+    T pVy1 = 0;
+    T pVy2 = 0;
+    T pVy3 = 0;
+    T pVy4 = 0;
     // Lateral force at combined slip (76)-(82)
-    double rBy1 = 0;
-    double rBy2 = 0;
-    double rBy3 = 0;
-    double rCy1 = 0;
-    double rHy1 = 0;
-    double rVy1 = 0;
-    double rVy2 = 0;
-    double rVy3 = 0;
-    double rVy4 = 0;
-    double rVy5 = 0;
-    double rVy6 = 0;
+    T rBy1 = 0;
+    T rBy2 = 0;
+    T rBy3 = 0;
+    T rCy1 = 0;
+    T rHy1 = 0;
+    T rVy1 = 0;
+    T rVy2 = 0;
+    T rVy3 = 0;
+    T rVy4 = 0;
+    T rVy5 = 0;
+    T rVy6 = 0;
     // Aligning torque (57)-(70), (86)-(92)
-    double qBz1 = 0;
-    double qBz2 = 0;
-    double qBz3 = 0;
-    double qBz4 = 0;
-    double qBz5 = 0;
-    double qBz9 = 0;
-    double qBz10 = 0;
-    double qCz1 = 0;
-    double qDz1 = 0;
-    double qDz2 = 0;
-    double qDz3 = 0;
-    double qDz4 = 0;
-    double qDz6 = 0;
-    double qDz7 = 0;
-    double qDz8 = 0;
-    double qDz9 = 0;
-    double qEz1 = 0;
-    double qEz2 = 0;
-    double qEz3 = 0;
-    double qEz4 = 0;
-    double qEz5 = 0;
-    double qHz1 = 0;
-    double qHz2 = 0;
-    double qHz3 = 0;
-    double qHz4 = 0;
-    double ssz1 = 0;
-    double ssz2 = 0;
-    double ssz3 = 0;
-    double ssz4 = 0;
+    T qBz1 = 0;
+    T qBz2 = 0;
+    T qBz3 = 0;
+    T qBz4 = 0;
+    T qBz5 = 0;
+    T qBz9 = 0;
+    T qBz10 = 0;
+    T qCz1 = 0;
+    T qDz1 = 0;
+    T qDz2 = 0;
+    T qDz3 = 0;
+    T qDz4 = 0;
+    T qDz6 = 0;
+    T qDz7 = 0;
+    T qDz8 = 0;
+    T qDz9 = 0;
+    T qEz1 = 0;
+    T qEz2 = 0;
+    T qEz3 = 0;
+    T qEz4 = 0;
+    T qEz5 = 0;
+    T qHz1 = 0;
+    T qHz2 = 0;
+    T qHz3 = 0;
+    T qHz4 = 0;
+    T ssz1 = 0;
+    T ssz2 = 0;
+    T ssz3 = 0;
+    T ssz4 = 0;
     // Overturning, rolling resistance, normal load (83)-(85)
-    double qx1 = 0;
-    double qx2 = 0;
-    double qy1 = 0;
-    double qy2 = 0;
-    double pz1 = kRequired;
-    double pz2 = 0;
+    T qx1 = 0;
+    T qx2 = 0;
+    T qy1 = 0;
+    T qy2 = 0;
+    T pz1 = kRequired;
+    T pz2 = 0;
     // Contact-patch mass, carcass and belt (17)-(28)
-    double pTy8 = 0;
-    double pTy9 = 0;
-    double mc = kRequired;
-    double kFx = 0;
-    double kFy = 0;
-    double cFx = kRequired;
-    double cFy = kRequired;
-    double mt = 0;
-    double czgyr = 0;
-    double cygyr = 0;
-    double cpsigyr = 0;
+    T pTy8 = 0;
+    T pTy9 = 0;
+    T mc = kRequired;
+    T kFx = 0;
+    T kFy = 0;
+    T cFx = kRequired;
+    T cFy = kRequired;
+    T mt = 0;
+    T czgyr = 0;
+    T cygyr = 0;
+    T cpsigyr = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(Fzo), About{"N", "nominal load (29)", kPositive});
@@ -226,35 +229,37 @@ struct TyreCoefficients {
         field(TREAD_FIELD(cpsigyr), About{"-", "belt yaw by the gyroscopic couple (27)"});
     }
 };
+using TyreCoefficients = BasicTyreCoefficients<double>;
 static_assert(describesEveryMember<TyreCoefficients>());
 
 // The paper's user scaling factors lambda; 1 leaves the tyre as it was measured.
-struct TyreScaling {
-    double Fzo = 1;
-    double Cx = 1;
-    double mux = 1;
-    double Ex = 1;
-    double Kx = 1;
-    double Hx = 1;
-    double Vx = 1;
-    double gy = 1;
-    double Cy = 1;
-    double muy = 1;
-    double Ey = 1;
-    double Ky = 1;
-    double Hy = 1;
-    double Vy = 1;
-    double gz = 1;
-    double t = 1;
-    double Mr = 1;
-    double xa = 1;
-    double yk = 1;
-    double Vyk = 1;
-    double Cz = 1;
-    double Kz = 1;
-    double Mx = 1;
-    double My = 1;
-    double s = 1;
+template <class T>
+struct BasicTyreScaling {
+    T Fzo = 1;
+    T Cx = 1;
+    T mux = 1;
+    T Ex = 1;
+    T Kx = 1;
+    T Hx = 1;
+    T Vx = 1;
+    T gy = 1;
+    T Cy = 1;
+    T muy = 1;
+    T Ey = 1;
+    T Ky = 1;
+    T Hy = 1;
+    T Vy = 1;
+    T gz = 1;
+    T t = 1;
+    T Mr = 1;
+    T xa = 1;
+    T yk = 1;
+    T Vyk = 1;
+    T Cz = 1;
+    T Kz = 1;
+    T Mx = 1;
+    T My = 1;
+    T s = 1;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(Fzo), About{"-", "scales the nominal load (29)", kPositive});
@@ -284,6 +289,7 @@ struct TyreScaling {
         field(TREAD_FIELD(s), About{"-", "scales the moment arm of Fx (90)"});
     }
 };
+using TyreScaling = BasicTyreScaling<double>;
 static_assert(describesEveryMember<TyreScaling>());
 
 // The side of the car on which the coefficients were measured; on the other side the tyre is mounted as a mirror image.
@@ -385,25 +391,28 @@ TyreSteadyState steadyState(const TyreParams& tyre, const TyreSlip& slip);
 // ---- Transients ----
 
 // What survives from step to step.
-struct TyreState {
-    double u = 0;      // m, longitudinal deflection of the contact patch against the rim (17)
-    double v = 0;      // m, lateral deflection (18)
-    double du = 0;     // m/s
-    double dv = 0;     // m/s
-    double kappa = 0;  // slip of the contact patch; a state of its own only near standstill
-    double alpha = 0;
+template <class T>
+struct BasicTyreState {
+    T u = 0;      // m, longitudinal deflection of the contact patch against the rim (17)
+    T v = 0;      // m, lateral deflection (18)
+    T du = 0;     // m/s
+    T dv = 0;     // m/s
+    T kappa = 0;  // slip of the contact patch; a state of its own only near standstill
+    T alpha = 0;
 };
+using TyreState = BasicTyreState<double>;
 
 // Motion of a wheel at one instant; as TyreSlip, with what the transient part needs besides. When the wheel spins
 // freely (TyreSpin), Omega and Vsx are results and ignored on input.
-struct TyreMotion {
-    double Vsx = 0;
-    double Vsy = 0;
-    double Vx = 0;
-    double Omega = 0;
-    double psidot = 0;
-    double gamma = 0;
-    double Fz = 0;
+template <class T>
+struct BasicTyreMotion {
+    T Vsx = 0;
+    T Vsy = 0;
+    T Vx = 0;
+    T Omega = 0;
+    T psidot = 0;
+    T gamma = 0;
+    T Fz = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(Vsx), About{"m/s", "longitudinal slip velocity of the rim"});
@@ -415,16 +424,19 @@ struct TyreMotion {
         field(TREAD_FIELD(Fz), About{"N", "normal load"});
     }
 };
+using TyreMotion = BasicTyreMotion<double>;
 static_assert(describesEveryMember<TyreMotion>());
 
 // Forces and moments that the tyre exerts on the rim, at the contact centre.
-struct TyreForces {
-    double Fx = 0;  // N (21)
-    double Fy = 0;  // N (22)
-    double Mx = 0;  // N m (84)
-    double My = 0;  // N m (85)
-    double Mz = 0;  // N m (23)
+template <class T>
+struct BasicTyreForces {
+    T Fx = 0;  // N (21)
+    T Fy = 0;  // N (22)
+    T Mx = 0;  // N m (84)
+    T My = 0;  // N m (85)
+    T Mz = 0;  // N m (23)
 };
+using TyreForces = BasicTyreForces<double>;
 
 // Whether the contact patch follows the paper at every speed, or is helped near standstill. The paper's slip divides by
 // max(|Vx|, 0.01 m/s): a held wheel creeps. The extension gives the contact patch the relaxation of Pacejka's later
@@ -432,12 +444,14 @@ struct TyreForces {
 enum class Standstill { paper, hold };
 
 // The torques on a wheel that spins freely.
-struct TyreSpin {
-    double inertia;       // kg m2, about the spin axis
-    double radius;        // m, from the wheel centre to the road
-    double drive_torque;  // N m, from the driveline, positive forward
-    double brake_torque;  // N m, capacity of the brake, not negative: Coulomb friction against the spin
+template <class T>
+struct BasicTyreSpin {
+    T inertia;       // kg m2, about the spin axis
+    T radius;        // m, from the wheel centre to the road
+    T drive_torque;  // N m, from the driveline, positive forward
+    T brake_torque;  // N m, capacity of the brake, not negative: Coulomb friction against the spin
 };
+using TyreSpin = BasicTyreSpin<double>;
 
 // Advances the contact patch by dt with the wheel's motion given at both ends of the step (give the same motion twice
 // to hold it) and returns the forces at its end. Second order, L-stable (SDIRK2 with a damped Newton).

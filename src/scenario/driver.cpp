@@ -24,7 +24,7 @@ std::string shortNumber(double value) {
 
 Driver::Driver(const Scenario& scenario, const VehicleInput& initial) : scenario_(scenario), held_(initial) {}
 
-void Driver::look(double time, const ChassisOutput& chassis) {
+void Driver::look(double time, const ChassisOutput& chassis, double hand_wheel_angle) {
     if (looked_) {
         const double dt = time - seen_time_;
         phase_distance_ += dt * std::hypot(chassis.vx, chassis.vy);
@@ -41,6 +41,7 @@ void Driver::look(double time, const ChassisOutput& chassis) {
     }
     looked_ = true;
     seen_ = chassis;
+    seen_hand_wheel_ = hand_wheel_angle;
     seen_time_ = time;
     if (!ended_ && conditionTrue()) next(time);
 }
@@ -71,9 +72,14 @@ VehicleInput Driver::signals(double time) const {
     const double elapsed = time - phase_start_;
     VehicleInput input;
     input.steering_wheel_angle = valueAt(now.steering, held_.steering_wheel_angle, elapsed);
+    if (std::holds_alternative<HandsOff>(now.steering)) {
+        input.hands_off = 1;
+        input.steering_wheel_angle = seen_hand_wheel_;  // where the hands would find it
+    }
     input.throttle = valueAt(now.throttle, held_.throttle, elapsed);
     input.brake = valueAt(now.brake, held_.brake, elapsed);
     input.clutch = valueAt(now.clutch, held_.clutch, elapsed);
+    input.parking_brake = valueAt(now.parking_brake, held_.parking_brake, elapsed);
     if (const auto* hold = std::get_if<HoldSpeed>(&now.throttle)) {
         const double missing = (hold->speed > 0 ? hold->speed : phase_speed_) - seen_.vx;
         input.throttle = held_.throttle + hold->proportional * missing + hold->integral * missing_way_;

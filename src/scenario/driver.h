@@ -15,7 +15,7 @@ public:
     Driver(const Scenario& scenario, const VehicleInput& initial);
 
     // Looks at the car at a time: ends a phase whose condition came true.
-    void look(double time, const ChassisOutput& chassis);
+    void look(double time, const ChassisOutput& chassis, double hand_wheel_angle = 0);
 
     // Input at the end of the coming step, for which `look` saw its start.
     VehicleInput inputAt(double time);
@@ -39,10 +39,11 @@ private:
     bool ended_ = false;      // the last phase, by a condition
     VehicleInput held_;       // at the start of the phase
     ChassisOutput seen_;
-    double seen_time_ = 0;       // s
-    double phase_distance_ = 0;  // m
-    double phase_speed_ = 0;     // m/s, at the start of the phase
-    double missing_way_ = 0;     // m, integral of the speed that was missing
+    double seen_hand_wheel_ = 0;  // rad
+    double seen_time_ = 0;        // s
+    double phase_distance_ = 0;   // m
+    double phase_speed_ = 0;      // m/s, at the start of the phase
+    double missing_way_ = 0;      // m, integral of the speed that was missing
     bool looked_ = false;
 };
 

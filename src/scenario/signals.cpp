@@ -14,6 +14,9 @@ double at(const Keep&, double held, double) {
 double at(const HoldSpeed&, double held, double) {
     return held;
 }
+double at(const HandsOff&, double held, double) {
+    return held;
+}
 
 template <class Of>
 double at(const Constant<Of>& signal, double, double) {

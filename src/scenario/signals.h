@@ -101,12 +101,19 @@ struct HoldSpeed {
     }
 };
 
-using SteeringSignal = std::variant<Keep, Constant<Angle>, Ramp<Angle>, Sine<Angle>, Sweep<Angle>, Table<Angle>>;
+// Hands off: the hand wheel turns by itself; the next phase begins where it then is.
+struct HandsOff {
+    static constexpr std::string_view kName = "hands_off";
+    static constexpr void describe(auto&, auto&&) {}
+};
+
+using SteeringSignal =
+    std::variant<Keep, Constant<Angle>, Ramp<Angle>, Sine<Angle>, Sweep<Angle>, Table<Angle>, HandsOff>;
 using PedalSignal = std::variant<Keep, Constant<Pedal>, Ramp<Pedal>, Table<Pedal>>;
 using ThrottleSignal = std::variant<Keep, Constant<Pedal>, Ramp<Pedal>, Table<Pedal>, HoldSpeed>;
 
-// Value `elapsed` seconds into the phase, for a signal that was at `held` when the phase began. A HoldSpeed is no
-// function of time: it answers `held`.
+// Value `elapsed` seconds into the phase, for a signal that was at `held` when the phase began. HoldSpeed and HandsOff
+// are no functions of time: they answer `held`.
 double valueAt(const SteeringSignal& signal, double held, double elapsed);
 double valueAt(const PedalSignal& signal, double held, double elapsed);
 double valueAt(const ThrottleSignal& signal, double held, double elapsed);

@@ -1,6 +1,7 @@
 // The equilibrium is found by letting the car settle: all sub-models, present and future, are in it as they are. What
-// the settling adds is damping of the body; a rolling car is held at its speed while the torque at the wheels is sought
-// that leaves no longitudinal acceleration.
+// the settling adds vanishes at rest: the body heaves, rolls and pitches as if it were light, and is damped; a rolling
+// car is held at its speed while the torque at the wheels is sought that leaves no longitudinal acceleration. Dry friction
+// in the suspension could hold the body anywhere nearby; it is left out, so that the car stands where it does not act.
 
 #include "tread/equilibrium.h"
 
@@ -10,12 +11,19 @@
 namespace tread {
 namespace {
 
-constexpr double kStep = 0.001;      // s
 constexpr double kLongest = 6;       // s
 constexpr double kQuietTime = 0.05;  // s, for which the body must be quiet
-constexpr double kQuiet = 1e-7;      // m/s2 and rad/s2
-constexpr double kBodyDamping = 18;  // 1/s: about critical for heave, pitch and roll of a car
-constexpr double kTorqueGain = 8;    // 1/s: how fast the torque at the wheels follows the need
+constexpr double kQuiet = 1e-6;      // m/s2 and rad/s2
+constexpr double kRideFrequency =
+    24;                          // rad/s, at which the light body heaves: its suspension damps that nearly critically
+constexpr double kLightest = 9;  // mass of the body over that with which it settles
+constexpr double kRideDamping = 6;    // 1/s, of heave, roll and pitch
+constexpr double kDriftDamping = 25;  // 1/s, of a standing car along the road
+constexpr double kTorqueGain = 20;    // 1/s: how fast the torque at the wheels follows the need
+
+Vector3 vectorOf(const std::array<double, 3>& a) {
+    return {a[0], a[1], a[2]};
+}
 
 // The car on its wheels at static height, its axes along the road.
 ChassisMotion placed(const Vehicle& vehicle, const Surroundings& surroundings, const Start& start) {
@@ -40,6 +48,9 @@ ChassisMotion placed(const Vehicle& vehicle, const Surroundings& surroundings, c
 
 VehicleState resting(const Vehicle& vehicle, const Start& start) {
     VehicleState state;
+    const VehicleParams& params = vehicle.params;
+    state.steering =
+        steadySteering(params.steering, start.input.steering_wheel_angle, params.front.track, params.wheelbase);
     for (std::size_t i = 0; i < kWheels; ++i) {
         const TyreCoefficients& p = vehicle.corners[i].tyre.parameters;
         WheelState& wheel = state.wheels[i];
@@ -55,6 +66,33 @@ double largest(const std::array<double, 3>& a) {
     return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
 }
 
+// Undamped heave of the body on its springs.
+double heaveFrequency(const Vehicle& vehicle) {
+    double stiffness = 0;
+    for (std::size_t i = 0; i < kWheels; ++i) {
+        const AxleParams& axle = axleOf(i) == 0 ? vehicle.params.front : vehicle.params.rear;
+        stiffness += forces(axle.suspension, {0, 0, 0, vehicle.corners[i].static_force}).by_travel;
+    }
+    return std::sqrt(stiffness / vehicle.params.mass);
+}
+
+// Changes the velocities of the body; the wheels keep theirs.
+void push(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle, const Vector3& velocity_W,
+          const Vector3& angular_velocity_W) {
+    const Quaternion to_body = motion.orientation.conjugate();
+    const Vector3 change = to_body * (velocity_W - motion.velocity_W);
+    const Vector3 turn = to_body * (angular_velocity_W - motion.angular_velocity_W);
+    for (std::size_t i = 0; i < kWheels; ++i)
+        state.wheels[i].rate -= (change + turn.cross(vehicle.corners[i].hub_B)).z();
+    motion.velocity_W = velocity_W;
+    motion.angular_velocity_W = angular_velocity_W;
+}
+
+// The part of a vector across a direction.
+Vector3 across(const Vector3& a, const Vector3& n) {
+    return a - a.dot(n) * n;
+}
+
 double meanDrivenSpin(const VehicleState& state, double front_share) {
     const auto& w = state.wheels;
     return 0.5 * (front_share * (w[0].spin + w[1].spin) + (1 - front_share) * (w[2].spin + w[3].spin));
@@ -62,49 +100,63 @@ double meanDrivenSpin(const VehicleState& state, double front_share) {
 
 }  // namespace
 
-Equilibrium equilibrium(const Vehicle& vehicle, const Surroundings& surroundings, const Start& start) {
+Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, const Start& start) {
+    Vehicle vehicle = car;
+    for (AxleParams* axle : {&vehicle.params.front, &vehicle.params.rear}) axle->suspension.damper.friction = 0;
     const ChassisMotion place = placed(vehicle, surroundings, start);
     const bool rolls = start.speed != 0;
     const double front_share = vehicle.params.driveline.front_share;
     const double inertia_torque = vehicle.params.mass * vehicle.corners[0].tyre.parameters.Re;
     const Vector3 forward = place.orientation * Vector3::UnitX();
+    const Vector3 n = place.orientation * Vector3::UnitZ();
+    const double hastening = kRideFrequency / heaveFrequency(vehicle);
+    const double lightness = std::clamp(hastening * hastening, 1.0, kLightest);
+    const double step = hastening > 1 ? 0.002 : 0.001;  // s
 
     Equilibrium result{.motion = place, .state = resting(vehicle, start), .input = start.input};
     VehicleState& state = result.state;
     double torque = 0;
     double quiet = 0;
-    for (double t = 0; t < kLongest && quiet < kQuietTime; t += kStep) {
+    for (double t = 0; t < kLongest && quiet < kQuietTime; t += step) {
         // Driveline in steady running at the torque sought.
         const SteadyDriveline steady =
             steadyDriveline(vehicle.params.driveline, meanDrivenSpin(state, front_share), rolls ? torque : 0);
         state.driveline = steady.state;
         result.throttle = steady.throttle;
         if (rolls) result.input.throttle = std::clamp(steady.throttle, 0.0, 1.0);
-        advance(result.motion, state, vehicle, result.input, result.input, surroundings, kStep);
+        advance(result.motion, state, vehicle, result.input, result.input, surroundings, step);
 
-        // Hold the place; a rolling car also its speed and heading. Damp what is left.
+        // Hasten the ride, damp what is left.
         ChassisMotion& motion = result.motion;
-        const double damped = 1 - kBodyDamping * kStep;
-        Vector3 left_over = motion.velocity_W - place.velocity_W;
-        Vector3 turning = motion.angular_velocity_W;
-        std::array<double, 3> acceleration = state.acceleration_W;
+        const Vector3 acceleration = vectorOf(state.acceleration_W);
+        const Vector3 angular = vectorOf(state.angular_acceleration_W);
+        const Vector3 left_over = motion.velocity_W - place.velocity_W;
+        const Vector3 turning = motion.angular_velocity_W;
+        const double more = (lightness - 1) * step;
+        const Vector3 ride = (1 - kRideDamping * step) * (left_over.dot(n) + more * acceleration.dot(n)) * n;
+        const Vector3 tilt = (1 - kRideDamping * step) * (across(turning, n) + more * across(angular, n));
+        const Vector3 drift = (1 - kDriftDamping * step) * across(left_over, n);
+        const Vector3 yaw = (1 - kDriftDamping * step) * turning.dot(n) * n;
         if (rolls) {
-            const Vector3 n = place.orientation * Vector3::UnitZ();
-            const Vector3 a(acceleration[0], acceleration[1], acceleration[2]);
-            torque -= kTorqueGain * kStep * inertia_torque * a.dot(forward);
-            left_over = left_over.dot(n) * n;
-            turning -= turning.dot(n) * n;
+            // Hold place, speed and heading.
+            push(motion, state, vehicle, place.velocity_W + ride, tilt);
             motion.position_W = place.position_W + (motion.position_W - place.position_W).dot(n) * n;
+            torque -= kTorqueGain * step * inertia_torque * acceleration.dot(forward);
+        } else {
+            push(motion, state, vehicle, ride + drift, tilt + yaw);
         }
-        motion.velocity_W = place.velocity_W + damped * left_over;
-        motion.angular_velocity_W = damped * turning;
         result.acceleration = std::max(largest(state.acceleration_W), largest(state.angular_acceleration_W));
-        quiet = result.acceleration < kQuiet ? quiet + kStep : 0;
+        quiet = result.acceleration < kQuiet ? quiet + step : 0;
     }
 
     // Rest at last: what the settling left is below what matters.
     result.motion.velocity_W = place.velocity_W;
     result.motion.angular_velocity_W.setZero();
+    for (std::size_t i = 0; i < kWheels; ++i) {
+        WheelState& wheel = state.wheels[i];
+        wheel.rate = wheel.recession.rate = wheel.recession.acceleration = 0;
+        wheel.warming = 0;
+    }
     return result;
 }
 

@@ -44,8 +44,8 @@ inline const std::string kTyre = "tyre: " + kSource + "/vehicles/tyres/car_205_6
 
 // What stands in place of an unknown manoeuvre.
 inline const std::string kManoeuvres =
-    "drop_and_settle, parked, straight_braking, coast_down, step_steer, sine_steer or steady_circle, or no such line "
-    "for a run without metrics";
+    "drop_and_settle, parked, straight_braking, coast_down, step_steer, sine_steer, steady_circle or ride, or no such "
+    "line for a run without metrics";
 
 inline void expectStart(const std::string& text, const std::string& start) {
     EXPECT_EQ(text.substr(0, start.size()), start);

@@ -10,17 +10,18 @@
 #include <string>
 #include <vector>
 
+#include "cli/program.h"
 #include "shared/car_205_60R15.h"
 
-namespace cli {
+namespace tread {
 
 inline const std::string kCarTyre = TREAD_SOURCE_DIR "/vehicles/tyres/car_205_60R15.yaml";
 
 // The tyre has no overturning couple of its own; with these, every result is there to be compared.
 inline const std::vector<std::string> kCouples{"--set", "parameters.qx1=2e-6", "--set", "parameters.qx2=0.03",
                                                "--set", "parameters.qy2=4e-7"};
-inline tread::TyreParams tyreWithCouples() {
-    tread::TyreParams tyre = reference::car205();
+inline TyreParams tyreWithCouples() {
+    TyreParams tyre = reference::car205();
     tyre.parameters.qx1 = 2e-6;
     tyre.parameters.qx2 = 0.03;
     tyre.parameters.qy2 = 4e-7;
@@ -74,4 +75,16 @@ inline Table parse(const std::string& text) {
     return table;
 }
 
-}  // namespace cli
+// The program's table for an input table; the option is --table or --transient.
+inline Table programTable(const std::string& option, const Table& input, const std::vector<std::string>& more) {
+    const Scratch scratch;
+    std::vector<std::string> words{
+        "tyre", kCarTyre, option, scratch.file("in.csv", csv(input)), "-o", scratch.path("out.csv")};
+    words.insert(words.end(), kCouples.begin(), kCouples.end());
+    words.insert(words.end(), more.begin(), more.end());
+    const Result result = runProgram(words);
+    if (result.status != 0) throw std::runtime_error(result.err);
+    return parse(contentOf(scratch.path("out.csv")));
+}
+
+}  // namespace tread

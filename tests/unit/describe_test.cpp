@@ -8,21 +8,15 @@
 #include <vector>
 
 #include "base/numbers.h"
+#include "shared/described_samples.h"
 #include "tread/curve.h"
 #include "tread/wheels.h"
 
 namespace tread {
 namespace {
 
-struct Damper {
-    double bump = kRequired;
-    double friction = 0;
-    static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(bump), About{"N s/m", "damping in compression", kNonNegative});
-        field(TREAD_FIELD(friction), About{"N", "dry friction", kNonNegative});
-    }
-};
-static_assert(describesEveryMember<Damper>());
+using sample::Damper;
+
 static_assert(describesEveryMember<PerWheel<Damper>>());
 
 // ---- A forgotten member does not compile, whatever its kind ----

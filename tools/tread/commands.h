@@ -29,8 +29,11 @@ int run(const RunOptions& options);
 struct CompareOptions {
     std::string reference;
     std::string candidate;
-    std::string tolerances;  // file; empty: defaults
-    std::string report;      // file; empty: none
+    std::string tolerances;            // file; empty: defaults
+    std::string report;                // file; empty: none
+    std::string envelope;              // iso19364 or file; empty: not judged so
+    std::string score;                 // iso18571 or file; empty: not judged so
+    std::vector<std::string> repeats;  // further measurements for these two
     bool json = false;
 };
 int compare(const CompareOptions& options);
@@ -41,6 +44,15 @@ struct MetricsOptions {
     bool json = false;
 };
 int metrics(const MetricsOptions& options);
+
+struct ImportOptions {
+    std::string file;
+    std::string map;     // file; empty: guessed
+    std::string init;    // mapping file to write; empty: none
+    std::string output;  // log, or tyre file; empty: beside the input, with another extension
+    bool json = false;
+};
+int import(const ImportOptions& options);
 
 struct TyreOptions {
     std::string tyre;
@@ -58,7 +70,7 @@ struct TyreOptions {
 int tyre(const TyreOptions& options);
 
 struct DescribeOptions {
-    std::string what;  // vehicle, tyre, scenario, log, tolerances, metrics
+    std::string what;  // of describables()
     bool json = false;
 };
 int describe(const DescribeOptions& options);
@@ -70,7 +82,7 @@ struct CheckOptions {
 int check(const CheckOptions& options);
 
 struct SchemaOptions {
-    std::string what;    // vehicle, tyre, scenario, tolerances
+    std::string what;    // of describables(), a file
     std::string output;  // file; empty: standard output
 };
 int schema(const SchemaOptions& options);

@@ -2,13 +2,19 @@
 
 #include "base/concat.h"
 #include "base/did_you_mean.h"
+#include "base/field_path.h"
 #include "base/number_text.h"
 #include "base/read_yaml.h"
 #include "base/schema.h"
+#include "compare/cross_plots.h"
+#include "compare/score.h"
 #include "compare/tolerances.h"
-#include "log_columns.h"
+#include "import/import_map.h"
+#include "log/log_columns.h"
+#include "metrics/metrics.h"
 #include "run_inputs.h"
 #include "tread/load.h"
+#include "tyres_of.h"
 
 namespace tread::program {
 namespace {
@@ -29,11 +35,30 @@ std::vector<ReferenceRow> logRows() {
     return rows;
 }
 
+std::vector<TopField> manoeuvreFields() {
+    std::vector<TopField> fields;
+    for (const Manoeuvre& known : manoeuvres()) {
+        fields.push_back({std::string(known.name), std::string(known.description)});
+    }
+    return fields;
+}
+
+std::vector<ReferenceRow> metricRows() {
+    std::vector<ReferenceRow> rows;
+    for (const Manoeuvre& known : manoeuvres()) {
+        for (const MetricDefinition& metric : known.definitions()) {
+            rows.push_back({joinPath(known.name, metric.name), metric.unit, metric.definition, "", ""});
+        }
+    }
+    return rows;
+}
+
 std::vector<std::string> readVehicleFile(const Path& file) {
     const VehicleParams car = loadVehicle(file);
     std::vector<std::string> notes;
-    for (const std::string& note : car.front.tyre.notes) notes.push_back("front.tyre: " + note);
-    for (const std::string& note : car.rear.tyre.notes) notes.push_back("rear.tyre: " + note);
+    for (const auto& [path, tyre] : tyresOf(car)) {
+        for (const std::string& note : tyre->notes) notes.push_back(path + ": " + note);
+    }
     return notes;
 }
 
@@ -42,8 +67,9 @@ std::vector<std::string> readScenarioFile(const Path& file) {
     return {};
 }
 
-std::vector<std::string> readTolerancesFile(const Path& file) {
-    readYaml<Tolerances>(file);
+template <class T>
+std::vector<std::string> readDescribed(const Path& file) {
+    readYaml<T>(file);
     return {};
 }
 
@@ -58,21 +84,33 @@ const std::vector<Describable>& describables() {
         {"scenario", "a manoeuvre", topOf<Scenario>, referenceTable<Scenario>,
          [] { return jsonSchema<Scenario>("Manoeuvre", "scenario.schema.json"); }, readScenarioFile},
         {"log", "the columns of a log", topOf<LogColumns>, logRows},
+        {"import", "how a foreign log becomes a log", topOf<ImportMap>, referenceTable<ImportMap>,
+         [] { return jsonSchema<ImportMap>("Import", "import.schema.json"); }, readDescribed<ImportMap>},
         {"tolerances", "how far two logs may differ", topOf<Tolerances>, referenceTable<Tolerances>,
-         [] { return jsonSchema<Tolerances>("Tolerances", "tolerances.schema.json"); }, readTolerancesFile},
+         [] { return jsonSchema<Tolerances>("Tolerances", "tolerances.schema.json"); }, readDescribed<Tolerances>},
+        {"envelope", "how far measurements may lie off a simulation", topOf<CrossPlots>, referenceTable<CrossPlots>,
+         [] { return jsonSchema<CrossPlots>("Envelope", "envelope.schema.json"); }, readDescribed<CrossPlots>},
+        {"score", "how the likeness of curves is rated", topOf<ScoreParams>, referenceTable<ScoreParams>,
+         [] { return jsonSchema<ScoreParams>("Score", "score.schema.json"); }, readDescribed<ScoreParams>},
+        {"metrics", "the metrics of each manoeuvre, undefined when a log lacks what they need", manoeuvreFields,
+         metricRows},
     };
     return list;
 }
 
-const Describable& describable(std::string_view name, bool only_files, std::vector<std::string_view> further) {
-    std::vector<std::string_view> known;
+std::vector<std::string_view> describableNames(bool only_files) {
+    std::vector<std::string_view> names;
     for (const Describable& entry : describables()) {
-        if (only_files && !entry.isFile()) continue;
-        if (entry.name == name) return entry;
-        known.push_back(entry.name);
+        if (entry.isFile() || !only_files) names.push_back(entry.name);
     }
-    known.insert(known.end(), further.begin(), further.end());
-    rejectName(only_files ? "kind of file" : "description", name, known);
+    return names;
+}
+
+const Describable& describable(std::string_view name, bool only_files) {
+    for (const Describable& entry : describables()) {
+        if (entry.name == name && (entry.isFile() || !only_files)) return entry;
+    }
+    rejectName(only_files ? "kind of file" : "description", name, describableNames(only_files));
 }
 
 std::vector<std::string> readTyreFile(const Path& file) {
