@@ -111,10 +111,14 @@ private:
     // Names, and units where a row below them or the names themselves say so.
     void readHeader() {
         std::vector<TextLine> rows;
+        const auto width = [](const std::vector<TextCell>& row) {  // without what a delimiter at the end leaves
+            return row.size() - (row.back().text.empty() ? 1 : 0);
+        };
+        const std::vector<TextCell> first = cells(first_row_);
         for (std::size_t i = first_row_; i > 0 && rows.size() < kHeaderRows; --i) {
-            const std::size_t count = cells(i - 1).size();
-            const std::size_t fewest = dialect_.cells > 2 ? dialect_.cells - 1 : dialect_.cells;  // one name may lack
-            if (count < fewest || count > dialect_.cells + 1) break;
+            const std::vector<TextCell> row = cells(i - 1);
+            const bool fits = row.size() == first.size() || width(row) == first.size() || width(row) == width(first);
+            if (!fits) break;
             rows.insert(rows.begin(), lines_[i - 1]);
         }
         if (rows.empty()) rows = headerInComment();

@@ -29,6 +29,7 @@ Log everything(double duration, const std::vector<Signal>& moved) {
                                                           {"chassis.yaw_rate", "rad/s"},
                                                           {"chassis.ax", "m/s2"},
                                                           {"chassis.ay", "m/s2"},
+                                                          {"chassis.az", "m/s2"},
                                                           {"chassis.sideslip", "rad"}}) {
         std::function<double(double)> value = constant(0);
         for (const Signal& signal : moved) {
