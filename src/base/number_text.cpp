@@ -45,6 +45,15 @@ std::string numberText(double value) {
     return text;
 }
 
+void appendNumber(std::string& out, double value) {
+    if (std::isnan(value)) {
+        out += "nan";
+        return;
+    }
+    char digits[32];  // the longest double has 24 characters
+    out.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+}
+
 std::optional<double> takeNumber(std::string_view& text) {
     std::string_view digits = text;
     if (digits.starts_with('+')) digits.remove_prefix(1);

@@ -13,6 +13,10 @@ namespace tread {
 // Shortest decimal text that reads back to the same finite number.
 std::string numberText(double value);
 
+// Appends a cell of a table: the shortest digits that read back to the same number, and one spelling of NaN whatever
+// its sign bit.
+void appendNumber(std::string& out, double value);
+
 // The decimal number at the beginning of `text`, which is then moved behind it. Nothing for infinities, NaN, numbers
 // beyond the range of a double, and numbers that run on into something else ("0x10", "1_000", "1,5").
 std::optional<double> takeNumber(std::string_view& text);

@@ -21,14 +21,13 @@ std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
-std::optional<Setting> parseSetting(std::string_view assignment, std::string_view what,
+std::optional<Setting> parseSetting(std::string_view assignment, std::string_view what, PathListing listing,
                                     std::vector<Problem>& problems) {
     const std::size_t equals = assignment.find('=');
     const std::string path(trimmed(assignment.substr(0, equals)));
     if (equals == std::string_view::npos || path.empty() || path.ends_with('.')) {
         problems.push_back(
-            {std::string(what), 0, 0, "",
-             "found " + quote(assignment) + ", expected path=value; write for example front.damper.bump=1800"});
+            {std::string(what), 0, 0, "", "found " + quote(assignment) + ", expected path=value; " + listing(path)});
         return {};
     }
     const std::string_view value = trimmed(assignment.substr(equals + 1));
@@ -51,7 +50,7 @@ std::size_t elementIndex(std::string_view name, std::size_t size) {
     return is_index ? std::min(index, size) : size;
 }
 
-std::string unknownPathText(const std::string& path, const std::vector<ReferenceRow>& known) {
+std::string unknownPathText(const std::string& path, const std::vector<ReferenceRow>& known, PathListing listing) {
     std::vector<std::string_view> paths;
     std::vector<std::string_view> endings;
     for (const ReferenceRow& row : known) {
@@ -61,10 +60,10 @@ std::string unknownPathText(const std::string& path, const std::vector<Reference
     const std::string text = "found the unknown path " + quote(path) + ", expected the path of a field";
     if (!endings.empty()) {
         endings.resize(std::min<std::size_t>(endings.size(), 4));
-        return text + "; did you mean " + listed(endings) + "? `tread describe vehicle` lists all paths";
+        return text + "; did you mean " + listed(endings) + "? " + listing(endings.front());
     }
-    const std::string suggestion = didYouMean(path, paths);
-    return text + (suggestion.empty() ? ";" : suggestion) + " `tread describe vehicle` lists all paths";
+    const auto near = closest(path, paths);
+    return text + (near ? "; did you mean " + quote(*near) + "? " : "; ") + listing(near.value_or(path));
 }
 
 }  // namespace tread::detail

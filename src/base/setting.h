@@ -16,6 +16,10 @@
 #include "base/reference_table.h"
 
 namespace tread {
+
+// Says in a clause where the fields around a path are listed, for whoever gave a path that does not exist.
+using PathListing = std::string (*)(std::string_view path);
+
 namespace detail {
 
 struct Setting {
@@ -24,12 +28,13 @@ struct Setting {
 };
 
 // "path=value", its value as a document; complains as `what` when it cannot be taken apart.
-std::optional<Setting> parseSetting(std::string_view assignment, std::string_view what, std::vector<Problem>& problems);
+std::optional<Setting> parseSetting(std::string_view assignment, std::string_view what, PathListing listing,
+                                    std::vector<Problem>& problems);
 
 // Index of an element; `size` when the name is not one.
 std::size_t elementIndex(std::string_view name, std::size_t size);
 
-std::string unknownPathText(const std::string& path, const std::vector<ReferenceRow>& known);
+std::string unknownPathText(const std::string& path, const std::vector<ReferenceRow>& known, PathListing listing);
 
 // Calls `visit(field, about)` for the field at the path; false when there is none.
 template <class T, class Visit>
@@ -67,18 +72,18 @@ bool visitField(T& value, std::string_view path, const About& about, const Visit
 // Sets fields one after the other, then looks at the whole object again: rules across fields see all new values.
 // Throws LoadError, naming `what` ("--set") in place of a file, and then leaves the object as it was.
 template <Described T>
-void applySettings(T& object, std::span<const std::string> assignments, std::string_view what) {
+void applySettings(T& object, std::span<const std::string> assignments, std::string_view what, PathListing listing) {
     YamlSession session;
     T changed = object;
     for (const std::string& assignment : assignments) {
-        const auto setting = detail::parseSetting(assignment, what, session.problems);
+        const auto setting = detail::parseSetting(assignment, what, listing, session.problems);
         if (!setting) continue;
         const YamlReader reader(session, setting->value);
         const YamlPlace place = reader.root(setting->path);
         const bool found = detail::visitField(changed, setting->path, About{}, [&](auto& field, const About& about) {
             detail::readValue(reader, place, field, about);
         });
-        if (!found) reader.complain(place, detail::unknownPathText(setting->path, referenceTable<T>()));
+        if (!found) reader.complain(place, detail::unknownPathText(setting->path, referenceTable<T>(), listing));
     }
     throwIfAny(session.problems);
 
@@ -94,12 +99,6 @@ void applySettings(T& object, std::span<const std::string> assignments, std::str
                   [&](const Problem& gap) { return std::find(before.begin(), before.end(), gap) != before.end(); });
     throwIfAny(std::move(gaps));
     object = std::move(changed);
-}
-
-template <Described T>
-void applySetting(T& object, std::string_view assignment, std::string_view what) {
-    const std::string one(assignment);
-    applySettings(object, std::span(&one, 1), what);
 }
 
 }  // namespace tread

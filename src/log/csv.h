@@ -29,7 +29,8 @@ struct Column {
 };
 
 // Writes a log row by row. Until finish() the rows are in `<path>.part`; then the file gets its name. A writer that is
-// destroyed before, or that hits a full disk, leaves the whole rows so far in `<stem>.incomplete.csv`.
+// destroyed before, or that hits a full disk, leaves the whole rows so far in `<stem>.incomplete.csv`. FileError says
+// why the log ended and what became of its rows.
 class LogWriter {
 public:
     LogWriter(std::filesystem::path path, const std::vector<Column>& columns);
@@ -39,21 +40,25 @@ public:
 
     void write(std::span<const double> row);  // one value per column
     void finish();
+    // Ends the log before its end, as the destructor does, and tells what became of its rows.
+    std::string keepIncomplete();
 
 private:
     struct Close {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
     void flush();
-    void keepIncomplete() noexcept;
+    void close();
+    std::string nameIncomplete();
     [[noreturn]] void fail(const std::string& reason);
 
     std::filesystem::path path_;
     std::filesystem::path part_;
     std::filesystem::path incomplete_;
     std::unique_ptr<std::FILE, Close> file_;
-    std::string buffer_;            // whole rows that are not yet in the file
-    std::uintmax_t row_bytes_ = 0;  // size of the file up to the end of its last whole row
+    std::string buffer_;               // whole rows that are not yet in the file
+    std::uintmax_t row_bytes_ = 0;     // size of the file up to the end of its last whole row
+    std::uintmax_t header_bytes_ = 0;  // of these, before the first row
     std::size_t columns_;
 };
 

@@ -1,10 +1,11 @@
+#include <unistd.h>
+
 #include <cassert>
 #include <cerrno>
-#include <charconv>
-#include <cmath>
 #include <system_error>
 #include <utility>
 
+#include "base/number_text.h"
 #include "log/csv.h"
 #include "log/csv_header.h"
 
@@ -12,17 +13,6 @@ namespace tread {
 namespace {
 
 constexpr std::size_t kFlushBytes = 1 << 16;  // a crash of the whole process loses at most this much
-constexpr std::size_t kNumberBytes = 32;      // the longest double has 24 characters
-
-void appendNumber(std::string& out, double value) {
-    if (std::isnan(value)) {
-        out += "nan";  // one spelling, whatever its sign bit, so that the same run gives the same bytes
-        return;
-    }
-    char digits[kNumberBytes];
-    const auto result = std::to_chars(digits, digits + sizeof digits, value);
-    out.append(digits, result.ptr);
-}
 
 std::string reasonOf(int error) {
     return std::generic_category().message(error);
@@ -41,17 +31,11 @@ LogWriter::LogWriter(std::filesystem::path path, const std::vector<Column>& colu
     if (!file_) throw FileError("cannot write '" + part_.string() + "': " + reasonOf(errno));
     std::setvbuf(file_.get(), nullptr, _IONBF, 0);  // one buffer is enough, and ours knows where rows end
     buffer_ = headerRow(columns);
+    header_bytes_ = buffer_.size();
 }
 
 LogWriter::~LogWriter() {
-    if (!file_) return;
-    try {
-        flush();
-        file_.reset();
-        keepIncomplete();
-    } catch (const FileError&) {
-        // flush() has already kept what it could
-    }
+    if (file_) keepIncomplete();
 }
 
 void LogWriter::write(std::span<const double> row) {
@@ -67,11 +51,23 @@ void LogWriter::write(std::span<const double> row) {
 void LogWriter::finish() {
     assert(file_);
     flush();
-    // Some file systems report a full disk only on closing.
-    if (std::fclose(file_.release()) != 0) fail(reasonOf(errno));
+    // The rows must be on the disk before the name is: some file systems report a full disk only here or on closing.
+    if (fsync(fileno(file_.get())) != 0) fail(reasonOf(errno));
+    close();
     std::error_code error;
     std::filesystem::rename(part_, path_, error);
     if (error) fail(error.message());
+}
+
+std::string LogWriter::keepIncomplete() {
+    assert(file_);
+    try {
+        flush();
+        close();
+    } catch (const FileError& error) {
+        return error.what();
+    }
+    return nameIncomplete();
 }
 
 void LogWriter::flush() {
@@ -84,23 +80,30 @@ void LogWriter::flush() {
     const int error = errno;
     const std::size_t row_end = std::string_view(buffer_).substr(0, written).rfind('\n');
     if (row_end != std::string_view::npos) row_bytes_ += row_end + 1;
-    file_.reset();
     fail(reasonOf(error));
 }
 
-// Cuts off a torn last row and gives the rest the name that says so.
-void LogWriter::keepIncomplete() noexcept {
+void LogWriter::close() {
+    if (std::fclose(file_.release()) != 0) fail(reasonOf(errno));
+}
+
+// Cuts off a torn last row and gives the rest the name that says so; without a whole row the file goes.
+std::string LogWriter::nameIncomplete() {
     std::error_code error;
-    if (std::filesystem::file_size(part_, error) > row_bytes_ && !error) {
-        std::filesystem::resize_file(part_, row_bytes_, error);
+    if (row_bytes_ <= header_bytes_) {
+        std::filesystem::remove(part_, error);
+        return "no row was written";
     }
-    std::filesystem::rename(part_, incomplete_, error);
+    if (std::filesystem::file_size(part_, error) > row_bytes_) std::filesystem::resize_file(part_, row_bytes_, error);
+    if (!error) std::filesystem::rename(part_, incomplete_, error);
+    if (!error) return "the rows so far are in '" + incomplete_.string() + "'";
+    return "the rows so far stay in '" + part_.string() + "', which cannot become '" + incomplete_.string() +
+           "': " + error.message();
 }
 
 void LogWriter::fail(const std::string& reason) {
-    keepIncomplete();
-    throw FileError("cannot write '" + path_.string() + "': " + reason + "; the rows so far are in '" +
-                    incomplete_.string() + "'");
+    file_.reset();
+    throw FileError("cannot write '" + path_.string() + "': " + reason + "; " + nameIncomplete());
 }
 
 void writeLog(const std::filesystem::path& path, const Log& log) {

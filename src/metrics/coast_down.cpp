@@ -1,4 +1,4 @@
-#include "metrics/coast_down.h"
+// Coast-down: driving resistance from the deceleration of a car that rolls free.
 
 #include <fmt/format.h>
 
@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "metrics/channels.h"
+#include "metrics/manoeuvres.h"
+#include "metrics/metric_table.h"
 
 namespace tread {
 namespace {
@@ -70,23 +72,61 @@ Resistance fitResistance(const TimeSeries& v) {
     return {found[1], found[2], rms};
 }
 
-void addBands(std::vector<Metric>& out, const TimeSeries& v) {
+struct Coasting {
+    TimeSeries v, clean;  // m/s; as logged, and without noise
+    Resistance resistance;
+};
+
+MetricTable<Coasting> table() {
+    return {
+        {{"initial_speed", "m/s", "speed at the beginning of the coasting"},
+         [](const Coasting& c) { return c.clean.value.front(); }},
+        {{"final_speed", "m/s", "speed at its end"}, [](const Coasting& c) { return c.clean.value.back(); }},
+        {{"time", "s", "time between the two"}, [](const Coasting& c) { return c.v.end() - c.v.begin(); }},
+        {{"distance", "m", "distance between the two"},
+         [](const Coasting& c) { return integral(c.v, c.v.begin(), c.v.end()); }},
+        {{"deceleration_constant", "m/s2", "a0 of the fitted deceleration a0 + a2 v^2"},
+         [](const Coasting& c) { return c.resistance.a0; }},
+        {{"deceleration_square", "1/m", "a2 of the fitted deceleration a0 + a2 v^2"},
+         [](const Coasting& c) { return c.resistance.a2; }},
+        {{"rolling_resistance", "-", "a0 / g: rolling resistance coefficient with the drag of the driveline in it"},
+         [](const Coasting& c) { return c.resistance.a0 / kGravity; }},
+        {{"drag_area_over_mass", "m2/kg",
+          fmt::format("2 a2 / air density of {:.3f} kg/m3; mass with its rotating parts", kAirDensity)},
+         [](const Coasting& c) { return 2 * c.resistance.a2 / kAirDensity; }},
+        {{"fit_rms", "m/s", "speed that the fitted law leaves unexplained"},
+         [](const Coasting& c) { return c.resistance.rms; }},
+    };
+}
+
+struct Band {
+    double time;      // s
+    double distance;  // m
+};
+
+// The metrics of a band of speeds; the ends in km/h.
+MetricTable<Band> bandTable(const std::string& high, const std::string& low) {
+    const std::string band = fmt::format("{}_to_{}_kmh", high, low);
+    const std::string words = fmt::format("while the speed falls from {} to {} km/h", high, low);
+    return {{{"time_" + band, "s", "time " + words}, [](const Band& b) { return b.time; }},
+            {{"distance_" + band, "m", "distance " + words}, [](const Band& b) { return b.distance; }}};
+}
+
+std::vector<Metric> bands(const TimeSeries& v) {
+    std::vector<Metric> out;
     const double fastest = *std::max_element(v.value.begin(), v.value.end());
+    const auto text = [](double speed) { return fmt::format("{:.0f}", speed / kKmh); };
     for (double high = std::floor(fastest / kBand) * kBand; high > kBand / 2; high -= kBand) {
         const double low = high - kBand;
         const auto from = firstCrossing(v, high, v.begin()), to = firstCrossing(v, low, v.begin());
         if (!from || !to) continue;
-        const std::string band = fmt::format("{:.0f}_to_{:.0f}_kmh", high / kKmh, low / kKmh);
-        const std::string words =
-            fmt::format("while the speed falls from {:.0f} to {:.0f} km/h", high / kKmh, low / kKmh);
-        out.push_back({"time_" + band, *to - *from, "s", "time " + words});
-        out.push_back({"distance_" + band, integral(v, *from, *to), "m", "distance " + words});
+        const auto band = values(bandTable(text(high), text(low)), Band{*to - *from, integral(v, *from, *to)});
+        out.insert(out.end(), band.begin(), band.end());
     }
+    return out;
 }
 
-}  // namespace
-
-std::vector<Metric> coastDownMetrics(const Log& log, const KnownCar&) {
+Coasting findCoastDown(const Log& log) {
     const auto needed = channels(log, kName, {"driver.throttle", "driver.brake", "chassis.vx"});
     const auto steering = channelIfThere(log, kName, "driver.steering_wheel_angle");
     const Interval found = findCoasting(needed[0], needed[1], needed[2], steering);
@@ -104,22 +144,27 @@ std::vector<Metric> coastDownMetrics(const Log& log, const KnownCar&) {
                              "at least {:.0f} %",
                              first, last, 100 * kLeastLoss));
     }
-    const Resistance resistance = fitResistance(v);
+    return {v, clean, fitResistance(v)};
+}
 
-    std::vector<Metric> out;
-    out.push_back({"initial_speed", first, "m/s", "speed at the beginning of the coasting"});
-    out.push_back({"final_speed", last, "m/s", "speed at its end"});
-    out.push_back({"time", found.length(), "s", "time between the two"});
-    out.push_back({"distance", integral(v, found.from, found.to), "m", "distance between the two"});
-    out.push_back({"deceleration_constant", resistance.a0, "m/s2", "a0 of the fitted deceleration a0 + a2 v^2"});
-    out.push_back({"deceleration_square", resistance.a2, "1/m", "a2 of the fitted deceleration a0 + a2 v^2"});
-    out.push_back({"rolling_resistance", resistance.a0 / kGravity, "-",
-                   "a0 / g: rolling resistance coefficient with the drag of the driveline in it"});
-    out.push_back({"drag_area_over_mass", 2 * resistance.a2 / kAirDensity, "m2/kg",
-                   fmt::format("2 a2 / air density of {:.3f} kg/m3; mass with its rotating parts", kAirDensity)});
-    out.push_back({"fit_rms", resistance.rms, "m/s", "speed that the fitted law leaves unexplained"});
-    addBands(out, clean);
-    return out;
+template <class T>
+std::vector<T> joined(std::vector<T> first, const std::vector<T>& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
+}  // namespace
+
+Manoeuvre coastDown() {
+    return {kName, "rolling free: rolling resistance and drag area",
+            [] {
+                const std::string lower = fmt::format("<v-{:.0f}>", kBand / kKmh);
+                return joined(definitions(table()), definitions(bandTable("<v>", lower)));
+            },
+            [](const Log& log, const KnownCar&) {
+                const Coasting found = findCoastDown(log);
+                return joined(values(table(), found), bands(found.clean));
+            }};
 }
 
 }  // namespace tread

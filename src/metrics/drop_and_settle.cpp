@@ -1,4 +1,4 @@
-#include "metrics/drop_and_settle.h"
+// A car dropped onto its wheels: bounce frequency and damping of the body.
 
 #include <fmt/format.h>
 
@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "metrics/channels.h"
+#include "metrics/manoeuvres.h"
+#include "metrics/metric_table.h"
 
 namespace tread {
 namespace {
@@ -18,11 +20,41 @@ constexpr double kSettledShare = 0.02;     // of the drop: within, the body has 
 constexpr double kLeastSwing = 0.01;       // of the drop, peak to peak: smaller swings are left out
 constexpr double kSwingNoise = 10;         // or smaller than this many standard deviations of the noise
 constexpr double kHeightHalfWidth = 0.05;  // s
+constexpr double kMillimetres = 1000;
 
 struct Bounce {
     double damped_frequency = kUndefined;  // Hz
     double damping_ratio = kUndefined;
 };
+
+struct Drop {
+    double height;         // m
+    double settling_time;  // s
+    double dip;            // m below rest
+    Bounce bounce;
+};
+
+MetricTable<Drop> table() {
+    return {
+        {{"drop", "mm", "height of the body at the beginning over that at rest"},
+         [](const Drop& d) { return kMillimetres * d.height; }},
+        {{"settling_time", "s",
+          fmt::format("from the beginning until the body stays within {:.0f} % of the drop; undefined when it does not",
+                      100 * kSettledShare)},
+         [](const Drop& d) { return d.settling_time; }},
+        {{"overshoot", "-", "how far below rest the body dips, over the drop"},
+         [](const Drop& d) { return std::max(0.0, d.dip / d.height); }},
+        {{"damped_frequency", "Hz",
+          "from the times at which the body passes its height at rest; undefined when it does not swing"},
+         [](const Drop& d) { return d.bounce.damped_frequency; }},
+        {{"bounce_frequency", "Hz", "damped frequency over sqrt(1 - damping ratio^2)"},
+         [](const Drop& d) {
+             return d.bounce.damped_frequency / std::sqrt(1 - d.bounce.damping_ratio * d.bounce.damping_ratio);
+         }},
+        {{"damping_ratio", "-", "from the logarithmic decrement of the swings; undefined with fewer than two"},
+         [](const Drop& d) { return d.bounce.damping_ratio; }},
+    };
+}
 
 // Times at which the body passes its height at rest, between one turning point and the next.
 std::vector<double> passages(const TimeSeries& z, double rest, const std::vector<Instant>& turns) {
@@ -61,9 +93,7 @@ double settlingTime(const TimeSeries& z, double rest, double band) {
     return 0;
 }
 
-}  // namespace
-
-std::vector<Metric> dropAndSettleMetrics(const Log& log, const KnownCar&) {
+Drop findDrop(const Log& log) {
     const TimeSeries measured = channels(log, kName, {"chassis.z", "chassis.vx"}).front();
     const TimeSeries z = cleaned(measured, kHeightHalfWidth);
     const TimeSeries v = speed(log, kName);
@@ -75,29 +105,22 @@ std::vector<Metric> dropAndSettleMetrics(const Log& log, const KnownCar&) {
     const double rest = mean(z, z.end() - 0.1 * (z.end() - z.begin()), z.end());
     const double drop = z.value.front() - rest;
     if (drop < kLeastDrop) {
-        notFound(kName, fmt::format("the body sinks by {:.1f} mm, looked for at least {:.1f} mm", 1000 * drop,
-                                    1000 * kLeastDrop));
+        notFound(kName, fmt::format("the body sinks by {:.1f} mm, looked for at least {:.1f} mm", kMillimetres * drop,
+                                    kMillimetres * kLeastDrop));
     }
     const auto turns = turningPoints(z, std::max(kLeastSwing * drop, kSwingNoise * noise(measured)));
-    const Bounce bounce = findBounce(z, rest, turns);
-    const double least = lowest(z, z.begin(), z.end()).value;
-    const double undamped = bounce.damped_frequency / std::sqrt(1 - bounce.damping_ratio * bounce.damping_ratio);
+    return {.height = drop,
+            .settling_time = settlingTime(z, rest, kSettledShare * drop),
+            .dip = rest - lowest(z, z.begin(), z.end()).value,
+            .bounce = findBounce(z, rest, turns)};
+}
 
-    std::vector<Metric> out;
-    out.push_back({"drop", 1000 * drop, "mm", "height of the body at the beginning over that at rest"});
-    out.push_back(
-        {"settling_time", settlingTime(z, rest, kSettledShare * drop), "s",
-         fmt::format("from the beginning until the body stays within {:.0f} % of the drop; undefined when it does "
-                     "not",
-                     100 * kSettledShare)});
-    out.push_back(
-        {"overshoot", std::max(0.0, (rest - least) / drop), "-", "how far below rest the body dips, over the drop"});
-    out.push_back({"damped_frequency", bounce.damped_frequency, "Hz",
-                   "from the times at which the body passes its height at rest; undefined when it does not swing"});
-    out.push_back({"bounce_frequency", undamped, "Hz", "damped frequency over sqrt(1 - damping ratio^2)"});
-    out.push_back({"damping_ratio", bounce.damping_ratio, "-",
-                   "from the logarithmic decrement of the swings; undefined with fewer than two"});
-    return out;
+}  // namespace
+
+Manoeuvre dropAndSettle() {
+    return {kName, "the car falls onto its wheels: settling time, bounce frequency, damping",
+            [] { return definitions(table()); },
+            [](const Log& log, const KnownCar&) { return values(table(), findDrop(log)); }};
 }
 
 }  // namespace tread

@@ -6,29 +6,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "metrics/coast_down.h"
-#include "metrics/drop_and_settle.h"
-#include "metrics/parked.h"
-#include "metrics/sine_steer.h"
-#include "metrics/steady_circle.h"
-#include "metrics/step_steer.h"
-#include "metrics/straight_braking.h"
+#include "metrics/manoeuvres.h"
 
 namespace tread {
 
 // What is more special comes first: a car that is dropped is parked as well, a step is slow steering at its end.
 const std::vector<Manoeuvre>& manoeuvres() {
-    static const std::vector<Manoeuvre> list = {
-        {"drop_and_settle", "the car falls onto its wheels: settling time, bounce frequency, damping",
-         dropAndSettleMetrics},
-        {"parked", "the car stands: drift of position and heading", parkedMetrics},
-        {"straight_braking", "braking to standstill: stopping distance, MFDD, locked wheels", straightBrakingMetrics},
-        {"coast_down", "rolling free: rolling resistance and drag area", coastDownMetrics},
-        {"step_steer", "a quick turn of the wheel, held: response times, overshoot, gains (after ISO 7401)",
-         stepSteerMetrics},
-        {"sine_steer", "sine steering: gain and phase, or lags of the peaks (after ISO 7401)", sineSteerMetrics},
-        {"steady_circle", "steady cornering: understeer, roll and sideslip gradients (after ISO 4138)",
-         steadyCircleMetrics}};
+    static const std::vector<Manoeuvre> list = {dropAndSettle(), parked(),    straightBraking(), coastDown(),
+                                                stepSteer(),     sineSteer(), steadyCircle()};
     return list;
 }
 

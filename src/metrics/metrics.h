@@ -28,8 +28,11 @@ struct KnownCar {
 struct Manoeuvre {
     std::string_view name;
     std::string_view description;
+    std::vector<MetricDefinition> (*definitions)();
+    // Throws MetricError.
     std::vector<Metric> (*metrics)(const Log&, const KnownCar&);
 };
+
 // The known manoeuvres, in the order in which they are looked for.
 const std::vector<Manoeuvre>& manoeuvres();
 

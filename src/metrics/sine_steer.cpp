@@ -1,4 +1,4 @@
-#include "metrics/sine_steer.h"
+// Sine steering, after ISO 7401: one period, or continuous.
 
 #include <fmt/format.h>
 
@@ -9,6 +9,8 @@
 #include <numbers>
 
 #include "metrics/channels.h"
+#include "metrics/manoeuvres.h"
+#include "metrics/metric_table.h"
 
 namespace tread {
 namespace {
@@ -129,26 +131,25 @@ Sine findSine(const TimeSeries& steering) {
     return sine;
 }
 
-void addContinuous(std::vector<Metric>& out, const Sine& sine, const TimeSeries& steering, const TimeSeries& response,
-                   std::string_view name, std::string_view words, std::string_view gain_unit) {
+struct Answer {
+    double gain;                     // SI over rad
+    double phase_lag = kUndefined;   // deg
+    double first_lag = kUndefined;   // s
+    double second_lag = kUndefined;  // s
+};
+
+Answer answerToContinuous(const Sine& sine, const TimeSeries& steering, const TimeSeries& response) {
     const auto input = fitSine(part(steering, sine.from, sine.to), sine.frequency).phasor;
     const auto output = fitSine(part(response, sine.from, sine.to), sine.frequency).phasor;
     const std::complex<double> transfer = output / input;
     // A car lags by up to about 180 deg; the range is chosen so that no such lag wraps.
     double lag = -kDegrees * std::arg(transfer);
     if (lag < -90) lag += 360;
-    out.push_back(
-        {fmt::format("{}_gain", name), std::abs(transfer), std::string(gain_unit),
-         fmt::format("amplitude of the {} over that of the steering-wheel angle, least-squares sines over the "
-                     "last two periods",
-                     words)});
-    out.push_back({fmt::format("{}_phase_lag", name), lag, "deg",
-                   fmt::format("by which the {} lags the steering-wheel angle, same fits", words)});
+    return {.gain = std::abs(transfer), .phase_lag = lag};
 }
 
-// Peaks of the answer to one period, the first in the direction of the steering.
-void addOnePeriod(std::vector<Metric>& out, const Sine& sine, const std::vector<Instant>& turns, const TimeSeries& response,
-                  std::string_view name, std::string_view words, std::string_view gain_unit) {
+// By its peaks, the first in the direction of the steering.
+Answer answerToOnePeriod(const Sine& sine, const std::vector<Instant>& turns, const TimeSeries& response) {
     const bool up = turns[0].value > turns[1].value;
     const double period = 1 / sine.frequency, half = 0.5 * (turns[0].time + turns[1].time);
     const auto peak = [&](bool high, double from, double to) {
@@ -156,43 +157,82 @@ void addOnePeriod(std::vector<Metric>& out, const Sine& sine, const std::vector<
     };
     const Instant first = peak(up, sine.from, half + 0.5 * period);
     const Instant second = peak(!up, std::max(first.time, half), sine.to + period);
-    out.push_back({fmt::format("{}_first_peak_lag", name), first.time - turns[0].time, "s",
-                   fmt::format("from the first peak of the steering to that of the {}", words)});
-    out.push_back({fmt::format("{}_second_peak_lag", name), second.time - turns[1].time, "s",
-                   fmt::format("from the second peak of the steering to that of the {}", words)});
-    out.push_back({fmt::format("{}_gain", name), (first.value - second.value) / (turns[0].value - turns[1].value),
-                   std::string(gain_unit),
-                   fmt::format("peak to peak of the {} over that of the steering-wheel angle", words)});
+    return {.gain = (first.value - second.value) / (turns[0].value - turns[1].value),
+            .first_lag = first.time - turns[0].time,
+            .second_lag = second.time - turns[1].time};
 }
 
-}  // namespace
+struct SineSteer {
+    Sine sine;
+    double speed;      // m/s
+    double amplitude;  // rad
+    Answer yaw_rate, ay;
+};
 
-std::vector<Metric> sineSteerMetrics(const Log& log, const KnownCar&) {
+MetricTable<SineSteer> answerTable(Answer SineSteer::*answer, std::string_view what, std::string_view words,
+                                   std::string_view gain_unit) {
+    const auto name = [&](std::string_view metric) { return fmt::format("{}_{}", what, metric); };
+    return {
+        {{name("gain"), std::string(gain_unit),
+          fmt::format("amplitude of the {} over that of the steering-wheel angle: of least-squares sines over the last "
+                      "two periods of a continuous sine, peak to peak of a single period",
+                      words)},
+         [answer](const SineSteer& s) { return (s.*answer).gain; }},
+        {{name("phase_lag"), "deg",
+          fmt::format("by which the {} lags the steering-wheel angle, same fits; undefined for a single period",
+                      words)},
+         [answer](const SineSteer& s) { return (s.*answer).phase_lag; }},
+        {{name("first_peak_lag"), "s",
+          fmt::format("from the first peak of the steering to that of the {}; undefined for a continuous sine", words)},
+         [answer](const SineSteer& s) { return (s.*answer).first_lag; }},
+        {{name("second_peak_lag"), "s",
+          fmt::format("from the second peak of the steering to that of the {}; undefined for a continuous sine",
+                      words)},
+         [answer](const SineSteer& s) { return (s.*answer).second_lag; }},
+    };
+}
+
+MetricTable<SineSteer> table() {
+    MetricTable<SineSteer> lines = {
+        {{"speed", "m/s", "mean forward speed over the evaluated time"}, [](const SineSteer& s) { return s.speed; }},
+        {{"periods", "-",
+          "1: a single period, evaluated by its peaks; 2: the last two of a continuous sine, evaluated by fits"},
+         [](const SineSteer& s) { return s.sine.one_period ? 1.0 : 2.0; }},
+        {{"frequency", "Hz", "of the steering, from the sine that fits best"},
+         [](const SineSteer& s) { return s.sine.frequency; }},
+        {{"steering_amplitude", "deg", "amplitude of that sine"},
+         [](const SineSteer& s) { return kDegrees * s.amplitude; }},
+    };
+    const auto add = [&](const MetricTable<SineSteer>& more) { lines.insert(lines.end(), more.begin(), more.end()); };
+    add(answerTable(&SineSteer::yaw_rate, "yaw_rate", "yaw rate", "1/s"));
+    add(answerTable(&SineSteer::ay, "ay", "lateral acceleration", "m/s2/rad"));
+    return lines;
+}
+
+SineSteer findSineSteer(const Log& log) {
     const auto needed =
         channels(log, kName, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
     const TimeSeries steering = cleaned(needed[0], kSteeringHalfWidth);
     const Sine sine = findSine(steering);
     const double amplitude = std::abs(fitSine(part(steering, sine.from, sine.to), sine.frequency).phasor);
-
-    std::vector<Metric> out;
-    out.push_back({"speed", mean(needed[1], sine.from, sine.to), "m/s", "mean forward speed over the evaluated time"});
-    out.push_back(
-        {"periods", sine.one_period ? 1.0 : 2.0, "-",
-         "1: a single period, evaluated by its peaks; 2: the last two of a continuous sine, evaluated by fits"});
-    out.push_back({"frequency", sine.frequency, "Hz", "of the steering, from the sine that fits best"});
-    out.push_back({"steering_amplitude", kDegrees * amplitude, "deg", "amplitude of that sine"});
-    const auto add = [&](const TimeSeries& response, std::string_view name, std::string_view words, std::string_view unit) {
-        if (sine.one_period) {
-            const double swing = 0.5 * amplitude;
-            addOnePeriod(out, sine, turningPoints(steering, swing), cleaned(response, kPeakHalfWidth / sine.frequency),
-                         name, words, unit);
-        } else {
-            addContinuous(out, sine, needed[0], response, name, words, unit);
-        }
+    const auto answer = [&](const TimeSeries& response) {
+        if (!sine.one_period) return answerToContinuous(sine, needed[0], response);
+        return answerToOnePeriod(sine, turningPoints(steering, 0.5 * amplitude),
+                                 cleaned(response, kPeakHalfWidth / sine.frequency));
     };
-    add(needed[2], "yaw_rate", "yaw rate", "1/s");
-    add(needed[3], "ay", "lateral acceleration", "m/s2/rad");
-    return out;
+    return {.sine = sine,
+            .speed = mean(needed[1], sine.from, sine.to),
+            .amplitude = amplitude,
+            .yaw_rate = answer(needed[2]),
+            .ay = answer(needed[3])};
+}
+
+}  // namespace
+
+Manoeuvre sineSteer() {
+    return {kName, "sine steering: gain and phase, or lags of the peaks (after ISO 7401)",
+            [] { return definitions(table()); },
+            [](const Log& log, const KnownCar&) { return values(table(), findSineSteer(log)); }};
 }
 
 }  // namespace tread

@@ -1,4 +1,4 @@
-#include "metrics/steady_circle.h"
+// Steady-state cornering, after ISO 4138: constant radius, constant speed or constant steering angle.
 
 #include <fmt/format.h>
 
@@ -7,6 +7,8 @@
 #include <functional>
 
 #include "metrics/channels.h"
+#include "metrics/manoeuvres.h"
+#include "metrics/metric_table.h"
 
 namespace tread {
 namespace {
@@ -25,17 +27,6 @@ constexpr double kPedal = 0.02;           // of the brake pedal; more is no stea
 constexpr double kConstant = 0.03;        // standard deviation over mean of a speed that is held
 
 enum class Method { constant_radius = 1, constant_speed = 2, constant_steering = 3 };
-
-constexpr std::string_view wordsOf(Method method) {
-    switch (method) {
-        case Method::constant_radius:
-            return "constant radius";
-        case Method::constant_speed:
-            return "constant speed";
-        default:
-            return "constant steering angle";
-    }
-}
 
 struct Circle {
     TimeSeries steering, v, yaw_rate, ay;
@@ -183,43 +174,78 @@ double channelGradient(const Circle& circle, const std::optional<TimeSeries>& ch
     return gradient(circle, [&](std::size_t i) { return clean.value[i]; });
 }
 
-}  // namespace
+// Means over the samples of the regression.
+struct Means {
+    double speed = 0;      // m/s
+    double curvature = 0;  // 1/m
+};
 
-std::vector<Metric> steadyCircleMetrics(const Log& log, const KnownCar& car) {
-    const Circle circle = findCircle(log);
-    const Method method = methodOf(circle);
-    const double per_g = kDegrees * kGravity;  // rad per m/s2 to deg per g
-    const double wheel_gradient = gradient(circle, [&](std::size_t i) { return circle.steering.value[i]; });
-    double largest = 0;
-    for (double ay : circle.ay.value) largest = std::max(largest, std::abs(ay));
-    double speed = 0, curvature = 0, n = 0;
+Means meansOf(const Circle& circle) {
+    Means sum;
+    double n = 0;
     for (const auto& turn : circle.turns) {
         for (std::size_t i : turn) {
-            speed += circle.v.value[i];
-            curvature += std::abs(circle.yaw_rate.value[i]) / circle.v.value[i];
+            sum.speed += circle.v.value[i];
+            sum.curvature += std::abs(circle.yaw_rate.value[i]) / circle.v.value[i];
             n += 1;
         }
     }
+    return {sum.speed / n, sum.curvature / n};
+}
+
+struct SteadyCircle {
+    Method method;
+    Means means;
+    double understeer, steering_wheel, roll, sideslip;  // gradients, rad per m/s2
+    double largest_ay;                                  // m/s2
+};
+
+MetricTable<SteadyCircle> table() {
     const std::string range = fmt::format("regression over {:.2g} to {:.2g} g, at most {:.0f} % of the largest",
                                           kLowestAy / kGravity, kHighestAy / kGravity, 100 * kHighestShare);
+    constexpr double kPerG = kDegrees * kGravity;  // rad per m/s2 to deg per g
+    return {
+        {{"method", "-", "what is held: 1 radius, 2 speed, 3 steering angle"},
+         [](const SteadyCircle& s) { return static_cast<double>(s.method); }},
+        {{"speed", "m/s", "mean over the samples of the regression"},
+         [](const SteadyCircle& s) { return s.means.speed; }},
+        {{"radius", "m", "from the mean curvature yaw rate / speed of these samples"},
+         [](const SteadyCircle& s) { return 1 / s.means.curvature; }},
+        {{"understeer_gradient", "deg/g",
+          "d(road-wheel angle - wheelbase / radius) / d ay; " + range +
+              "; undefined when neither wheelbase nor slip angles are known and the radius changes"},
+         [](const SteadyCircle& s) { return kPerG * s.understeer; }},
+        {{"steering_wheel_gradient", "deg/g", "d steering-wheel angle / d ay by the method; " + range},
+         [](const SteadyCircle& s) { return kPerG * s.steering_wheel; }},
+        {{"roll_gradient", "deg/g", "d roll angle / d ay; " + range},
+         [](const SteadyCircle& s) { return kPerG * s.roll; }},
+        {{"sideslip_gradient", "deg/g", "d sideslip angle / d ay by the method; " + range},
+         [](const SteadyCircle& s) { return kPerG * s.sideslip; }},
+        {{"largest_ay", "m/s2", "largest magnitude of the lateral acceleration"},
+         [](const SteadyCircle& s) { return s.largest_ay; }},
+    };
+}
 
-    std::vector<Metric> out;
-    out.push_back(
-        {"method", static_cast<double>(method), "-",
-         fmt::format("1 constant radius, 2 constant speed, 3 constant steering angle; this log: {}", wordsOf(method))});
-    out.push_back({"speed", speed / n, "m/s", "mean over the samples of the regression"});
-    out.push_back({"radius", n / curvature, "m", "from the mean curvature yaw rate / speed of these samples"});
-    out.push_back({"understeer_gradient", per_g * understeer(log, circle, car, method), "deg/g",
-                   "d(road-wheel angle - wheelbase / radius) / d ay; " + range +
-                       "; undefined when neither wheelbase nor slip angles are known and the radius changes"});
-    out.push_back({"steering_wheel_gradient", per_g * wheel_gradient, "deg/g",
-                   fmt::format("d steering-wheel angle / d ay at {}; {}", wordsOf(method), range)});
-    out.push_back({"roll_gradient", per_g * channelGradient(circle, channelIfThere(log, kName, "chassis.roll")),
-                   "deg/g", "d roll angle / d ay; " + range});
-    out.push_back({"sideslip_gradient", per_g * channelGradient(circle, sideslip(log, kName)), "deg/g",
-                   fmt::format("d sideslip angle / d ay at {}; {}", wordsOf(method), range)});
-    out.push_back({"largest_ay", largest, "m/s2", "largest magnitude of the lateral acceleration"});
-    return out;
+SteadyCircle findSteadyCircle(const Log& log, const KnownCar& car) {
+    const Circle circle = findCircle(log);
+    const Method method = methodOf(circle);
+    double largest = 0;
+    for (double ay : circle.ay.value) largest = std::max(largest, std::abs(ay));
+    return {.method = method,
+            .means = meansOf(circle),
+            .understeer = understeer(log, circle, car, method),
+            .steering_wheel = gradient(circle, [&](std::size_t i) { return circle.steering.value[i]; }),
+            .roll = channelGradient(circle, channelIfThere(log, kName, "chassis.roll")),
+            .sideslip = channelGradient(circle, sideslip(log, kName)),
+            .largest_ay = largest};
+}
+
+}  // namespace
+
+Manoeuvre steadyCircle() {
+    return {kName, "steady cornering: understeer, roll and sideslip gradients (after ISO 4138)",
+            [] { return definitions(table()); },
+            [](const Log& log, const KnownCar& car) { return values(table(), findSteadyCircle(log, car)); }};
 }
 
 }  // namespace tread

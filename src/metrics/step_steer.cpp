@@ -1,4 +1,4 @@
-#include "metrics/step_steer.h"
+// Step steer, after ISO 7401.
 
 #include <fmt/format.h>
 
@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "metrics/channels.h"
+#include "metrics/manoeuvres.h"
+#include "metrics/metric_table.h"
 
 namespace tread {
 namespace {
@@ -152,19 +154,66 @@ double steadyIncrement(const TimeSeries& series, const Step& step) {
     return mean(series, step.hold_end - window, step.hold_end) - mean(series, step.onset - 1, step.onset);
 }
 
-void addResponse(std::vector<Metric>& out, std::string_view what, std::string_view words, const Response& response) {
+struct StepSteer {
+    Step step;
+    double speed;  // m/s
+    Response yaw_rate, ay;
+    double sideslip = kUndefined;  // rad, as in a left turn
+    double roll = kUndefined;      // rad
+
+    bool steady() const { return std::abs(yaw_rate.drift) <= kSteadyDrift && std::abs(ay.drift) <= kSteadyDrift; }
+};
+
+MetricTable<StepSteer> responseTable(Response StepSteer::*response, std::string_view what, std::string_view words) {
     const auto name = [&](std::string_view metric) { return fmt::format("{}_{}", what, metric); };
-    out.push_back({name("response_time"), response.time90, "s",
-                   fmt::format("from half the steering input to 90 % of the steady {}", words)});
-    out.push_back(
-        {name("peak_response_time"), response.peak_time, "s",
-         fmt::format("from half the steering input to the peak of the {}; undefined without overshoot", words)});
-    out.push_back({name("overshoot"), response.overshoot, "-", fmt::format("(peak - steady) / steady {}", words)});
+    return {
+        {{name("response_time"), "s", fmt::format("from half the steering input to 90 % of the steady {}", words)},
+         [response](const StepSteer& s) { return (s.*response).time90; }},
+        {{name("peak_response_time"), "s",
+          fmt::format("from half the steering input to the peak of the {}; undefined without overshoot", words)},
+         [response](const StepSteer& s) { return (s.*response).peak_time; }},
+        {{name("overshoot"), "-", fmt::format("(peak - steady) / steady {}", words)},
+         [response](const StepSteer& s) { return (s.*response).overshoot; }},
+    };
 }
 
-}  // namespace
+MetricTable<StepSteer> table() {
+    MetricTable<StepSteer> lines = responseTable(&StepSteer::yaw_rate, "yaw_rate", "yaw rate");
+    const auto add = [&](const MetricTable<StepSteer>& more) { lines.insert(lines.end(), more.begin(), more.end()); };
+    add(responseTable(&StepSteer::ay, "ay", "lateral acceleration"));
+    add({
+        {{"yaw_rate_gain", "1/s", "steady yaw rate over steering-wheel angle"},
+         [](const StepSteer& s) { return s.yaw_rate.steady / s.step.amplitude; }},
+        {{"ay_gain", "m/s2/rad", "steady lateral acceleration over steering-wheel angle"},
+         [](const StepSteer& s) { return s.ay.steady / s.step.amplitude; }},
+        {{"steady_sideslip", "deg", "sideslip angle at the end of the hold, as in a left turn"},
+         [](const StepSteer& s) { return kDegrees * s.sideslip; }},
+        {{"tb", "s deg", "peak response time of the yaw rate times steady sideslip"},
+         [](const StepSteer& s) { return s.yaw_rate.peak_time * (kDegrees * s.sideslip); }},
+        {{"roll_gradient", "deg/g", "steady roll angle over steady lateral acceleration"},
+         [](const StepSteer& s) { return kDegrees * s.roll / (s.ay.steady / kGravity); }},
+    });
+    // Conditions of the test.
+    add({
+        {{"speed", "m/s", "forward speed when the steering begins"}, [](const StepSteer& s) { return s.speed; }},
+        {{"steering_amplitude", "deg", "steering-wheel angle held, less that before"},
+         [](const StepSteer& s) { return kDegrees * s.step.amplitude; }},
+        {{"steering_rate", "deg/s", "mean rate from 10 to 90 % of the step"},
+         [](const StepSteer& s) { return kDegrees * std::abs(s.step.rate); }},
+        {{"steady_ay", "m/s2", "lateral acceleration at the end of the hold, less that before"},
+         [](const StepSteer& s) { return s.ay.steady; }},
+        {{"steady", "-",
+          fmt::format("1 when yaw rate and lateral acceleration change by at most {:.0f} % over the last part of the "
+                      "hold; 0: the steady values are those of a car still changing",
+                      100 * kSteadyDrift)},
+         [](const StepSteer& s) { return s.steady() ? 1.0 : 0.0; }},
+        {{"steady_drift", "-", "change of the yaw rate over the last part of the hold, as a share"},
+         [](const StepSteer& s) { return s.yaw_rate.drift; }},
+    });
+    return lines;
+}
 
-std::vector<Metric> stepSteerMetrics(const Log& log, const KnownCar&) {
+StepSteer findStepSteer(const Log& log) {
     const auto needed =
         channels(log, kName, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
     Step step = findStep(cleaned(needed[0], kSteeringHalfWidth));
@@ -172,41 +221,21 @@ std::vector<Metric> stepSteerMetrics(const Log& log, const KnownCar&) {
     if (step.hold_end - step.half < kShortestHold) notFound(kName, "the driver brakes or lifts off during the step");
     const double v = mean(needed[1], step.onset - 0.1, step.onset);
     if (v < kSlowest) notFound(kName, fmt::format("the car moves at {:.2g} m/s only when it is steered", v));
-    const Response yaw = respond(needed[2], step, kResponseHalfWidth);
-    const Response lateral = respond(needed[3], step, kResponseHalfWidth);
-    const auto slip = sideslip(log, kName);
-    const auto roll = channelIfThere(log, kName, "chassis.roll");
-    const double slip_deg = slip ? kDegrees * step.direction() * steadyIncrement(*slip, step) : kUndefined;
-    const double roll_gradient =
-        roll ? kDegrees * steadyIncrement(*roll, step) / (lateral.steady / kGravity) : kUndefined;
-    const bool steady = std::abs(yaw.drift) <= kSteadyDrift && std::abs(lateral.drift) <= kSteadyDrift;
+    StepSteer found{.step = step,
+                    .speed = v,
+                    .yaw_rate = respond(needed[2], step, kResponseHalfWidth),
+                    .ay = respond(needed[3], step, kResponseHalfWidth)};
+    if (const auto slip = sideslip(log, kName)) found.sideslip = step.direction() * steadyIncrement(*slip, step);
+    if (const auto roll = channelIfThere(log, kName, "chassis.roll")) found.roll = steadyIncrement(*roll, step);
+    return found;
+}
 
-    std::vector<Metric> out;
-    addResponse(out, "yaw_rate", "yaw rate", yaw);
-    addResponse(out, "ay", "lateral acceleration", lateral);
-    out.push_back({"yaw_rate_gain", yaw.steady / step.amplitude, "1/s", "steady yaw rate over steering-wheel angle"});
-    out.push_back({"ay_gain", lateral.steady / step.amplitude, "m/s2/rad",
-                   "steady lateral acceleration over steering-wheel angle"});
-    out.push_back({"steady_sideslip", slip_deg, "deg", "sideslip angle at the end of the hold, as in a left turn"});
-    out.push_back(
-        {"tb", yaw.peak_time * slip_deg, "s deg", "peak response time of the yaw rate times steady sideslip"});
-    out.push_back({"roll_gradient", roll_gradient, "deg/g", "steady roll angle over steady lateral acceleration"});
+}  // namespace
 
-    // Conditions of the test.
-    out.push_back({"speed", v, "m/s", "forward speed when the steering begins"});
-    out.push_back(
-        {"steering_amplitude", kDegrees * step.amplitude, "deg", "steering-wheel angle held, less that before"});
-    out.push_back({"steering_rate", kDegrees * std::abs(step.rate), "deg/s", "mean rate from 10 to 90 % of the step"});
-    out.push_back(
-        {"steady_ay", lateral.steady, "m/s2", "lateral acceleration at the end of the hold, less that before"});
-    out.push_back(
-        {"steady", steady ? 1.0 : 0.0, "-",
-         fmt::format("1 when yaw rate and lateral acceleration change by at most {:.0f} % over the last part of "
-                     "the hold; 0: the steady values are those of a car still changing",
-                     100 * kSteadyDrift)});
-    out.push_back(
-        {"steady_drift", yaw.drift, "-", "change of the yaw rate over the last part of the hold, as a share"});
-    return out;
+Manoeuvre stepSteer() {
+    return {kName, "a quick turn of the wheel, held: response times, overshoot, gains (after ISO 7401)",
+            [] { return definitions(table()); },
+            [](const Log& log, const KnownCar&) { return values(table(), findStepSteer(log)); }};
 }
 
 }  // namespace tread

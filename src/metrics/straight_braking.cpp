@@ -1,11 +1,14 @@
-#include "metrics/straight_braking.h"
+// Braking in a straight line: stopping distance and mean fully developed deceleration, after UN R13-H and ISO 21994.
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "metrics/channels.h"
+#include "metrics/manoeuvres.h"
+#include "metrics/metric_table.h"
 
 namespace tread {
 namespace {
@@ -29,7 +32,55 @@ struct Stop {
     double initial_speed;  // m/s
     double end;            // s, standstill
     double distance;       // m
+    double duration() const { return end - start; }
 };
+
+constexpr std::array kWheels = {"front_left", "front_right", "rear_left", "rear_right"};
+
+struct Braking {
+    Stop stop;
+    double mfdd;                                       // m/s2
+    double peak;                                       // m/s2
+    double deviation;                                  // m
+    std::array<double, kWheels.size()> locked_shares;  // of the time
+};
+
+// The nominal speed is a whole ten of km/h.
+double correctedDistance(const Stop& stop) {
+    const double nominal = std::max(1.0, std::round(stop.initial_speed / kNominalSteps)) * kNominalSteps;
+    return stop.distance * std::pow(nominal / stop.initial_speed, 2);
+}
+
+MetricTable<Braking> table() {
+    MetricTable<Braking> lines = {
+        {{"initial_speed", "m/s", "speed when the driver starts to actuate the brake"},
+         [](const Braking& b) { return b.stop.initial_speed; }},
+        {{"stopping_distance", "m", "path from the start of brake actuation to standstill"},
+         [](const Braking& b) { return b.stop.distance; }},
+        {{"corrected_stopping_distance", "m",
+          fmt::format("stopping distance times (nominal / initial speed)^2, nominal: the nearest whole {:.0f} km/h",
+                      kNominalSteps / kKmh)},
+         [](const Braking& b) { return correctedDistance(b.stop); }},
+        {{"stopping_time", "s", "from the start of brake actuation to standstill"},
+         [](const Braking& b) { return b.stop.duration(); }},
+        {{"mfdd", "m/s2", "mean fully developed deceleration: (vb^2 - ve^2) / (2 (se - sb)), vb = 0.8 v0, ve = 0.1 v0"},
+         [](const Braking& b) { return b.mfdd; }},
+        {{"mean_deceleration", "m/s2", "initial speed over stopping time"},
+         [](const Braking& b) { return b.stop.initial_speed / b.stop.duration(); }},
+        {{"peak_deceleration", "m/s2", "largest deceleration between brake actuation and standstill"},
+         [](const Braking& b) { return b.peak; }},
+        {{"lateral_deviation", "m",
+          "largest distance from the line along which the car pointed at brake actuation; left is positive"},
+         [](const Braking& b) { return b.deviation; }},
+    };
+    for (std::size_t wheel = 0; wheel < kWheels.size(); ++wheel) {
+        lines.push_back({{fmt::format("locked_share_{}", kWheels[wheel]), "-",
+                          fmt::format("share of the time, down to {:.0f} m/s, with a slip ratio below {:.1f}",
+                                      kLockedUntil, kLockedSlip)},
+                         [wheel](const Braking& b) { return b.locked_shares[wheel]; }});
+    }
+    return lines;
+}
 
 double brakeOnset(const TimeSeries& brake) {
     const double most = *std::max_element(brake.value.begin(), brake.value.end());
@@ -123,46 +174,36 @@ std::optional<TimeSeries> slipOf(const Log& log, const TimeSeries& v, const Stop
     return spin;
 }
 
-void addLockedShares(std::vector<Metric>& out, const Log& log, const TimeSeries& v, const Stop& stop) {
+double lockedShare(const Log& log, const TimeSeries& v, const Stop& stop, const std::string& wheel) {
     const double until = firstCrossing(v, kLockedUntil, stop.start).value_or(stop.end);
-    for (const char* wheel : {"front_left", "front_right", "rear_left", "rear_right"}) {
-        const auto slip = slipOf(log, v, stop, std::string("wheel.") + wheel);
-        if (!slip) continue;
-        TimeSeries locked = part(*slip, stop.start, until);
-        for (double& value : locked.value) value = value < kLockedSlip ? 1 : 0;
-        out.push_back({std::string("locked_share_") + wheel, mean(locked, stop.start, until), "-",
-                       fmt::format("share of the time, down to {:.0f} m/s, with a slip ratio below {:.1f}",
-                                   kLockedUntil, kLockedSlip)});
-    }
+    const auto slip = slipOf(log, v, stop, wheel);
+    if (!slip) return kUndefined;
+    TimeSeries locked = part(*slip, stop.start, until);
+    for (double& value : locked.value) value = value < kLockedSlip ? 1 : 0;
+    return mean(locked, stop.start, until);
 }
 
-}  // namespace
-
-std::vector<Metric> straightBrakingMetrics(const Log& log, const KnownCar&) {
+Braking findBraking(const Log& log) {
     const TimeSeries brake = channels(log, kName, {"driver.brake", "chassis.vx"}).front();
     const TimeSeries v = cleaned(speed(log, kName), kSpeedHalfWidth);
     const Stop stop = findStop(v, brake);
     checkStraight(log, stop);
-    const double nominal = std::max(1.0, std::round(stop.initial_speed / kNominalSteps)) * kNominalSteps;
-    const double corrected = stop.distance * std::pow(nominal / stop.initial_speed, 2);
+    Braking found{.stop = stop,
+                  .mfdd = meanFullyDeveloped(v, stop),
+                  .peak = peakDeceleration(log, v, stop),
+                  .deviation = lateralDeviation(log, stop),
+                  .locked_shares = {}};
+    for (std::size_t wheel = 0; wheel < kWheels.size(); ++wheel) {
+        found.locked_shares[wheel] = lockedShare(log, v, stop, std::string("wheel.") + kWheels[wheel]);
+    }
+    return found;
+}
 
-    std::vector<Metric> out;
-    out.push_back({"initial_speed", stop.initial_speed, "m/s", "speed when the driver starts to actuate the brake"});
-    out.push_back({"stopping_distance", stop.distance, "m", "path from the start of brake actuation to standstill"});
-    out.push_back(
-        {"corrected_stopping_distance", corrected, "m",
-         fmt::format("stopping distance times (nominal / initial speed)^2, nominal {:.0f} km/h", nominal / kKmh)});
-    out.push_back({"stopping_time", stop.end - stop.start, "s", "from the start of brake actuation to standstill"});
-    out.push_back({"mfdd", meanFullyDeveloped(v, stop), "m/s2",
-                   "mean fully developed deceleration: (vb^2 - ve^2) / (2 (se - sb)), vb = 0.8 v0, ve = 0.1 v0"});
-    out.push_back({"mean_deceleration", stop.initial_speed / (stop.end - stop.start), "m/s2",
-                   "initial speed over stopping time"});
-    out.push_back({"peak_deceleration", peakDeceleration(log, v, stop), "m/s2",
-                   "largest deceleration between brake actuation and standstill"});
-    out.push_back({"lateral_deviation", lateralDeviation(log, stop), "m",
-                   "largest distance from the line along which the car pointed at brake actuation; left is positive"});
-    addLockedShares(out, log, v, stop);
-    return out;
+}  // namespace
+
+Manoeuvre straightBraking() {
+    return {kName, "braking to standstill: stopping distance, MFDD, locked wheels", [] { return definitions(table()); },
+            [](const Log& log, const KnownCar&) { return values(table(), findBraking(log)); }};
 }
 
 }  // namespace tread

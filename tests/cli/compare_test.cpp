@@ -114,25 +114,6 @@ TEST_F(Compare, WritesAnOverlayReportAndNothingElse) {
     EXPECT_EQ(scratch.names(), (std::vector<std::string>{"new.csv", "overlay.html", "reference.csv"}));
 }
 
-TEST_F(Compare, ReportThatCannotBeWrittenIsOneSentenceWithStatusTwo) {
-    const Result nowhere = runProgram({"compare", reference, other, "--report", scratch.path("no/overlay.html")});
-    EXPECT_EQ(nowhere.status, 2);
-    EXPECT_EQ(nowhere.out, "");
-    EXPECT_EQ(nowhere.err,
-              "tread: cannot write '" + scratch.path("no/overlay.html") + "': No such file or directory\n");
-
-    const Result full = runProgram({"compare", reference, other, "--report", "/dev/full"});
-    EXPECT_EQ(full.status, 2);
-    EXPECT_EQ(full.err, "tread: cannot write '/dev/full': No space left on device\n");
-    EXPECT_TRUE(std::filesystem::is_character_file("/dev/full")) << "a device is not replaced by a file";
-}
-
-TEST_F(Compare, FullStandardOutputIsOneSentenceWithStatusTwo) {
-    const Result result = runProgram({"compare", reference, other}, "/dev/full");
-    EXPECT_EQ(result.status, 2) << "not 1: the answer was lost";
-    EXPECT_EQ(result.err, "tread: cannot write the answer to standard output: No space left on device\n");
-}
-
 std::string decodeBase64(const std::string& text) {
     const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string bytes;

@@ -22,11 +22,26 @@ phases:
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err.substr(0, result.err.find("; the car has ")),
               "tread run: the manoeuvre did not end within 1.5 s: phase \"run up\" waits for a speed above 83.33 m/s");
-    EXPECT_TRUE(result.err.ends_with(" to the side; change the scenario, or raise time_limit; the log so far is in " +
-                                     out("log.incomplete.csv") + "\n"))
+    EXPECT_TRUE(
+        result.err.ends_with(" to the side; change the scenario, or raise time_limit; the rows so far are in '" +
+                             out("log.incomplete.csv") + "'\n"))
         << result.err;
     EXPECT_EQ(results(), kFailedResults);
     EXPECT_NEAR(readLog(out("log.incomplete.csv")).channels[0].values.back(), 1.5, 0.011);
+}
+
+TEST_F(TreadRun, FailureWithAFullDiskTellsBoth) {
+    car();
+    scenario(replaced(kScenario, "duration: 0.2 s", "speed_above: 300 km/h") + "time_limit: 0.1 s\nlog: {rate: 20}\n");
+    std::filesystem::create_directories(out());
+    std::filesystem::create_symlink("/dev/full", out("log.csv.part"));
+    const Result result = run();
+    EXPECT_EQ(result.status, 3);
+    expectStart(result.err, "tread run: the manoeuvre did not end within 0.1 s: ");
+    EXPECT_TRUE(
+        result.err.ends_with("; cannot write '" + out("log.csv") + "': No space left on device; no row was written\n"))
+        << result.err;
+    EXPECT_EQ(results(), Names{"run.yaml"});
 }
 
 TEST_F(TreadRun, StartSpeedThatTheCarCannotHoldFails) {
@@ -67,7 +82,7 @@ phases:
     EXPECT_EQ(result.out, "");
     expectStart(result.err, "tread run: the car rolled over at t = ");
     EXPECT_NE(result.err.find(" s: chassis.roll is 8"), std::string::npos) << result.err;
-    EXPECT_TRUE(result.err.ends_with("; the log so far is in " + out("log.incomplete.csv") + "\n")) << result.err;
+    EXPECT_TRUE(result.err.ends_with("; the rows so far are in '" + out("log.incomplete.csv") + "'\n")) << result.err;
     EXPECT_EQ(results(), kFailedResults);
 }
 
@@ -82,7 +97,8 @@ TEST_F(TreadRun, CarThatIsFlungAwayFailsAndKeepsTheLogSoFar) {
     EXPECT_EQ(result.out, "");
     expectStart(result.err, "tread run: the car left the bounds of the simulation at t = 0.0");
     EXPECT_NE(result.err.find(" s: its speed (chassis.vx, vy, vz) is "), std::string::npos) << result.err;
-    EXPECT_TRUE(result.err.ends_with(", more than 200 m/s; the log so far is in " + out("log.incomplete.csv") + "\n"))
+    EXPECT_TRUE(
+        result.err.ends_with(", more than 200 m/s; the rows so far are in '" + out("log.incomplete.csv") + "'\n"))
         << result.err;
     EXPECT_EQ(results(), kFailedResults);
     for (const Channel& channel : readLog(out("log.incomplete.csv")).channels) {

@@ -1,7 +1,5 @@
 // Ctrl-C in the middle of a run, and the progress that is shown until then.
 
-#include <signal.h>
-
 #include <chrono>
 #include <thread>
 #include <utility>
@@ -11,42 +9,6 @@
 
 namespace tread {
 namespace {
-
-// The program while it runs.
-class Running {
-public:
-    Running(std::vector<std::string> words, const std::string& out, const std::string& err) {
-        posix_spawn_file_actions_t actions;
-        posix_spawn_file_actions_init(&actions);
-        posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-        words.insert(words.begin(), TREAD_PROGRAM);
-        std::vector<char*> argv;
-        for (std::string& word : words) argv.push_back(word.data());
-        argv.push_back(nullptr);
-        const int fault = posix_spawn(&child_, TREAD_PROGRAM, &actions, nullptr, argv.data(), environ);
-        posix_spawn_file_actions_destroy(&actions);
-        if (fault != 0) throw std::runtime_error("cannot start " TREAD_PROGRAM);
-    }
-    ~Running() {
-        if (child_ == 0) return;
-        kill(child_, SIGKILL);
-        waitpid(child_, nullptr, 0);
-    }
-    Running(const Running&) = delete;
-    Running& operator=(const Running&) = delete;
-
-    void send(int signal) const { kill(child_, signal); }
-    int waitForStatus() {
-        int state = 0;
-        waitpid(child_, &state, 0);
-        child_ = 0;
-        return WIFEXITED(state) ? WEXITSTATUS(state) : -1;
-    }
-
-private:
-    pid_t child_ = 0;
-};
 
 // True when the file has that many bytes before the time is over.
 bool grows(const std::string& file, std::uintmax_t bytes) {
@@ -78,7 +40,7 @@ TEST_P(TreadRunInterrupted, KeepsTheLogSoFarAndSaysWhere) {
     for (const Channel& channel : log.channels) EXPECT_EQ(channel.values.size(), log.samples());
     const std::string err = contentOf(scratch.path("stderr"));
     EXPECT_EQ(err.rfind("tread run: interrupted at t = ", 0), 0u) << err;
-    EXPECT_TRUE(err.ends_with(" s; the log so far is in " + out("log.incomplete.csv") + "\n")) << err;
+    EXPECT_TRUE(err.ends_with(" s; the rows so far are in '" + out("log.incomplete.csv") + "'\n")) << err;
     EXPECT_EQ(contentOf(scratch.path("stdout")), "");
 }
 

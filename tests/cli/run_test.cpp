@@ -132,6 +132,10 @@ struct Answer {
     std::string scenario;
     std::string words;  // # stands for a number
 };
+// What gtest and ctest show of a parameter.
+std::ostream& operator<<(std::ostream& out, const Answer& answer) {
+    return out << answer.scenario;
+}
 class TreadRunAnswer : public TreadRun, public testing::WithParamInterface<Answer> {};
 
 TEST_P(TreadRunAnswer, FirstLineTellsTheManoeuvreInWords) {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/tyre_program.h"
+#include "cli/program.h"
 #include "cli/tyre_table.h"
 
-namespace cli {
+namespace tread {
 namespace {
 
 const std::string kHeader = "Fz,gamma,Vx,Vsx,Vsy\n";
@@ -64,101 +64,66 @@ class TyreInput : public ::testing::TestWithParam<BadTable> {};
 
 TEST_P(TyreInput, IsRejectedWithItsPlaceAndLeavesTheOutputAlone) {
     const BadTable& bad = GetParam();
-    const Folder folder;
-    const std::string in = folder.write("in.csv", bad.text), out = folder.write("out.csv", "kept");
-    const Result result = run({"tyre", kCarTyre, bad.option, in, "-o", out});
+    const Scratch scratch;
+    const std::string in = scratch.file("in.csv", bad.text), out = scratch.file("out.csv", "kept");
+    const Result result = runProgram({"tyre", kCarTyre, bad.option, in, "-o", out});
     EXPECT_EQ(result.status, 2);
-    EXPECT_EQ(result.output, "");
-    EXPECT_EQ(result.errors.substr(0, in.size()), in) << result.errors;
-    EXPECT_NE(result.errors.find(bad.message), std::string::npos) << result.errors;
-    EXPECT_EQ(readFile(out), "kept");
-    EXPECT_EQ(folder.files(), (std::vector<std::string>{"in.csv", "out.csv"}));
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err.substr(0, in.size()), in) << result.err;
+    EXPECT_NE(result.err.find(bad.message), std::string::npos) << result.err;
+    EXPECT_EQ(contentOf(out), "kept");
+    EXPECT_EQ(scratch.names(), (std::vector<std::string>{"in.csv", "out.csv"}));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, TyreInput, ::testing::ValuesIn(kBadTables),
                          [](const auto& bad) { return bad.param.name; });
 
 TEST(TyreInputs, EveryFaultOfATableIsNamedAtOnce) {
-    const Folder folder;
-    const std::string in = folder.write("in.csv", kHeader + "1,2,3,4,x\n1,2,3,4,5\ny,2,3,4,5\n1,2\n");
-    const Result result = run({"tyre", kCarTyre, "--table", in});
+    const Scratch scratch;
+    const std::string in = scratch.file("in.csv", kHeader + "1,2,3,4,x\n1,2,3,4,5\ny,2,3,4,5\n1,2\n");
+    const Result result = runProgram({"tyre", kCarTyre, "--table", in});
     EXPECT_EQ(result.status, 2);
     for (const char* place : {":2:9: Vsy: ", ":4:1: Fz: ", ":5:3: "}) {
-        EXPECT_NE(result.errors.find(in + place), std::string::npos) << result.errors;
+        EXPECT_NE(result.err.find(in + place), std::string::npos) << result.err;
     }
 }
 
 TEST(TyreInputs, AMissingFileIsNamed) {
-    const Folder folder;
-    const std::string none = folder / "none.csv";
+    const Scratch scratch;
+    const std::string none = scratch.path("none.csv");
     for (const char* option : {"--table", "--transient"}) {
-        const Result result = run({"tyre", kCarTyre, option, none, "-o", folder / "out.csv"});
+        const Result result = runProgram({"tyre", kCarTyre, option, none, "-o", scratch.path("out.csv")});
         EXPECT_EQ(result.status, 2);
-        EXPECT_EQ(result.errors, none + ": cannot be read: No such file or directory\n");
+        EXPECT_EQ(result.err, none + ": cannot be read: No such file or directory\n");
     }
-    EXPECT_EQ(run({"tyre", kCarTyre, "--table", folder.path()}).errors,
-              folder.path().string() + ": cannot be read: Is a directory\n");
-    EXPECT_EQ(run({"tyre", none, "--table", none}).status, 2);
-    EXPECT_TRUE(folder.files().empty());
-}
-
-TEST(TyreInputs, AnOutputThatCannotBeWrittenIsNamed) {
-    const Folder folder;
-    const std::string in = folder.write("in.csv", kHeader + "4000,0,20,0,1\n");
-    const auto expectRefused = [&](const std::string& option, const std::string& out, const std::string& reason) {
-        const Result result = run({"tyre", kCarTyre, "--table", in, option, out});
-        EXPECT_EQ(result.status, 2) << out;
-        EXPECT_NE(result.errors.find("cannot write '" + out + "': " + reason), std::string::npos) << result.errors;
-    };
-    expectRefused("-o", folder / "none/out.csv", "No such file or directory");
-    expectRefused("--plot", folder / "none/out.html", "No such file or directory");
-    expectRefused("-o", in + "/out.csv", "Not a directory");
-    expectRefused("-o", folder.path(), "Is a directory");
-    expectRefused("-o", "/dev/full", "No space left on device");
-    EXPECT_EQ(folder.files(), std::vector<std::string>{"in.csv"});
-}
-
-TEST(TyreInputs, AFolderWithoutWritePermissionIsNamed) {
-    if (geteuid() == 0) GTEST_SKIP() << "the superuser may write everywhere";
-    const Folder folder;
-    const std::string in = folder.write("in.csv", kHeader + "4000,0,20,0,1\n"), closed = folder / "closed";
-    std::filesystem::create_directory(closed);
-    std::filesystem::permissions(closed, std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
-    const Result result = run({"tyre", kCarTyre, "--table", in, "-o", closed + "/out.csv"});
-    EXPECT_EQ(result.status, 2);
-    EXPECT_NE(result.errors.find("cannot write '" + closed + "/out.csv': Permission denied"), std::string::npos);
-}
-
-TEST(TyreInputs, ALinkAsOutputStaysALink) {
-    const Folder folder;
-    const std::string in = folder.write("in.csv", kHeader + "4000,0,20,0,1\n");
-    folder.write("real.csv", "old");
-    std::filesystem::create_symlink("real.csv", folder / "link.csv");
-    EXPECT_EQ(run({"tyre", kCarTyre, "--table", in, "-o", folder / "link.csv"}).status, 0);
-    EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.csv"));
-    EXPECT_EQ(parse(readFile(folder / "real.csv")).rows.size(), 1u);
+    EXPECT_EQ(runProgram({"tyre", kCarTyre, "--table", scratch.folder()}).err,
+              scratch.folder() + ": cannot be read: Is a directory\n");
+    EXPECT_EQ(runProgram({"tyre", none, "--table", none}).status, 2);
+    EXPECT_TRUE(scratch.names().empty());
 }
 
 TEST(TyreInputs, OptionsThatDoNotFitTogetherAreNamed) {
-    const Folder folder;
-    const std::string in = folder.write("in.csv", kHeader + "4000,0,20,0,1\n");
+    const Scratch scratch;
+    const std::string in = scratch.file("in.csv", kHeader + "4000,0,20,0,1\n");
     const auto errorsOf = [&](std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), {"tyre", kCarTyre});
-        const Result result = run(arguments);
+        const Result result = runProgram(arguments);
         EXPECT_EQ(result.status, 2);
-        EXPECT_EQ(result.output, "");
-        return result.errors;
+        EXPECT_EQ(result.out, "");
+        return result.err;
     };
     EXPECT_NE(errorsOf({"--table", in, "--transient", in}).find("--transient: given together with --table"),
               std::string::npos);
-    EXPECT_NE(errorsOf({"-o", folder / "out.csv"}).find("--output: nothing to write"), std::string::npos);
+    EXPECT_NE(errorsOf({"-o", scratch.path("out.csv")}).find("--output: nothing to write"), std::string::npos);
     EXPECT_NE(errorsOf({"--table", in, "--substeps", "2"}).find("--substeps: expected only with --transient"),
               std::string::npos);
     EXPECT_NE(errorsOf({"--standstill"}).find("--standstill: expected only with --transient"), std::string::npos);
-    EXPECT_NE(errorsOf({"--set", "lambda.muu=1"}).find("did you mean"), std::string::npos);
-    EXPECT_EQ(run({"tyre", kCarTyre, "--axes", "sae"}).status, 2);
-    EXPECT_EQ(folder.files(), std::vector<std::string>{"in.csv"});
+    EXPECT_EQ(errorsOf({"--set", "lambda.muu=1"}),
+              "--set: lambda.muu: found the unknown path \"lambda.muu\", expected the path of a field; did you mean "
+              "\"lambda.mux\"? `tread describe tyre` lists all paths\n");
+    EXPECT_EQ(runProgram({"tyre", kCarTyre, "--axes", "sae"}).status, 2);
+    EXPECT_EQ(scratch.names(), std::vector<std::string>{"in.csv"});
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace tread

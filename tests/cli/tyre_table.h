@@ -12,15 +12,15 @@
 
 #include "shared/car_205_60R15.h"
 
-namespace cli {
+namespace tread {
 
 inline const std::string kCarTyre = TREAD_SOURCE_DIR "/vehicles/tyres/car_205_60R15.yaml";
 
 // The tyre has no overturning couple of its own; with these, every result is there to be compared.
 inline const std::vector<std::string> kCouples{"--set", "parameters.qx1=2e-6", "--set", "parameters.qx2=0.03",
                                                "--set", "parameters.qy2=4e-7"};
-inline tread::TyreParams tyreWithCouples() {
-    tread::TyreParams tyre = reference::car205();
+inline TyreParams tyreWithCouples() {
+    TyreParams tyre = reference::car205();
     tyre.parameters.qx1 = 2e-6;
     tyre.parameters.qx2 = 0.03;
     tyre.parameters.qy2 = 4e-7;
@@ -74,4 +74,4 @@ inline Table parse(const std::string& text) {
     return table;
 }
 
-}  // namespace cli
+}  // namespace tread

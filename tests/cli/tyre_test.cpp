@@ -9,13 +9,13 @@
 #include <random>
 
 #include "base/numbers.h"
-#include "cli/tyre_program.h"
+#include "cli/program.h"
 #include "cli/tyre_table.h"
 #include "shared/delft97_reference.h"
 #include "shared/near.h"
 #include "tread/tyre.h"
 
-namespace cli {
+namespace tread {
 namespace {
 
 using reference::near;
@@ -35,9 +35,9 @@ private:
 
 Table randomSlips(int points, unsigned seed, bool with_lambdas) {
     Table table{kSlipColumns, {}};
-    tread::TyreScaling lambda;
+    TyreScaling lambda;
     if (with_lambdas) {
-        for (const tread::Number& n : tread::numbers(lambda)) table.names.push_back("lambda_" + n.path);
+        for (const Number& n : numbers(lambda)) table.names.push_back("lambda_" + n.path);
     }
     Random random(seed);
     for (int i = 0; i < points; ++i) {
@@ -55,15 +55,15 @@ Table randomSlips(int points, unsigned seed, bool with_lambdas) {
 
 // The program's table for an input table.
 Table steadyTable(const Table& input, const std::string& axes, const std::vector<std::string>& more = {}) {
-    const Folder folder;
+    const Scratch scratch;
     std::vector<std::string> arguments{
-        "tyre", kCarTyre, "--axes", axes, "--table", folder.write("in.csv", csv(input)), "-o", folder / "out.csv"};
+        "tyre", kCarTyre, "--axes", axes, "--table", scratch.file("in.csv", csv(input)), "-o", scratch.path("out.csv")};
     arguments.insert(arguments.end(), kCouples.begin(), kCouples.end());
     arguments.insert(arguments.end(), more.begin(), more.end());
-    const Result result = run(arguments);
-    if (result.status != 0) throw std::runtime_error(result.errors);
-    EXPECT_EQ(folder.files(), (std::vector<std::string>{"in.csv", "out.csv"}));
-    return parse(readFile(folder / "out.csv"));
+    const Result result = runProgram(arguments);
+    if (result.status != 0) throw std::runtime_error(result.err);
+    EXPECT_EQ(scratch.names(), (std::vector<std::string>{"in.csv", "out.csv"}));
+    return parse(contentOf(scratch.path("out.csv")));
 }
 
 // ---- Steady state ----
@@ -77,7 +77,7 @@ long double expectedValue(const reference::Result& r, const std::string& column)
 }
 
 // Below this a value counts as zero: a thousandth of its natural size, since sums of forces cancel.
-double floorOf(const std::string& column, double Fz, const tread::TyreCoefficients& p) {
+double floorOf(const std::string& column, double Fz, const TyreCoefficients& p) {
     if (column == "t" || column == "s") return 1e-3 * p.Ro;
     if (column == "mux" || column == "muy") return 1e-3;
     if (column == "kappa" || column == "alpha") return 1e-15;
@@ -86,11 +86,11 @@ double floorOf(const std::string& column, double Fz, const tread::TyreCoefficien
 
 constexpr double kSteadyTolerance = 1e-10;  // both formulations round differently
 
-void expectReference(const Table& table, const tread::TyreParams& tyre) {
+void expectReference(const Table& table, const TyreParams& tyre) {
     double worst = 0;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
-        tread::TyreScaling lambda = tyre.lambda;
-        for (const tread::Number& n : tread::numbers(lambda)) {
+        TyreScaling lambda = tyre.lambda;
+        for (const Number& n : numbers(lambda)) {
             for (const std::string& name : table.names) {
                 if (name == "lambda_" + n.path) *n.value = table.at(row, name);
             }
@@ -147,27 +147,27 @@ TEST(TyreTable, AColumnReplacesTheFactorOfTheTyre) {
 }
 
 TEST(TyreTable, WritesNumbersThatReadBackExactlyAndAreShort) {
-    const Folder folder;
-    const std::string in = folder.write("in.csv", "Fz,gamma,Vx,Vsx,Vsy\n4e3, +0.050 ,20,-1.0,1e-1\n");
-    const Result result = run({"tyre", kCarTyre, "--axes", "paper", "--table", in});
+    const Scratch scratch;
+    const std::string in = scratch.file("in.csv", "Fz,gamma,Vx,Vsx,Vsy\n4e3, +0.050 ,20,-1.0,1e-1\n");
+    const Result result = runProgram({"tyre", kCarTyre, "--axes", "paper", "--table", in});
     EXPECT_EQ(result.status, 0);
-    EXPECT_NE(result.output.find("\n4000,0.05,20,-1,0.1,"), std::string::npos) << result.output;
-    const Table table = parse(result.output);
-    const tread::TyreSteadyState exact = tread::steadyState(reference::car205(), {4000, 0.05, 20, -1, 0.1});
+    EXPECT_NE(result.out.find("\n4000,0.05,20,-1,0.1,"), std::string::npos) << result.out;
+    const Table table = parse(result.out);
+    const TyreSteadyState exact = steadyState(reference::car205(), {4000, 0.05, 20, -1, 0.1});
     EXPECT_EQ(table.at(0, "Fy"), exact.Fy);
     EXPECT_EQ(table.at(0, "Mz"), exact.Mz);
 }
 
 TEST(TyreTable, ConvertsUnitsInBracketsAndThenGivesUnitsToTheResults) {
-    const Folder folder;
-    const std::string si = folder.write("si.csv", "Fz,gamma,Vx,Vsx,Vsy\n4000,0.0349065850398866,20,-1,2\n");
-    const std::string units = folder.write(
+    const Scratch scratch;
+    const std::string si = scratch.file("si.csv", "Fz,gamma,Vx,Vsx,Vsy\n4000,0.0349065850398866,20,-1,2\n");
+    const std::string units = scratch.file(
         "units.csv",
         "\xEF\xBB\xBFVx [km/h], \"gamma [deg]\",Vsx,Fz [kN],Vsy [m/s]\r\n# a comment\r\n\r\n72,2,-1,4,2\r\n");
-    const Table a = parse(run({"tyre", kCarTyre, "--axes", "paper", "--table", si}).output);
-    const Result result = run({"tyre", kCarTyre, "--axes", "paper", "--table", units});
-    ASSERT_EQ(result.status, 0) << result.errors;
-    const Table b = parse(result.output);
+    const Table a = parse(runProgram({"tyre", kCarTyre, "--axes", "paper", "--table", si}).out);
+    const Result result = runProgram({"tyre", kCarTyre, "--axes", "paper", "--table", units});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Table b = parse(result.out);
     const std::vector<std::string> head(b.names.begin(), b.names.begin() + 10);
     EXPECT_EQ(head, (std::vector<std::string>{"Vx [km/h]", "gamma [deg]", "Vsx", "Fz [kN]", "Vsy [m/s]", "Fx [N]",
                                               "Fy [N]", "Mx [N m]", "My [N m]", "Mz [N m]"}));
@@ -240,10 +240,10 @@ TEST(TyreAxes, ASlipAngleToTheLeftIsPositiveInIsoAndGivesAForceToTheRight) {
 }
 
 TEST(TyreAxes, IsoIsTheDefault) {
-    const Folder folder;
-    const std::string in = folder.write("in.csv", "Fz,gamma,Vx,Vsx,Vsy\n4000,0.05,20,-1,2\n");
-    EXPECT_EQ(run({"tyre", kCarTyre, "--table", in}).output,
-              run({"tyre", kCarTyre, "--table", in, "--axes", "iso"}).output);
+    const Scratch scratch;
+    const std::string in = scratch.file("in.csv", "Fz,gamma,Vx,Vsx,Vsy\n4000,0.05,20,-1,2\n");
+    EXPECT_EQ(runProgram({"tyre", kCarTyre, "--table", in}).out,
+              runProgram({"tyre", kCarTyre, "--table", in, "--axes", "iso"}).out);
 }
 
 // ---- Page, overview, JSON ----
@@ -255,13 +255,13 @@ std::size_t occurrences(const std::string& text, const std::string& part) {
 }
 
 TEST(TyrePlot, WritesAPageOfCurvesForEachAxisSystem) {
-    const Folder folder;
+    const Scratch scratch;
     for (const char* axes : {"iso", "paper"}) {
-        const std::string page = folder / (std::string(axes) + ".html");
-        const Result result = run({"tyre", kCarTyre, "--plot", page, "--axes", axes});
-        EXPECT_EQ(result.status, 0) << result.errors;
-        EXPECT_EQ(result.output, "Wrote 17 charts of car_205_60R15 to " + page + "\n");
-        const std::string html = readFile(page);
+        const std::string page = scratch.path(std::string(axes) + ".html");
+        const Result result = runProgram({"tyre", kCarTyre, "--plot", page, "--axes", axes});
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_EQ(result.out, "Wrote 17 charts of car_205_60R15 to " + page + "\n");
+        const std::string html = contentOf(page);
         EXPECT_NE(html.find("<h1>Tyre car_205_60R15</h1>"), std::string::npos);
         EXPECT_EQ(occurrences(html, "class=\"tread-chart\""), 17u);
         for (const char* title : {"Longitudinal force at pure slip", "Friction ellipse", "Pneumatic trail",
@@ -270,24 +270,24 @@ TEST(TyrePlot, WritesAPageOfCurvesForEachAxisSystem) {
         }
         EXPECT_EQ(html.find("nan"), std::string::npos);
     }
-    EXPECT_NE(readFile(folder / "iso.html"), readFile(folder / "paper.html"));
-    EXPECT_EQ(folder.files(), (std::vector<std::string>{"iso.html", "paper.html"}));
+    EXPECT_NE(contentOf(scratch.path("iso.html")), contentOf(scratch.path("paper.html")));
+    EXPECT_EQ(scratch.names(), (std::vector<std::string>{"iso.html", "paper.html"}));
 }
 
 TEST(TyreOverview, SaysWhatTheTyreIs) {
-    const Result result = run({"tyre", kCarTyre});
+    const Result result = runProgram({"tyre", kCarTyre});
     EXPECT_EQ(result.status, 0);
-    EXPECT_EQ(result.output.substr(0, result.output.find('\n')),
+    EXPECT_EQ(firstLine(result.out),
               "Tyre car_205_60R15: peak friction 1.21 along and 0.99 across, cornering stiffness 0.803 kN/deg at its "
               "nominal load of 4000 N");
-    EXPECT_EQ(result.errors, "");
+    EXPECT_EQ(result.err, "");
 }
 
 TEST(TyreOverview, GivesSiNumbersAsJson) {
-    const Result result = run({"tyre", kCarTyre, "--json", "--set", "lambda.mux=0.8"});
+    const Result result = runProgram({"tyre", kCarTyre, "--json", "--set", "lambda.mux=0.8"});
     ASSERT_EQ(result.status, 0);
-    const auto json = nlohmann::json::parse(result.output);
-    const tread::TyreCoefficients p = reference::car205().parameters;
+    const auto json = nlohmann::json::parse(result.out);
+    const TyreCoefficients p = reference::car205().parameters;
     const double Ky = p.pKy1 * p.Fzo * std::sin(2 * std::atan(1 / p.pKy2));  // (53) at the nominal load
     EXPECT_EQ(json["tyre"], "car_205_60R15");
     EXPECT_NEAR(json["facts"]["longitudinal_friction [-]"], 0.8 * p.pDx1, 1e-12);
@@ -295,35 +295,41 @@ TEST(TyreOverview, GivesSiNumbersAsJson) {
     EXPECT_NEAR(json["facts"]["lateral_relaxation_length [m]"], Ky / p.cFy, 1e-12);
 }
 
+TEST(TyreSettings, TakeOneValueEach) {
+    const Result result = runProgram({"tyre", "--set", "lambda.mux=0.8", kCarTyre, "--json"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.out, runProgram({"tyre", kCarTyre, "--json", "--set", "lambda.mux=0.8"}).out);
+}
+
 TEST(TyreAnswer, GoesToStandardErrorWhenTheTableGoesToStandardOutput) {
-    const Folder folder;
-    const std::string in = folder.write("in.csv", "Fz,gamma,Vx,Vsx,Vsy\n4000,0.05,20,-1,2\n");
-    const Result table = run({"tyre", kCarTyre, "--table", in});
-    EXPECT_EQ(parse(table.output).rows.size(), 1u);
-    EXPECT_EQ(table.errors, "Wrote 1 point to standard output\n");
-    const Result file = run({"tyre", kCarTyre, "--table", in, "-o", folder / "out.csv", "--json"});
-    EXPECT_EQ(file.errors, "");
-    const auto json = nlohmann::json::parse(file.output);
-    EXPECT_EQ(json["answer"], "Wrote 1 point to " + (folder / "out.csv"));
+    const Scratch scratch;
+    const std::string in = scratch.file("in.csv", "Fz,gamma,Vx,Vsx,Vsy\n4000,0.05,20,-1,2\n");
+    const Result table = runProgram({"tyre", kCarTyre, "--table", in});
+    EXPECT_EQ(parse(table.out).rows.size(), 1u);
+    EXPECT_EQ(table.err, "Wrote 1 point to standard output\n");
+    const Result file = runProgram({"tyre", kCarTyre, "--table", in, "-o", scratch.path("out.csv"), "--json"});
+    EXPECT_EQ(file.err, "");
+    const auto json = nlohmann::json::parse(file.out);
+    EXPECT_EQ(json["answer"], "Wrote 1 point to " + scratch.path("out.csv"));
     EXPECT_EQ(json["table"]["rows"], 1);
-    EXPECT_EQ(readFile(folder / "out.csv"), table.output);
+    EXPECT_EQ(contentOf(scratch.path("out.csv")), table.out);
 }
 
 TEST(TyreNotes, OfATirFileAreWarningsAndStandOnThePage) {
-    const Folder folder;
-    const std::string tyre = folder.write(
+    const Scratch scratch;
+    const std::string tyre = scratch.file(
         "small.tir",
         "[MODEL]\nFITTYP = 52\n[UNITS]\nLENGTH = 'meter'\nFORCE = 'newton'\nANGLE = 'radians'\nMASS = 'kg'\n"
         "TIME = 'second'\n[DIMENSION]\nUNLOADED_RADIUS = 0.31\n[VERTICAL]\nFNOMIN = 4000\n"
         "VERTICAL_STIFFNESS = 2e5\n[LONGITUDINAL_COEFFICIENTS]\nPCX1 = 1.6\nPDX1 = 1.1\nPKX1 = 20\n"
         "REX1 = 0.6\n[LATERAL_COEFFICIENTS]\nPCY1 = 1.3\nPDY1 = 1\nPKY1 = -14\nPKY2 = 1.8\n");
-    const Result result = run({"tyre", tyre, "--plot", folder / "p.html"});
-    ASSERT_EQ(result.status, 0) << result.errors;
-    EXPECT_NE(result.errors.find("warning: "), std::string::npos);
-    EXPECT_NE(result.errors.find("REX1"), std::string::npos) << result.errors;
-    EXPECT_NE(readFile(folder / "p.html").find("REX1"), std::string::npos);
-    EXPECT_EQ(result.output, "Wrote 17 charts of small to " + (folder / "p.html") + "\n");
+    const Result result = runProgram({"tyre", tyre, "--plot", scratch.path("p.html")});
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.err.find("warning: "), std::string::npos);
+    EXPECT_NE(result.err.find("REX1"), std::string::npos) << result.err;
+    EXPECT_NE(contentOf(scratch.path("p.html")).find("REX1"), std::string::npos);
+    EXPECT_EQ(result.out, "Wrote 17 charts of small to " + scratch.path("p.html") + "\n");
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace tread

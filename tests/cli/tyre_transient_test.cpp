@@ -5,13 +5,13 @@
 #include <array>
 #include <cmath>
 
-#include "cli/tyre_program.h"
+#include "cli/program.h"
 #include "cli/tyre_table.h"
 #include "shared/near.h"
 #include "shared/transient_reference.h"
 #include "tread/tyre.h"
 
-namespace cli {
+namespace tread {
 namespace {
 
 using reference::near;
@@ -29,14 +29,14 @@ Table motionTable(const reference::Case& c) {
 }
 
 Table transientTable(const Table& motion, const std::vector<std::string>& more) {
-    const Folder folder;
-    std::vector<std::string> arguments{"tyre", kCarTyre,          "--transient", folder.write("in.csv", csv(motion)),
-                                       "-o",   folder / "out.csv"};
+    const Scratch scratch;
+    std::vector<std::string> arguments{
+        "tyre", kCarTyre, "--transient", scratch.file("in.csv", csv(motion)), "-o", scratch.path("out.csv")};
     arguments.insert(arguments.end(), kCouples.begin(), kCouples.end());
     arguments.insert(arguments.end(), more.begin(), more.end());
-    const Result result = run(arguments);
-    if (result.status != 0) throw std::runtime_error(result.errors);
-    return parse(readFile(folder / "out.csv"));
+    const Result result = runProgram(arguments);
+    if (result.status != 0) throw std::runtime_error(result.err);
+    return parse(contentOf(scratch.path("out.csv")));
 }
 
 reference::Case caseNamed(const std::string& name) {
@@ -47,7 +47,7 @@ reference::Case caseNamed(const std::string& name) {
 }
 
 // Every row is consistent in itself: the reference's state at that time under the motion of that row.
-std::vector<std::array<long double, 9>> expectedRows(const tread::TyreParams& tyre, const reference::Case& c) {
+std::vector<std::array<long double, 9>> expectedRows(const TyreParams& tyre, const reference::Case& c) {
     std::vector<std::array<long double, 9>> rows;
     const reference::Trajectory trajectory = reference::integrate(tyre, c);
     for (std::size_t i = 0; i < c.samples.size(); ++i) {
@@ -135,7 +135,7 @@ TEST(TyreTransient, ForcesOfARowFollowFromItsOwnMotion) {
     const Table out = transientTable(motion, {"--axes", "paper"});
     for (std::size_t row = 0; row < motion.rows.size(); ++row) motion.at(row, "gamma") = 0;
     const Table upright = transientTable(motion, {"--axes", "paper"});
-    const tread::TyreCoefficients p = tyreWithCouples().parameters;
+    const TyreCoefficients p = tyreWithCouples().parameters;
     ASSERT_EQ(out.at(19, "gamma"), 0);
     ASSERT_EQ(out.at(20, "gamma"), 0.05);
     EXPECT_TRUE(near(out.at(20, "Fy") - upright.at(20, "Fy"), 4000 * p.pTy8 * 0.05, 1e-9));
@@ -146,20 +146,20 @@ TEST(TyreTransient, ForcesOfARowFollowFromItsOwnMotion) {
 }
 
 TEST(TyreTransient, ForcesOfAKnownStateAreThoseThatTheAdvanceReturned) {
-    const tread::TyreParams tyre = tyreWithCouples();
-    for (const auto standstill : {tread::Standstill::paper, tread::Standstill::hold}) {
+    const TyreParams tyre = tyreWithCouples();
+    for (const auto standstill : {Standstill::paper, Standstill::hold}) {
         for (const double speed : {0.3, 1.4, 20.0}) {
-            tread::TyreState state;
+            TyreState state;
             for (int i = 1; i <= 200; ++i) {
-                const tread::TyreMotion motion{.Vsx = 0.03 * speed,
-                                               .Vsy = -0.05 * speed,
-                                               .Vx = speed,
-                                               .Omega = 0.97 * speed / tyre.parameters.Re,
-                                               .psidot = 0.4,
-                                               .gamma = 0.03,
-                                               .Fz = 4200};
-                const auto advanced = tread::advance(state, tyre, motion, motion, 1e-3, standstill);
-                const auto again = tread::rimForces(state, tyre, motion, standstill);
+                const TyreMotion motion{.Vsx = 0.03 * speed,
+                                        .Vsy = -0.05 * speed,
+                                        .Vx = speed,
+                                        .Omega = 0.97 * speed / tyre.parameters.Re,
+                                        .psidot = 0.4,
+                                        .gamma = 0.03,
+                                        .Fz = 4200};
+                const auto advanced = advance(state, tyre, motion, motion, 1e-3, standstill);
+                const auto again = rimForces(state, tyre, motion, standstill);
                 // `advance` follows the slopes over its last Newton step: about 1e-6 of the peak force.
                 const double tolerance = 1e-5 * motion.Fz;
                 EXPECT_EQ(advanced.Fx, again.Fx);
@@ -192,4 +192,4 @@ TEST(TyreTransient, HeldAndLinearMotionAreHalfASampleApart) {
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace tread

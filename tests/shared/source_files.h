@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
+
+#include "shared/scratch.h"
 
 namespace tread {
 
@@ -32,9 +32,7 @@ std::vector<SourceFile> sourceFiles(const std::filesystem::path& root, Wanted&& 
             continue;
         }
         if (!entry->is_regular_file() || !wanted(name)) continue;
-        std::ostringstream text;
-        text << std::ifstream(entry->path(), std::ios::binary).rdbuf();
-        files.push_back({name, std::move(text).str()});
+        files.push_back({name, contentOf(entry->path())});
     }
     std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
     return files;

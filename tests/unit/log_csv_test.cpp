@@ -1,7 +1,6 @@
 #include "log/csv.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <bit>
 #include <cmath>
@@ -9,7 +8,9 @@
 #include <fstream>
 #include <limits>
 #include <random>
-#include <sstream>
+
+#include "shared/file_size_limit.h"
+#include "shared/scratch.h"
 
 namespace tread {
 namespace {
@@ -18,26 +19,11 @@ namespace fs = std::filesystem;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// A folder of its own for each test.
 class LogCsv : public testing::Test {
 protected:
-    void SetUp() override {
-        const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-        folder_ = fs::path(testing::TempDir()) / ("tread_log_csv_" + test);
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
+    fs::path at(const char* name) const { return scratch.path(name); }
 
-    fs::path at(const char* name) const { return folder_ / name; }
-    static std::string textOf(const fs::path& path) {
-        std::ifstream file(path, std::ios::binary);
-        std::stringstream text;
-        text << file.rdbuf();
-        return text.str();
-    }
-
-    fs::path folder_;
+    Scratch scratch;
 };
 
 std::vector<Problem> problemsOf(std::string_view text) {
@@ -64,7 +50,7 @@ TEST_F(LogCsv, RowsAreShortestRoundTripUnderOneHeader) {
     writer.write(std::vector{0.1, 1.0 / 3.0});
     writer.write(std::vector{0.30000000000000004, -kNan});
     writer.finish();
-    EXPECT_EQ(textOf(at("a.csv")), "time [s],driver.brake [-]\n0.1,0.3333333333333333\n0.30000000000000004,nan\n");
+    EXPECT_EQ(contentOf(at("a.csv")), "time [s],driver.brake [-]\n0.1,0.3333333333333333\n0.30000000000000004,nan\n");
     EXPECT_FALSE(fs::exists(at("a.csv.part")));
 }
 
@@ -105,13 +91,35 @@ TEST_F(LogCsv, AWriterThatIsNotFinishedLeavesItsRowsUnderANameThatSaysSo) {
     EXPECT_EQ(readLog(at("a.incomplete.csv")).channels[0].values, std::vector{0.5});
 }
 
+TEST_F(LogCsv, WhatBecomesOfTheRowsIsTold) {
+    {
+        LogWriter writer(at("none.csv"), {{"time", "s"}});
+        EXPECT_EQ(writer.keepIncomplete(), "no row was written");
+    }
+    EXPECT_TRUE(scratch.names().empty());
+    {
+        LogWriter writer(at("a.csv"), {{"time", "s"}});
+        writer.write(std::vector{0.5});
+        EXPECT_EQ(writer.keepIncomplete(), "the rows so far are in '" + at("a.incomplete.csv").string() + "'");
+    }
+    fs::create_directory(at("b.incomplete.csv"));
+    {
+        LogWriter writer(at("b.csv"), {{"time", "s"}});
+        writer.write(std::vector{0.25});
+        EXPECT_EQ(writer.keepIncomplete(), "the rows so far stay in '" + at("b.csv.part").string() +
+                                               "', which cannot become '" + at("b.incomplete.csv").string() +
+                                               "': Is a directory");
+    }
+    EXPECT_EQ(readLog(at("b.csv.part")).channels[0].values, std::vector{0.25});
+}
+
 TEST_F(LogCsv, FinishingReplacesAnOlderLog) {
     std::ofstream(at("a.csv")) << "old";
     LogWriter writer(at("a.csv"), {{"time", "s"}});
     writer.write(std::vector{1.0});
-    EXPECT_EQ(textOf(at("a.csv")), "old") << "the old log stays until the new one is whole";
+    EXPECT_EQ(contentOf(at("a.csv")), "old") << "the old log stays until the new one is whole";
     writer.finish();
-    EXPECT_EQ(textOf(at("a.csv")), "time [s]\n1\n");
+    EXPECT_EQ(contentOf(at("a.csv")), "time [s]\n1\n");
 }
 
 TEST_F(LogCsv, AFolderThatDoesNotExistIsOneClearSentence) {
@@ -133,28 +141,22 @@ TEST_F(LogCsv, AFullDiskIsReportedAtTheLatestWhenFinishing) {
         writer.finish();
         FAIL();
     } catch (const FileError& error) {
-        EXPECT_NE(std::string(error.what()).find("No space left on device"), std::string::npos) << error.what();
+        EXPECT_EQ(std::string(error.what()),
+                  "cannot write '" + at("a.csv").string() + "': No space left on device; no row was written");
     }
-    EXPECT_FALSE(fs::exists(at("a.csv")));
+    EXPECT_TRUE(scratch.names().empty());
 }
 
 TEST_F(LogCsv, AShortWriteKeepsTheWholeRowsAndCutsTheTornOne) {
     std::signal(SIGXFSZ, SIG_IGN);
-    rlimit before{};
-    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-    rlimit small = before;
-    small.rlim_cur = 100'003;  // inside the second flush, inside a row
     bool failed = false;
-    {
+    try {
         LogWriter writer(at("a.csv"), {{"time", "s"}, {"a", "m"}});
-        ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-        try {
-            for (int i = 0; i < 100'000; ++i) writer.write(std::vector{i * 0.25, 1.0 / (i + 3)});
-        } catch (const FileError& error) {
-            failed = true;
-            EXPECT_NE(std::string(error.what()).find("a.incomplete.csv"), std::string::npos) << error.what();
-        }
-        setrlimit(RLIMIT_FSIZE, &before);
+        const FileSizeLimit limit(100'003);  // inside the second flush, inside a row
+        for (int i = 0; i < 100'000; ++i) writer.write(std::vector{i * 0.25, 1.0 / (i + 3)});
+    } catch (const FileError& error) {
+        failed = true;
+        EXPECT_NE(std::string(error.what()).find("a.incomplete.csv"), std::string::npos) << error.what();
     }
     ASSERT_TRUE(failed);
     EXPECT_FALSE(fs::exists(at("a.csv")));
@@ -168,7 +170,7 @@ TEST_F(LogCsv, ColumnsThatCouldNotBeReadBackAreNotWritten) {
     EXPECT_THROW(LogWriter(at("a.csv"), {{"a", "m"}}), FileError);
     EXPECT_THROW(LogWriter(at("a.csv"), {{"time", "s"}, {"a", ""}}), FileError);
     EXPECT_THROW(LogWriter(at("a.csv"), {{"time", "s"}, {"a\nb", "m"}}), FileError);
-    EXPECT_TRUE(fs::is_empty(folder_));
+    EXPECT_TRUE(scratch.names().empty());
 }
 
 // ---- Reading: what is accepted -------------------------------------------------------------------------------------
@@ -265,7 +267,7 @@ TEST_F(LogCsv, AMissingFileAndAFolderAreClearSentences) {
         EXPECT_EQ(std::string(error.what()),
                   "cannot read '" + at("none.csv").string() + "': No such file or directory");
     }
-    EXPECT_THROW(readLog(folder_), FileError);
+    EXPECT_THROW(readLog(scratch.folder()), FileError);
 }
 
 }  // namespace

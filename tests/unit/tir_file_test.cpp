@@ -3,9 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <numbers>
 #include <random>
@@ -17,6 +15,7 @@
 #include "base/numbers.h"
 #include "shared/delft97_reference.h"
 #include "shared/near.h"
+#include "shared/scratch.h"
 #include "tread/problem.h"
 
 namespace tread {
@@ -126,15 +125,9 @@ std::string textOf(const Keys& keys) {
 // The text as a file for the time of a test.
 class TirFile : public ::testing::Test {
 protected:
-    std::filesystem::path write(const std::string& text) {
-        const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-        path = std::filesystem::path(::testing::TempDir()) / (std::string(test->name()) + ".tir");
-        std::ofstream(path, std::ios::binary) << text;
-        return path;
-    }
     TyreParams read(const std::string& text) {
         warnings.clear();
-        return readTir(write(text), warnings);
+        return readTir(scratch.file("tyre.tir", text), warnings);
     }
     // The message of the failure, without the folder of the file.
     std::string faults(const std::string& text) {
@@ -142,7 +135,7 @@ protected:
             read(text);
         } catch (const LoadError& error) {
             std::string what = error.what();
-            const std::string file = path.string();
+            const std::string file = scratch.path("tyre.tir");
             for (std::size_t at = what.find(file); at != std::string::npos; at = what.find(file)) {
                 what.replace(at, file.size(), "F");
             }
@@ -156,9 +149,8 @@ protected:
         }
         return false;
     }
-    void TearDown() override { std::filesystem::remove(path); }
 
-    std::filesystem::path path;
+    Scratch scratch;
     std::vector<std::string> warnings;
 };
 
@@ -324,7 +316,7 @@ TEST_F(TirFile, SectionsCommentsQuotesCaseTablesAndLineEndsAreRead) {
     const TyreParams tyre = read(text);
     EXPECT_EQ(tyre.parameters.pCx1, 1.5);
     EXPECT_EQ(tyre.parameters.pDx1, 1.25);
-    EXPECT_EQ(tyre.name, "SectionsCommentsQuotesCaseTablesAndLineEndsAreRead");
+    EXPECT_EQ(tyre.name, "tyre");
     EXPECT_EQ(tyre.side, TyreSide::left);
 }
 

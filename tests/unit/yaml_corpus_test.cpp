@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "fuzz/yaml_entry.h"
+#include "shared/scratch.h"
 
 namespace tread {
 namespace {
@@ -18,9 +17,7 @@ TEST(YamlCorpus, EveryFileIsTakenOrRefusedInWords) {
     std::size_t files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(TREAD_SOURCE_DIR "/tests/fuzz/corpus/yaml")) {
         SCOPED_TRACE(entry.path().string());
-        std::ifstream stream(entry.path(), std::ios::binary);
-        const std::string text{std::istreambuf_iterator<char>(stream), {}};
-        if (fuzz::readHostileYaml(text)) taken.push_back(entry.path().filename());
+        if (fuzz::readHostileYaml(contentOf(entry.path()))) taken.push_back(entry.path().filename());
         ++files;
     }
     std::sort(taken.begin(), taken.end());

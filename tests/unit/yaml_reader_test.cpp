@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/concat.h"
+#include "shared/scratch.h"
 #include "tread/tyre.h"
 #include "tread/wheels.h"
 
@@ -509,17 +510,10 @@ struct Wheel {
 
 class YamlFiles : public testing::Test {
 protected:
-    void SetUp() override {
-        directory_ = std::filesystem::temp_directory_path() / ("tread_yaml_" + std::to_string(getpid()));
-        std::filesystem::create_directories(directory_ / "tyres");
-    }
-    void TearDown() override { std::filesystem::remove_all(directory_); }
+    YamlFiles() { std::filesystem::create_directory(path("tyres")); }
 
-    std::string path(const std::string& name) const { return (directory_ / name).string(); }
-    std::string write(const std::string& name, const std::string& text) const {
-        std::ofstream(path(name), std::ios::binary) << text;
-        return path(name);
-    }
+    std::string path(const std::string& name) const { return scratch_.path(name); }
+    std::string write(const std::string& name, const std::string& text) const { return scratch_.file(name, text); }
     template <class T = Wheel>
     Texts faultsOf(const std::string& file) const {
         Texts texts;
@@ -532,7 +526,7 @@ protected:
         return texts;
     }
 
-    std::filesystem::path directory_;
+    Scratch scratch_;
 };
 
 TEST_F(YamlFiles, IncludedFileIsFoundBesideTheIncludingOne) {

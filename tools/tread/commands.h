@@ -58,7 +58,7 @@ struct TyreOptions {
 int tyre(const TyreOptions& options);
 
 struct DescribeOptions {
-    std::string what;  // vehicle, tyre, scenario, log, tolerances, metrics
+    std::string what;  // of describables()
     bool json = false;
 };
 int describe(const DescribeOptions& options);
@@ -70,7 +70,7 @@ struct CheckOptions {
 int check(const CheckOptions& options);
 
 struct SchemaOptions {
-    std::string what;    // vehicle, tyre, scenario, tolerances
+    std::string what;    // of describables(), a file
     std::string output;  // file; empty: standard output
 };
 int schema(const SchemaOptions& options);

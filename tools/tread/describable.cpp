@@ -2,11 +2,13 @@
 
 #include "base/concat.h"
 #include "base/did_you_mean.h"
+#include "base/field_path.h"
 #include "base/number_text.h"
 #include "base/read_yaml.h"
 #include "base/schema.h"
 #include "compare/tolerances.h"
 #include "log_columns.h"
+#include "metrics/metrics.h"
 #include "run_inputs.h"
 #include "tread/load.h"
 
@@ -26,6 +28,24 @@ std::vector<TopField> topOf() {
 std::vector<ReferenceRow> logRows() {
     std::vector<ReferenceRow> rows = referenceTable<LogColumns>();
     for (ReferenceRow& row : rows) row.default_text.clear();  // a column is there or not
+    return rows;
+}
+
+std::vector<TopField> manoeuvreFields() {
+    std::vector<TopField> fields;
+    for (const Manoeuvre& known : manoeuvres()) {
+        fields.push_back({std::string(known.name), std::string(known.description)});
+    }
+    return fields;
+}
+
+std::vector<ReferenceRow> metricRows() {
+    std::vector<ReferenceRow> rows;
+    for (const Manoeuvre& known : manoeuvres()) {
+        for (const MetricDefinition& metric : known.definitions()) {
+            rows.push_back({joinPath(known.name, metric.name), metric.unit, metric.definition, "", ""});
+        }
+    }
     return rows;
 }
 
@@ -60,19 +80,25 @@ const std::vector<Describable>& describables() {
         {"log", "the columns of a log", topOf<LogColumns>, logRows},
         {"tolerances", "how far two logs may differ", topOf<Tolerances>, referenceTable<Tolerances>,
          [] { return jsonSchema<Tolerances>("Tolerances", "tolerances.schema.json"); }, readTolerancesFile},
+        {"metrics", "the metrics of each manoeuvre, undefined when a log lacks what they need", manoeuvreFields,
+         metricRows},
     };
     return list;
 }
 
-const Describable& describable(std::string_view name, bool only_files, std::vector<std::string_view> further) {
-    std::vector<std::string_view> known;
+std::vector<std::string_view> describableNames(bool only_files) {
+    std::vector<std::string_view> names;
     for (const Describable& entry : describables()) {
-        if (only_files && !entry.isFile()) continue;
-        if (entry.name == name) return entry;
-        known.push_back(entry.name);
+        if (entry.isFile() || !only_files) names.push_back(entry.name);
     }
-    known.insert(known.end(), further.begin(), further.end());
-    rejectName(only_files ? "kind of file" : "description", name, known);
+    return names;
+}
+
+const Describable& describable(std::string_view name, bool only_files) {
+    for (const Describable& entry : describables()) {
+        if (entry.name == name && (entry.isFile() || !only_files)) return entry;
+    }
+    rejectName(only_files ? "kind of file" : "description", name, describableNames(only_files));
 }
 
 std::vector<std::string> readTyreFile(const Path& file) {

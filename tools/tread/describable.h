@@ -31,9 +31,11 @@ struct Describable {
 
 const std::vector<Describable>& describables();
 
-// The one of that name; LoadError with a suggestion and the list when there is none. `further` are names that the
-// command knows besides.
-const Describable& describable(std::string_view name, bool only_files, std::vector<std::string_view> further = {});
+// The names, of files only or of everything.
+std::vector<std::string_view> describableNames(bool only_files);
+
+// The one of that name; LoadError with a suggestion and the list when there is none.
+const Describable& describable(std::string_view name, bool only_files);
 
 // Notes of a .tir file, or of the tyres of a car.
 std::vector<std::string> readTyreFile(const Path& file);

@@ -9,7 +9,6 @@
 #include "base/number_text.h"
 #include "commands.h"
 #include "describable.h"
-#include "metrics/metrics.h"
 #include "output.h"
 
 namespace tread::program {
@@ -92,35 +91,10 @@ nlohmann::json json(const Describable& what) {
     return {{"what", what.name}, {"meaning", what.meaning}, {"fields", fields}};
 }
 
-// What a metric means can depend on the log (on the range of a regression), so `tread metrics` says it with the value.
-void describeMetrics(bool as_json) {
-    nlohmann::json list = nlohmann::json::array();
-    std::string out = fmt::format(
-        "metrics: {} manoeuvres, each with its metrics; `tread metrics log.csv` gives value, "
-        "unit and definition\n\n",
-        manoeuvres().size());
-    std::size_t width = 0;
-    for (const Manoeuvre& known : manoeuvres()) width = std::max(width, known.name.size());
-    for (const Manoeuvre& known : manoeuvres()) {
-        list.push_back({{"name", known.name}, {"description", known.description}});
-        out += fmt::format("  {:<{}}  {}\n", known.name, width, known.description);
-    }
-    if (as_json) {
-        printJson({{"what", "metrics"}, {"manoeuvres", list}});
-    } else {
-        print(out);
-    }
-}
-
 }  // namespace
 
 int describe(const DescribeOptions& options) {
-    constexpr std::string_view kMetrics = "metrics";
-    if (options.what == kMetrics) {
-        describeMetrics(options.json);
-        return kYes;
-    }
-    const Describable& what = describable(options.what, false, {kMetrics});
+    const Describable& what = describable(options.what, false);
     if (options.json) {
         printJson(json(what));
     } else {

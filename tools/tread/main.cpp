@@ -1,8 +1,10 @@
 // The program `tread`: reads the command line, calls one command, turns every failure into one message and a status.
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,18 +12,23 @@
 #include "base/did_you_mean.h"
 #include "base/number_text.h"
 #include "commands.h"
+#include "describable.h"
+#include "output.h"
 #include "tread/problem.h"
 
 namespace tread::program {
 namespace {
 
+void addSettings(CLI::App& app, std::vector<std::string>& settings, const std::string& meaning) {
+    // One value each, or files that follow would be taken for settings.
+    app.add_option("--set", settings, meaning)->allow_extra_args(false);
+}
+
 void addRun(CLI::App& app, RunOptions& o) {
     app.add_option("vehicle", o.vehicle, "vehicle file (YAML)")->required();
     app.add_option("scenario", o.scenario, "scenario file (YAML)")->required();
     app.add_option("-o,--output", o.output, "folder for log, metrics and report (default: out/<scenario>)");
-    app.add_option("--set", o.settings,
-                   "path=value, for example front.suspension.spring=\"25 kN/m\" or scenario.step=0.002")
-        ->allow_extra_args(false);  // one each, or files that follow would be taken for settings
+    addSettings(app, o.settings, "path=value, for example front.suspension.spring=\"25 kN/m\" or scenario.step=0.002");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
@@ -43,7 +50,10 @@ void addTyre(CLI::App& app, TyreOptions& o) {
     app.add_option("tyre", o.tyre, "tyre file (YAML or .tir)")->required();
     app.add_option("--axes", o.axes, "axes of the table: paper (y right, z down) or iso (ISO 8855: y left, z up)")
         ->check(CLI::IsMember({"paper", "iso"}));
-    app.add_option("--table", o.table, "steady state at the points of this table (CSV)");
+    app.add_option(
+        "--table", o.table,
+        "steady state at the points of this table (CSV); its lambda_* columns replace the tyre file's factors, "
+        "they do not multiply them");
     app.add_option("--transient", o.transient, "contact-patch transients under the motion of this table (CSV)");
     app.add_option("-o,--output", o.output, "table to write (default: standard output)");
     app.add_option("--plot", o.plot, "page of curves to write (HTML)");
@@ -52,7 +62,7 @@ void addTyre(CLI::App& app, TyreOptions& o) {
         ->check(CLI::IsMember({"hold", "linear"}));
     app.add_flag("--standstill", o.standstill,
                  "with the standstill extension that the car uses (default: the paper alone)");
-    app.add_option("--set", o.settings, "path=value, for example lambda.mux=0.8");
+    addSettings(app, o.settings, "path=value, for example lambda.mux=0.8");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
@@ -136,8 +146,7 @@ int dispatch(int argc, char** argv) {
     command->callback([&] { status = tyre(tyre_options); });
 
     command = app.add_subcommand("describe", "all fields with units, meaning, limits and defaults");
-    command->add_option("what", describe_options.what, "vehicle, tyre, scenario, log, tolerances or metrics")
-        ->required();
+    command->add_option("what", describe_options.what, listed(describableNames(false)))->required();
     command->add_flag("--json", describe_options.json, "print the result as JSON");
     command->callback([&] { status = describe(describe_options); });
 
@@ -148,7 +157,7 @@ int dispatch(int argc, char** argv) {
     command->callback([&] { status = check(check_options); });
 
     command = app.add_subcommand("schema", "JSON Schema of a file, for editors");
-    command->add_option("what", schema_options.what, "vehicle, tyre, scenario or tolerances")->required();
+    command->add_option("what", schema_options.what, listed(describableNames(true)))->required();
     command->add_option("-o,--output", schema_options.output, "file to write (default: standard output)");
     command->callback([&] { status = schema(schema_options); });
 
@@ -163,7 +172,9 @@ int dispatch(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help_or_version) {
-        return app.exit(help_or_version);
+        std::ostringstream out;
+        app.exit(help_or_version, out);
+        print(out.str());
     } catch (const CLI::ParseError& error) {
         return refuse(app, error);
     }
@@ -174,6 +185,7 @@ int dispatch(int argc, char** argv) {
 }  // namespace tread::program
 
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told by the write that fails
     try {
         return tread::program::dispatch(argc, argv);
     } catch (const tread::LoadError& error) {

@@ -35,7 +35,6 @@ extern "C" void stopRun(int signal) {
 void listenToSignals() {
     std::signal(SIGINT, stopRun);
     std::signal(SIGTERM, stopRun);
-    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told by the write that fails
 }
 
 // A folder for the results, without those of an earlier run: what it holds at the end is of this run.
@@ -57,14 +56,13 @@ void prepareFolder(const Path& folder) {
     }
 }
 
-// Runs into the log file and into memory; a failed run leaves its rows in log.incomplete.csv.
-Log drive(const RunRecord& record, const Path& folder) {
+// Runs into the log file and into memory. A run that fails leaves a writer with the rows so far.
+Log drive(const RunRecord& record, const Path& file, std::optional<LogWriter>& writer) {
     Log log;
-    std::optional<LogWriter> writer;
     Progress progress(longestDuration(record.scenario));
     Recorder recorder;
     recorder.begin = [&](const std::vector<Column>& columns) {
-        writer.emplace(folder / "log.csv", columns);
+        writer.emplace(file, columns);
         for (const Column& column : columns) log.channels.push_back({column.name, column.unit, {}});
     };
     recorder.row = [&](std::span<const double> row) {
@@ -112,7 +110,7 @@ void saveResults(const RunRecord& record, const Log& log, const RunOptions& opti
                               {"manoeuvre", record.scenario.manoeuvre},
                               {"warnings", found.warnings},
                               {"metrics", tread::json(found.metrics)}};
-    writeFile(folder / "metrics.json", json.dump(2) + "\n");
+    writeFile(folder / "metrics.json", jsonText(json));
     writeFile(folder / "report.html", runReport({.title = record.scenario.title,
                                                  .answer = answer,
                                                  .vehicle = record.vehicle.name,
@@ -144,14 +142,12 @@ int run(const RunOptions& options) {
     listenToSignals();
     prepareFolder(folder);
     writeFile(folder / "run.yaml", writeYaml(record));
+    std::optional<LogWriter> writer;
     try {
-        const Log log = drive(record, folder);
-        saveResults(record, log, options, folder);
+        saveResults(record, drive(record, folder / "log.csv", writer), options, folder);
     } catch (const SimulationError& error) {
-        const Path rows = folder / "log.incomplete.csv";
-        const bool kept = std::filesystem::exists(rows);
-        fmt::print(stderr, "tread run: {}{}\n", error.what(),
-                   kept ? fmt::format("; the log so far is in {}", rows.string()) : "");
+        const std::string rows = writer ? "; " + writer->keepIncomplete() : "";
+        fmt::print(stderr, "tread run: {}{}\n", error.what(), rows);
         return dynamic_cast<const Interrupted*>(&error) ? kSignalStatus + stopped_by : kRunFailed;
     }
     return kYes;

@@ -30,6 +30,11 @@ struct Settable {
     static void check(const auto& self, auto&& complain) { VehicleParams::check(self.vehicle, complain); }
 };
 
+std::string listingOf(std::string_view path) {
+    if (path.starts_with("scenario")) return "`tread describe scenario` lists all paths behind \"scenario.\"";
+    return "`tread describe vehicle` lists all paths";
+}
+
 struct Fault {
     std::string path;
     std::string text;
@@ -125,7 +130,7 @@ RunRecord readRunInputs(const RunOptions& options) {
     if (!problems.empty()) refuse(std::move(problems));
 
     constexpr const char* kSource = "--set";
-    applySettings(inputs, options.settings, kSource);
+    applySettings(inputs, options.settings, kSource, listingOf);
     for (const Fault& fault : unknownNames(inputs.scenario)) {
         problems.push_back({kSource, 0, 0, "scenario." + fault.path, fault.text});
     }

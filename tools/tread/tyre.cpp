@@ -6,17 +6,15 @@
 
 #include "base/setting.h"
 #include "commands.h"
+#include "output.h"
 #include "tread/load.h"
 #include "tyre_figures.h"
-#include "tyre_output.h"
 #include "tyre_overview.h"
 #include "tyre_steady.h"
 #include "tyre_transient.h"
 
 namespace tread::program {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 void rejectOptionsThatDoNotFit(const TyreOptions& options) {
     std::vector<Problem> problems;
@@ -46,7 +44,7 @@ std::string counted(std::size_t count, std::string_view what) {
 // What was done, in words and for programs.
 struct Outcome {
     std::string text;
-    Json json;
+    nlohmann::json json;
 };
 
 void addAnswer(Outcome& outcome, const std::string& answer) {
@@ -70,10 +68,7 @@ void writeTable(Outcome& outcome, const TyreParams& tyre, const TyreOptions& opt
 
 void writePage(Outcome& outcome, const TyreParams& tyre, const TyreOptions& options, Axes axes) {
     std::size_t charts = 0;
-    const std::string page = tyrePage({tyre, axes}, charts);
-    OutputFile file(options.plot);
-    file.write(page);
-    file.finish();
+    writeFile(options.plot, tyrePage({tyre, axes}, charts));
     addAnswer(outcome, fmt::format("Wrote {} of {} to {}", counted(charts, "chart"), tyreName(tyre), options.plot));
     outcome.json["plot"] = {{"charts", charts}, {"axes", options.axes}, {"file", options.plot}};
 }
@@ -95,7 +90,8 @@ int tyre(const TyreOptions& given) {
     rejectOptionsThatDoNotFit(given);
     TyreParams params = loadTyre(options.tyre);
     for (const std::string& note : params.notes) fmt::print(stderr, "warning: {}\n", note);
-    applySettings(params, options.settings, "--set");
+    applySettings(params, options.settings, "--set",
+                  [](std::string_view) -> std::string { return "`tread describe tyre` lists all paths"; });
     const Axes axes = options.axes == "iso" ? Axes::iso : Axes::paper;
 
     const bool table = !options.table.empty() || !options.transient.empty();
@@ -107,8 +103,12 @@ int tyre(const TyreOptions& given) {
     // Standard output belongs to the table when it went there.
     outcome.json["tyre"] = params.name;
     outcome.json["notes"] = params.notes;
-    const bool table_on_output = table && options.output.empty();
-    fmt::print(table_on_output ? stderr : stdout, "{}", options.json ? outcome.json.dump(2) + "\n" : outcome.text);
+    const std::string answer = options.json ? jsonText(outcome.json) : outcome.text;
+    if (table && options.output.empty()) {
+        fmt::print(stderr, "{}", answer);
+    } else {
+        print(answer);
+    }
     return kYes;
 }
 

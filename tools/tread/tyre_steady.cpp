@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "base/numbers.h"
-#include "tyre_output.h"
+#include "output_table.h"
 #include "tyre_table.h"
 
 namespace tread::program {
@@ -20,8 +20,7 @@ std::size_t writeSteadyTable(const TyreParams& tyre, const Path& input, Axes axe
     Columns results;
     for (const Number& n : numbers(result)) results.add({n.path, n.about}, *n.value, axisSign(n.path, axes));
 
-    OutputFile file(output);
-    OutputTable out(file, table, results.kinds);
+    OutputTable out(output, table, results.kinds);
     std::vector<double> values;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         fill(inputs, table, row);

@@ -8,8 +8,8 @@
 #include "base/concat.h"
 #include "base/number_text.h"
 #include "base/numbers.h"
+#include "output_table.h"
 #include "tread/problem.h"
-#include "tyre_output.h"
 #include "tyre_table.h"
 
 namespace tread::program {
@@ -100,8 +100,7 @@ std::size_t writeTransientTable(const TyreParams& tyre, const Path& input, const
     Columns results;
     for (const Number& n : numbers(result)) results.add({n.path, n.about}, *n.value, axisSign(n.path, options.axes));
 
-    OutputFile file(output);
-    OutputTable out(file, table, results.kinds);
+    OutputTable out(output, table, results.kinds);
     std::vector<double> values;
     Interval between(tyre, options, interval);
     TyreState state;

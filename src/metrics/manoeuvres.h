@@ -1,0 +1,16 @@
+// The known manoeuvres, each in a file of its name.
+#pragma once
+
+#include "metrics/metrics.h"
+
+namespace tread {
+
+Manoeuvre dropAndSettle();
+Manoeuvre parked();
+Manoeuvre straightBraking();
+Manoeuvre coastDown();
+Manoeuvre stepSteer();
+Manoeuvre sineSteer();
+Manoeuvre steadyCircle();
+
+}  // namespace tread

@@ -1,0 +1,36 @@
+// The metrics of a manoeuvre, one line each: the one place that says their names, units and definitions, and how their
+// values follow from what was found in a log.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "metrics/metric.h"
+
+namespace tread {
+
+template <class Found>
+struct MetricLine {
+    MetricDefinition about;
+    std::function<double(const Found&)> value;  // in the unit of the definition; NaN: undefined
+};
+
+template <class Found>
+using MetricTable = std::vector<MetricLine<Found>>;
+
+template <class Found>
+std::vector<MetricDefinition> definitions(const MetricTable<Found>& table) {
+    std::vector<MetricDefinition> out;
+    for (const MetricLine<Found>& line : table) out.push_back(line.about);
+    return out;
+}
+
+template <class Found>
+std::vector<Metric> values(const MetricTable<Found>& table, const Found& found) {
+    std::vector<Metric> out;
+    for (const auto& [about, value] : table) out.push_back({about.name, value(found), about.unit, about.definition});
+    return out;
+}
+
+}  // namespace tread

@@ -1,0 +1,32 @@
+#include "output_table.h"
+
+#include <string>
+
+#include "base/concat.h"
+#include "base/number_text.h"
+
+namespace tread::program {
+
+OutputTable::OutputTable(const Path& path, const InputTable& input, std::span<const ColumnKind> added)
+    : file_(path), input_(input) {
+    std::string header;
+    for (const TableColumn& column : input.columns) header += (header.empty() ? "" : ",") + column.header;
+    for (const ColumnKind& kind : added) {
+        header += concat({",", kind.name});
+        if (input.has_units) header += concat({" [", kind.about.unit, "]"});
+    }
+    file_.write(header + "\n");
+}
+
+void OutputTable::write(std::size_t input_row, std::span<const double> added) {
+    std::string row;
+    const auto add = [&](double value) {
+        if (!row.empty()) row += ',';
+        appendNumber(row, value);
+    };
+    for (std::size_t column = 0; column < input_.columns.size(); ++column) add(input_.given(input_row, column));
+    for (const double value : added) add(value);
+    file_.write(row + "\n");
+}
+
+}  // namespace tread::program
