@@ -11,6 +11,16 @@ Manoeuvre straightBraking();
 Manoeuvre coastDown();
 Manoeuvre stepSteer();
 Manoeuvre sineSteer();
+Manoeuvre frequencyResponse();
+Manoeuvre slowlyIncreasingSteer();
+Manoeuvre sineWithDwell();
+Manoeuvre brakingInTurn();
+Manoeuvre powerOff();
+Manoeuvre acceleration();
+Manoeuvre weave();
+Manoeuvre transition();
+Manoeuvre hillStart();
+Manoeuvre laneChange();
 Manoeuvre steadyCircle();
 
 }  // namespace tread

@@ -12,8 +12,23 @@ namespace tread {
 
 // What is more special comes first: a car that is dropped is parked as well, a step is slow steering at its end.
 const std::vector<Manoeuvre>& manoeuvres() {
-    static const std::vector<Manoeuvre> list = {dropAndSettle(), parked(),    straightBraking(), coastDown(),
-                                                stepSteer(),     sineSteer(), steadyCircle()};
+    static const std::vector<Manoeuvre> list = {dropAndSettle(),
+                                                hillStart(),
+                                                parked(),
+                                                straightBraking(),
+                                                brakingInTurn(),
+                                                acceleration(),
+                                                coastDown(),
+                                                powerOff(),
+                                                stepSteer(),
+                                                sineSteer(),
+                                                sineWithDwell(),
+                                                steadyCircle(),
+                                                slowlyIncreasingSteer(),
+                                                frequencyResponse(),
+                                                weave(),
+                                                transition(),
+                                                laneChange()};
     return list;
 }
 

@@ -10,6 +10,7 @@
 
 #include "log/log.h"
 #include "metrics/metric.h"
+#include "scenario/course.h"
 
 namespace tread {
 
@@ -19,10 +20,11 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-// What is known of the car besides the log; NaN: unknown, and metrics that need it are NaN.
+// What is known of car and course besides the log; NaN: unknown, and metrics that need it are NaN.
 struct KnownCar {
     double wheelbase = std::numeric_limits<double>::quiet_NaN();       // m
     double steering_ratio = std::numeric_limits<double>::quiet_NaN();  // steering wheel over road wheel
+    CourseParams course = {};                                          // that was driven; no sections: unknown
 };
 
 struct Manoeuvre {

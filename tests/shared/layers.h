@@ -15,9 +15,9 @@ namespace tread::layers {
 using Path = std::filesystem::path;
 
 // A file may include from its own layer and from those to its left.
-inline const std::vector<std::string> kOrder{"base",     "road",     "tyre",     "vehicle", "bullet",
-                                             "log",      "scenario", "run",      "compare", "metrics",
-                                             "identify", "diagnose", "campaign", "report",  "tools"};
+inline const std::vector<std::string> kOrder{"base",     "road",     "tyre",    "vehicle", "bullet", "log",
+                                             "scenario", "run",      "compare", "metrics", "series", "identify",
+                                             "diagnose", "campaign", "report",  "tools"};
 
 // Public headers share one folder; each belongs to a layer.
 inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{
