@@ -1,6 +1,7 @@
-// Aerodynamics: drag and lift on the body.
+// Aerodynamics: forces and moments of the air on the body.
 #pragma once
 
+#include "tread/curve.h"
 #include "tread/describe.h"
 #include "tread/vector.h"
 
@@ -12,6 +13,9 @@ struct AeroParams {
     double front_lift_area = 0;
     double rear_lift_area = 0;
     double height = 0;
+    Curve side_force_area{};
+    Curve yaw_moment_volume{};
+    Curve roll_moment_volume{};
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(air_density),
@@ -21,18 +25,38 @@ struct AeroParams {
               About{"m2", "lift coefficient of the front axle times frontal area, positive up"});
         field(TREAD_FIELD(rear_lift_area),
               About{"m2", "lift coefficient of the rear axle times frontal area, positive up"});
-        field(TREAD_FIELD(height), About{"m", "height above the road where the drag acts", kNonNegative});
+        field(TREAD_FIELD(height), About{"m", "height above the road where drag and side force act", kNonNegative});
+        field(
+            TREAD_FIELD(side_force_area),
+            About{"m2",
+                  "side force over dynamic pressure, towards where the air goes, over aerodynamic sideslip from 0 up; "
+                  "in addition to the drag, which acts along the air; odd",
+                  kAny, 0.1, "rad"});
+        field(TREAD_FIELD(yaw_moment_volume),
+              About{"m3",
+                    "yaw moment at mid-wheelbase over dynamic pressure, positive when it turns the nose away from the "
+                    "wind, over aerodynamic sideslip; odd",
+                    kAny, 0.2, "rad"});
+        field(TREAD_FIELD(roll_moment_volume),
+              About{"m3",
+                    "roll moment besides that of the side force over dynamic pressure, positive when it leans the roof "
+                    "away from the wind, over aerodynamic sideslip; odd",
+                    kAny, 0.3, "rad"});
     }
 };
 static_assert(describesEveryMember<AeroParams>());
 
 struct AeroForces {
-    Vector3 drag_B;     // N, at `height` above the road
-    double front_lift;  // N, at the front axle
-    double rear_lift;   // N, at the rear axle
+    Vector3 drag_B;      // N, at `height` above the road
+    double front_lift;   // N, at the front axle
+    double rear_lift;    // N, at the rear axle
+    double side_force;   // N, at mid-wheelbase and `height`, positive to the left
+    double yaw_moment;   // N m, positive to the left
+    double roll_moment;  // N m, positive to the right side down
 };
 
-// Forces at the velocity of the body through the air, in body axes.
+// Forces at the velocity of the body through the air, in body axes. Aerodynamic sideslip is the angle between that
+// velocity and the body's x axis in the x-y plane.
 AeroForces forces(const AeroParams& params, const Vector3& air_velocity_B);
 
 }  // namespace tread

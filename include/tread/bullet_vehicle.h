@@ -51,6 +51,9 @@ public:
     // Driver's input at the end of the next step; within it the input moves linearly from the last one.
     void setInput(const VehicleInput& input);
 
+    // Velocity of the air from the next step on, m/s, in the world. Still air until it is called.
+    void setWind(const Vector3& velocity_W);
+
     // Puts the car into a state, for example an equilibrium or a snapshot.
     void restore(const ChassisMotion& motion, const VehicleState& state, const VehicleInput& input);
 

@@ -20,6 +20,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdlib>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -80,7 +81,9 @@ namespace detail {
 
 struct ConvertsToAnything {
     template <class T>
-    operator T() const;  // declared only: used in unevaluated brace initialisers
+    operator T() const {
+        std::abort();  // never called: only whether brace initialisers take it is asked
+    }
 };
 
 template <class T, std::size_t... I>
@@ -100,27 +103,22 @@ constexpr std::size_t memberCount() {
     }
 }
 
+// Room for a T that is never made: only the places of its members are named.
 template <class T>
-struct Prototype {
+union Unmade {
+    char nothing;
     T value;
+    constexpr Unmade() : nothing() {}
+    constexpr ~Unmade() {}
 };
-template <class T>
-extern Prototype<T> prototype;  // never defined: only the addresses of its members are named, at compile time
 
-#if defined(__clang__)
-#pragma clang diagnostic push
-#pragma clang diagnostic ignored "-Wundefined-var-template"
-#pragma clang diagnostic ignored "-Wundefined-internal"
-#endif
 template <class T>
 constexpr std::size_t describedCount() {
     std::size_t count = 0;
-    T::describe(prototype<T>.value, [&count](auto&&...) { ++count; });
+    Unmade<T> unmade;
+    T::describe(unmade.value, [&count](auto&&...) { ++count; });
     return count;
 }
-#if defined(__clang__)
-#pragma clang diagnostic pop
-#endif
 
 template <class T>
 struct IsVector : std::false_type {};

@@ -7,10 +7,10 @@
 namespace tread {
 
 struct Start {
-    double x = 0;        // m, place on the road
-    double y = 0;        // m
-    double heading = 0;  // rad, about the vertical, 0 along x
-    double speed = 0;    // m/s, forward
+    double x = 0;          // m, place on the road
+    double y = 0;          // m
+    double heading = 0;    // rad, about the vertical, 0 along x
+    double speed = 0;      // m/s, forward
     VehicleInput input{};  // hand wheel, brake and clutch as they are held; the throttle is found for speeds above 0
 };
 

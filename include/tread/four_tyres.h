@@ -6,16 +6,23 @@
 
 namespace tread {
 
+// What a wheel's road and temperature make of its tyre, as factors on the tyre's own lambdas.
+template <class T>
+struct BasicTyreFactors {
+    T friction = 1;   // on lambda_mux and lambda_muy
+    T stiffness = 1;  // on lambda_Kx and lambda_Ky
+};
+using TyreFactors = BasicTyreFactors<double>;
+
 struct FourTyres {
     BasicTyreCoefficients<Lanes> parameters;
     BasicTyreScaling<Lanes> lambda;
 };
 FourTyres together(const PerWheel<TyreParams>& tyres);
 
-// Advances contact patches and spins as `advance` in tyre.h does, near standstill with its extension; `friction` is
-// that of the road under each wheel, as a factor on both lambda_mu.
+// Advances contact patches and spins as `advance` in tyre.h does, near standstill with its extension.
 PerWheel<TyreForces> advance(PerWheel<TyreState>& states, PerWheel<double>& Omega, const FourTyres& tyres,
-                             const PerWheel<double>& friction, const PerWheel<TyreMotion>& begin,
+                             const PerWheel<TyreFactors>& factors, const PerWheel<TyreMotion>& begin,
                              const PerWheel<TyreMotion>& end, const PerWheel<TyreSpin>& spins, double dt);
 
 }  // namespace tread

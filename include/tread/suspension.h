@@ -2,6 +2,7 @@
 // All rates are at the wheel. Travel is positive in compression and zero where the car stands at its static load.
 #pragma once
 
+#include "tread/curve.h"
 #include "tread/describe.h"
 
 namespace tread {
@@ -9,12 +10,36 @@ namespace tread {
 struct DamperParams {
     double bump = kRequired;
     double rebound = kRequired;
+    Curve bump_curve{};
+    Curve rebound_curve{};
     double friction = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(bump), About{"N s/m", "damping in compression", kNonNegative, 0.1});
         field(TREAD_FIELD(rebound), About{"N s/m", "damping in extension", kNonNegative, 0.1});
+        field(TREAD_FIELD(bump_curve), About{"N",
+                                             "force over the speed of compression, in place of bump; goes on beyond "
+                                             "its last point with its last slope",
+                                             kNonNegative, 0.1, "m/s"});
+        field(TREAD_FIELD(rebound_curve), About{"N",
+                                                "force over the speed of extension, in place of rebound; goes on "
+                                                "beyond its last point with its last slope",
+                                                kNonNegative, 0.1, "m/s"});
         field(TREAD_FIELD(friction), About{"N", "dry friction", kNonNegative, 0.3});
+    }
+
+    static void check(const auto& self, auto&& complain) {
+        checkFromZero(self.bump_curve, "bump_curve", complain);
+        checkFromZero(self.rebound_curve, "rebound_curve", complain);
+    }
+
+private:
+    static void checkFromZero(const Curve& curve, const char* name, auto&& complain) {
+        if (curve.empty()) return;
+        const Curve::Point& first = curve.points.front();
+        if (first.x != 0 || first.y != 0 || curve.points.size() < 2)
+            complain(name,
+                     "expected a curve of two points or more that begins at [0, 0]: a damper at rest gives no force");
     }
 };
 static_assert(describesEveryMember<DamperParams>());
@@ -37,6 +62,7 @@ static_assert(describesEveryMember<StopParams>());
 
 struct SuspensionParams {
     double spring = kRequired;
+    Curve spring_curve{};
     DamperParams damper;
     double anti_roll_bar = 0;
     StopParams bump_stop;
@@ -49,9 +75,18 @@ struct SuspensionParams {
     double toe = 0;
     double toe_by_travel = 0;
     double steer_by_lateral_force = 0;
+    double steer_by_aligning_moment = 0;
+    double steer_by_longitudinal_force = 0;
+    double camber_by_lateral_force = 0;
+    double longitudinal_compliance = 0;
+    double longitudinal_damping = 1000;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(spring), About{"N/m", "spring rate at the wheel", kPositive, 0.05});
+        field(TREAD_FIELD(spring_curve), About{"N",
+                                               "spring force beyond the static one over compression, in place of "
+                                               "spring; goes on beyond its ends with their slopes",
+                                               kAny, 0.05, "m"});
         field(TREAD_FIELD(damper), About{"", "damper"});
         field(TREAD_FIELD(anti_roll_bar),
               About{"N/m", "anti-roll bar: force per wheel over the difference of left and right travel", kNonNegative,
@@ -70,6 +105,29 @@ struct SuspensionParams {
         field(TREAD_FIELD(toe_by_travel), About{"rad/m", "change of toe over compression"});
         field(TREAD_FIELD(steer_by_lateral_force),
               About{"rad/N", "compliance steer of a wheel by its lateral force; negative understeers in front"});
+        field(TREAD_FIELD(steer_by_aligning_moment),
+              About{"rad/(N m)", "compliance steer of a wheel by its aligning moment", kNonNegative});
+        field(TREAD_FIELD(steer_by_longitudinal_force),
+              About{"rad/N", "toe-in of a wheel by its longitudinal force, positive when driving toes in"});
+        field(TREAD_FIELD(camber_by_lateral_force),
+              About{"rad/N", "compliance camber of a wheel by its lateral force, positive when the top leans away"});
+        field(TREAD_FIELD(longitudinal_compliance),
+              About{"m/N", "recession of a wheel against the body by its longitudinal force", kNonNegative, 0.3});
+        field(TREAD_FIELD(longitudinal_damping),
+              About{"N s/m", "damping of that recession; without effect on a rigid suspension", kNonNegative, 0.5});
+    }
+
+    static void check(const auto& self, auto&& complain) {
+        const auto& points = self.spring_curve.points;
+        if (points.empty()) return;
+        if (points.size() < 2 || points.front().x > 0 || points.back().x < 0)
+            complain("spring_curve", "expected two points or more, about the static position at travel 0");
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            if (points[i].y <= points[i - 1].y) {
+                complain("spring_curve", "expected a force that grows with compression from point to point");
+                return;
+            }
+        }
     }
 };
 static_assert(describesEveryMember<SuspensionParams>());
@@ -97,5 +155,24 @@ struct WheelAngles {
 };
 
 WheelAngles angles(const SuspensionParams& params, double travel, bool left);
+
+// What the forces of the road on a wheel, ISO 8855 wheel axes, add to that through the compliance of the suspension;
+// not what the aligning moment adds, which is AligningCompliance's.
+WheelAngles compliance(const SuspensionParams& params, double fx, double fy, bool left);
+
+// Longitudinal movement of a wheel against the body.
+struct Recession {
+    double travel = 0;        // m, positive forward
+    double rate = 0;          // m/s
+    double acceleration = 0;  // m/s2
+    double push = 0;          // m/s2: force of the road over the wheel's mass, less the body's acceleration there
+};
+
+// Advances it by dt under the push with which the last step ended. SDIRK2: second order, L-stable, so that a hard bush
+// does not ring.
+void advance(Recession& recession, const SuspensionParams& params, double mass, double dt);
+
+// The wheel moved under the push of the step's beginning and takes the change to that of its end.
+void takePush(Recession& recession, const SuspensionParams& params, double mass, double push, double dt);
 
 }  // namespace tread

@@ -6,17 +6,20 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <optional>
 #include <string>
 #include <type_traits>
 
 #include "tread/aero.h"
 #include "tread/brakes.h"
+#include "tread/compliance.h"
 #include "tread/driveline.h"
 #include "tread/four_tyres.h"
 #include "tread/road.h"
 #include "tread/steering.h"
 #include "tread/suspension.h"
 #include "tread/tyre.h"
+#include "tread/tyre_surroundings.h"
 #include "tread/vehicle_output.h"
 #include "tread/wheels.h"
 
@@ -39,12 +42,27 @@ struct InertiaParams {
 };
 static_assert(describesEveryMember<InertiaParams>());
 
+// What one wheel has that its axle has not.
+struct WheelParams {
+    std::optional<TyreParams> tyre{};
+    std::optional<TyreSurroundingsParams> tyre_surroundings{};
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(tyre), About{"", "tyre of this wheel alone, or the file that describes it"});
+        field(TREAD_FIELD(tyre_surroundings), About{"", "what acts on the tyre of this wheel alone"});
+    }
+};
+static_assert(describesEveryMember<WheelParams>());
+
 struct AxleParams {
     double track = kRequired;
     double unsprung_mass = kRequired;
     double wheel_inertia = kRequired;
     SuspensionParams suspension;
     TyreParams tyre;
+    TyreSurroundingsParams tyre_surroundings;
+    WheelParams left;
+    WheelParams right;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(track), About{"m", "distance between the contact points of both wheels", kPositive, 0.01});
@@ -53,6 +71,10 @@ struct AxleParams {
               About{"kg m2", "moment of inertia of one wheel with tyre and disc about its axis", kPositive, 0.1});
         field(TREAD_FIELD(suspension), About{"", "suspension"});
         field(TREAD_FIELD(tyre), About{"", "tyre, or the file that describes it"});
+        field(TREAD_FIELD(tyre_surroundings),
+              About{"", "what acts on the tyres: pressure, temperature, ply-steer, conicity"});
+        field(TREAD_FIELD(left), About{"", "what differs on the left wheel"});
+        field(TREAD_FIELD(right), About{"", "what differs on the right wheel"});
     }
 };
 static_assert(describesEveryMember<AxleParams>());
@@ -107,12 +129,18 @@ struct Vehicle {
         double lateral_slope;  // -, lateral movement of the contact point over compression (roll centre)
         double unsprung_mass;  // kg
         double wheel_inertia;  // kg m2
-        TyreParams tyre;       // as mounted on this side
+        TyreParams tyre;       // as mounted on this side, at its pressure
+        TyreShift tyre_shift;  // ply-steer and conicity
+        TyreTemperatureParams temperature;
+        double aligning_stiffness;  // N m/rad, of the tyre about the steering axis, at static load
     };
 
     VehicleParams params;
     PerWheel<Corner> corners;
-    FourTyres tyres;  // of the corners, for evaluation together
+    FourTyres tyres;             // of the corners, for evaluation together
+    bool recedes = false;        // some wheel moves along x
+    bool tyres_shifted = false;  // some tyre has ply-steer or conicity
+    bool tyres_warm = false;     // some tyre's temperature may differ from the nominal one
     Eigen::Matrix<double, 6, 6>
         inverse_mass;  // body axes: forces and moments to accelerations, unsprung masses free to move along z
 };
@@ -122,29 +150,37 @@ Vehicle prepare(const VehicleParams& params, double gravity = kStandardGravity);
 
 struct WheelState {
     TyreState tyre;
-    TyreMotion motion;  // of the tyre at the end of the last step, paper axes
-    double spin = 0;    // rad/s, positive forward
-    double travel = 0;  // m, compression
-    double rate = 0;    // m/s
-    double radius = 0;  // m, wheel centre to road
-    double steer = 0;   // rad, of the wheel against the body, toe included
+    TyreMotion motion;     // of the tyre at the end of the last step, paper axes
+    double spin = 0;       // rad/s, positive forward
+    double spin_rate = 0;  // rad/s2, over the last step
+    double travel = 0;     // m, compression
+    double rate = 0;       // m/s
+    double radius = 0;     // m, wheel centre to road
+    double steer = 0;      // rad, of the wheel against the body, toe included
     // Forces of the road on the tyre at the end of the last step, ISO 8855 wheel axes.
     double load = 0, fx = 0, fy = 0, mz = 0;
-    double fy_rate = 0;           // N/s, over the last step
+    double fx_rate = 0;           // N/s, over the last step
+    double fy_rate = 0;           // N/s
     double vertical_force = 0;    // N, of the load along the body's z axis
     double suspension_force = 0;  // N, of spring, damper, bar and stops, up on the body
     double link_force = 0;        // N, of the links, up on the wheel
     double tangent_force = 0;     // N, of fx and fy along the body's z axis: not zero when the body leans or pitches
     double drive_torque = 0;      // N m, of the driveline
     double brake_torque = 0;      // N m, that the brake can hold
+    Recession recession;
+    AligningCompliance moment_steer;
+    double warming = 0;  // K, temperature of the tyre less that at the start
 };
 
 struct VehicleState {
     PerWheel<WheelState> wheels;
+    SteeringState steering;
     DrivelineState driveline;
+    BrakeState brakes;
     std::array<double, 3> acceleration_W{};          // m/s2, of the centre of gravity at the end of the last step
     std::array<double, 3> angular_acceleration_W{};  // rad/s2
     double engine_torque = 0;                        // N m
+    double motor_torque = 0;                         // N m
 };
 static_assert(std::is_trivially_copyable_v<VehicleState>, "a snapshot is a copy");
 
@@ -160,6 +196,7 @@ struct ChassisMotion {
 struct Surroundings {
     const Road& road;
     Vector3 gravity_W{0, 0, -kStandardGravity};
+    Vector3 wind_W{0, 0, 0};  // m/s, velocity of the air
 };
 
 // Advances car and body by dt (at most about 2 ms); the driver's input is given at both ends of the step.

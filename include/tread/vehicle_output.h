@@ -13,12 +13,16 @@ struct VehicleInput {
     double throttle = 0;
     double brake = 0;
     double clutch = 0;
+    double parking_brake = 0;
+    double hands_off = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(steering_wheel_angle), About{"rad", "hand-wheel angle, positive to the left"});
         field(TREAD_FIELD(throttle), About{"-", "throttle pedal", kFraction});
         field(TREAD_FIELD(brake), About{"-", "brake pedal", kFraction});
         field(TREAD_FIELD(clutch), About{"-", "clutch pedal, 1 separates engine and gearbox", kFraction});
+        field(TREAD_FIELD(parking_brake), About{"-", "parking brake", kFraction});
+        field(TREAD_FIELD(hands_off), About{"-", "1 leaves the hand wheel to itself", kFraction});
     }
 };
 static_assert(describesEveryMember<VehicleInput>());
@@ -59,7 +63,9 @@ struct WheelOutput {
     double spin = 0;
     double travel = 0;
     double drive_torque = 0, brake_torque = 0;
+    double brake_temperature = 0;
     double patch_u = 0, patch_v = 0;
+    double temperature = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(load), About{"N", "normal load of the tyre"});
@@ -74,34 +80,65 @@ struct WheelOutput {
         field(TREAD_FIELD(travel), About{"m", "suspension travel, positive in compression"});
         field(TREAD_FIELD(drive_torque), About{"N m", "torque of the driveline on the wheel"});
         field(TREAD_FIELD(brake_torque), About{"N m", "torque that the brake can hold"});
+        field(TREAD_FIELD(brake_temperature), About{"K", "temperature of the brake disc"});
         field(TREAD_FIELD(patch_u), About{"m", "longitudinal deflection of the contact patch"});
         field(TREAD_FIELD(patch_v), About{"m", "lateral deflection of the contact patch"});
+        field(TREAD_FIELD(temperature), About{"K", "temperature of the tyre"});
     }
 };
 static_assert(describesEveryMember<WheelOutput>());
 
+struct SteeringOutput {
+    double angle = 0;
+    double torque = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(angle), About{"rad", "angle of the hand wheel, positive to the left"});
+        field(TREAD_FIELD(torque),
+              About{"N m", "torque of the driver on the hand wheel without power assistance, positive to the left"});
+    }
+};
+static_assert(describesEveryMember<SteeringOutput>());
+
 struct DrivelineOutput {
     double engine_speed = 0;
     double engine_torque = 0;
+    double motor_torque = 0;
     double gear = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(engine_speed), About{"rad/s", "engine speed"});
+        field(TREAD_FIELD(engine_speed), About{"rad/s", "engine speed, without an engine that of the motor"});
         field(TREAD_FIELD(engine_torque), About{"N m", "engine torque"});
+        field(TREAD_FIELD(motor_torque), About{"N m", "torque of the electric motor"});
         field(TREAD_FIELD(gear), About{"-", "gear"});
     }
 };
 static_assert(describesEveryMember<DrivelineOutput>());
 
+struct BrakeOutput {
+    double anti_lock = 0;
+    double stability_control = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(anti_lock), About{"-", "number of wheels whose pressure the anti-lock control regulates"});
+        field(TREAD_FIELD(stability_control), About{"N m", "brake torque that the stability control asks for"});
+    }
+};
+static_assert(describesEveryMember<BrakeOutput>());
+
 struct VehicleOutput {
     ChassisOutput chassis;
     PerWheel<WheelOutput> wheel;
+    SteeringOutput steering;
     DrivelineOutput driveline;
+    BrakeOutput brakes;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(chassis), About{"", "motion of the body"});
         field(TREAD_FIELD(wheel), About{"", "wheels and tyres"});
+        field(TREAD_FIELD(steering), About{"", "steering"});
         field(TREAD_FIELD(driveline), About{"", "driveline"});
+        field(TREAD_FIELD(brakes), About{"", "brakes"});
     }
 };
 static_assert(describesEveryMember<VehicleOutput>());

@@ -20,7 +20,7 @@ struct SingleNames {
 // The names of all units of the dimension that consist of one word.
 SingleNames singleNames(const Dimension& dimension) {
     SingleNames found;
-    const auto add = [&](std::string name) {
+    const auto add = [&](const std::string& name) {
         std::string fault;
         const auto unit = parseUnit(name, fault);
         if (!unit || unit->dimension != dimension) return;

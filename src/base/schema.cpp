@@ -4,29 +4,12 @@
 #include <cmath>
 
 #include "base/concat.h"
+#include "base/json_string.h"
 #include "base/number_text.h"
 #include "base/quantity_pattern.h"
 
 namespace tread::detail {
 namespace {
-
-std::string jsonString(std::string_view text) {
-    constexpr char kHex[] = "0123456789abcdef";
-    std::string out = "\"";
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\') {
-            out += '\\';
-            out += c;
-        } else if (byte < 0x20) {
-            out += "\\u00";
-            out += {kHex[byte >> 4], kHex[byte & 15]};
-        } else {
-            out += c;
-        }
-    }
-    return out + "\"";
-}
 
 std::string jsonList(std::span<const std::string> items) {
     std::string text = "[";
@@ -137,7 +120,7 @@ std::string SchemaBuilder::object(const std::vector<SchemaProperty>& properties)
 }
 
 std::string SchemaBuilder::reference(const std::string& name, const About& about, bool includable) const {
-    const std::string target = concat({R"({"$ref": )", jsonString("#/definitions/" + name), "}"});
+    std::string target = concat({R"({"$ref": )", jsonString("#/definitions/" + name), "}"});
     if (includable) {
         const About file{"", "name of a file, relative to this one"};
         return oneOf({simple("string", file), target}, about);

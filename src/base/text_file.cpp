@@ -1,7 +1,10 @@
 #include "base/text_file.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <fstream>
+#include <memory>
 #include <system_error>
 
 namespace tread {
@@ -53,6 +56,23 @@ std::size_t findTabInIndentation(std::string_view text) {
 
 }  // namespace
 
+std::optional<std::string> readWholeFile(const std::filesystem::path& path, std::string& fault) {
+    constexpr std::size_t kReadBytes = 1 << 20;
+    const auto close = [](std::FILE* file) { std::fclose(file); };
+    const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
+    bool failed = !file;
+    std::string text;
+    for (std::size_t size = 1; !failed && text.size() != size;) {
+        size = text.size();
+        text.resize(size + kReadBytes);
+        text.resize(size + std::fread(text.data() + size, 1, kReadBytes, file.get()));
+        failed = std::ferror(file.get()) != 0;
+    }
+    if (!failed) return text;
+    fault = std::generic_category().message(errno);
+    return {};
+}
+
 std::optional<std::string> readTextFile(const std::filesystem::path& file, std::string& fault) {
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
@@ -73,6 +93,10 @@ std::optional<std::string> readTextFile(const std::filesystem::path& file, std::
     }
     text.resize(static_cast<std::size_t>(stream.gcount()));
     return text;
+}
+
+bool isUtf8(std::string_view text) {
+    return findInvalidUtf8(text) == kNowhere;
 }
 
 bool isPlainText(std::string_view text, const std::string& file, std::vector<Problem>& problems) {

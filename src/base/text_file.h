@@ -14,11 +14,18 @@ namespace tread {
 // A described file is a few kilobytes; hostile text of 4 MB costs the YAML parser at most 1 GB (231 bytes a bracket).
 inline constexpr std::size_t kLargestFile = 4u << 20;
 
-// The bytes of a file; nothing, and the reason in `fault`, when they cannot be had.
+// All bytes of a file, however large; nothing, and the reason of the operating system in `fault`, when they cannot be
+// had.
+std::optional<std::string> readWholeFile(const std::filesystem::path& file, std::string& fault);
+
+// The bytes of a file that people wrote, at most one more than kLargestFile; nothing, and what to do in `fault`, when
+// they cannot be had.
 std::optional<std::string> readTextFile(const std::filesystem::path& file, std::string& fault);
 
 // Whether the text is UTF-8 without NUL, within size and without tabs in its indentation; the first fault otherwise.
 bool isPlainText(std::string_view text, const std::string& file, std::vector<Problem>& problems);
+
+bool isUtf8(std::string_view text);
 
 // Line and column (from 1, in characters) of a byte of the text.
 struct TextPosition {

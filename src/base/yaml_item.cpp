@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/concat.h"
+#include "base/json_string.h"
 #include "base/number_text.h"
 
 namespace tread {
@@ -105,29 +106,7 @@ YamlItem curveItem(std::string_view name, const Curve& curve, const About& about
 }
 
 YamlItem textItem(std::string_view name, std::string_view value) {
-    return {Kind::scalar, std::string(name), yamlString(value), "", {}};
-}
-
-std::string yamlString(std::string_view text) {
-    if (isPlainWord(text)) return std::string(text);
-    constexpr char kHex[] = "0123456789abcdef";
-    std::string out = "\"";
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\') {
-            out += '\\';
-            out += c;
-        } else if (c == '\n') {
-            out += "\\n";
-        } else if (c == '\t') {
-            out += "\\t";
-        } else if (byte < 0x20 || byte == 0x7F) {
-            out += {'\\', 'x', kHex[byte >> 4], kHex[byte & 15]};
-        } else {
-            out += c;
-        }
-    }
-    return out + "\"";
+    return {Kind::scalar, std::string(name), isPlainWord(value) ? std::string(value) : jsonString(value), "", {}};
 }
 
 std::string yamlText(const YamlItem& root) {

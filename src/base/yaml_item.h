@@ -24,10 +24,8 @@ struct YamlItem {
 // A number that is not finite cannot stand in a file: a remark takes its place.
 YamlItem numberItem(std::string_view name, double value, const About& about);
 YamlItem curveItem(std::string_view name, const Curve& curve, const About& about);
+// In quotes when the text would not read back as the same string without.
 YamlItem textItem(std::string_view name, std::string_view value);
-
-// Text that reads back as the same string, in quotes when it would not without.
-std::string yamlString(std::string_view text);
 
 // The text of a file whose top level is `root`.
 std::string yamlText(const YamlItem& root);

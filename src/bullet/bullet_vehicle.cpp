@@ -49,6 +49,7 @@ struct BulletVehicle::Implementation {
     VehicleState state;
     VehicleInput input;  // at the time of the last step
     VehicleInput next;   // at the end of the next one
+    Vector3 wind = Vector3::Zero();
     // Velocities that the body will show after Bullet's step if nobody else pushes it.
     Vector3 expected_velocity;
     Vector3 expected_angular_velocity;
@@ -88,6 +89,7 @@ BulletVehicle::BulletVehicle(const VehicleParams& params, btRigidBody& chassis, 
                                .state = {},
                                .input = {},
                                .next = {},
+                               .wind = Vector3::Zero(),
                                .expected_velocity = {},
                                .expected_angular_velocity = {}}) {
     self_->setMass();
@@ -104,6 +106,10 @@ BulletVehicle::~BulletVehicle() = default;
 
 void BulletVehicle::setInput(const VehicleInput& input) {
     self_->next = input;
+}
+
+void BulletVehicle::setWind(const Vector3& velocity_W) {
+    self_->wind = velocity_W;
 }
 
 void BulletVehicle::restore(const ChassisMotion& motion, const VehicleState& state, const VehicleInput& input) {
@@ -144,7 +150,7 @@ void BulletVehicle::plan(double dt) {
     // Advance the car on a motion of its own.
     s.road.beginStep();
     ChassisMotion end = s.motion;
-    const Surroundings surroundings{s.road, s.gravity()};
+    const Surroundings surroundings{s.road, s.gravity(), s.wind};
     const int substeps = std::max(1, static_cast<int>(std::ceil(dt / kLongestSubstep - 1e-6)));
     const auto inputAt = [&](int k) {
         VehicleInput input = s.input;
@@ -153,6 +159,8 @@ void BulletVehicle::plan(double dt) {
         input.throttle += share * (s.next.throttle - s.input.throttle);
         input.brake += share * (s.next.brake - s.input.brake);
         input.clutch += share * (s.next.clutch - s.input.clutch);
+        input.parking_brake += share * (s.next.parking_brake - s.input.parking_brake);
+        input.hands_off = s.next.hands_off;
         return input;
     };
     for (int k = 0; k < substeps; ++k) {

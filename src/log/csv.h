@@ -64,6 +64,9 @@ private:
 
 void writeLog(const std::filesystem::path& path, const Log& log);
 
+// The whole file, however large; throws FileError.
+std::string readBytes(const std::filesystem::path& path);
+
 // Throws LoadError with every fault (the first twenty), FileError when the file cannot be read.
 Log readLog(const std::filesystem::path& path);
 // The same for text in memory; `file` is the name used in the faults.

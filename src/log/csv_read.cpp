@@ -1,69 +1,55 @@
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <system_error>
 
+#include "base/text_file.h"
 #include "log/csv.h"
 #include "log/csv_header.h"
+#include "log/csv_lines.h"
 
 namespace tread {
 namespace {
 
 constexpr std::size_t kMostProblems = 20;        // more faults than a person reads at once
-constexpr std::size_t kReadBytes = 1 << 20;      // one read of the file
 constexpr std::size_t kBinaryProbeBytes = 4096;  // where control characters give a binary file away
 
 class Reader {
 public:
-    Reader(std::string_view text, const std::string& file) : rest_(text), file_(file) {}
+    Reader(std::string_view text, const std::string& file) : lines_(text), file_(file) {}
 
     Log read() {
         checkText();
         readColumns();
-        while (problems_.size() < kMostProblems && nextLine()) readRow();
+        while (problems_.size() < kMostProblems && lines_.next()) readRow();
         if (!problems_.empty()) throw LoadError(std::move(problems_));
-        if (log_.samples() == 0) throw LoadError({{file_, line_number_, 0, "", "there are no rows below the header"}});
+        if (log_.samples() == 0)
+            throw LoadError({{file_, lines_.number(), 0, "", "there are no rows below the header"}});
         return std::move(log_);
     }
 
 private:
     void fault(std::size_t column, std::string text) {
-        problems_.push_back({file_, line_number_, static_cast<int>(column), "", std::move(text)});
+        problems_.push_back({file_, lines_.number(), static_cast<int>(column), "", std::move(text)});
     }
 
     void checkText() {
-        constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-        if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
         const auto isBinary = [](char c) {
             return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r';
         };
-        const std::string_view probe = rest_.substr(0, kBinaryProbeBytes);
-        if (std::any_of(probe.begin(), probe.end(), isBinary) || rest_.find('\0') != std::string_view::npos) {
+        const std::string_view probe = lines_.rest().substr(0, kBinaryProbeBytes);
+        if (std::any_of(probe.begin(), probe.end(), isBinary) || lines_.rest().find('\0') != std::string_view::npos) {
             throw LoadError({{file_, 0, 0, "", "is not a text file, expected CSV with a header of `name [unit]`"}});
         }
     }
 
-    // Moves to the next line that is neither empty nor a comment; false at the end.
-    bool nextLine() {
-        while (!rest_.empty()) {
-            const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-            line_ = rest_.substr(0, end);
-            rest_.remove_prefix(std::min(end + 1, rest_.size()));
-            ++line_number_;
-            if (!line_.empty() && line_.back() == '\r') line_.remove_suffix(1);
-            if (line_.find_first_not_of(" \t") != std::string_view::npos && line_.front() != '#') return true;
-        }
-        return false;
-    }
-
     void readColumns() {
-        if (!nextLine()) throw LoadError({{file_, 0, 0, "", "is empty, expected a header of `name [unit]`"}});
-        const std::vector<Column> columns = readHeader(line_, line_number_, file_, problems_);
+        if (!lines_.next()) throw LoadError({{file_, 0, 0, "", "is empty, expected a header of `name [unit]`"}});
+        const std::vector<Column> columns = readHeader(lines_.line(), lines_.number(), file_, problems_);
         if (!problems_.empty()) throw LoadError(std::move(problems_));
-        const auto lines = static_cast<std::size_t>(std::count(rest_.begin(), rest_.end(), '\n')) + 1;
-        const std::size_t rows = std::min(lines, rest_.size() / (2 * columns.size()) + 1);  // a cell has two characters
+        const std::string_view rest = lines_.rest();
+        const auto lines = static_cast<std::size_t>(std::count(rest.begin(), rest.end(), '\n')) + 1;
+        const std::size_t rows = std::min(lines, rest.size() / (2 * columns.size()) + 1);  // a cell has two characters
         for (const Column& column : columns) {
             log_.channels.push_back({column.name, column.unit, {}});
             log_.channels.back().values.reserve(rows);
@@ -71,12 +57,13 @@ private:
     }
 
     void readRow() {
-        const char* at = line_.data();
-        const char* const end = at + line_.size();
+        const std::string_view line = lines_.line();
+        const char* at = line.data();
+        const char* const end = at + line.size();
         const std::size_t columns = log_.channels.size();
         for (std::size_t i = 0; i < columns; ++i) {
             double value;
-            const std::size_t place = static_cast<std::size_t>(at - line_.data()) + 1;
+            const std::size_t place = static_cast<std::size_t>(at - line.data()) + 1;
             if (!readNumber(at, end, value)) return notANumber(place, i);
             const bool ends = at == end;
             if (ends != (i + 1 == columns)) return ragged(place);
@@ -97,7 +84,7 @@ private:
     }
 
     void notANumber(std::size_t place, std::size_t column) {
-        const std::string_view rest = line_.substr(place - 1);
+        const std::string_view rest = lines_.line().substr(place - 1);
         const std::string_view cell = rest.substr(0, rest.find(','));
         const bool empty = cell.find_first_not_of(" \t") == std::string_view::npos;
         fault(place, "column " + shown(log_.channels[column].name) + ": " +
@@ -105,7 +92,8 @@ private:
     }
 
     void ragged(std::size_t place) {
-        const auto values = static_cast<std::size_t>(std::count(line_.begin(), line_.end(), ',')) + 1;
+        const std::string_view line = lines_.line();
+        const auto values = static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1;
         const std::size_t columns = log_.channels.size();
         const auto counted = [](std::size_t count, const char* what) {
             return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
@@ -122,10 +110,8 @@ private:
         }
     }
 
-    std::string_view rest_;
+    CsvLines lines_;
     std::string file_;
-    std::string_view line_;
-    int line_number_ = 0;
     Log log_;
     std::vector<Problem> problems_;
 };
@@ -136,22 +122,15 @@ Log parseLog(std::string_view text, const std::string& file) {
     return Reader(text, file).read();
 }
 
+std::string readBytes(const std::filesystem::path& path) {
+    std::string fault;
+    auto text = readWholeFile(path, fault);
+    if (!text) throw FileError("cannot read '" + path.string() + "': " + fault);
+    return std::move(*text);
+}
+
 Log readLog(const std::filesystem::path& path) {
-    const auto close = [](std::FILE* file) { std::fclose(file); };
-    const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
-    const auto fail = [&] {
-        throw FileError("cannot read '" + path.string() + "': " + std::generic_category().message(errno));
-    };
-    if (!file) fail();
-    std::string text;
-    std::size_t size = 0;
-    do {
-        size = text.size();
-        text.resize(size + kReadBytes);
-        text.resize(size + std::fread(text.data() + size, 1, kReadBytes, file.get()));
-        if (std::ferror(file.get())) fail();
-    } while (text.size() > size);
-    return parseLog(text, path.string());
+    return parseLog(readBytes(path), path.string());
 }
 
 }  // namespace tread

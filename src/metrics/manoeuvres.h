@@ -21,6 +21,8 @@ Manoeuvre weave();
 Manoeuvre transition();
 Manoeuvre hillStart();
 Manoeuvre laneChange();
+Manoeuvre crosswind();
 Manoeuvre steadyCircle();
+Manoeuvre ride();
 
 }  // namespace tread

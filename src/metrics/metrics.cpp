@@ -28,7 +28,9 @@ const std::vector<Manoeuvre>& manoeuvres() {
                                                 frequencyResponse(),
                                                 weave(),
                                                 transition(),
-                                                laneChange()};
+                                                laneChange(),
+                                                crosswind(),
+                                                ride()};
     return list;
 }
 

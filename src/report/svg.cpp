@@ -24,7 +24,7 @@ constexpr double kPadding = 0.04;   // of the span of the values, free on both s
 constexpr std::string_view kDashed = R"( stroke-dasharray="6 3")";
 constexpr std::string_view kSolid = R"( stroke-linecap="round")";  // a curve of one point is a dot
 constexpr std::size_t kMostPoints = 2000;
-constexpr std::string_view kInk = "#1c2024", kPaper = "#ffffff", kGrid = "#dfe2e6", kAxis = "#9aa1a9";
+constexpr std::string_view kInk = "#1c2024", kGrid = "#dfe2e6", kAxis = "#9aa1a9";
 
 using Out = std::back_insert_iterator<std::string>;
 
@@ -238,25 +238,17 @@ void writeSeries(Out out, const Chart& chart, const Layout& layout) {
     fmt::format_to(out, "</svg>");
 }
 
-std::string write(const Chart& chart, bool file) {
+}  // namespace
+
+std::string svgInline(const Chart& chart) {
     const Layout layout = layoutOf(chart);
     std::string text;
     const Out out(text);
-    fmt::format_to(
-        out,
-        R"(<svg{} class="tread-chart" viewBox="0 0 {:.0f} {:.0f}" width="{:.0f}" height="{:.0f}" role="img" )"
-        R"(aria-label="{}" font-family="system-ui, 'DejaVu Sans', sans-serif" font-size="{}" fill="{}">)",
-        file ? R"( xmlns="http://www.w3.org/2000/svg")" : "", chart.width, layout.total_height, chart.width,
-        layout.total_height, escapeMarkup(chart.title), kFont, kInk);
-    if (file) {
-        // The attributes are the light scheme, for programs that know no style sheets.
-        fmt::format_to(
-            out,
-            "<style>.ink{{fill:{}}}@media(prefers-color-scheme:dark){{.ink{{fill:#e6e8eb}}.paper{{fill:#14171b}}"
-            ".grid{{stroke:#2b3036}}.axis{{stroke:#5d656e}}}}</style><rect class=\"paper\" fill=\"{}\" "
-            "width=\"100%\" height=\"100%\"/>",
-            kInk, kPaper);
-    }
+    fmt::format_to(out,
+                   R"(<svg class="tread-chart" viewBox="0 0 {:.0f} {:.0f}" width="{:.0f}" height="{:.0f}" role="img" )"
+                   R"(aria-label="{}" font-family="system-ui, 'DejaVu Sans', sans-serif" font-size="{}" fill="{}">)",
+                   chart.width, layout.total_height, chart.width, layout.total_height, escapeMarkup(chart.title), kFont,
+                   kInk);
     if (!chart.title.empty()) {
         fmt::format_to(out, R"(<text class="ink" x="{:.1f}" y="{:.1f}" font-size="14" font-weight="600">{}</text>)",
                        kMargin, kMargin + 12, escapeMarkup(chart.title));
@@ -264,18 +256,8 @@ std::string write(const Chart& chart, bool file) {
     writeFrame(out, chart, layout);
     writeSeries(out, chart, layout);
     writeLegend(out, chart, layout);
-    fmt::format_to(out, "</svg>{}", file ? "\n" : "");
+    fmt::format_to(out, "</svg>");
     return text;
-}
-
-}  // namespace
-
-std::string svgInline(const Chart& chart) {
-    return write(chart, false);
-}
-
-std::string svgFile(const Chart& chart) {
-    return write(chart, true);
 }
 
 }  // namespace tread

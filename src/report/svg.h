@@ -1,4 +1,4 @@
-// A chart as SVG: cross-plots, paths, tyre curves, pictures for a README. Nothing but text goes out: no fonts, no
+// A chart as SVG: cross-plots, paths, tyre curves. Nothing but text goes out: no fonts, no
 // scripts, no references.
 #pragma once
 
@@ -49,8 +49,5 @@ struct Chart {
 
 // For an HTML page, whose style sheet colours text and grid.
 std::string svgInline(const Chart& chart);
-
-// A complete .svg file, which follows the light or dark scheme of its viewer.
-std::string svgFile(const Chart& chart);
 
 }  // namespace tread

@@ -16,7 +16,7 @@ struct RunRecord {
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(tread_version), About{"", "version of the program"});
-        field(TREAD_FIELD(seed), About{"", "seed of everything random (nothing is, so far)"});
+        field(TREAD_FIELD(seed), About{"", "seed of everything random that has none of its own"});
         field(TREAD_FIELD(vehicle), About{"", "the car, includes and settings resolved"});
         field(TREAD_FIELD(scenario), About{"", "the scenario, settings resolved"});
     }

@@ -4,16 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "base/numbers.h"
 #include "base/pattern.h"
-#include "road/plane.h"
 #include "run/health.h"
+#include "run/sensors.h"
 #include "run/world.h"
 #include "scenario/driver.h"
 #include "tread/bullet_vehicle.h"
 #include "tread/equilibrium.h"
+#include "tread/road_surface.h"
 
 namespace tread {
 namespace {
@@ -25,23 +27,37 @@ constexpr double kMostStepsPerRow = 1e9;  // a row at the beginning and one at t
 // What the run logs: columns, and where in the sample each number is read.
 class Sample {
 public:
-    explicit Sample(const std::vector<std::string>& patterns) {
+    explicit Sample(const LogParams& params, double step = kInfinity) {
         std::vector<Number> all{{"time", &time, {"s", "time since the start of the manoeuvre"}}};
         for (Number& n : numbers(driver, "driver")) all.push_back(std::move(n));
         for (Number& n : numbers(car)) all.push_back(std::move(n));
         for (const Number& n : all) {
             const auto fits = [&](const std::string& pattern) { return matches(pattern, n.path); };
+            const auto& patterns = params.channels;
             if (n.path != "time" && !patterns.empty() && std::none_of(patterns.begin(), patterns.end(), fits)) continue;
             columns_.push_back({n.path, std::string(n.about.unit)});
             sources_.push_back(n.value);
         }
-        row_.resize(sources_.size());
+        for (const SensorParams& sensor : params.sensors) {
+            const auto source =
+                std::find_if(all.begin(), all.end(), [&](const Number& n) { return n.path == sensor.channel; });
+            if (source == all.end()) continue;  // refused by checkSensors()
+            columns_.push_back({"sensor." + sensor.loggedName(), std::string(source->about.unit)});
+            sensors_.push_back({Sensor(sensor, step), source->value});
+        }
+        row_.resize(columns_.size());
     }
 
     const std::vector<Column>& columns() const { return columns_; }
     std::span<const double> row() {
-        for (std::size_t i = 0; i < row_.size(); ++i) row_[i] = *sources_[i];
+        for (std::size_t i = 0; i < sources_.size(); ++i) row_[i] = *sources_[i];
+        for (std::size_t i = 0; i < sensors_.size(); ++i) row_[sources_.size() + i] = sensors_[i].sensor.reading();
         return row_;
+    }
+
+    // In every step, once the sample is complete.
+    void observe(const BodyMotion& body) {
+        for (Observed& one : sensors_) one.sensor.observe(*one.source, body);
     }
 
     double time = 0;
@@ -51,6 +67,11 @@ public:
 private:
     std::vector<Column> columns_;
     std::vector<double*> sources_;
+    struct Observed {
+        Sensor sensor;
+        const double* source;
+    };
+    std::vector<Observed> sensors_;  // behind the channels
     std::vector<double> row_;
 };
 
@@ -58,10 +79,35 @@ double unwrapped(double angle, double previous) {
     return angle - 2 * std::numbers::pi * std::round((angle - previous) / (2 * std::numbers::pi));
 }
 
+// The car starts in the part of the steady wind that blows along its heading: a side wind it meets as it starts, for
+// held straight it is in no equilibrium there.
+Vector3 startingWind(const Scenario& scenario) {
+    const Vector3 heading(std::cos(scenario.start.heading), std::sin(scenario.start.heading), 0);
+    return windAt({.speed = scenario.wind.speed, .direction = scenario.wind.direction, .gust = {}}, 0, 0).dot(heading) *
+           heading;
+}
+
+BodyMotion bodyMotion(const BulletVehicle& car) {
+    const auto vectorOf = [](const std::array<double, 3>& a) { return Vector3(a[0], a[1], a[2]); };
+    return {car.motion(), vectorOf(car.state().acceleration_W), vectorOf(car.state().angular_acceleration_W)};
+}
+
+void checkSensors(const std::vector<SensorParams>& sensors) {
+    if (sensors.empty()) return;
+    const std::vector<Column> all = recordedColumns({});
+    std::vector<std::string_view> names;
+    for (const Column& column : all) names.push_back(column.name);
+    for (const SensorFault& fault : sensorFaults(sensors, names)) {
+        throw SimulationError(fmt::format("log.sensors.{}.{}: {}", fault.sensor, fault.path, fault.text), 0);
+    }
+}
+
 Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const Surroundings& surroundings) {
     const StartParams& start = scenario.start;
     Equilibrium rest = equilibrium(prepare(params), surroundings,
-                                   {.heading = start.heading, .speed = start.speed, .input = {.brake = start.brake}});
+                                   {.heading = start.heading,
+                                    .speed = start.speed,
+                                    .input = {.brake = start.brake, .parking_brake = start.parking_brake}});
     if (!std::isfinite(rest.acceleration)) {
         throw SimulationError(
             fmt::format("the simulation broke down before the start, while the car settled on its wheels: its "
@@ -93,13 +139,14 @@ Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const
 void simulate(const VehicleParams& params, const Scenario& scenario, const Recorder& recorder) {
     // World, car and road; the car in equilibrium.
     World world(params);
-    PlaneRoad road(scenario.road.grade, scenario.road.bank, scenario.road.friction);
-    const Equilibrium rest = startOf(params, scenario, {road});
-    BulletVehicle car(params, world.chassis(), road);
+    const std::unique_ptr<Road> road = makeRoad(scenario.road);
+    const Equilibrium rest = startOf(params, scenario, {.road = *road, .wind_W = startingWind(scenario)});
+    BulletVehicle car(params, world.chassis(), *road);
     car.restore(rest.motion, rest.state, rest.input);
     Driver driver(scenario, rest.input, {params.wheelbase, params.steering.ratio});
 
-    Sample sample(scenario.log.channels);
+    checkSensors(scenario.log.sensors);
+    Sample sample(scenario.log, scenario.step);
     sample.driver = rest.input;
     recorder.begin(sample.columns());
 
@@ -112,7 +159,8 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
         sample.car = car.output();
         sample.car.chassis.yaw = unwrapped(sample.car.chassis.yaw, yaw_before);
         checkHealth(sample.car, sample.time);
-        driver.look(sample.time, sample.car.chassis);
+        sample.observe(bodyMotion(car));
+        driver.look(sample.time, sample.car.chassis, sample.car.steering.angle);
 
         const bool finished = driver.finished(sample.time);
         if (k % steps_per_row == 0 || finished) recorder.row(sample.row());
@@ -129,6 +177,7 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
 
         sample.driver = driver.inputAt(static_cast<double>(k + 1) * dt);
         car.setInput(sample.driver);
+        car.setWind(windAt(scenario.wind, sample.time + 0.5 * dt, sample.car.chassis.x));
         car.plan(dt);
         world.step(dt);
         car.observe();
@@ -136,7 +185,7 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
 }
 
 std::vector<Column> recordedColumns(const std::vector<std::string>& patterns) {
-    return Sample(patterns).columns();
+    return Sample({.channels = patterns}).columns();
 }
 
 Recorder recorderInto(Log& log) {

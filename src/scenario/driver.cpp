@@ -29,7 +29,7 @@ void Driver::beginPhase() {
     hands_.begin(held_.steering_wheel_angle);
 }
 
-void Driver::look(double time, const ChassisOutput& chassis) {
+void Driver::look(double time, const ChassisOutput& chassis, double hand_wheel_angle) {
     const double dt = time - seen_time_, elapsed = time - phase_start_;
     if (looked_) {
         seen_.distance += dt * std::hypot(chassis.vx, chassis.vy);
@@ -41,6 +41,7 @@ void Driver::look(double time, const ChassisOutput& chassis) {
     }
     looked_ = true;
     seen_.car = chassis;
+    seen_hand_wheel_ = hand_wheel_angle;
     if (phase().until.steering_above) seen_.steering_wheel_angle = signals(time).steering_wheel_angle;
     seen_time_ = time;
     if (!ended_ && happened(phase().until, seen_)) next(time);
@@ -70,9 +71,14 @@ VehicleInput Driver::signals(double time) const {
     VehicleInput input;
     input.steering_wheel_angle =
         watchesCar(now.steering) ? hands_.angle() : valueAt(now.steering, held_.steering_wheel_angle, elapsed);
+    if (std::holds_alternative<HandsOff>(now.steering)) {
+        input.hands_off = 1;
+        input.steering_wheel_angle = seen_hand_wheel_;  // where the hands would find it
+    }
     input.throttle = valueAt(now.throttle, held_.throttle, elapsed);
     input.brake = valueAt(now.brake, held_.brake, elapsed);
     input.clutch = valueAt(now.clutch, held_.clutch, elapsed);
+    input.parking_brake = valueAt(now.parking_brake, held_.parking_brake, elapsed);
     if (const auto* hold = std::get_if<HoldSpeed>(&now.throttle)) {
         const auto [throttle, brake] = feet_.pedals(*hold, seen_.car.vx, elapsed);
         input.throttle = throttle;

@@ -26,6 +26,7 @@ void forEachReplay(Scenario& scenario, const auto& visit) {
         look(phase.throttle, "throttle", Pedal{});
         look(phase.brake, "brake", Pedal{});
         look(phase.clutch, "clutch", Pedal{});
+        look(phase.parking_brake, "parking_brake", Pedal{});
     }
 }
 

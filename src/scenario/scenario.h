@@ -7,43 +7,36 @@
 #include <vector>
 
 #include "scenario/course.h"
+#include "scenario/sensor.h"
 #include "scenario/series.h"
 #include "scenario/signals.h"
 #include "scenario/until.h"
+#include "scenario/wind.h"
 #include "tread/describe.h"
+#include "tread/road_params.h"
 
 namespace tread {
-
-struct RoadParams {
-    double grade = 0;
-    double bank = 0;
-    double friction = 1;
-
-    static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(grade), About{"-", "rise over run along x"});
-        field(TREAD_FIELD(bank), About{"-", "rise over run along y"});
-        field(TREAD_FIELD(friction), About{"-", "scales the friction of the tyre files", kNonNegative});
-    }
-};
-static_assert(describesEveryMember<RoadParams>());
 
 // The car starts in equilibrium: settled on its suspension, wheels rolling, the throttle that holds the speed.
 struct StartParams {
     double speed = 0;
     double heading = 0;
     double brake = 0;
+    double parking_brake = 0;
     double drop = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(speed), About{"m/s", "forward speed", kNonNegative});
         field(TREAD_FIELD(heading), About{"rad", "direction, 0 along x, positive to the left"});
         field(TREAD_FIELD(brake), About{"-", "brake pedal", kFraction});
+        field(TREAD_FIELD(parking_brake), About{"-", "parking brake", kFraction});
         field(TREAD_FIELD(drop), About{"m", "height above equilibrium from which the car is dropped", kNonNegative});
     }
 
     static void check(const auto& self, auto&& complain) {
-        if (self.speed > 0 && self.brake > 0)
-            complain("brake", "a car that starts at a speed cannot have its brakes on; put the braking into a phase");
+        if (self.speed > 0 && self.brake + self.parking_brake > 0)
+            complain(self.brake > 0 ? "brake" : "parking_brake",
+                     "a car that starts at a speed cannot have its brakes on; put the braking into a phase");
     }
 };
 static_assert(describesEveryMember<StartParams>());
@@ -54,6 +47,7 @@ struct Phase {
     ThrottleSignal throttle;
     PedalSignal brake;
     PedalSignal clutch;
+    PedalSignal parking_brake;
     Until until;
 
     static constexpr void describe(auto& self, auto&& field) {
@@ -62,6 +56,7 @@ struct Phase {
         field(TREAD_FIELD(throttle), About{"", "throttle pedal"});
         field(TREAD_FIELD(brake), About{"", "brake pedal"});
         field(TREAD_FIELD(clutch), About{"", "clutch pedal, 1 separates engine and gearbox"});
+        field(TREAD_FIELD(parking_brake), About{"", "parking brake"});
         field(TREAD_FIELD(until), About{"", "when the phase ends"});
     }
 };
@@ -70,11 +65,13 @@ static_assert(describesEveryMember<Phase>());
 struct LogParams {
     double rate = 100;
     std::vector<std::string> channels;
+    std::vector<SensorParams> sensors = {};
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(rate),
               About{"1/s", "rows per second (rounded to a whole number of steps per row)", kPositive});
         field(TREAD_FIELD(channels), About{"", "names of the channels to log, * for any characters; none: all"});
+        field(TREAD_FIELD(sensors), About{"", "sensors, logged beside the channels as sensor.<name>"});
     }
 };
 static_assert(describesEveryMember<LogParams>());
@@ -86,6 +83,7 @@ struct Scenario {
     double step = 0.001;
     double time_limit = 120;
     RoadParams road;
+    WindParams wind;
     StartParams start;
     CourseParams course;
     std::vector<Phase> phases;
@@ -101,6 +99,7 @@ struct Scenario {
         field(TREAD_FIELD(time_limit),
               About{"s", "time after which a manoeuvre that did not end has failed", kPositive});
         field(TREAD_FIELD(road), About{"", "road"});
+        field(TREAD_FIELD(wind), About{"", "wind"});
         field(TREAD_FIELD(start), About{"", "start"});
         field(TREAD_FIELD(course), About{"", "path and lanes of the manoeuvre"});
         field(TREAD_FIELD(phases), About{"", "what the driver does, one phase after the other"});

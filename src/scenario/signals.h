@@ -167,14 +167,20 @@ struct Replay {
     }
 };
 
+// Hands off: the hand wheel turns by itself; the next phase begins where it then is.
+struct HandsOff {
+    static constexpr std::string_view kName = "hands_off";
+    static constexpr void describe(auto&, auto&&) {}
+};
+
 using SteeringSignal =
     std::variant<Keep, Constant<Angle>, Ramp<Angle>, Sine<Angle>, SineWithDwell<Angle>, Sweep<Angle>, Pulse<Angle>,
-                 Random<Angle>, Table<Angle>, Replay<Angle>, HoldLateralAcceleration, HoldRadius, FollowPath>;
+                 Random<Angle>, Table<Angle>, Replay<Angle>, HoldLateralAcceleration, HoldRadius, FollowPath, HandsOff>;
 using PedalSignal = std::variant<Keep, Constant<Pedal>, Ramp<Pedal>, Table<Pedal>, Replay<Pedal>>;
 using ThrottleSignal = std::variant<Keep, Constant<Pedal>, Ramp<Pedal>, Table<Pedal>, Replay<Pedal>, HoldSpeed>;
 
-// Value `elapsed` seconds into the phase, for a signal that was at `held` when the phase began. What watches the car is
-// no function of time, and a Replay must have been read (replay.h): they answer `held`.
+// Value `elapsed` seconds into the phase, for a signal that was at `held` when the phase began. What watches the car,
+// and HandsOff, is no function of time, and a Replay must have been read (replay.h): they answer `held`.
 double valueAt(const SteeringSignal& signal, double held, double elapsed);
 double valueAt(const PedalSignal& signal, double held, double elapsed);
 double valueAt(const ThrottleSignal& signal, double held, double elapsed);

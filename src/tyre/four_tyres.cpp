@@ -19,17 +19,17 @@ bool hasAvx2() {
 }  // namespace
 
 FourTyres together(const PerWheel<TyreParams>& t) {
-    return {together<BasicTyreCoefficients>({t.front_left.parameters, t.front_right.parameters, t.rear_left.parameters,
-                                             t.rear_right.parameters}),
+    return {together<BasicTyreCoefficients>(
+                {t.front_left.parameters, t.front_right.parameters, t.rear_left.parameters, t.rear_right.parameters}),
             together<BasicTyreScaling>(
                 {t.front_left.lambda, t.front_right.lambda, t.rear_left.lambda, t.rear_right.lambda})};
 }
 
 PerWheel<TyreForces> advance(PerWheel<TyreState>& states, PerWheel<double>& Omega, const FourTyres& tyres,
-                             const PerWheel<double>& friction, const PerWheel<TyreMotion>& begin,
+                             const PerWheel<TyreFactors>& factors, const PerWheel<TyreMotion>& begin,
                              const PerWheel<TyreMotion>& end, const PerWheel<TyreSpin>& spins, double dt) {
     static const bool avx2 = hasAvx2();
-    const FourTyresStep step{states, Omega, tyres, friction, begin, end, spins, dt};
+    const FourTyresStep step{states, Omega, tyres, factors, begin, end, spins, dt};
     return avx2 ? takeWithAvx2(step) : take(step);
 }
 

@@ -11,7 +11,7 @@ struct FourTyresStep {
     PerWheel<TyreState>& states;
     PerWheel<double>& Omega;
     const FourTyres& tyres;
-    const PerWheel<double>& friction;
+    const PerWheel<TyreFactors>& factors;
     const PerWheel<TyreMotion>& begin;
     const PerWheel<TyreMotion>& end;
     const PerWheel<TyreSpin>& spins;
@@ -31,15 +31,17 @@ PerWheel<Struct<double>> perWheel(const Struct<Lanes>& lanes) {
 
 inline PerWheel<TyreForces> take(const FourTyresStep& s) {
     BasicTyreScaling<Lanes> lambda = s.tyres.lambda;
-    lambda.mux *= together(s.friction);
-    lambda.muy *= together(s.friction);
+    const auto factors = together<BasicTyreFactors>(s.factors);
+    lambda.mux *= factors.friction;
+    lambda.muy *= factors.friction;
+    lambda.Kx *= factors.stiffness;
+    lambda.Ky *= factors.stiffness;
 
     BasicTyreState<Lanes> state = together<BasicTyreState>(s.states);
     Lanes Omega = together(s.Omega);
     const BasicTyreSpin<Lanes> spin = together<BasicTyreSpin>(s.spins);
-    const auto forces =
-        advance<Lanes>(state, Omega, {s.tyres.parameters, lambda}, together<BasicTyreMotion>(s.begin),
-                       together<BasicTyreMotion>(s.end), FreeSpin<Lanes>{spin}, s.dt, Standstill::hold);
+    const auto forces = advance<Lanes>(state, Omega, {s.tyres.parameters, lambda}, together<BasicTyreMotion>(s.begin),
+                                       together<BasicTyreMotion>(s.end), FreeSpin<Lanes>{spin}, s.dt, Standstill::hold);
     s.states = perWheel(state);
     s.Omega = {Omega[0], Omega[1], Omega[2], Omega[3]};
     return perWheel(forces);

@@ -31,7 +31,7 @@ Wrench weight(const Vehicle& vehicle, const BodyFrame& body);
 // weight() count them, at static load.
 Wrench displacedWheels(const Vehicle& vehicle, const PerWheel<WheelState>& wheels, const BodyFrame& body);
 
-Wrench aeroWrench(const Vehicle& vehicle, const BodyFrame& body);
+Wrench aeroWrench(const Vehicle& vehicle, const BodyFrame& body, const Vector3& wind_W);
 
 // What one wheel hands to the body: horizontal tyre forces at the contact, suspension and link forces at the hub,
 // tyre moments, reaction of the spin.

@@ -1,6 +1,7 @@
 // The equilibrium is found by letting the car settle: all sub-models, present and future, are in it as they are. What
 // the settling adds vanishes at rest: the body heaves, rolls and pitches as if it were light, and is damped; a rolling
-// car is held at its speed while the torque at the wheels is sought that leaves no longitudinal acceleration.
+// car is held at its speed while the torque at the wheels is sought that leaves no longitudinal acceleration. Dry friction
+// in the suspension could hold the body anywhere nearby; it is left out, so that the car stands where it does not act.
 
 #include "tread/equilibrium.h"
 
@@ -47,6 +48,9 @@ ChassisMotion placed(const Vehicle& vehicle, const Surroundings& surroundings, c
 
 VehicleState resting(const Vehicle& vehicle, const Start& start) {
     VehicleState state;
+    const VehicleParams& params = vehicle.params;
+    state.steering =
+        steadySteering(params.steering, start.input.steering_wheel_angle, params.front.track, params.wheelbase);
     for (std::size_t i = 0; i < kWheels; ++i) {
         const TyreCoefficients& p = vehicle.corners[i].tyre.parameters;
         WheelState& wheel = state.wheels[i];
@@ -96,7 +100,9 @@ double meanDrivenSpin(const VehicleState& state, double front_share) {
 
 }  // namespace
 
-Equilibrium equilibrium(const Vehicle& vehicle, const Surroundings& surroundings, const Start& start) {
+Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, const Start& start) {
+    Vehicle vehicle = car;
+    for (AxleParams* axle : {&vehicle.params.front, &vehicle.params.rear}) axle->suspension.damper.friction = 0;
     const ChassisMotion place = placed(vehicle, surroundings, start);
     const bool rolls = start.speed != 0;
     const double front_share = vehicle.params.driveline.front_share;
@@ -146,7 +152,11 @@ Equilibrium equilibrium(const Vehicle& vehicle, const Surroundings& surroundings
     // Rest at last: what the settling left is below what matters.
     result.motion.velocity_W = place.velocity_W;
     result.motion.angular_velocity_W.setZero();
-    for (std::size_t i = 0; i < kWheels; ++i) state.wheels[i].rate = 0;
+    for (std::size_t i = 0; i < kWheels; ++i) {
+        WheelState& wheel = state.wheels[i];
+        wheel.rate = wheel.recession.rate = wheel.recession.acceleration = 0;
+        wheel.warming = 0;
+    }
     return result;
 }
 

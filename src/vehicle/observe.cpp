@@ -35,7 +35,17 @@ ChassisOutput observeChassis(const ChassisMotion& motion, const VehicleState& st
     return out;
 }
 
-WheelOutput observeWheel(const WheelState& wheel, double rolling_radius) {
+SteeringOutput observeSteering(const VehicleState& state, const SteeringParams& params) {
+    const auto moment = [&](const WheelState& wheel, bool left) {
+        return steeringMoment(params, wheel.fx, wheel.fy, wheel.mz, left);
+    };
+    const double torque = handWheelTorque(state.steering, params, moment(state.wheels.front_left, true),
+                                          moment(state.wheels.front_right, false));
+    return {state.steering.angle, torque};
+}
+
+WheelOutput observeWheel(const WheelState& wheel, const Vehicle::Corner& corner) {
+    const double rolling_radius = corner.tyre.parameters.Re;
     const double speed = std::max(std::abs(wheel.motion.Vx), kSlowWheel);
     WheelOutput out;
     out.load = wheel.load;
@@ -52,6 +62,7 @@ WheelOutput observeWheel(const WheelState& wheel, double rolling_radius) {
     out.brake_torque = wheel.brake_torque;
     out.patch_u = wheel.tyre.u;
     out.patch_v = -wheel.tyre.v;  // ISO 8855: positive to the left
+    out.temperature = corner.temperature.start + wheel.warming;
     return out;
 }
 
@@ -63,9 +74,14 @@ VehicleOutput observe(const ChassisMotion& motion, const VehicleState& state, co
     VehicleOutput out;
     out.chassis = observeChassis(motion, state, up);
     for (std::size_t i = 0; i < kWheels; ++i) {
-        out.wheel[i] = observeWheel(state.wheels[i], vehicle.corners[i].tyre.parameters.Re);
+        out.wheel[i] = observeWheel(state.wheels[i], vehicle.corners[i]);
+        out.wheel[i].brake_temperature = vehicle.params.brakes.ambient_temperature + state.brakes.heating[i];
+        out.brakes.stability_control += state.brakes.stability_control.torque[i];
     }
-    out.driveline = {state.driveline.engine_speed, state.engine_torque, static_cast<double>(state.driveline.gear)};
+    out.steering = observeSteering(state, vehicle.params.steering);
+    out.brakes.anti_lock = regulatedWheels(state.brakes.anti_lock);
+    out.driveline = {state.driveline.engine_speed, state.engine_torque, state.motor_torque,
+                     static_cast<double>(state.driveline.gear)};
     return out;
 }
 

@@ -12,14 +12,30 @@ TyreParams mounted(const TyreParams& tyre, bool left) {
     return here;
 }
 
+// The slope of the moment about the steering axis with the steer angle, at small slip.
+double aligningStiffness(const TyreParams& tyre, double load, double caster_trail) {
+    constexpr double kSmall = 1e-3;  // rad
+    constexpr double kSpeed = 20;    // m/s
+    const auto at = [&](double slip) {
+        return steadyState(tyre, {.Fz = load, .gamma = 0, .Vx = kSpeed, .Vsx = 0, .Vsy = kSpeed * slip});
+    };
+    const TyreSteadyState more = at(kSmall), less = at(-kSmall);
+    const double slope = more.Mz - less.Mz - caster_trail * (more.Fy - less.Fy);
+    return std::abs(slope) / (2 * kSmall);
+}
+
 Vehicle::Corner cornerOf(const VehicleParams& params, std::size_t wheel, double gravity) {
     const AxleParams& axle = axleOf(wheel) == 0 ? params.front : params.rear;
     const double rear_axle_distance = params.wheelbase - params.front_axle_distance;
     const bool front = axleOf(wheel) == 0;
     const double share = (front ? rear_axle_distance : params.front_axle_distance) / params.wheelbase;
     const double load = 0.5 * share * params.mass * gravity;
-    const TyreCoefficients& p = axle.tyre.parameters;
-    const double radius = p.Ro - load / (p.pz1 * axle.tyre.lambda.Cz);
+    const WheelParams& own = isLeft(wheel) ? axle.left : axle.right;
+    const TyreSurroundingsParams& surroundings =
+        own.tyre_surroundings ? *own.tyre_surroundings : axle.tyre_surroundings;
+    const TyreParams tyre = inflated(mounted(own.tyre ? *own.tyre : axle.tyre, isLeft(wheel)), surroundings.pressure);
+    const TyreCoefficients& p = tyre.parameters;
+    const double radius = p.Ro - load / (p.pz1 * tyre.lambda.Cz);
 
     // The track is measured at the contacts, which lie below the hubs in the plane of the leaning wheels.
     const double camber = axle.suspension.camber;
@@ -32,7 +48,10 @@ Vehicle::Corner cornerOf(const VehicleParams& params, std::size_t wheel, double 
     corner.lateral_slope = sideSign(wheel) * axle.suspension.roll_centre_height / (0.5 * axle.track);
     corner.unsprung_mass = axle.unsprung_mass;
     corner.wheel_inertia = axle.wheel_inertia;
-    corner.tyre = mounted(axle.tyre, isLeft(wheel));
+    corner.tyre = tyre;
+    corner.tyre_shift = shiftOf(surroundings, isLeft(wheel));
+    corner.temperature = surroundings.temperature;
+    corner.aligning_stiffness = aligningStiffness(tyre, load, front ? params.steering.caster_trail : 0);
     return corner;
 }
 
@@ -41,7 +60,13 @@ Vehicle::Corner cornerOf(const VehicleParams& params, std::size_t wheel, double 
 Vehicle prepare(const VehicleParams& params, double gravity) {
     Vehicle vehicle;
     vehicle.params = params;
-    for (std::size_t i = 0; i < kWheels; ++i) vehicle.corners[i] = cornerOf(params, i, gravity);
+    for (std::size_t i = 0; i < kWheels; ++i) {
+        const Vehicle::Corner& corner = vehicle.corners[i] = cornerOf(params, i, gravity);
+        vehicle.tyres_shifted |= !corner.tyre_shift.none();
+        vehicle.tyres_warm |= warms(corner.temperature);
+    }
+    vehicle.recedes =
+        params.front.suspension.longitudinal_compliance > 0 || params.rear.suspension.longitudinal_compliance > 0;
     vehicle.tyres =
         together({vehicle.corners[0].tyre, vehicle.corners[1].tyre, vehicle.corners[2].tyre, vehicle.corners[3].tyre});
 

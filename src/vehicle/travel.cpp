@@ -65,10 +65,17 @@ PerWheel<WheelContact> advanceTravel(PerWheel<WheelState>& wheels, const Vehicle
     for (std::size_t i = 0; i < kWheels; ++i) {
         const Vehicle::Corner& corner = vehicle.corners[i];
         WheelState& wheel = wheels[i];
-        const WheelAngles lean = angles(suspensionOf(vehicle, i), wheel.travel, isLeft(i));
-        wheel.steer =
-            steer[i] + lean.toe + suspensionOf(vehicle, i).steer_by_lateral_force * (wheel.fy + dt * wheel.fy_rate);
-        contacts[i] = wheelContact(end, corner, wheel.travel, lean.camber, wheel.steer, road, i);
+        const SuspensionParams& suspension = suspensionOf(vehicle, i);
+        const WheelAngles lean = angles(suspension, wheel.travel, isLeft(i));
+        const WheelAngles yielding =
+            compliance(suspension, wheel.fx + dt * wheel.fx_rate, wheel.fy + dt * wheel.fy_rate, isLeft(i));
+        wheel.steer = steer[i] + lean.toe + yielding.toe;
+        if (suspension.steer_by_aligning_moment != 0) {
+            wheel.steer += wheel.moment_steer.advance(suspension.steer_by_aligning_moment, corner.aligning_stiffness,
+                                                      wheel.mz, dt);
+        }
+        contacts[i] = wheelContact(end, corner, {wheel.recession.travel, 0, wheel.travel},
+                                   lean.camber + yielding.camber, wheel.steer, road, i);
         const TyreLoad tyre = tyreLoad(corner.tyre, contacts[i], end, wheel.rate);
         const SuspensionForce spring = suspensionForce(vehicle, wheels, i);
         const double force_end =
@@ -95,6 +102,7 @@ PerWheel<WheelContact> advanceTravel(PerWheel<WheelState>& wheels, const Vehicle
 
 void takeTyreForces(WheelState& wheel, const TyreForces& tyre, const Vehicle& vehicle, const WheelContact& contact,
                     std::size_t index, double dt) {
+    wheel.fx_rate = (tyre.Fx - wheel.fx) / dt;
     wheel.fx = tyre.Fx;
     wheel.fy_rate = (tyre.Fy - wheel.fy) / dt;
     wheel.fy = tyre.Fy;

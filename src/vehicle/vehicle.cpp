@@ -8,15 +8,28 @@
 #include "tread/vehicle.h"
 
 #include "vehicle/body.h"
+#include "vehicle/recession.h"
 #include "vehicle/travel.h"
+#include "vehicle/tyre_conditions.h"
 #include "vehicle/wheel.h"
 
 namespace tread {
 namespace {
 
-PerWheel<double> steered(const VehicleParams& params, double steering_wheel_angle) {
-    const auto front = roadWheelAngles(params.steering, steering_wheel_angle, params.front.track, params.wheelbase);
-    return {front.left, front.right, 0, 0};
+SteeringMotion steer(VehicleState& state, const Vehicle& vehicle, const VehicleInput& begin, const VehicleInput& end,
+                     double dt) {
+    const VehicleParams& params = vehicle.params;
+    const WheelState &left = state.wheels.front_left, &right = state.wheels.front_right;
+    const SteeringInput input{
+        .begin = begin.steering_wheel_angle,
+        .end = end.steering_wheel_angle,
+        .hands_off = end.hands_off > 0.5,
+        .track = params.front.track,
+        .wheelbase = params.wheelbase,
+        .left_moment = steeringMoment(params.steering, left.fx, left.fy, left.mz, true),
+        .right_moment = steeringMoment(params.steering, right.fx, right.fy, right.mz, false),
+        .aligning_stiffness = vehicle.corners[0].aligning_stiffness + vehicle.corners[1].aligning_stiffness};
+    return advance(state.steering, params.steering, input, dt);
 }
 
 double middle(double begin, double end) {
@@ -25,6 +38,42 @@ double middle(double begin, double end) {
 
 PerWheel<double> spins(const PerWheel<WheelState>& wheels) {
     return {wheels[0].spin, wheels[1].spin, wheels[2].spin, wheels[3].spin};
+}
+
+// What the driver asks of the driveline, and what it sees of the wheels and of the body that leans on them.
+DrivelineInput drivelineInput(const Vehicle& vehicle, const VehicleState& state, const BodyFrame& body,
+                              const VehicleInput& begin, const VehicleInput& end) {
+    DrivelineInput input{.throttle = middle(begin.throttle, end.throttle),
+                         .clutch_pedal = middle(begin.clutch, end.clutch),
+                         .wheel_spin = spins(state.wheels)};
+    for (std::size_t i = 0; i < kWheels; ++i) {
+        const WheelState& wheel = state.wheels[i];
+        input.wheel_inertia[i] = vehicle.corners[i].wheel_inertia;
+        input.wheel_load[i] = vehicle.corners[i].wheel_inertia * wheel.spin_rate - wheel.drive_torque;
+    }
+    input.lateral_acceleration = body.acceleration_B.y();
+    // A motor leaves wheels that may lock to their brakes.
+    if (regulatedWheels(state.brakes.anti_lock) == 0)
+        input.brake_torque = vehicle.params.brakes.full_pedal_torque * middle(begin.brake, end.brake);
+    return input;
+}
+
+// The same for the brakes and their controllers.
+BrakeInput brakeInput(const Vehicle& vehicle, const VehicleState& state, const BodyFrame& body,
+                      const VehicleInput& begin, const VehicleInput& end) {
+    BrakeInput input{.pedal_begin = begin.brake,
+                     .pedal_end = end.brake,
+                     .parking_begin = begin.parking_brake,
+                     .parking_end = end.parking_brake};
+    for (std::size_t i = 0; i < kWheels; ++i) {
+        input.spin[i] = state.wheels[i].spin;
+        input.speed[i] = state.wheels[i].motion.Vx;
+        input.rolling[i] = vehicle.corners[i].tyre.parameters.Re * state.wheels[i].spin;
+    }
+    input.car.speed = body.velocity_B.x();
+    input.car.yaw_rate = body.angular_velocity_B.z();
+    input.car.wheelbase = vehicle.params.wheelbase;
+    return input;
 }
 
 }  // namespace
@@ -39,41 +88,50 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
     const BodyFrame to = bodyFrame(next, state, surroundings.gravity_W);
 
     // Steering.
-    const PerWheel<double> steer_begin = steered(params, begin.steering_wheel_angle);
-    const PerWheel<double> steer = steered(params, end.steering_wheel_angle);
+    const SteeringMotion front = steer(state, vehicle, begin, end, dt);
+    const PerWheel<double> steer_begin{front.begin.left, front.begin.right, 0, 0};
+    const PerWheel<double> steer_end{front.end.left, front.end.right, 0, 0};
 
     // Suspension travel and wheel loads.
-    const auto contacts = advanceTravel(state.wheels, vehicle, from, to, steer, surroundings.road, dt);
+    if (vehicle.recedes) advanceRecession(state.wheels, vehicle, dt);
+    const auto contacts = advanceTravel(state.wheels, vehicle, from, to, steer_end, surroundings.road, dt);
 
     // Driveline and brake torques, with their mean over the step.
     const DrivelineTorques drive =
-        advance(state.driveline, params.driveline,
-                {middle(begin.throttle, end.throttle), middle(begin.clutch, end.clutch), spins(state.wheels)}, dt);
-    const PerAxle<double> brake = brakeTorques(params.brakes, end.brake);
-    const PerAxle<double> mean_brake = brakeTorques(params.brakes, middle(begin.brake, end.brake));
+        advance(state.driveline, params.driveline, drivelineInput(vehicle, state, from, begin, end), dt);
+    BrakeInput brake_input = brakeInput(vehicle, state, from, begin, end);
+    brake_input.recovered = drive.braked;
+    brake_input.car.steer = middle(steer_end.front_left, steer_end.front_right);
+    const BrakeTorques brake = advance(state.brakes, params.brakes, brake_input, dt);
     state.engine_torque = drive.engine;
+    state.motor_torque = drive.motor;
 
     // Tyre forces and spin.
     PerWheel<TyreState> tyres;
     PerWheel<TyreMotion> motion_begin, motion_end;
     PerWheel<TyreSpin> torques;
-    PerWheel<double> friction, steer_rate, spin;
+    PerWheel<TyreFactors> factors;
+    PerWheel<double> steer_rate, spin;
     const PerWheel<double> spin_begin = spins(state.wheels);
     for (std::size_t i = 0; i < kWheels; ++i) {
         WheelState& wheel = state.wheels[i];
-        wheel.drive_torque = drive.wheel[axleOf(i)];
-        wheel.brake_torque = brake[axleOf(i)];
-        steer_rate[i] = (steer[i] - steer_begin[i]) / dt;
+        wheel.drive_torque = drive.wheel[i];
+        wheel.brake_torque = brake.end[i];
+        steer_rate[i] = (steer_end[i] - steer_begin[i]) / dt;
         tyres[i] = wheel.tyre;
         motion_begin[i] = wheel.motion;
         motion_end[i] =
             tyreMotion(contacts[i], to, contactSlopes(wheel, vehicle, i), wheel.rate, steer_rate[i], wheel.load);
-        torques[i] = {vehicle.corners[i].wheel_inertia, contacts[i].radius, wheel.drive_torque, mean_brake[axleOf(i)]};
-        friction[i] = contacts[i].friction;
+        if (vehicle.recedes) recede(motion_end[i], wheel.recession, contacts[i]);
+        wheel.motion = motion_end[i];
+        torques[i] = {vehicle.corners[i].wheel_inertia, contacts[i].radius, wheel.drive_torque, brake.mean[i]};
+        factors[i].friction = contacts[i].friction;
         spin[i] = wheel.spin;
     }
+    if (vehicle.tyres_shifted) shiftMotions(motion_begin, motion_end, vehicle);
+    if (vehicle.tyres_warm) applyWarmth(factors, state.wheels, vehicle);
     const PerWheel<TyreForces> paper =
-        advance(tyres, spin, vehicle.tyres, friction, motion_begin, motion_end, torques, dt);
+        advance(tyres, spin, vehicle.tyres, factors, motion_begin, motion_end, torques, dt);
 
     // What each wheel hands to the body.
     Wrench wrench = weight(vehicle, to);
@@ -81,7 +139,7 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
         WheelState& wheel = state.wheels[i];
         wheel.tyre = tyres[i];
         wheel.spin = spin[i];
-        wheel.motion = motion_end[i];
+        wheel.spin_rate = (wheel.spin - spin_begin[i]) / dt;
         const TyreForces tyre = toIso(paper[i]);
         takeTyreForces(wheel, tyre, vehicle, contacts[i], i, dt);
         addWheel(wrench,
@@ -92,15 +150,17 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
                   .suspension_force = wheel.suspension_force,
                   .link_force = wheel.link_force,
                   .spin = wheel.spin,
-                  .spin_rate = (wheel.spin - spin_begin[i]) / dt,
+                  .spin_rate = wheel.spin_rate,
                   .steer_rate = steer_rate[i]},
                  to);
     }
 
     wrench.add(displacedWheels(vehicle, state.wheels, to));
+    if (vehicle.recedes) wrench.add(recessionWrench(state.wheels, vehicle, contacts, to, dt));
+    if (vehicle.tyres_warm) warmTyres(state.wheels, vehicle, dt);
 
     // Aerodynamics.
-    wrench.add(aeroWrench(vehicle, to));
+    wrench.add(aeroWrench(vehicle, to, surroundings.wind_W));
 
     // One wrench moves the body.
     correct(next, state, vehicle, to, wrench, dt);

@@ -28,10 +28,10 @@ BodyFrame bodyFrame(const ChassisMotion& motion, const VehicleState& state, cons
     return body;
 }
 
-WheelContact wheelContact(const BodyFrame& body, const Vehicle::Corner& corner, double travel, double camber,
-                          double steer, const Road& road, std::size_t wheel) {
+WheelContact wheelContact(const BodyFrame& body, const Vehicle::Corner& corner, const Vector3& displacement,
+                          double camber, double steer, const Road& road, std::size_t wheel) {
     WheelContact contact;
-    contact.hub_B = corner.hub_B + Vector3(0, 0, travel);
+    contact.hub_B = corner.hub_B + displacement;
     const RoadContact ground = road.contact(body.position_W + body.to_world * contact.hub_B, wheel);
     const Vector3 n = body.to_world.transpose() * ground.normal_W;
     const Vector3 plane_B = body.to_world.transpose() * (ground.point_W - body.position_W);

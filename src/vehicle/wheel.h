@@ -31,8 +31,9 @@ struct WheelContact {
     bool exists;
     Vector3 ground_velocity_B;
 };
-WheelContact wheelContact(const BodyFrame& body, const Vehicle::Corner& corner, double travel, double camber,
-                          double steer, const Road& road, std::size_t wheel);
+// `displacement` is that of the wheel centre against the body, from where it is at static load.
+WheelContact wheelContact(const BodyFrame& body, const Vehicle::Corner& corner, const Vector3& displacement,
+                          double camber, double steer, const Road& road, std::size_t wheel);
 
 // Normal load of the tyre (83), and its slopes with deflection and deflection rate.
 struct TyreLoad {

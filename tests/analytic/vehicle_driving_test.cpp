@@ -63,11 +63,7 @@ TEST(Braking, LockedWheelsStopWithinTheSlidingFriction) {
         load += car.state.wheels[i].load;
     }
     friction /= load;
-    double t = 0;
-    while (car.output().chassis.vx > 3) {
-        car.step(kStep);
-        t += kStep;
-    }
+    while (car.output().chassis.vx > 3) car.step(kStep);
     const double end = car.output().chassis.vx;
     const double distance = (car.motion.position_W - from).norm();
     const double closed = (speed * speed - end * end) / (2 * friction * kStandardGravity);
@@ -191,7 +187,7 @@ TEST(Accelerating, DriveTorqueMovesCarWheelsAndEngine) {
         const int gear = car.state.driveline.gear;
         for (int k = 0; k < 200; ++k) car.step(kStep);
         ASSERT_EQ(car.state.driveline.gear, gear) << "no shift in the measured time";
-        const EngineParams& engine = params.driveline.engine;
+        const EngineParams& engine = *params.driveline.engine;
         const GearboxParams& box = params.driveline.gearbox;
         const double ratio = box.ratios[static_cast<std::size_t>(gear - 1)] * box.final_drive;
         const double radius = car.vehicle.corners[0].tyre.parameters.Re;
@@ -305,7 +301,7 @@ double kineticAndPotential(const reference::Car& car) {
     double sum = 0.5 * params.mass * v.squaredNorm() + params.mass * kStandardGravity * car.motion.position_W.z() +
                  0.5 * (params.inertia.roll * w.x() * w.x() + params.inertia.pitch * w.y() * w.y() +
                         params.inertia.yaw * w.z() * w.z()) +
-                 0.5 * params.driveline.engine.inertia * drive.engine_speed * drive.engine_speed +
+                 0.5 * params.driveline.engine->inertia * drive.engine_speed * drive.engine_speed +
                  0.5 * box.inertia * drive.gearbox_speed * drive.gearbox_speed +
                  0.5 * params.driveline.shaft_stiffness * drive.twist * drive.twist;
     for (std::size_t i = 0; i < kWheels; ++i) {

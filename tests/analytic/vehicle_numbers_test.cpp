@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <string>
 #include <vector>
 
 #include "base/numbers.h"
@@ -47,6 +48,12 @@ std::vector<Drive> drives(const VehicleParams& params) {
                   in.clutch = t < 0.7 ? 1 : 0;
                   return in;
               }});
+    // Letting the hand wheel go in a turn.
+    all.push_back(Drive{reference::settled(params, level, {.speed = 15}), 300, [](double t, VehicleInput in) {
+                            in.steering_wheel_angle = std::min(4 * t, 0.6);
+                            in.hands_off = t < 0.2 ? 0 : 1;
+                            return in;
+                        }});
     // Into the shift up from first gear, at full throttle, and down from second.
     const GearboxParams& box = params.driveline.gearbox;
     const auto inGear = [&](std::size_t gear, double gearbox_speed, double throttle) {
@@ -61,6 +68,31 @@ std::vector<Drive> drives(const VehicleParams& params) {
     all.push_back(Drive{inGear(1, 0.99 * box.shift_up_speed, 1), 300, [](double, VehicleInput in) { return in; }});
     all.push_back(Drive{inGear(2, 1.06 * box.shift_down_speed, 0), 300, [](double, VehicleInput in) {
                             in.brake = 0.2;
+                            return in;
+                        }});
+    // To where the controllers stay out: slowing down in a hard turn, full brakes at walking speed. Hot discs.
+    const auto slowly = [&](double speed, VehicleInput (*driver)(double, VehicleInput)) {
+        reference::Car car = reference::settled(params, level, {.speed = speed});
+        for (std::size_t i = 0; i < kWheels; ++i) car.state.brakes.heating[i] = 250;
+        all.push_back(Drive{car, 600, driver});
+    };
+    slowly(5.4, [](double t, VehicleInput in) {
+        in.brake = 0.3;
+        in.steering_wheel_angle = 5 * std::sin(20 * t);
+        return in;
+    });
+    const auto full_brakes = [](double t, VehicleInput in) {
+        in.throttle = 0;
+        in.brake = t < 0.1 ? 0 : 1;
+        in.steering_wheel_angle = std::min(50 * t, 5.0);
+        in.parking_brake = t > 0.3 ? 0.4 : 0;
+        return in;
+    };
+    for (const double speed : {4.5, 4.45, 4.4}) slowly(speed, full_brakes);
+    // A long stop.
+    all.push_back(Drive{reference::settled(params, level, {.speed = 18}), 1000, [](double t, VehicleInput in) {
+                            in.throttle = 0;
+                            in.brake = t < 0.05 ? 0 : 1;
                             return in;
                         }});
     // Pulling in every gear.
@@ -94,38 +126,126 @@ bool identical(const std::vector<double>& a, const std::vector<double>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-TEST(NumbersOfACar, EachOneIsFelt) {
-    // A number that the program reads and forgets would leave the log as it is.
-    VehicleParams params = reference::compact();
-    // What the shipped car has not may still be wanted.
-    params.inertia.roll_yaw = 20;
-    params.rear.suspension.steer_by_lateral_force = 1e-6;
-    params.driveline.front_share = 0.6;
-    for (AxleParams* axle : {&params.front, &params.rear}) {
-        axle->suspension.damper.friction = 30;
-        axle->suspension.side_view_slope_driving = 0.05;
-        axle->tyre.parameters.pVx1 = 0.01;
-        axle->tyre.parameters.qx1 = 1e-5;
-    }
+// Changes every number whose path begins with one of the beginnings a little, one at a time, and looks for it in a log.
+void expectEachIsFelt(VehicleParams params, const std::vector<std::string>& beginnings) {
     const std::vector<Drive> all_drives = drives(params);
     std::vector<std::vector<double>> before;
     for (const Drive& drive : all_drives) before.push_back(log(drive, params));
     for (const auto& values : before)
         EXPECT_TRUE(std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); }));
 
-    std::size_t felt = 0;
-    const std::vector<Number> all = numbers(params);
-    for (const Number& n : all) {
+    std::size_t felt = 0, tried = 0;
+    for (const Number& n : numbers(params)) {
+        const auto begins = [&](const std::string& beginning) { return n.path.starts_with(beginning); };
+        if (std::none_of(beginnings.begin(), beginnings.end(), begins)) continue;
         const double value = *n.value;
-        *n.value = value - 0.01 * (std::abs(value) + (value == 0 ? 0.1 : 0.0));
+        // A threshold of a controller may lie between two of its samples: a larger change then crosses one.
         bool changed = false;
-        for (std::size_t i = 0; i < all_drives.size() && !changed; ++i)
-            changed = !identical(log(all_drives[i], params), before[i]);
+        for (const double share : {0.01, 0.1}) {
+            *n.value = value - share * (std::abs(value) + (value == 0 ? 0.1 : 0.0));
+            for (std::size_t i = 0; i < all_drives.size() && !changed; ++i)
+                changed = !identical(log(all_drives[i], params), before[i]);
+        }
         EXPECT_TRUE(changed) << n.path;
         felt += changed;
+        ++tried;
         *n.value = value;
     }
-    std::printf("%zu of %zu numbers of a car are felt\n", felt, all.size());
+    std::printf("%zu of %zu numbers of a car are felt\n", felt, tried);
+}
+
+// A car with a little of everything that a driveline with engine and clutch, brakes and controllers can have.
+void equip(VehicleParams& params) {
+    DrivelineParams& drive = params.driveline;
+    drive.front_share = 0.6;
+    drive.engine->response_time = 0.02;
+    drive.engine->part_load = {{0.5, {{{80, 40}, {700, 30}}}}};
+    drive.gearbox.shift_time = 0.1;
+    drive.front_differential =
+        LimitedSlipDifferential{.preload = 20, .locking_driving = 0.05, .locking_coasting = 0.04, .viscosity = 1};
+    drive.rear_differential = VectoringDifferential{.by_lateral_acceleration = 30, .largest = 100};
+    drive.centre_differential =
+        LimitedSlipDifferential{.preload = 10, .locking_driving = 0.03, .locking_coasting = 0.02, .viscosity = 2};
+    BrakeParams& brakes = params.brakes;
+    brakes.delay = 0.02;
+    brakes.lag = 0.03;
+    brakes.rear_proportioning = {.knee = 2e6, .slope = 0.5};
+    brakes.front_disc = brakes.rear_disc = {
+        .heat_capacity = 4000, .cooling = 5, .cooling_by_speed = 1, .friction = {{{300, 1}, {800, 0.8}}}};
+    brakes.parking_torque = 1500;
+    brakes.anti_lock.enabled = brakes.stability_control.enabled = true;
+    brakes.stability_control.largest = 300;
+    params.aero.side_force_area = params.aero.yaw_moment_volume = {{{0, 0}, {0.5, 1}}};
+}
+
+TEST(NumbersOfACar, EachOneIsFelt) {
+    // A number that the program reads and forgets would leave the log as it is.
+    VehicleParams params = reference::compact();
+    equip(params);
+    // What the shipped car has not may still be wanted.
+    params.inertia.roll_yaw = 20;
+    params.rear.suspension.steer_by_lateral_force = 1e-6;
+    for (AxleParams* axle : {&params.front, &params.rear}) {
+        axle->suspension.damper.friction = 30;
+        axle->suspension.side_view_slope_driving = 0.05;
+        axle->tyre.parameters.pVx1 = 0.01;
+        axle->tyre.parameters.qx1 = 1e-5;
+        axle->suspension.steer_by_aligning_moment = 1e-5;
+        axle->suspension.steer_by_longitudinal_force = 1e-6;
+        axle->suspension.camber_by_lateral_force = 1e-6;
+        axle->suspension.longitudinal_compliance = 1e-6;
+        axle->tyre_surroundings = {.pressure = {.inflation = 200000,
+                                                .radial_stiffness = 0.7,
+                                                .slip_stiffness = 0.2,
+                                                .cornering_stiffness = 0.5,
+                                                .cornering_peak_load = 0.4},
+                                   .temperature = {.start = 300,
+                                                   .heat_capacity = 2000,
+                                                   .slip_share = 0.7,
+                                                   .cooling = 10,
+                                                   .cooling_by_speed = 1,
+                                                   .friction = 0.001,
+                                                   .friction_squared = -1e-5,
+                                                   .stiffness = -0.002},
+                                   .ply_steer = 0.001,
+                                   .conicity = 0.002};
+    }
+    // One wheel wears another tyre than its axle.
+    params.rear.right = {.tyre = params.rear.tyre, .tyre_surroundings = params.rear.tyre_surroundings};
+    params.rear.right.tyre->parameters.Ro -= 0.002;
+    params.steering = {.ratio = params.steering.ratio,
+                       .ratio_curve = {},
+                       .ackermann = params.steering.ackermann,
+                       .delay = 0.012,
+                       .lag = 0.02,
+                       .play = 0.02,
+                       .column_compliance = 0.005,
+                       .rack_compliance = 2e-5,
+                       .caster_trail = 0.02,
+                       .scrub_radius = 0.01,
+                       .inertia = 0.05,
+                       .damping = 0.2,
+                       .friction = 0.3};
+    expectEachIsFelt(params, {""});
+}
+
+TEST(NumbersOfACar, EachOneOfAHybridWithATorqueConverterIsFelt) {
+    VehicleParams params = reference::compact();
+    params.driveline.coupling = TorqueConverterParams{.capacity = {{{0, 0.0028}, {0.8, 0.002}, {1, 0}}},
+                                                      .torque_ratio = {{{0, 2}, {0.85, 1}}},
+                                                      .lock_up_torque = 10,
+                                                      .lock_up_speed_ratio = 0.85,
+                                                      .lock_up_gear = 1};
+    params.driveline.motor = MotorParams{.torque = 100,
+                                         .power = 25000,
+                                         .speed_limit = 385,
+                                         .inertia = 0.02,
+                                         .drag = {{{0, 1}, {700, 3}}},
+                                         .lift_off_regeneration = 0.2,
+                                         .brake_regeneration = 0.1,
+                                         .regeneration_speed = 100,
+                                         .response_time = 0.04};
+    expectEachIsFelt(params, {"driveline.coupling", "driveline.motor"});
 }
 
 }  // namespace

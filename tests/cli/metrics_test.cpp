@@ -57,7 +57,7 @@ TEST_F(Metrics, UnknownManoeuvreIsAnsweredWithASuggestionAndTheList) {
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err,
               "tread: there is no manoeuvre \"stp_steer\", only drop_and_settle, parked, straight_braking, coast_down, "
-              "step_steer, sine_steer or steady_circle; did you mean \"step_steer\"?\n");
+              "step_steer, sine_steer, steady_circle or ride; did you mean \"step_steer\"?\n");
 }
 
 TEST_F(Metrics, LogWithoutTheManoeuvreSaysWhatWasLookedFor) {

@@ -111,7 +111,9 @@ TEST(StandardOutput, ThatIsFullIsOneSentenceOfEveryCommand) {
     const std::string log = scratch.path("log.csv");
     writeLog(log, cli::stepSteer());
     const std::string slips = scratch.file("slips.csv", "Fz,gamma,Vx,Vsx,Vsy\n4000,0,20,0,1\n");
+    const std::string root = TREAD_SOURCE_DIR;
     const std::vector<std::vector<std::string>> answers{
+        {"run", root + "/vehicles/compact.yaml", root + "/scenarios/drop_and_settle.yaml", "-o", scratch.path("out")},
         {"--version"},
         {"run", "--help"},
         {"describe", "tyre"},

@@ -88,13 +88,5 @@ TEST_F(TreadRun, DiskWithoutSpaceIsTold) {
     EXPECT_EQ(results(), Names{"run.yaml"});
 }
 
-TEST_F(TreadRun, AnswerThatCannotBePrintedIsAFault) {
-    car();
-    scenario();
-    const Result result = runProgram(words(), "/dev/full");
-    EXPECT_EQ(result.status, 2);
-    EXPECT_EQ(result.err, "tread: cannot write the answer to standard output: No space left on device\n");
-}
-
 }  // namespace
 }  // namespace tread

@@ -52,7 +52,7 @@ TEST_F(TreadRun, NumberThatIsNotFiniteIsRefused) {
 
 TEST_F(TreadRun, EngineTorqueOutOfOrderIsRefused) {
     expectCarRefused(
-        carText("[150, 120], [250, 138]", "[250, 138], [150, 120]"), "150, 120",
+        carText("[150, 126], [250, 145]", "[250, 145], [150, 126]"), "150, 126",
         "driveline.engine.full_load.2.x: found x = 150 after 250, expected x to increase strictly; sort the "
         "points and remove repetitions");
 }
@@ -190,7 +190,7 @@ TEST_F(TreadRun, CarInPlaceOfTheScenarioIsRefused) {
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(firstLine(result.err), scratch.path("car.yaml") + ":" + placeOf(text, "name:") +
                                          ": found the unknown key \"name\", expected the name of a field; write one of "
-                                         "title, description, manoeuvre, step, time_limit, road, start, phases or log");
+                                         "title, description, manoeuvre, step, time_limit, road, wind, start, phases or log");
 }
 
 }  // namespace

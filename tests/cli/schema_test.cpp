@@ -10,7 +10,7 @@ namespace {
 using Json = nlohmann::json;
 
 TEST(SchemaCommand, PrintsJsonSchema) {
-    for (const char* what : {"vehicle", "tyre", "scenario", "tolerances"}) {
+    for (const char* what : {"vehicle", "tyre", "scenario", "import", "tolerances", "envelope", "score"}) {
         const Result result = runProgram({"schema", what});
         EXPECT_EQ(result.status, 0) << what;
         EXPECT_EQ(result.err, "") << what;
@@ -30,6 +30,7 @@ TEST(SchemaCommand, ShippedSchemasAreFresh) {
     expectFresh("vehicle", "vehicles/vehicle.schema.json");
     expectFresh("tyre", "vehicles/tyres/tyre.schema.json");
     expectFresh("scenario", "scenarios/scenario.schema.json");
+    expectFresh("import", "tools/import/import.schema.json");
 }
 
 // An editor finds the schema by the first line of the file.

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/program.h"
 #include "shared/car_205_60R15.h"
 
 namespace tread {
@@ -72,6 +73,18 @@ inline Table parse(const std::string& text) {
         if (table.rows.back().size() != table.names.size()) throw std::runtime_error("ragged row: " + line);
     }
     return table;
+}
+
+// The program's table for an input table; the option is --table or --transient.
+inline Table programTable(const std::string& option, const Table& input, const std::vector<std::string>& more) {
+    const Scratch scratch;
+    std::vector<std::string> words{
+        "tyre", kCarTyre, option, scratch.file("in.csv", csv(input)), "-o", scratch.path("out.csv")};
+    words.insert(words.end(), kCouples.begin(), kCouples.end());
+    words.insert(words.end(), more.begin(), more.end());
+    const Result result = runProgram(words);
+    if (result.status != 0) throw std::runtime_error(result.err);
+    return parse(contentOf(scratch.path("out.csv")));
 }
 
 }  // namespace tread

@@ -12,6 +12,7 @@
 #include "cli/program.h"
 #include "cli/tyre_table.h"
 #include "shared/delft97_reference.h"
+#include "shared/markup.h"
 #include "shared/near.h"
 #include "tread/tyre.h"
 
@@ -53,17 +54,9 @@ Table randomSlips(int points, unsigned seed, bool with_lambdas) {
     return table;
 }
 
-// The program's table for an input table.
-Table steadyTable(const Table& input, const std::string& axes, const std::vector<std::string>& more = {}) {
-    const Scratch scratch;
-    std::vector<std::string> arguments{
-        "tyre", kCarTyre, "--axes", axes, "--table", scratch.file("in.csv", csv(input)), "-o", scratch.path("out.csv")};
-    arguments.insert(arguments.end(), kCouples.begin(), kCouples.end());
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Result result = runProgram(arguments);
-    if (result.status != 0) throw std::runtime_error(result.err);
-    EXPECT_EQ(scratch.names(), (std::vector<std::string>{"in.csv", "out.csv"}));
-    return parse(contentOf(scratch.path("out.csv")));
+Table steadyTable(const Table& input, const std::string& axes, std::vector<std::string> more = {}) {
+    more.insert(more.end(), {"--axes", axes});
+    return programTable("--table", input, more);
 }
 
 // ---- Steady state ----
@@ -248,12 +241,6 @@ TEST(TyreAxes, IsoIsTheDefault) {
 
 // ---- Page, overview, JSON ----
 
-std::size_t occurrences(const std::string& text, const std::string& part) {
-    std::size_t count = 0;
-    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-    return count;
-}
-
 TEST(TyrePlot, WritesAPageOfCurvesForEachAxisSystem) {
     const Scratch scratch;
     for (const char* axes : {"iso", "paper"}) {
@@ -263,7 +250,7 @@ TEST(TyrePlot, WritesAPageOfCurvesForEachAxisSystem) {
         EXPECT_EQ(result.out, "Wrote 17 charts of car_205_60R15 to " + page + "\n");
         const std::string html = contentOf(page);
         EXPECT_NE(html.find("<h1>Tyre car_205_60R15</h1>"), std::string::npos);
-        EXPECT_EQ(occurrences(html, "class=\"tread-chart\""), 17u);
+        EXPECT_EQ(count(html, "class=\"tread-chart\""), 17u);
         for (const char* title : {"Longitudinal force at pure slip", "Friction ellipse", "Pneumatic trail",
                                   "Cornering stiffness", "Camber force", "after a step of slip angle"}) {
             EXPECT_NE(html.find(title), std::string::npos) << title;
@@ -295,10 +282,27 @@ TEST(TyreOverview, GivesSiNumbersAsJson) {
     EXPECT_NEAR(json["facts"]["lateral_relaxation_length [m]"], Ky / p.cFy, 1e-12);
 }
 
-TEST(TyreSettings, TakeOneValueEach) {
-    const Result result = runProgram({"tyre", "--set", "lambda.mux=0.8", kCarTyre, "--json"});
-    EXPECT_EQ(result.status, 0) << result.err;
-    EXPECT_EQ(result.out, runProgram({"tyre", kCarTyre, "--json", "--set", "lambda.mux=0.8"}).out);
+TEST(TyreOptions, TakeOneValueEachAndLeaveTheFileThatFollows) {
+    const Scratch scratch;
+    const std::string in = scratch.file("in.csv", "Fz,gamma,Vx,Vsx,Vsy\n4000,0.05,20,-1,2\n");
+    const std::string motion = scratch.file("motion.csv", "t,Vsx,Vsy,Vx,Omega,psidot,gamma,Fz\n0,0,0,9,30,0,0,4000\n");
+    const std::vector<std::vector<std::string>> options{{"--set", "lambda.mux=0.8"},
+                                                        {"--axes", "paper"},
+                                                        {"--plot", scratch.path("plot.html")},
+                                                        {"--table", in},
+                                                        {"--table", in, "-o", scratch.path("out.csv")},
+                                                        {"--transient", motion, "--substeps", "2"},
+                                                        {"--transient", motion, "--interpolate", "linear"}};
+    for (std::vector<std::string> words : options) {
+        SCOPED_TRACE(words.front());
+        words.insert(words.begin(), "tyre");
+        std::vector<std::string> last = words;
+        words.push_back(kCarTyre);
+        last.insert(last.begin() + 1, kCarTyre);
+        const Result result = runProgram(words);
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_EQ(result.out, runProgram(last).out);
+    }
 }
 
 TEST(TyreAnswer, GoesToStandardErrorWhenTheTableGoesToStandardOutput) {

@@ -29,14 +29,7 @@ Table motionTable(const reference::Case& c) {
 }
 
 Table transientTable(const Table& motion, const std::vector<std::string>& more) {
-    const Scratch scratch;
-    std::vector<std::string> arguments{
-        "tyre", kCarTyre, "--transient", scratch.file("in.csv", csv(motion)), "-o", scratch.path("out.csv")};
-    arguments.insert(arguments.end(), kCouples.begin(), kCouples.end());
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Result result = runProgram(arguments);
-    if (result.status != 0) throw std::runtime_error(result.err);
-    return parse(contentOf(scratch.path("out.csv")));
+    return programTable("--transient", motion, more);
 }
 
 reference::Case caseNamed(const std::string& name) {

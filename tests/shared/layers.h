@@ -15,17 +15,19 @@ namespace tread::layers {
 using Path = std::filesystem::path;
 
 // A file may include from its own layer and from those to its left.
-inline const std::vector<std::string> kOrder{"base",     "road",     "tyre",    "vehicle", "bullet", "log",
-                                             "scenario", "run",      "compare", "metrics", "series", "identify",
-                                             "diagnose", "campaign", "report",  "tools"};
+inline const std::vector<std::string> kOrder{"base",     "road",     "tyre",     "vehicle", "bullet",
+                                             "log",      "import",   "scenario", "run",     "compare",
+                                             "metrics",  "series",   "identify", "diagnose", "campaign", "report",  "tools"};
 
 // Public headers share one folder; each belongs to a layer.
 inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{
-    {"base", {"describe", "wheels", "lanes", "curve", "problem", "vector", "vehicle_output"}},
-    {"road", {"road"}},
+    {"base", {"describe", "wheels", "lanes", "curve", "delay_line", "problem", "vector", "vehicle_output"}},
+    {"road", {"road", "height_field", "road_params", "road_surface"}},
     {"tyre", {"tyre", "four_tyres"}},
-    {"vehicle", {"suspension", "steering", "driveline", "brakes", "aero", "vehicle", "equilibrium", "load"}},
-    {"bullet", {"bullet_road", "bullet_vehicle", "raycast_vehicle"}},
+    {"vehicle",
+     {"suspension", "steering", "driveline", "engine", "gearbox", "differential", "brakes", "anti_lock",
+      "stability_control", "aero", "compliance", "tyre_surroundings", "vehicle", "equilibrium", "load"}},
+    {"bullet", {"bullet_road", "bullet_ground", "bullet_vehicle", "raycast_vehicle"}},
 };
 
 // The sub-models of the car: they meet in vehicle.h and vehicle.cpp only.
@@ -44,6 +46,7 @@ inline const std::vector<Library> kLibraries{
     {"fmt", {"fmt/"}, kLab},
     {"nlohmann_json", {"nlohmann/"}, kLab},
     {"CLI11", {"CLI/"}, {"tools"}},
+    {"matio", {"matio.h"}, {"import"}},
 };
 
 inline bool contains(const std::vector<std::string>& list, const std::string& value) {

@@ -62,9 +62,10 @@ struct Car {
     tread::VehicleState state = {};
     tread::VehicleInput input = {};
     tread::Vector3 gravity_W{0, 0, -tread::kStandardGravity};
+    tread::Vector3 wind_W{0, 0, 0};
 
     void step(const tread::VehicleInput& next, double dt) {
-        tread::advance(motion, state, vehicle, input, next, {road, gravity_W}, dt);
+        tread::advance(motion, state, vehicle, input, next, {road, gravity_W, wind_W}, dt);
         input = next;
     }
     void step(double dt) { step(input, dt); }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace tread {
 namespace {
 
@@ -39,6 +41,34 @@ TEST(Aero, NothingWithoutAreasOrWithoutAir) {
     vacuum.air_density = 0;
     EXPECT_EQ(forces(vacuum, {40, 3, 1}).drag_B.norm(), 0);
     EXPECT_EQ(forces(params(), Vector3::Zero()).drag_B.norm(), 0);
+}
+
+// ---- Sideslip ----
+
+AeroParams withSide() {
+    AeroParams p = params();
+    p.side_force_area = {{{0, 0}, {0.5, 1.0}, {1.5, 1.8}}};
+    p.yaw_moment_volume = {{{0, 0}, {0.5, 0.7}}};
+    p.roll_moment_volume = {{{0, 0}, {0.5, 0.2}}};
+    return p;
+}
+
+TEST(Aero, SideForceAndMomentsFollowTheirCurvesOverSideslip) {
+    const double angle = 0.25, speed = 40;
+    const double pressure = 0.5 * 1.2 * speed * speed;
+    const AeroForces air = forces(withSide(), {speed * std::cos(angle), speed * std::sin(angle), 0});
+    EXPECT_NEAR(air.side_force, -pressure * 0.5, 1e-9) << "moving to the left, pushed to the right";
+    EXPECT_NEAR(air.yaw_moment, -pressure * 0.35, 1e-9) << "the nose turns away from the wind";
+    EXPECT_NEAR(air.roll_moment, pressure * 0.1, 1e-9) << "the roof leans away from the wind";
+}
+
+TEST(Aero, SideslipToTheOtherSideIsTheMirrorImage) {
+    const AeroForces left = forces(withSide(), {30, 9, 0}), right = forces(withSide(), {30, -9, 0});
+    EXPECT_EQ(left.side_force, -right.side_force);
+    EXPECT_EQ(left.yaw_moment, -right.yaw_moment);
+    EXPECT_EQ(left.roll_moment, -right.roll_moment);
+    EXPECT_EQ(left.drag_B.x(), right.drag_B.x());
+    EXPECT_EQ(forces(withSide(), {30, 0, 0}).side_force, 0);
 }
 
 }  // namespace

@@ -2,21 +2,141 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace tread {
 namespace {
 
+constexpr double kStep = 0.001;  // s
+
+BrakeParams params() {
+    BrakeParams p;
+    p.full_pedal_torque = 5000;
+    p.front_share = 0.7;
+    return p;
+}
+
+double sum(const PerWheel<double>& t) {
+    return t.front_left + t.front_right + t.rear_left + t.rear_right;
+}
+
+PerWheel<double> torquesAt(const BrakeParams& p, double pedal) {
+    BrakeState state;
+    return advance(state, p, {.pedal_begin = pedal, .pedal_end = pedal}, kStep).end;
+}
+
+// ---- Pedal, pressure, torque ----
+
 TEST(Brakes, FourWheelsTogetherGiveTheFullTorqueAtFullPedal) {
-    const PerAxle<double> wheel = brakeTorques({.full_pedal_torque = 5000, .front_share = 0.7}, 1);
-    EXPECT_DOUBLE_EQ(2 * wheel.front + 2 * wheel.rear, 5000);
-    EXPECT_DOUBLE_EQ(2 * wheel.front, 3500);
+    const PerWheel<double> wheel = torquesAt(params(), 1);
+    EXPECT_DOUBLE_EQ(sum(wheel), 5000);
+    EXPECT_DOUBLE_EQ(wheel.front_left + wheel.front_right, 3500);
+    EXPECT_EQ(wheel.front_left, wheel.front_right);
+    EXPECT_EQ(wheel.rear_left, wheel.rear_right);
 }
 
 TEST(Brakes, TorqueIsProportionalToThePedal) {
-    const BrakeParams p{.full_pedal_torque = 5000, .front_share = 0.7};
-    EXPECT_EQ(brakeTorques(p, 0).front, 0);
-    EXPECT_EQ(brakeTorques(p, 0).rear, 0);
-    EXPECT_DOUBLE_EQ(brakeTorques(p, 0.25).front, 0.25 * brakeTorques(p, 1).front);
-    EXPECT_DOUBLE_EQ(brakeTorques(p, 0.25).rear, 0.25 * brakeTorques(p, 1).rear);
+    EXPECT_EQ(sum(torquesAt(params(), 0)), 0);
+    EXPECT_DOUBLE_EQ(torquesAt(params(), 0.25).front_left, 0.25 * torquesAt(params(), 1).front_left);
+    EXPECT_DOUBLE_EQ(torquesAt(params(), 0.25).rear_left, 0.25 * torquesAt(params(), 1).rear_left);
+}
+
+TEST(Brakes, MeanOverTheStepLiesBetweenItsEnds) {
+    BrakeState state;
+    const BrakeTorques t = advance(state, params(), {.pedal_begin = 0.2, .pedal_end = 0.4}, kStep);
+    EXPECT_DOUBLE_EQ(sum(t.end), 2000);
+    EXPECT_DOUBLE_EQ(sum(t.mean), 1500);
+}
+
+TEST(Brakes, ProportioningValveBendsTheRearPressureAtItsKnee) {
+    BrakeParams p = params();
+    p.full_pedal_pressure = 1e7;
+    p.rear_proportioning = {.knee = 3e6, .slope = 0.4};
+    const double full = 0.5 * 5000 * 0.3;
+    EXPECT_NEAR(torquesAt(p, 0.3).rear_left, 0.3 * full, 1e-9);
+    EXPECT_NEAR(torquesAt(p, 0.8).rear_left, (0.3 + 0.4 * 0.5) * full, 1e-9);
+    EXPECT_DOUBLE_EQ(torquesAt(p, 0.8).front_left, torquesAt(params(), 0.8).front_left);
+}
+
+TEST(Brakes, PressureFollowsAfterTheDelayWithTheLag) {
+    BrakeParams p = params();
+    p.delay = 0.05;
+    p.lag = 0.04;
+    BrakeState state;
+    for (int k = 1; k <= 300; ++k) {
+        const double t = k * kStep;
+        const BrakeTorques out = advance(state, p, {.pedal_begin = 1, .pedal_end = 1}, kStep);
+        // The pedal jumps at t = 0: its first sample is that at the end of the first step.
+        const double since = t - 0.05;
+        const double expected = since > 1e-9 ? 5000 * (1 - std::exp(-since / 0.04)) : 0;
+        EXPECT_NEAR(sum(out.end), expected, 1e-6) << t;
+    }
+}
+
+TEST(Brakes, ParkingBrakeHoldsTheRearWheels) {
+    BrakeParams p = params();
+    p.parking_torque = 1800;
+    BrakeState state;
+    const PerWheel<double> wheel = advance(state, p, {.parking_begin = 0.5, .parking_end = 0.5}, kStep).end;
+    EXPECT_EQ(wheel.front_left, 0);
+    EXPECT_DOUBLE_EQ(wheel.rear_left, 450);
+    EXPECT_DOUBLE_EQ(wheel.rear_right, 450);
+}
+
+TEST(Brakes, MotorTakesOverWhatItRecovers) {
+    BrakeState state;
+    const PerWheel<double> wheel =
+        advance(state, params(), {.pedal_begin = 0.2, .pedal_end = 0.2, .recovered = {150, 400}}, kStep).end;
+    EXPECT_DOUBLE_EQ(wheel.front_left, 350 - 150);
+    EXPECT_EQ(wheel.rear_left, 0) << "a brake does not push";
+}
+
+// ---- Heat ----
+
+TEST(Brakes, DiscWarmsToWhereItsCoolingTakesTheBrakingPower) {
+    BrakeParams p = params();
+    p.front_disc = {.heat_capacity = 3000, .cooling = 5, .cooling_by_speed = 0.8};
+    BrakeState state;
+    BrakeInput in{.pedal_begin = 0.1, .pedal_end = 0.1, .spin = {70, 70, 70, 70}};
+    in.car.speed = 21;
+    for (int k = 0; k < 20000; ++k) advance(state, p, in, 1);
+    const double power = 0.1 * 5000 * 0.35 * 70;
+    EXPECT_NEAR(state.heating.front_left, power / (5 + 0.8 * 21), 1e-6);
+    EXPECT_EQ(state.heating.rear_left, 0) << "no heat capacity: stays cold";
+}
+
+TEST(Brakes, DiscKeepsTheEnergyOfAStopThatCoolingHasNoTimeToTake) {
+    BrakeParams p = params();
+    p.front_disc = {.heat_capacity = 3000};
+    BrakeState state;
+    double spin = 90, energy = 0;
+    while (spin > 0) {
+        const BrakeTorques t =
+            advance(state, p, {.pedal_begin = 0.6, .pedal_end = 0.6, .spin = {spin, spin, 0, 0}}, kStep);
+        energy += kStep * t.mean.front_left * spin;
+        spin -= kStep * 20;
+    }
+    EXPECT_NEAR(3000 * state.heating.front_left, energy, 1e-9 * energy);
+    EXPECT_GT(state.heating.front_left, 10);
+}
+
+TEST(Brakes, DiscCoolsExponentially) {
+    BrakeParams p = params();
+    p.rear_disc = {.heat_capacity = 2000, .cooling = 10};
+    BrakeState state;
+    state.heating.rear_right = 300;
+    for (int k = 0; k < 100000; ++k) advance(state, p, {}, kStep);
+    EXPECT_NEAR(state.heating.rear_right, 300 * std::exp(-100.0 * 10 / 2000), 0.01);
+}
+
+TEST(Brakes, HotDiscFades) {
+    BrakeParams p = params();
+    p.ambient_temperature = 300;
+    p.front_disc = {.heat_capacity = 3000, .friction = {{{600, 1}, {1000, 0.5}}}};
+    BrakeState state;
+    state.heating.front_left = 500;
+    const PerWheel<double> wheel = advance(state, p, {.pedal_begin = 1, .pedal_end = 1}, kStep).end;
+    EXPECT_NEAR(wheel.front_left, 0.75 * wheel.front_right, 1e-9) << "800 K lies half-way";
 }
 
 }  // namespace

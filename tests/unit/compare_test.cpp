@@ -1,5 +1,5 @@
-#include "base/pattern.h"
 #include "compare/compare.h"
+#include "base/pattern.h"
 
 #include <gtest/gtest.h>
 

@@ -2,31 +2,64 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "base/numbers.h"
+#include "shared/described_samples.h"
+#include "tread/curve.h"
 #include "tread/wheels.h"
 
 namespace tread {
 namespace {
 
-struct Damper {
-    double bump = kRequired;
-    double friction = 0;
-    static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(bump), About{"N s/m", "damping in compression", kNonNegative});
-        field(TREAD_FIELD(friction), About{"N", "dry friction", kNonNegative});
-    }
-};
-static_assert(describesEveryMember<Damper>());
+using sample::Damper;
+
 static_assert(describesEveryMember<PerWheel<Damper>>());
 
-struct Forgetful {
-    double described = 0;
-    std::string forgotten;
-    static constexpr void describe(auto& self, auto&& field) { field(TREAD_FIELD(described), About{"m", "x"}); }
+// ---- A forgotten member does not compile, whatever its kind ----
+
+template <class Member>
+struct Careful {
+    double first = 0;
+    Member second;
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(first), About{"m", "x"});
+        field(TREAD_FIELD(second), About{"m", "y"});
+    }
 };
-static_assert(!describesEveryMember<Forgetful>());
+
+template <class Member>
+struct Forgetful {
+    double first = 0;
+    Member second;
+    static constexpr void describe(auto& self, auto&& field) { field(TREAD_FIELD(first), About{"m", "x"}); }
+};
+
+template <class Member>
+constexpr bool forgetting_shows = describesEveryMember<Careful<Member>>() && !describesEveryMember<Forgetful<Member>>();
+
+enum class Side { left, right };
+
+static_assert(forgetting_shows<double>);
+static_assert(forgetting_shows<int>);
+static_assert(forgetting_shows<bool>);
+static_assert(forgetting_shows<Side>);
+static_assert(forgetting_shows<std::string>);
+static_assert(forgetting_shows<Curve>);
+static_assert(forgetting_shows<Damper>);
+static_assert(forgetting_shows<PerAxle<double>>);
+static_assert(forgetting_shows<PerWheel<Damper>>);
+static_assert(forgetting_shows<PerWheel<std::optional<Damper>>>);
+static_assert(forgetting_shows<std::optional<double>>);
+static_assert(forgetting_shows<std::optional<Damper>>);
+static_assert(forgetting_shows<std::vector<double>>);
+static_assert(forgetting_shows<std::vector<Damper>>);
+static_assert(forgetting_shows<std::vector<Careful<std::optional<Damper>>>>);
+static_assert(forgetting_shows<std::variant<Damper, Careful<double>>>);
+static_assert(forgetting_shows<std::optional<std::variant<Damper, Careful<double>>>>);
 
 TEST(Describe, NumbersAreFlattenedToPathsInOrderOfDescription) {
     PerAxle<Damper> dampers;

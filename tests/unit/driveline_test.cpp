@@ -11,16 +11,17 @@ constexpr double kStep = 0.001;  // s
 
 DrivelineParams params() {
     DrivelineParams p;
-    p.engine.full_load = {{{80, 100}, {300, 150}, {600, 120}, {700, 90}}};
-    p.engine.drag = {{{0, 12}, {700, 40}}};
-    p.engine.inertia = 0.15;
-    p.engine.idle_speed = 80;
-    p.engine.speed_limit = 680;
+    p.engine.emplace();
+    p.engine->full_load = {{{80, 100}, {300, 150}, {600, 120}, {700, 90}}};
+    p.engine->drag = {{{0, 12}, {700, 40}}};
+    p.engine->inertia = 0.15;
+    p.engine->idle_speed = 80;
+    p.engine->speed_limit = 680;
+    p.coupling = ClutchParams{250};
     p.gearbox = {.ratios = {3.5, 2.0, 1.3, 1.0},
                  .final_drive = 4,
                  .efficiency = 0.94,
                  .inertia = 0.01,
-                 .clutch_torque = 250,
                  .shift_up_speed = 620,
                  .shift_down_speed = 140};
     p.front_share = 1;
@@ -32,7 +33,7 @@ PerWheel<double> all(double spin) {
 }
 
 double totalTorque(const DrivelineTorques& t) {
-    return 2 * t.wheel.front + 2 * t.wheel.rear;
+    return t.wheel.front_left + t.wheel.front_right + t.wheel.rear_left + t.wheel.rear_right;
 }
 
 double ratioOf(const DrivelineParams& p, int gear) {
@@ -63,8 +64,8 @@ TEST(Driveline, ThrottleOfSteadyRunningFollowsFromTheTorqueMap) {
     const double ratio = ratioOf(p, steady.state.gear);
     const double speed = 90 * ratio;
     const double engine = 200 / ratio / p.gearbox.efficiency;
-    const double drag = p.engine.drag(speed);
-    EXPECT_NEAR(steady.throttle, (engine + drag) / (p.engine.full_load(speed) + drag), 1e-12);
+    const double drag = p.engine->drag(speed);
+    EXPECT_NEAR(steady.throttle, (engine + drag) / (p.engine->full_load(speed) + drag), 1e-12);
 }
 
 TEST(Driveline, OverrunTurnsTheEngineAgainstItsDragAndBrakesTheCar) {
@@ -73,7 +74,7 @@ TEST(Driveline, OverrunTurnsTheEngineAgainstItsDragAndBrakesTheCar) {
     DrivelineTorques out{};
     for (int k = 0; k < 2000; ++k) out = advance(state, p, {0, 0, all(90)}, kStep);
     const double ratio = ratioOf(p, state.gear);
-    EXPECT_NEAR(totalTorque(out), -p.engine.drag(90 * ratio) * ratio / p.gearbox.efficiency, 1e-3)
+    EXPECT_NEAR(totalTorque(out), -p.engine->drag(90 * ratio) * ratio / p.gearbox.efficiency, 1e-3)
         << "the gearbox takes its loss from the wheels";
 }
 
@@ -81,15 +82,15 @@ TEST(Driveline, FuelIsCutAtTheSpeedLimit) {
     DrivelineParams p = params();
     DrivelineState state{.engine_speed = 700};
     const DrivelineTorques out = advance(state, p, {1, 1, all(0)}, kStep);
-    EXPECT_EQ(out.engine, -p.engine.drag(700));
+    EXPECT_EQ(out.engine, -p.engine->drag(700));
     double highest = 0;
     state = {.engine_speed = 300};
     for (int k = 0; k < 5000; ++k) {
         advance(state, p, {1, 1, all(0)}, kStep);
         highest = std::max(highest, state.engine_speed);
     }
-    EXPECT_LT(highest, p.engine.speed_limit + 2) << "full throttle, declutched";
-    EXPECT_GT(state.engine_speed, p.engine.speed_limit - 2);
+    EXPECT_LT(highest, p.engine->speed_limit + 2) << "full throttle, declutched";
+    EXPECT_GT(state.engine_speed, p.engine->speed_limit - 2);
 }
 
 // ---- Standing ----
@@ -101,7 +102,7 @@ TEST(Driveline, EngineIdlesAtStandstillAndLeavesTheWheelsAlone) {
         state.engine_speed = start;
         DrivelineTorques out{};
         for (int k = 0; k < 20000; ++k) out = advance(state, p, {0, 0, all(0)}, kStep);
-        EXPECT_NEAR(state.engine_speed, p.engine.idle_speed, 0.01 * p.engine.idle_speed) << "from " << start;
+        EXPECT_NEAR(state.engine_speed, p.engine->idle_speed, 0.01 * p.engine->idle_speed) << "from " << start;
         EXPECT_NEAR(totalTorque(out), 0, 1e-6);
         EXPECT_EQ(state.gear, 1);
     }
@@ -124,7 +125,7 @@ TEST(Driveline, ThrottleAtStandstillPushesForwardWithTheTorqueOfTheClutch) {
     // Held wheels: the engine settles where the slipping clutch takes its torque.
     EXPECT_NEAR(totalTorque(out), out.engine * ratioOf(p, 1) * p.gearbox.efficiency, 1);
     EXPECT_GT(totalTorque(out), 500);
-    EXPECT_GT(state.engine_speed, p.engine.idle_speed);
+    EXPECT_GT(state.engine_speed, p.engine->idle_speed);
 }
 
 // ---- Clutch ----
@@ -160,10 +161,11 @@ TEST(Driveline, SlippingClutchCarriesItsCapacity) {
     state.engine_speed = 500;
     DrivelineTorques out{};
     for (int k = 0; k < 150; ++k) out = advance(state, p, {1, 0, all(0)}, kStep);
-    EXPECT_GT(state.engine_speed, 1.5 * p.engine.idle_speed) << "closed by speed, but the engine still turns faster";
+    EXPECT_GT(state.engine_speed, 1.5 * p.engine->idle_speed) << "closed by speed, but the engine still turns faster";
     double mean = 0;
     for (int k = 0; k < 100; ++k) mean += totalTorque(advance(state, p, {1, 0, all(0)}, kStep)) / 100;
-    EXPECT_NEAR(mean, p.gearbox.clutch_torque * ratioOf(p, 1), 0.05 * p.gearbox.clutch_torque * ratioOf(p, 1));
+    EXPECT_NEAR(mean, std::get<ClutchParams>(p.coupling).torque * ratioOf(p, 1),
+                0.05 * std::get<ClutchParams>(p.coupling).torque * ratioOf(p, 1));
 }
 
 // ---- Gears ----
@@ -228,10 +230,10 @@ TEST(Driveline, OpenDifferentialGivesBothWheelsTheSameTorqueAndFollowsTheirMeanS
         return out;
     };
     const DrivelineTorques straight = torqueAt({50, 50, 0, 0}), turning = torqueAt({45, 55, 0, 0});
-    EXPECT_DOUBLE_EQ(straight.wheel.front, turning.wheel.front);
-    EXPECT_EQ(straight.wheel.rear, 0) << "front drive";
+    EXPECT_DOUBLE_EQ(straight.wheel.front_left, turning.wheel.front_left);
+    EXPECT_EQ(straight.wheel.rear_left, 0) << "front drive";
     p.front_share = 0;
-    EXPECT_EQ(torqueAt({0, 0, 45, 55}).wheel.front, 0) << "rear drive";
+    EXPECT_EQ(torqueAt({0, 0, 45, 55}).wheel.front_left, 0) << "rear drive";
 }
 
 TEST(Driveline, SharedDriveConservesPower) {
@@ -245,9 +247,9 @@ TEST(Driveline, SharedDriveConservesPower) {
         const double throttle = steadyDriveline(p, mean, 150).throttle;
         DrivelineTorques out{};
         for (int k = 0; k < 2000; ++k) out = advance(state, p, {throttle, 0, spin}, kStep);
-        const double wheels = out.wheel.front * (60 + 64) + out.wheel.rear * (50 + 58);
+        const double wheels = out.wheel.front_left * (60 + 64) + out.wheel.rear_left * (50 + 58);
         EXPECT_NEAR(wheels, out.engine * state.engine_speed, 1e-6 * wheels) << front_share;
-        EXPECT_NEAR(2 * out.wheel.front, front_share * totalTorque(out), 1e-9);
+        EXPECT_NEAR(2 * out.wheel.front_left, front_share * totalTorque(out), 1e-9);
     }
 }
 
@@ -261,7 +263,7 @@ TEST(Driveline, EngineWorkGoesIntoTheWheelsTheRotatingPartsAndTheShaftDamping) {
     double spin = 50;
     DrivelineState state = steadyDriveline(p, spin, 0).state;
     const auto energy = [&] {
-        return 0.5 * p.engine.inertia * state.engine_speed * state.engine_speed +
+        return 0.5 * p.engine->inertia * state.engine_speed * state.engine_speed +
                0.5 * p.gearbox.inertia * state.gearbox_speed * state.gearbox_speed +
                0.5 * p.shaft_stiffness * state.twist * state.twist;
     };
@@ -299,6 +301,185 @@ TEST(Driveline, LightGearboxOnStiffShaftsIsStable) {
     for (int k = 0; k < 2000; ++k) out = advance(state, p, {0.5, k < 1000 ? 0.0 : 1.0, all(80)}, 0.002);
     EXPECT_LT(std::abs(totalTorque(out)), 10) << "declutched at the end";
     EXPECT_TRUE(std::isfinite(state.engine_speed));
+}
+
+// ---- Shift time ----
+
+TEST(Driveline, ShiftTimeLeavesAGapInTheTorque) {
+    DrivelineParams p = params();
+    p.gearbox.shift_time = 0.4;
+    DrivelineState state = steadyDriveline(p, 30, 0).state;
+    ASSERT_EQ(state.gear, 2);
+    state.engine_speed = state.gearbox_speed = 1.01 * p.gearbox.shift_up_speed;
+    const double spin = state.gearbox_speed / ratioOf(p, 2);
+    DrivelineTorques out{};
+    for (int k = 1; k <= 2000; ++k) {
+        out = advance(state, p, {1, 0, all(spin)}, kStep);
+        const double t = k * kStep;
+        if (t > 0.15 && t < 0.26) {
+            EXPECT_NEAR(totalTorque(out), 0, 20) << "open at " << t;
+            EXPECT_LT(out.engine, 0) << "the foot is off the pedal";
+        }
+    }
+    EXPECT_EQ(state.gear, 3);
+    EXPECT_NEAR(totalTorque(out), p.engine->full_load(state.engine_speed) * ratioOf(p, 3) * p.gearbox.efficiency, 1);
+}
+
+TEST(Driveline, ShiftMapFollowsItsShares) {
+    DrivelineParams p = params();
+    p.gearbox.shift_up_share = {{{0, 0.3}, {0.5, 0.6}, {1, 0.9}}};
+    EXPECT_NEAR(shiftUpAt(p, 0.5) * ratioOf(p, 1), 0.6 * p.gearbox.shift_up_speed, 2);
+    EXPECT_NEAR(shiftUpAt(p, 1) * ratioOf(p, 1), 0.9 * p.gearbox.shift_up_speed, 2);
+    // Kick-down: the pedal alone takes the gear below.
+    p.gearbox.shift_down_share = {{{0.8, 1}, {0.9, 2.2}}};
+    DrivelineState state = steadyDriveline(p, 60, 0).state;
+    const int gear = state.gear;
+    for (int k = 0; k < 100; ++k) advance(state, p, {0.5, 0, all(60)}, kStep);
+    EXPECT_EQ(state.gear, gear);
+    for (int k = 0; k < 100; ++k) advance(state, p, {1, 0, all(60)}, kStep);
+    EXPECT_EQ(state.gear, gear - 1);
+}
+
+// ---- Lag ----
+
+TEST(Driveline, TorqueFollowsThePedalWithItsTimeConstant) {
+    DrivelineParams p = params();
+    p.engine->response_time = 0.12;
+    DrivelineState state = steadyDriveline(p, 60, 0).state;
+    const double start = state.engine_throttle, speed = state.engine_speed;
+    for (int k = 1; k <= 150; ++k) {
+        const DrivelineTorques out = advance(state, p, {0.8, 0, all(60)}, kStep);
+        const double throttle = 0.8 + (start - 0.8) * std::exp(-k * kStep / 0.12);
+        EXPECT_NEAR(state.engine_throttle, throttle, 1e-12);
+        EXPECT_NEAR(out.engine, engineTorque(*p.engine, throttle, speed), 3);
+    }
+}
+
+// ---- Torque converter ----
+
+DrivelineParams withConverter() {
+    DrivelineParams p = params();
+    p.coupling = TorqueConverterParams{.capacity = {{{0, 0.0030}, {0.6, 0.0028}, {0.85, 0.0018}, {1, 0}}},
+                                       .torque_ratio = {{{0, 2.1}, {0.85, 1}}}};
+    return p;
+}
+
+TEST(Driveline, ConverterStallsWhereItTakesTheEnginesTorque) {
+    const DrivelineParams p = withConverter();
+    DrivelineState state = steadyDriveline(p, 0, 0).state;
+    DrivelineTorques out{};
+    for (int k = 0; k < 5000; ++k) out = advance(state, p, {1, 0, all(0)}, kStep);
+    const double stall = state.engine_speed;
+    EXPECT_NEAR(0.0030 * stall * stall, p.engine->full_load(stall), 1e-3);
+    EXPECT_NEAR(totalTorque(out), 2.1 * p.engine->full_load(stall) * ratioOf(p, 1) * p.gearbox.efficiency, 1);
+}
+
+TEST(Driveline, ConverterCreepsAtIdleFromTheFirstStep) {
+    const DrivelineParams p = withConverter();
+    const SteadyDriveline steady = steadyDriveline(p, 0, 0);
+    DrivelineState state = steady.state;
+    const DrivelineTorques first = advance(state, p, {0, 0, all(0)}, kStep);
+    DrivelineTorques out{};
+    for (int k = 0; k < 3000; ++k) out = advance(state, p, {0, 0, all(0)}, kStep);
+    EXPECT_GT(totalTorque(out), 300);
+    EXPECT_NEAR(totalTorque(first), totalTorque(out), 0.1);
+    EXPECT_NEAR(state.engine_speed, steady.state.engine_speed, 0.01);
+}
+
+TEST(Driveline, ConverterRunsSteadilyWhereAskedAndConservesWhatItDoesNotHeat) {
+    const DrivelineParams p = withConverter();
+    for (const double torque : {-80.0, 100.0, 500.0}) {
+        const SteadyDriveline steady = steadyDriveline(p, 60, torque);
+        DrivelineState state = steady.state;
+        DrivelineTorques out{};
+        for (int k = 0; k < 1000; ++k) out = advance(state, p, {steady.throttle, 0, all(60)}, kStep);
+        EXPECT_NEAR(totalTorque(out), torque, 1) << "the steps of a stiff coupling move it a little";
+        EXPECT_NEAR(state.engine_speed, steady.state.engine_speed, 0.5);
+        const double engine = out.engine * state.engine_speed, wheels = totalTorque(out) * 60;
+        EXPECT_GT(engine, wheels) << "heat";
+    }
+}
+
+TEST(Driveline, LockedConverterDoesNotSlip) {
+    DrivelineParams p = withConverter();
+    auto& converter = std::get<TorqueConverterParams>(p.coupling);
+    converter.lock_up_torque = 300;
+    converter.lock_up_speed_ratio = 0.8;
+    converter.lock_up_gear = 2;
+    SteadyDriveline steady = steadyDriveline(p, 30, 300);
+    DrivelineState state = steady.state;
+    for (int k = 0; k < 1000; ++k) advance(state, p, {steady.throttle, 0, all(30)}, kStep);
+    EXPECT_NEAR(state.engine_speed, state.gearbox_speed, 0.01);
+    converter.lock_up_gear = 3;
+    for (int k = 0; k < 1000; ++k) advance(state, p, {steady.throttle, 0, all(30)}, kStep);
+    EXPECT_GT(state.engine_speed, state.gearbox_speed + 5);
+}
+
+TEST(Driveline, ConverterIsStableForAnyStep) {
+    const DrivelineParams p = withConverter();
+    for (const double step : {0.0005, 0.002, 0.01}) {
+        DrivelineState state = steadyDriveline(p, 90, 0).state;
+        double lowest = 1e9, highest = 0;
+        for (int k = 0; k < 4 / step; ++k) {
+            advance(state, p, {0.3, 0, all(90)}, step);
+            if (k * step < 3) continue;
+            lowest = std::min(lowest, state.engine_speed);
+            highest = std::max(highest, state.engine_speed);
+        }
+        EXPECT_LT(highest - lowest, 0.01) << step;
+    }
+}
+
+// ---- Electric motor ----
+
+DrivelineParams electric() {
+    DrivelineParams p = params();
+    p.engine.reset();
+    p.motor = MotorParams{.torque = 250,
+                          .power = 1e5,
+                          .speed_limit = 1500,
+                          .inertia = 0.06,
+                          .drag = {{{0, 1}, {1500, 4}}},
+                          .lift_off_regeneration = 0.2,
+                          .brake_regeneration = 0.6};
+    p.gearbox = {.ratios = {1}, .final_drive = 9, .efficiency = 0.96, .inertia = 0.005};
+    return p;
+}
+
+TEST(Driveline, MotorRunsSteadilyWhereAsked) {
+    const DrivelineParams p = electric();
+    for (const double torque : {-200.0, 0.0, 700.0}) {
+        const SteadyDriveline steady = steadyDriveline(p, 70, torque);
+        DrivelineState state = steady.state;
+        DrivelineTorques out{};
+        for (int k = 0; k < 500; ++k) out = advance(state, p, {steady.throttle, 0, all(70)}, kStep);
+        EXPECT_NEAR(totalTorque(out), torque, 1e-6);
+        EXPECT_NEAR(state.engine_speed, 70 * 9, 1e-9) << "what is logged as engine speed";
+    }
+}
+
+TEST(Driveline, MotorBrakesForThePedalWhatItSaysItBrakes) {
+    const DrivelineParams p = electric();
+    SteadyDriveline steady = steadyDriveline(p, 70, 0);
+    DrivelineState state = steady.state;
+    DrivelineTorques lift{}, brake{};
+    for (int k = 0; k < 3000; ++k) lift = advance(state, p, {0, 0, all(70)}, kStep);
+    for (int k = 0; k < 3000; ++k)
+        brake =
+            advance(state, p, {.throttle = 0, .clutch_pedal = 0, .wheel_spin = all(70), .brake_torque = 900}, kStep);
+    EXPECT_NEAR(2 * brake.braked.front, 0.6 * 900, 1e-9);
+    EXPECT_NEAR(totalTorque(lift) - totalTorque(brake), 2 * (brake.braked.front + brake.braked.rear), 1e-3);
+}
+
+TEST(Driveline, EngineAndMotorTogetherRunSteadily) {
+    DrivelineParams p = params();
+    p.motor = MotorParams{.torque = 60, .power = 15000, .speed_limit = 800, .inertia = 0.02, .drag = {}};
+    const SteadyDriveline steady = steadyDriveline(p, 60, 250);
+    DrivelineState state = steady.state;
+    DrivelineTorques out{};
+    for (int k = 0; k < 500; ++k) out = advance(state, p, {steady.throttle, 0, all(60)}, kStep);
+    EXPECT_NEAR(totalTorque(out), 250, 1e-6);
+    EXPECT_GT(out.motor, 5);
 }
 
 }  // namespace

@@ -44,15 +44,15 @@ TEST(FourTyres, GetTheBitsThatEachGetsAlone) {
         PerWheel<double> Omega, Omega_alone;
         PerWheel<TyreMotion> begin, rate;
         PerWheel<TyreSpin> spins;
-        PerWheel<double> friction;
+        PerWheel<TyreFactors> factors;
         for (std::size_t i = 0; i < kWheels; ++i) {
             const double speed = drive % 3 == 0 ? 2 * std::abs(unit(random)) : 40 * unit(random);
-            begin[i] = {0, 3 * unit(random), speed, 0, 0.5 * unit(random), 0.05 * unit(random),
-                        4000 + 4000 * unit(random)};
-            rate[i] = {0, 20 * unit(random), -8 * unit(random), 0, 2 * unit(random), 0.3 * unit(random),
-                       20000 * unit(random)};
+            begin[i] = {
+                0, 3 * unit(random), speed, 0, 0.5 * unit(random), 0.05 * unit(random), 4000 + 4000 * unit(random)};
+            rate[i] = {
+                0, 20 * unit(random), -8 * unit(random), 0, 2 * unit(random), 0.3 * unit(random), 20000 * unit(random)};
             spins[i] = {1.2, 0.3, 400 * unit(random), drive % 2 == 0 ? 0 : 1500 * std::abs(unit(random))};
-            friction[i] = i == 2 ? 0.4 : 1;
+            factors[i] = {i == 2 ? 0.4 : 1, i == 1 ? 0.8 : 1};
             Omega[i] = speed / each[i].parameters.Re;
         }
         Omega_alone = Omega;
@@ -65,13 +65,15 @@ TEST(FourTyres, GetTheBitsThatEachGetsAlone) {
                 end[i].gamma += dt * rate[i].gamma;
                 end[i].Fz += dt * rate[i].Fz;
             }
-            const PerWheel<TyreForces> forces = advance(states, Omega, four, friction, begin, end, spins, dt);
+            const PerWheel<TyreForces> forces = advance(states, Omega, four, factors, begin, end, spins, dt);
             for (std::size_t i = 0; i < kWheels; ++i) {
                 TyreParams tyre = each[i];
-                tyre.lambda.mux *= friction[i];
-                tyre.lambda.muy *= friction[i];
-                const TyreForces alone = advance(states_alone[i], Omega_alone[i], tyre, begin[i], end[i], spins[i], dt,
-                                                 Standstill::hold);
+                tyre.lambda.mux *= factors[i].friction;
+                tyre.lambda.muy *= factors[i].friction;
+                tyre.lambda.Kx *= factors[i].stiffness;
+                tyre.lambda.Ky *= factors[i].stiffness;
+                const TyreForces alone =
+                    advance(states_alone[i], Omega_alone[i], tyre, begin[i], end[i], spins[i], dt, Standstill::hold);
                 ASSERT_TRUE(std::isfinite(alone.Fx + alone.Fy + alone.Mz));
                 ASSERT_TRUE(sameBits(forces[i], alone)) << "drive " << drive << " step " << k << " wheel " << i;
                 ASSERT_TRUE(sameBits(states[i], states_alone[i]));
@@ -87,7 +89,7 @@ TEST(FourTyres, GetTheBitsThatEachGetsAlone) {
 TEST(FourTyres, OneThatIsNotANumberLeavesTheOthersAlone) {
     const PerWheel<TyreParams> each = tyres();
     PerWheel<TyreState> states;
-    PerWheel<double> Omega{60, 60, 60, 60}, friction{1, 1, 1, 1};
+    PerWheel<double> Omega{60, 60, 60, 60};
     PerWheel<TyreMotion> motion;
     PerWheel<TyreSpin> spins;
     for (std::size_t i = 0; i < kWheels; ++i) {
@@ -95,7 +97,7 @@ TEST(FourTyres, OneThatIsNotANumberLeavesTheOthersAlone) {
         spins[i] = {1.2, 0.3, 0, 0};
     }
     motion[3].Vsy = std::nan("");
-    const PerWheel<TyreForces> forces = advance(states, Omega, together(each), friction, motion, motion, spins, 0.001);
+    const PerWheel<TyreForces> forces = advance(states, Omega, together(each), {}, motion, motion, spins, 0.001);
     EXPECT_TRUE(std::isfinite(forces[0].Fy + forces[1].Fy + forces[2].Fy));
     EXPECT_TRUE(std::isnan(forces[3].Fy));
 }

@@ -12,8 +12,7 @@
 #include "report/html.h"
 #include "report/overlay_report.h"
 #include "report/run_report.h"
-#include "report/tyre_report.h"
-#include "unit/markup.h"
+#include "shared/markup.h"
 
 namespace tread {
 namespace {
@@ -203,12 +202,15 @@ TEST(HtmlReport, HostileTextIsHarmlessWhereverItStands) {
     Chart chart{.title = kHostile, .x = {kHostile, kHostile}, .y = {kHostile, kHostile}, .series = {}};
     chart.series = {{.name = kHostile, .x = {0, 1}, .y = {0, 1}}};
     chart.note = kHostile;
+    HtmlPage figures(kHostile);
+    figures.answer(kHostile);
+    figures.section(kHostile);
+    figures.text(kHostile);
+    figures.figures({chart});
 
     // With charts: values, library, synchronizer, page script, licence. Without: none.
     const std::array<std::pair<std::string, std::size_t>, 3> pages = {
-        {{runReport(run), 5},
-         {overlayReport(overlay), 5},
-         {figurePage(kHostile, kHostile, {{kHostile, kHostile, {chart}}}), 0}}};
+        {{runReport(run), 5}, {overlayReport(overlay), 5}, {figures.finish(), 0}}};
     for (const auto& [page, scripts] : pages) {
         EXPECT_EQ(count(page, "<script"), scripts);
         EXPECT_EQ(count(page, "</script"), scripts);
@@ -439,10 +441,12 @@ TEST(OverlayReport, ManyChannelsAreListedInFullAndTheWorstAreDrawn) {
     EXPECT_NE(page.find("of 60"), std::string::npos) << "says that not all are drawn";
 }
 
-TEST(TyreReport, FiguresNeedNoScript) {
+TEST(HtmlReport, FiguresNeedNoScript) {
     Chart chart{.title = "Lateral force", .x = {"slip angle", "deg"}, .y = {"Fy", "N"}, .series = {}};
     chart.series = {{.name = "4000 N", .x = {-1, 0, 1}, .y = {-900, 0, 900}}};
-    const std::string page = figurePage("Tyre", "All curves.", {{"Pure slip", "No camber.", {chart, chart}}});
+    HtmlPage figures("Tyre");
+    figures.figures({chart, chart});
+    const std::string page = figures.finish();
     EXPECT_EQ(count(page, "<svg class=\"tread-chart\""), 2u);
     EXPECT_EQ(count(page, "<script"), 0u);
     EXPECT_LT(page.size(), 20000u);

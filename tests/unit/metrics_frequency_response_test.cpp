@@ -5,7 +5,7 @@
 
 #include "metrics/frequency_response.h"
 #include "scenario/signals.h"
-#include "shared/single_track.h"
+#include "shared/linear_single_track.h"
 #include "unit/metrics_sample.h"
 
 namespace tread {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "shared/single_track.h"
+#include "shared/linear_single_track.h"
 #include "unit/metrics_sample.h"
 
 namespace tread {

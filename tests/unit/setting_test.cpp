@@ -8,43 +8,19 @@
 #include <variant>
 #include <vector>
 
+#include "shared/described_samples.h"
 #include "tread/tyre.h"
 #include "tread/wheels.h"
 
 // Not an anonymous namespace: clang 14 wants to see conversions to a type without linkage defined.
 namespace tread::setting_test {
 
-struct Damper {
-    double bump = kRequired;
-    double friction = 0;
-    static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(bump), About{"N s/m", "damping in compression", kNonNegative});
-        field(TREAD_FIELD(friction), About{"N", "dry friction", kNonNegative});
-    }
-};
+using sample::Damper, sample::Drive, sample::Keep, sample::Ramp;
 
 struct Axle {
     Damper damper{100, 0};
     static constexpr void describe(auto& self, auto&& field) { field(TREAD_FIELD(damper), About{"", "damper"}); }
 };
-
-struct Keep {
-    static constexpr std::string_view kName = "keep";
-    double tolerance = 0.5;
-    static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(tolerance), About{"-", "how closely"});
-    }
-};
-struct Ramp {
-    static constexpr std::string_view kName = "ramp";
-    double to = kRequired;
-    static constexpr void describe(auto& self, auto&& field) { field(TREAD_FIELD(to), About{"rad", "angle"}); }
-};
-
-enum class Drive { front, rear };
-constexpr auto enumNames(Drive) {
-    return std::array<std::string_view, 2>{"front", "rear"};
-}
 
 struct Car {
     std::string name;
@@ -135,7 +111,7 @@ TEST(Setting, WrongValueLeavesTheObjectAsItWas) {
     EXPECT_EQ(faultOf(car, {"front.damper.bump=3 m"}),
               "--set: front.damper.bump: found a length (\"m\"), expected N s/m; correct the unit");
     EXPECT_EQ(faultOf(car, {"drive=reer"}),
-              "--set: drive: found \"reer\", expected front or rear; did you mean \"rear\"?");
+              "--set: drive: found \"reer\", expected front, rear or all; did you mean \"rear\"?");
     EXPECT_EQ(faultOf(car, {"gears="}),
               "--set: gears: found nothing, expected a whole number from 1 to 10; write digits only");
     EXPECT_EQ(faultOf(car, {"front=3"}), "--set: front: found \"3\", expected a map; write \"key: value\" lines");

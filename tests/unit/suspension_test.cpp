@@ -114,5 +114,92 @@ TEST(Suspension, AnglesHaveTheSignsOfTheirDescription) {
     EXPECT_NEAR(angles(p, 0.05, false).toe, -0.005, kRounding) << "compression toes the wheel out";
 }
 
+TEST(Suspension, CurvesTakeThePlaceOfNumbersAndGoOnWithTheirSlopes) {
+    SuspensionParams p = springAlone();
+    p.damper = {.bump = 1000, .rebound = 2000};
+    SuspensionParams curved = p;
+    curved.spring_curve = {{{-0.1, -2000}, {0, 0}, {0.1, 2000}}};
+    curved.damper.bump_curve = {{{0, 0}, {0.2, 200}, {0.3, 300}}};
+    curved.damper.rebound_curve = {{{0, 0}, {0.2, 400}}};
+    for (const double travel : {-0.14, -0.05, 0.0, 0.03, 0.15}) {
+        for (const double rate : {-0.5, -0.1, 0.0, 0.15, 0.9}) {
+            const SuspensionForce a = forces(p, {travel, rate, 0, 3000}), b = forces(curved, {travel, rate, 0, 3000});
+            EXPECT_NEAR(a.force, b.force, 1e-9) << "a straight curve is a number";
+            EXPECT_NEAR(a.by_travel, b.by_travel, 1e-6);
+            EXPECT_NEAR(a.by_rate, b.by_rate, 1e-6);
+        }
+    }
+    curved.spring_curve = {{{-0.1, -1500}, {0, 0}, {0.05, 1000}, {0.1, 3000}}};
+    EXPECT_NEAR(forceAt(curved, {0.075, 0, 0, 3000}), 5000, kRounding);
+    EXPECT_NEAR(forces(curved, {0.2, 0, 0, 3000}).by_travel, 40000, 1e-6) << "progressive";
+    EXPECT_NEAR(forceAt(curved, {0.2, 0, 0, 3000}), 3000 + 3000 + 40000 * 0.1, 1e-9);
+}
+
+TEST(Suspension, ComplianceHasTheSignsOfItsDescription) {
+    SuspensionParams p = springAlone();
+    p.steer_by_lateral_force = -1e-6;
+    p.steer_by_longitudinal_force = 2e-6;
+    p.camber_by_lateral_force = 3e-6;
+    const WheelAngles left = compliance(p, 1000, 500, true), right = compliance(p, 1000, 500, false);
+    EXPECT_NEAR(left.toe, -0.0005 - 0.002, 1e-15) << "driving toes in: the left wheel to the right";
+    EXPECT_NEAR(right.toe, -0.0005 + 0.002, 1e-15);
+    EXPECT_NEAR(left.camber, 0.0015, 1e-15) << "a force to the left leans the top to the right, on both sides";
+    EXPECT_EQ(left.camber, right.camber);
+}
+
+// ---- Recession ----
+
+constexpr double kWheelMass = 40;  // kg
+
+SuspensionParams soft(double damping) {
+    SuspensionParams p = springAlone();
+    p.longitudinal_compliance = 2e-6;
+    p.longitudinal_damping = damping;
+    return p;
+}
+
+TEST(Recession, SwingsWithTheMassOfTheWheelOnTheBush) {
+    const SuspensionParams p = soft(500);
+    const double stiffness = 1 / 2e-6, decay = 500 / (2 * kWheelMass);
+    const double frequency = std::sqrt(stiffness / kWheelMass - decay * decay);
+    const double dt = 0.0005, rest = 1000 / stiffness;
+    Recession r;
+    r.push = 1000 / kWheelMass;
+    for (int k = 1; k <= 400; ++k) {
+        advance(r, p, kWheelMass, dt);
+        takePush(r, p, kWheelMass, 1000 / kWheelMass, dt);
+        const double t = k * dt;
+        const double exact =
+            rest * (1 - std::exp(-decay * t) * (std::cos(frequency * t) + decay / frequency * std::sin(frequency * t)));
+        EXPECT_NEAR(r.travel, exact, 0.01 * rest) << t;
+    }
+}
+
+TEST(Recession, ComesToRestWhereForceAndFrameBalanceTheBush) {
+    const SuspensionParams p = soft(8000);
+    Recession r;
+    for (int k = 0; k < 2000; ++k) {
+        advance(r, p, kWheelMass, 0.001);
+        takePush(r, p, kWheelMass, -3000 / kWheelMass + 6, 0.001);
+    }
+    EXPECT_NEAR(r.travel, 2e-6 * (-3000 + kWheelMass * 6), 1e-12);
+    EXPECT_NEAR(r.rate, 0, 1e-12);
+}
+
+TEST(Recession, AHardBushDoesNotRing) {
+    SuspensionParams p = soft(0);
+    for (const double compliance : {1e-9, 1e-10, 1e-12}) {
+        p.longitudinal_compliance = compliance;
+        Recession r;
+        for (int k = 0; k < 100; ++k) {
+            advance(r, p, kWheelMass, 0.001);
+            takePush(r, p, kWheelMass, (k < 10 ? 1000 : 2000) / kWheelMass, 0.001);
+            ASSERT_LT(std::abs(r.travel), 2 * 2000 * compliance);
+        }
+        EXPECT_NEAR(r.travel, 2000 * compliance, 20 * compliance);
+        EXPECT_NEAR(r.rate, 0, 1e-4);
+    }
+}
+
 }  // namespace
 }  // namespace tread

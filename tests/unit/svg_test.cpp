@@ -11,7 +11,7 @@
 #include "report/decimate.h"
 #include "report/text.h"
 #include "report/ticks.h"
-#include "unit/markup.h"
+#include "shared/markup.h"
 
 namespace tread {
 namespace {
@@ -220,7 +220,7 @@ TEST(Svg, ChartsWithoutRangeStayReadable) {
                                line({0, 1}, {infinity, -infinity}), line({0}, {5})}) {
         for (Chart each : {chart, chart}) {
             each.equal_aspect = !each.equal_aspect;
-            const std::string svg = svgFile(each);
+            const std::string svg = svgInline(each);
             EXPECT_TRUE(isWellFormed(svg)) << svg;
             EXPECT_EQ(svg.find("nan"), std::string::npos) << svg;
             EXPECT_EQ(svg.find("inf"), std::string::npos) << svg;
@@ -233,20 +233,12 @@ TEST(Svg, TextIsEscapedAndAxesCarryUnits) {
     chart.title = "</svg><script>alert(1)</script>";
     chart.series[0].name = "a < b & c";
     chart.labels = {{0.5, 0.5, "<b>"}};
-    const std::string svg = svgFile(chart);
+    const std::string svg = svgInline(chart);
     EXPECT_TRUE(isWellFormed(svg)) << svg;
     EXPECT_EQ(svg.find("<script"), std::string::npos);
     EXPECT_NE(svg.find(">a &lt; b &amp; c</text>"), std::string::npos);
     EXPECT_NE(svg.find(">time [s]</text>"), std::string::npos);
     EXPECT_NE(svg.find(">load [N]</text>"), std::string::npos);
-}
-
-TEST(Svg, AFileStandsAloneInLightAndDark) {
-    const std::string svg = svgFile(line({0, 1}, {0, 1}));
-    EXPECT_EQ(svg.rfind("<svg xmlns=\"http://www.w3.org/2000/svg\"", 0), 0u);
-    EXPECT_NE(svg.find("prefers-color-scheme:dark"), std::string::npos);
-    EXPECT_EQ(count(svg, "http"), 1u) << "only the name space";
-    EXPECT_EQ(count(svgInline(line({0, 1}, {0, 1})), "http"), 0u);
 }
 
 TEST(Svg, CurvesWithoutAColourDifferFromEachOther) {

@@ -13,7 +13,7 @@
 #include "commands.h"
 #include "describable.h"
 #include "log/csv.h"
-#include "log_columns.h"
+#include "log/log_columns.h"
 #include "output.h"
 
 namespace tread::program {
@@ -65,15 +65,12 @@ const Describable* bestMatch(const std::vector<std::string>& keys) {
 }
 
 std::string unknownKindText(const std::vector<std::string>& keys) {
-    std::vector<std::string_view> kinds;
-    for (const Describable& kind : describables()) {
-        if (kind.isFile()) kinds.push_back(kind.name);
-    }
     std::string found = keys.empty() ? "no \"key: value\" lines" : "";
     for (std::size_t i = 0; i < std::min<std::size_t>(keys.size(), 3); ++i)
         found += (i > 0 ? ", " : "") + quote(keys[i]);
     if (keys.size() > 3) found += fmt::format(" and {} more", keys.size() - 3);
-    return fmt::format("found {}, expected the keys of a {} file; `tread describe` lists them", found, listed(kinds));
+    return fmt::format("found {}, expected the keys of a {} file; `tread describe` with one of these words lists them",
+                       found, listed(describableNames(true)));
 }
 
 void checkYaml(CheckedFile& checked, std::string_view text) {

@@ -30,8 +30,11 @@ int run(const RunOptions& options);
 struct CompareOptions {
     std::string reference;
     std::string candidate;
-    std::string tolerances;  // file; empty: defaults
-    std::string report;      // file; empty: none
+    std::string tolerances;            // file; empty: defaults
+    std::string report;                // file; empty: none
+    std::string envelope;              // iso19364 or file; empty: not judged so
+    std::string score;                 // iso18571 or file; empty: not judged so
+    std::vector<std::string> repeats;  // further measurements for these two
     bool json = false;
 };
 int compare(const CompareOptions& options);
@@ -43,6 +46,15 @@ struct MetricsOptions {
     bool json = false;
 };
 int metrics(const MetricsOptions& options);
+
+struct ImportOptions {
+    std::string file;
+    std::string map;     // file; empty: guessed
+    std::string init;    // mapping file to write; empty: none
+    std::string output;  // log, or tyre file; empty: beside the input, with another extension
+    bool json = false;
+};
+int import(const ImportOptions& options);
 
 struct TyreOptions {
     std::string tyre;

@@ -6,6 +6,7 @@
 
 #include "base/read_yaml.h"
 #include "commands.h"
+#include "judge.h"
 #include "log/csv.h"
 #include "output.h"
 #include "overlay.h"
@@ -43,6 +44,7 @@ void writeReport(const CompareOptions& options, const Log& reference, const Log&
 }  // namespace
 
 int compare(const CompareOptions& options) {
+    if (!options.envelope.empty() || !options.score.empty()) return judge(options);
     const Tolerances tolerances = options.tolerances.empty() ? Tolerances{} : readYaml<Tolerances>(options.tolerances);
     const Log reference = readLog(options.reference);
     const Log candidate = readLog(options.candidate);

@@ -6,11 +6,15 @@
 #include "base/number_text.h"
 #include "base/read_yaml.h"
 #include "base/schema.h"
+#include "compare/cross_plots.h"
+#include "compare/score.h"
 #include "compare/tolerances.h"
-#include "log_columns.h"
+#include "import/import_map.h"
+#include "log/log_columns.h"
 #include "metrics/metrics.h"
 #include "run_inputs.h"
 #include "tread/load.h"
+#include "tyres_of.h"
 
 namespace tread::program {
 namespace {
@@ -52,8 +56,9 @@ std::vector<ReferenceRow> metricRows() {
 std::vector<std::string> readVehicleFile(const Path& file) {
     const VehicleParams car = loadVehicle(file);
     std::vector<std::string> notes;
-    for (const std::string& note : car.front.tyre.notes) notes.push_back("front.tyre: " + note);
-    for (const std::string& note : car.rear.tyre.notes) notes.push_back("rear.tyre: " + note);
+    for (const auto& [path, tyre] : tyresOf(car)) {
+        for (const std::string& note : tyre->notes) notes.push_back(path + ": " + note);
+    }
     return notes;
 }
 
@@ -62,8 +67,9 @@ std::vector<std::string> readScenarioFile(const Path& file) {
     return {};
 }
 
-std::vector<std::string> readTolerancesFile(const Path& file) {
-    readYaml<Tolerances>(file);
+template <class T>
+std::vector<std::string> readDescribed(const Path& file) {
+    readYaml<T>(file);
     return {};
 }
 
@@ -78,8 +84,14 @@ const std::vector<Describable>& describables() {
         {"scenario", "a manoeuvre", topOf<Scenario>, referenceTable<Scenario>,
          [] { return jsonSchema<Scenario>("Manoeuvre", "scenario.schema.json"); }, readScenarioFile},
         {"log", "the columns of a log", topOf<LogColumns>, logRows},
+        {"import", "how a foreign log becomes a log", topOf<ImportMap>, referenceTable<ImportMap>,
+         [] { return jsonSchema<ImportMap>("Import", "import.schema.json"); }, readDescribed<ImportMap>},
         {"tolerances", "how far two logs may differ", topOf<Tolerances>, referenceTable<Tolerances>,
-         [] { return jsonSchema<Tolerances>("Tolerances", "tolerances.schema.json"); }, readTolerancesFile},
+         [] { return jsonSchema<Tolerances>("Tolerances", "tolerances.schema.json"); }, readDescribed<Tolerances>},
+        {"envelope", "how far measurements may lie off a simulation", topOf<CrossPlots>, referenceTable<CrossPlots>,
+         [] { return jsonSchema<CrossPlots>("Envelope", "envelope.schema.json"); }, readDescribed<CrossPlots>},
+        {"score", "how the likeness of curves is rated", topOf<ScoreParams>, referenceTable<ScoreParams>,
+         [] { return jsonSchema<ScoreParams>("Score", "score.schema.json"); }, readDescribed<ScoreParams>},
         {"metrics", "the metrics of each manoeuvre, undefined when a log lacks what they need", manoeuvreFields,
          metricRows},
     };

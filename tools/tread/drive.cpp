@@ -15,6 +15,7 @@
 #include "output.h"
 #include "report/run_report.h"
 #include "run/simulate.h"
+#include "tyres_of.h"
 
 namespace tread::program {
 namespace {
@@ -61,11 +62,11 @@ Driven evaluate(const RunRecord& record, const Log& log) {
             found.warnings.push_back(fmt::format("no metrics of {}: {}", manoeuvre, error.what()));
         }
     }
-    const VehicleParams& car = record.vehicle;
-    found.warnings.insert(found.warnings.end(), car.front.tyre.notes.begin(), car.front.tyre.notes.end());
-    for (const std::string& note : car.rear.tyre.notes) {
-        const auto& known = car.front.tyre.notes;
-        if (std::find(known.begin(), known.end(), note) == known.end()) found.warnings.push_back(note);
+    for (const auto& [path, tyre] : tyresOf(record.vehicle)) {
+        for (const std::string& note : tyre->notes) {
+            const auto& known = found.warnings;
+            if (std::find(known.begin(), known.end(), note) == known.end()) found.warnings.push_back(note);
+        }
     }
     found.answer = runAnswer(record, log, found.metrics);
     found.json = {{"answer", found.answer},

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -39,6 +40,11 @@ void addCompare(CLI::App& app, CompareOptions& o) {
     app.add_option("new", o.candidate, "log to judge (CSV)")->required();
     app.add_option("--tolerances", o.tolerances, "tolerances per channel (YAML)");
     app.add_option("--report", o.report, "write an overlay report (HTML)");
+    app.add_option(
+        "--envelope", o.envelope,
+        "iso19364: do measurements (reference) lie within the boundaries around a simulation (new)? Or a file");
+    app.add_option("--score", o.score, "iso18571: how alike are the curves? Or a file");
+    app.add_option("--repeat", o.repeats, "further measurement of the manoeuvre, for --envelope and --score");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
@@ -46,6 +52,14 @@ void addMetrics(CLI::App& app, MetricsOptions& o) {
     app.add_option("log", o.log, "log (CSV)")->required();
     app.add_option("--manoeuvre", o.manoeuvre, "name of the manoeuvre (default: found from the log)");
     app.add_option("--scenario", o.scenario, "scenario file that was driven: lanes of its course");
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addImport(CLI::App& app, ImportOptions& o) {
+    app.add_option("file", o.file, "foreign log (.vbo, .mat, text table) or tyre property file (.tir)")->required();
+    app.add_option("--map", o.map, "mapping from its columns to channels (YAML; default: guessed from the names)");
+    app.add_option("--init", o.init, "write the guessed mapping to this file, to be edited, and no log");
+    app.add_option("-o,--output", o.output, "log or tyre file to write (default: <file>.csv or .yaml, in this folder)");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
@@ -67,6 +81,45 @@ void addTyre(CLI::App& app, TyreOptions& o) {
                  "with the standstill extension that the car uses (default: the paper alone)");
     addSettings(app, o.settings, "path=value, for example lambda.mux=0.8");
     app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addDescribe(CLI::App& app, DescribeOptions& o) {
+    app.add_option("what", o.what, listed(describableNames(false)))->required();
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addCheck(CLI::App& app, CheckOptions& o) {
+    app.add_option("files", o.files, "YAML, .tir or CSV files")->required();
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addSchema(CLI::App& app, SchemaOptions& o) {
+    app.add_option("what", o.what, listed(describableNames(true)))->required();
+    app.add_option("-o,--output", o.output, "file to write (default: standard output)");
+}
+
+// Once the command line is read, a command that it names runs and leaves its status.
+template <class Options>
+void addCommand(CLI::App& app, const std::string& name, const std::string& meaning,
+                void (*add_options)(CLI::App&, Options&), int (*run_command)(const Options&), int& status) {
+    CLI::App* const command = app.add_subcommand(name, meaning);
+    const auto options = std::make_shared<Options>();
+    add_options(*command, *options);
+    command->callback([=, &status] { status = run_command(*options); });
+}
+
+void addCommands(CLI::App& app, int& status) {
+    addCommand(app, "run", "drive a manoeuvre and write log, metrics and report", addRun, run, status);
+    addCommand(app, "compare", "compare two logs; status 1 when they differ", addCompare, compare, status);
+    addCommand(app, "metrics", "the standards' metrics of a log", addMetrics, metrics, status);
+    addCommand(app, "import", "make a log of a VBOX, MATLAB or text file, a tyre of a .tir file", addImport, import,
+               status);
+    addCommand(app, "tyre", "forces of a tyre at given points, transients, curves", addTyre, tyre, status);
+    addCommand(app, "describe", "all fields with units, meaning, limits and defaults", addDescribe, describe, status);
+    addCommand(app, "check",
+               "check files: vehicles, tyres, scenarios, mappings, tolerances, logs; status 2 when one has faults",
+               addCheck, check, status);
+    addCommand(app, "schema", "JSON Schema of a file, for editors", addSchema, schema, status);
 }
 
 // ---- What a command line that cannot be read is answered ----
@@ -124,45 +177,7 @@ int dispatch(int argc, char** argv) {
     app.require_subcommand(1);
 
     int status = kYes;
-    RunOptions run_options;
-    CompareOptions compare_options;
-    MetricsOptions metrics_options;
-    TyreOptions tyre_options;
-    DescribeOptions describe_options;
-    CheckOptions check_options;
-    SchemaOptions schema_options;
-
-    CLI::App* command = app.add_subcommand("run", "drive a manoeuvre and write log, metrics and report");
-    addRun(*command, run_options);
-    command->callback([&] { status = run(run_options); });
-
-    command = app.add_subcommand("compare", "compare two logs; status 1 when they differ");
-    addCompare(*command, compare_options);
-    command->callback([&] { status = compare(compare_options); });
-
-    command = app.add_subcommand("metrics", "the standards' metrics of a log");
-    addMetrics(*command, metrics_options);
-    command->callback([&] { status = metrics(metrics_options); });
-
-    command = app.add_subcommand("tyre", "forces of a tyre at given points, transients, curves");
-    addTyre(*command, tyre_options);
-    command->callback([&] { status = tyre(tyre_options); });
-
-    command = app.add_subcommand("describe", "all fields with units, meaning, limits and defaults");
-    command->add_option("what", describe_options.what, listed(describableNames(false)))->required();
-    command->add_flag("--json", describe_options.json, "print the result as JSON");
-    command->callback([&] { status = describe(describe_options); });
-
-    command = app.add_subcommand(
-        "check", "check files: vehicles, tyres, scenarios, tolerances, logs; status 2 when one has faults");
-    command->add_option("files", check_options.files, "YAML, .tir or CSV files")->required();
-    command->add_flag("--json", check_options.json, "print the result as JSON");
-    command->callback([&] { status = check(check_options); });
-
-    command = app.add_subcommand("schema", "JSON Schema of a file, for editors");
-    command->add_option("what", schema_options.what, listed(describableNames(true)))->required();
-    command->add_option("-o,--output", schema_options.output, "file to write (default: standard output)");
-    command->callback([&] { status = schema(schema_options); });
+    addCommands(app, status);
 
     if (argc < 2) {
         std::fputs(app.help().c_str(), stderr);

@@ -7,7 +7,7 @@
 #include "commands.h"
 #include "describable.h"
 #include "log/csv.h"
-#include "log_columns.h"
+#include "log/log_columns.h"
 #include "output.h"
 #include "run_inputs.h"
 

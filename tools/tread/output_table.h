@@ -2,25 +2,25 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 
 #include "output.h"
 #include "tyre_table.h"
 
 namespace tread::program {
 
-// A table that repeats an input table and adds columns to each row. It must not outlive the input.
+// A table that repeats an input table and adds the variables of further columns to each row; it refers to both.
 class OutputTable {
 public:
     // The added columns have units in brackets when one of the input's has. An empty path is standard output.
-    OutputTable(const Path& path, const InputTable& input, std::span<const ColumnKind> added);
+    OutputTable(const Path& path, const InputTable& input, const Columns& added);
 
-    void write(std::size_t input_row, std::span<const double> added);
+    void write(std::size_t input_row);  // with the variables as they are now
     void finish() { file_.finish(); }
 
 private:
     OutputFile file_;
     const InputTable& input_;
+    const Columns& added_;
 };
 
 }  // namespace tread::program

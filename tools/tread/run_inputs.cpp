@@ -4,13 +4,12 @@
 #include <utility>
 
 #include "base/did_you_mean.h"
-#include "base/field_path.h"
 #include "base/number_text.h"
 #include "base/pattern.h"
 #include "base/setting.h"
-#include "base/text_file.h"
-#include "base/yaml_document.h"
+#include "base/yaml_position.h"
 #include "metrics/metrics.h"
+#include "run/sensors.h"
 #include "run/simulate.h"
 #include "scenario/load.h"
 #include "scenario/replay.h"
@@ -83,6 +82,9 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
                           "found " + quote(pattern) + ", which fits no channel, expected a name or a pattern with *" +
                               (suggestion.empty() ? ";" : suggestion) + " `tread describe log` lists all channels"});
     }
+    for (SensorFault& fault : sensorFaults(scenario.log.sensors, known)) {
+        faults.push_back({"log.sensors." + std::to_string(fault.sensor) + "." + fault.path, std::move(fault.text)});
+    }
     return faults;
 }
 
@@ -95,30 +97,6 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
         problems.push_back({"", 0, 0, "", "and " + more + " more faults; `tread check` lists all"});
     }
     throw LoadError(std::move(problems));
-}
-
-// The child of a map or list with this key or index; nullptr when there is none.
-const YamlNode* childOf(const YamlDocument& document, const YamlNode& parent, std::string_view name) {
-    const std::vector<std::size_t>& children = parent.children;
-    if (parent.kind == YamlNode::Kind::list) {
-        const std::size_t index = detail::elementIndex(name, children.size());
-        return index < children.size() ? &document.nodes[children[index]] : nullptr;
-    }
-    for (std::size_t i = 0; i + 1 < children.size(); i += 2) {
-        if (document.nodes[children[i]].text == name) return &document.nodes[children[i + 1]];
-    }
-    return nullptr;
-}
-
-// Where a file says the value of a path; {0, 0} when it does not.
-TextPosition positionOfValue(const std::string& file, std::string_view path) {
-    std::string fault;
-    std::vector<Problem> problems;
-    const auto text = readTextFile(file, fault);
-    const auto document = text ? parseYaml(*text, file, problems) : std::nullopt;
-    const YamlNode* node = document ? &document->root() : nullptr;
-    while (node && !path.empty()) node = childOf(*document, *node, takeName(path));
-    return node ? TextPosition{node->line, node->column} : TextPosition{0, 0};
 }
 
 }  // namespace

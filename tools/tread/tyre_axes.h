@@ -16,7 +16,9 @@
 #include <array>
 #include <string_view>
 
+#include "base/numbers.h"
 #include "tread/tyre.h"
+#include "tyre_table.h"
 
 namespace tread::program {
 
@@ -78,5 +80,12 @@ constexpr bool hasAxisSigns() {
     return all;
 }
 static_assert(hasAxisSigns<TyreSlip>() && hasAxisSigns<TyreSteadyState>() && hasAxisSigns<TyreMotion>());
+
+// A column for each field of an object in the paper's axes; the columns are in `axes`.
+template <class T>
+void addFields(Columns& columns, T& object, Axes axes) {
+    static_assert(hasAxisSigns<T>());
+    for (const Number& n : numbers(object)) columns.add({n.path, n.about}, *n.value, axisSign(n.path, axes));
+}
 
 }  // namespace tread::program

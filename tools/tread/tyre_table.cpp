@@ -1,12 +1,8 @@
 #include "tyre_table.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -14,32 +10,15 @@
 #include "base/concat.h"
 #include "base/did_you_mean.h"
 #include "base/number_text.h"
+#include "base/text_file.h"
 #include "log/csv_header.h"
+#include "log/csv_lines.h"
 #include "tread/problem.h"
 
 namespace tread::program {
 namespace {
 
 constexpr std::size_t kMostProblems = 20;  // more faults than a person reads at once
-constexpr std::size_t kReadBytes = 1 << 20;
-
-std::string readWholeFile(const Path& path) {
-    const auto fail = [&] {
-        throw LoadError({{path.string(), 0, 0, "", "cannot be read: " + std::generic_category().message(errno)}});
-    };
-    const auto close = [](std::FILE* file) { std::fclose(file); };
-    const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
-    if (!file) fail();
-    std::string text;
-    std::size_t size = 0;
-    do {
-        size = text.size();
-        text.resize(size + kReadBytes);
-        text.resize(size + std::fread(text.data() + size, 1, kReadBytes, file.get()));
-        if (std::ferror(file.get())) fail();
-    } while (text.size() > size);
-    return text;
-}
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t");
@@ -62,54 +41,40 @@ NameAndUnit takeApart(std::string_view header) {
 class Reader {
 public:
     Reader(std::string_view text, const std::string& file, const std::vector<ColumnKind>& kinds)
-        : rest_(text), kinds_(kinds) {
+        : lines_(text), kinds_(kinds) {
         table_.file = file;
     }
 
     InputTable read() {
         checkText();
-        if (!nextLine()) throw LoadError({{table_.file, 0, 0, "", "is empty, expected a header of column names"}});
+        if (!lines_.next()) throw LoadError({{table_.file, 0, 0, "", "is empty, expected a header of column names"}});
         readHeader();
         throwProblems();
-        while (problems_.size() < kMostProblems && nextLine()) readRow();
+        while (problems_.size() < kMostProblems && lines_.next()) readRow();
         throwProblems();
-        if (table_.rows() == 0) throw LoadError({{table_.file, line_number_, 1, "", "has no rows below the header"}});
+        if (table_.rows() == 0)
+            throw LoadError({{table_.file, lines_.number(), 1, "", "has no rows below the header"}});
         return std::move(table_);
     }
 
 private:
     void complain(std::size_t column, std::string path, std::string text) {
-        problems_.push_back({table_.file, line_number_, static_cast<int>(column), std::move(path), std::move(text)});
+        problems_.push_back({table_.file, lines_.number(), static_cast<int>(column), std::move(path), std::move(text)});
     }
     void throwProblems() {
         if (!problems_.empty()) throw LoadError(std::move(problems_));
     }
 
     void checkText() {
-        constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-        if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
-        if (rest_.find('\0') != std::string_view::npos) {
+        if (lines_.rest().find('\0') != std::string_view::npos) {
             throw LoadError(
                 {{table_.file, 0, 0, "", "is not a text file, expected CSV with a header of column names"}});
         }
     }
 
-    // Moves to the next line that is neither empty nor a comment; false at the end.
-    bool nextLine() {
-        while (!rest_.empty()) {
-            const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-            line_ = rest_.substr(0, end);
-            rest_.remove_prefix(std::min(end + 1, rest_.size()));
-            ++line_number_;
-            if (!line_.empty() && line_.back() == '\r') line_.remove_suffix(1);
-            if (!trimmed(line_).empty() && line_.front() != '#') return true;
-        }
-        return false;
-    }
-
     void readHeader() {
         std::vector<bool> seen(kinds_.size());
-        for (const HeaderCell& cell : splitHeader(line_)) readHeaderCell(cell, seen);
+        for (const HeaderCell& cell : splitHeader(lines_.line())) readHeaderCell(cell, seen);
         if (!problems_.empty()) return;
         for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
             const auto& [name, about, required] = kinds_[kind];
@@ -166,16 +131,17 @@ private:
     }
 
     void readRow() {
+        const std::string_view line = lines_.line();
         const std::size_t start = table_.values.size(), columns = table_.columns.size();
         std::size_t at = 0, count = 0;
         const std::size_t problems_before = problems_.size();
         for (; count < columns; ++count) {
-            const std::size_t end = std::min(line_.find(',', at), line_.size());
-            readCell(line_.substr(at, end - at), at + 1, count);
-            if (end == line_.size()) break;
+            const std::size_t end = std::min(line.find(',', at), line.size());
+            readCell(line.substr(at, end - at), at + 1, count);
+            if (end == line.size()) break;
             at = end + 1;
         }
-        const auto cells = static_cast<std::size_t>(std::count(line_.begin(), line_.end(), ',')) + 1;
+        const auto cells = static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1;
         if (cells != columns) {
             problems_.resize(problems_before);  // the cells may belong to other columns
             complain(at + 1, "",
@@ -185,7 +151,7 @@ private:
             table_.values.resize(start);
             table_.places.resize(start);
         } else {
-            table_.lines.push_back(line_number_);
+            table_.lines.push_back(lines_.number());
         }
     }
 
@@ -217,10 +183,8 @@ private:
         }
     }
 
-    std::string_view rest_;
+    CsvLines lines_;
     const std::vector<ColumnKind>& kinds_;
-    std::string_view line_;
-    int line_number_ = 0;
     InputTable table_;
     std::vector<Problem> problems_;
 };
@@ -228,8 +192,10 @@ private:
 }  // namespace
 
 InputTable readTable(const Path& file, const std::vector<ColumnKind>& kinds) {
-    const std::string text = readWholeFile(file);
-    return Reader(text, file.string(), kinds).read();
+    std::string fault;
+    const auto text = readWholeFile(file, fault);
+    if (!text) throw LoadError({{file.string(), 0, 0, "", "cannot be read: " + fault}});
+    return Reader(*text, file.string(), kinds).read();
 }
 
 void Columns::add(ColumnKind kind, double& variable, double sign) {
@@ -242,11 +208,6 @@ void fill(const Columns& columns, const InputTable& table, std::size_t row) {
         const Columns::Variable& variable = columns.variables[table.columns[i].kind];
         *variable.value = variable.sign * table.si(row, i);
     }
-}
-
-void gather(const Columns& columns, std::vector<double>& row) {
-    row.clear();
-    for (const auto& [value, sign] : columns.variables) row.push_back(sign * *value + 0.0);
 }
 
 }  // namespace tread::program

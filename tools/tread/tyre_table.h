@@ -61,7 +61,4 @@ InputTable readTable(const Path& file, const std::vector<ColumnKind>& kinds);
 
 // From a row of the table, read with the kinds of `columns`, to the variables.
 void fill(const Columns& columns, const InputTable& table, std::size_t row);
-// From the variables to the values of a row; never -0.
-void gather(const Columns& columns, std::vector<double>& row);
-
 }  // namespace tread::program

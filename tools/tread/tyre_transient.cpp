@@ -92,16 +92,15 @@ std::size_t writeTransientTable(const TyreParams& tyre, const Path& input, const
     TyreMotion motion;
     Columns inputs;
     inputs.add({"t", About{"s", "time"}}, t);
-    for (const Number& n : numbers(motion)) inputs.add({n.path, n.about}, *n.value, axisSign(n.path, options.axes));
+    addFields(inputs, motion, options.axes);
     const InputTable table = readTable(input, inputs.kinds);
     const double interval = samplingInterval(table);
 
     TransientRow result;
     Columns results;
-    for (const Number& n : numbers(result)) results.add({n.path, n.about}, *n.value, axisSign(n.path, options.axes));
+    addFields(results, result, options.axes);
 
-    OutputTable out(output, table, results.kinds);
-    std::vector<double> values;
+    OutputTable out(output, table, results);
     Interval between(tyre, options, interval);
     TyreState state;
     for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -109,8 +108,7 @@ std::size_t writeTransientTable(const TyreParams& tyre, const Path& input, const
         fill(inputs, table, row);
         if (row > 0) between.advancePatch(state, before, motion);
         result = rowOf(state, rimForces(state, tyre, motion, options.standstill));
-        gather(results, values);
-        out.write(row, values);
+        out.write(row);
     }
     out.finish();
     return table.rows();

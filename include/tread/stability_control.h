@@ -1,0 +1,57 @@
+// Electronic stability control: brakes single wheels when the car does not turn as its driver steers.
+//
+// The driver's wish is the steady yaw rate of a single-track model, v delta / (l + K v^2), at most what the friction
+// allows, with a first-order lag. A car that turns in more is held by its outer front wheel, one that turns in less is
+// pulled round by its inner rear wheel; the brake torque is proportional to what the error exceeds its threshold.
+#pragma once
+
+#include "tread/describe.h"
+#include "tread/wheels.h"
+
+namespace tread {
+
+struct StabilityControlParams {
+    bool enabled = false;
+    double period = 0.01;
+    double understeer_gradient = 0.003;
+    double lateral_acceleration_limit = 8;
+    double lag = 0.08;
+    double threshold = 0.06;
+    double gain = 12000;
+    double largest = 2500;
+    double lowest_speed = 5;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(enabled), About{"", "whether the car has it"});
+        field(TREAD_FIELD(period), About{"s", "sample period of the controller", kPositive});
+        field(TREAD_FIELD(understeer_gradient),
+              About{"rad s2/m", "of the reference, road-wheel angle over lateral acceleration", kNonNegative});
+        field(TREAD_FIELD(lateral_acceleration_limit),
+              About{"m/s2", "that limits the yaw rate of the reference (friction)", kPositive});
+        field(TREAD_FIELD(lag), About{"s", "time constant of the reference", kNonNegative});
+        field(TREAD_FIELD(threshold), About{"rad/s", "error of the yaw rate that is tolerated", kNonNegative});
+        field(TREAD_FIELD(gain), About{"N m s/rad", "brake torque over the error beyond the threshold", kNonNegative});
+        field(TREAD_FIELD(largest), About{"N m", "largest torque of the brake that it uses", kNonNegative});
+        field(TREAD_FIELD(lowest_speed), About{"m/s", "speed below which it stays out", kPositive});
+    }
+};
+static_assert(describesEveryMember<StabilityControlParams>());
+
+struct StabilityControlState {
+    double reference = 0;     // rad/s
+    double since_sample = 1;  // s: the first step samples
+    PerWheel<double> torque;  // N m, asked of each brake
+};
+
+struct StabilityControlInput {
+    double speed;      // m/s, forward
+    double steer;      // rad, mean of the front wheels
+    double yaw_rate;   // rad/s
+    double wheelbase;  // m
+};
+
+// Brake torque that it asks of each wheel.
+PerWheel<double> advance(StabilityControlState& state, const StabilityControlParams& params,
+                         const StabilityControlInput& input, double dt);
+
+}  // namespace tread

@@ -1,0 +1,134 @@
+// What acts on a tyre besides load, slip and road: its inflation pressure, its temperature, and the small asymmetries
+// that its making leaves: ply-steer and conicity.
+//
+// Sources: I.J.M. Besselink, A.J.C. Schmeitz, H.B. Pacejka, "An improved Magic Formula/Swift tyre model that can handle
+// inflation pressure changes", Vehicle System Dynamics 48:S1 (2010) 337-352, for how stiffnesses follow the pressure;
+// H.B. Pacejka, "Tire and Vehicle Dynamics", for ply-steer as an equivalent slip angle and conicity as an equivalent
+// camber angle. The temperature is one lumped number, its influence a polynomial about where the tyre was measured.
+#pragma once
+
+#include "tread/describe.h"
+#include "tread/tyre.h"
+
+namespace tread {
+
+// With p = (inflation - nominal) / nominal: radial stiffness (1 + radial_stiffness p); slip stiffness
+// (1 + slip_stiffness p); largest cornering stiffness (1 + cornering_stiffness p), reached at a load of
+// (1 + cornering_peak_load p) times the tyre file's.
+struct TyrePressureParams {
+    double inflation = 220000;
+    double nominal = 220000;
+    double radial_stiffness = 0;
+    double slip_stiffness = 0;
+    double cornering_stiffness = 0;
+    double cornering_peak_load = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(inflation), About{"Pa", "inflation pressure", kPositive, 0.05});
+        field(TREAD_FIELD(nominal), About{"Pa", "pressure at which the tyre was measured", kPositive});
+        field(TREAD_FIELD(radial_stiffness),
+              About{"-", "relative change of the radial stiffness over that of the pressure", {-1, 1}});
+        field(TREAD_FIELD(slip_stiffness),
+              About{"-", "relative change of the longitudinal slip stiffness over that of the pressure", {-1, 1}});
+        field(TREAD_FIELD(cornering_stiffness),
+              About{"-", "relative change of the largest cornering stiffness over that of the pressure", {-1, 1}});
+        field(TREAD_FIELD(cornering_peak_load),
+              About{"-",
+                    "relative change of the load at the largest cornering stiffness over that of the pressure",
+                    {-1, 1}});
+    }
+
+    static void check(const auto& self, auto&& complain) {
+        if (self.inflation >= 2 * self.nominal) {
+            complain("inflation",
+                     "found a pressure of twice the nominal one or more, expected less: the influence of the pressure "
+                     "is linear about the nominal one");
+        }
+    }
+};
+static_assert(describesEveryMember<TyrePressureParams>());
+
+// heat_capacity dT/dt = slip_share (slip power) - (cooling + cooling_by_speed |V|) (T - air); friction and slip
+// stiffnesses are multiplied by polynomials in T - nominal.
+struct TyreTemperatureParams {
+    double nominal = 293.15;
+    double start = 293.15;
+    double air = 293.15;
+    double heat_capacity = 0;
+    double slip_share = 1;
+    double cooling = 0;
+    double cooling_by_speed = 0;
+    double friction = 0;
+    double friction_squared = 0;
+    double stiffness = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(nominal), About{"K", "temperature at which the tyre was measured", kPositive});
+        field(TREAD_FIELD(start), About{"K", "temperature at the start", kPositive});
+        field(TREAD_FIELD(air), About{"K", "temperature of the air", kPositive});
+        field(TREAD_FIELD(heat_capacity),
+              About{"J/K", "heat capacity of the tread; 0: the tyre keeps its temperature", kNonNegative, 0.3});
+        field(TREAD_FIELD(slip_share), About{"-", "share of the slip power that heats the tyre", kFraction, 0.3});
+        field(TREAD_FIELD(cooling), About{"W/K", "heat given to the air and the road at rest", kNonNegative, 0.3});
+        field(TREAD_FIELD(cooling_by_speed), About{"W s/(K m)", "growth of that with speed", kNonNegative, 0.3});
+        field(TREAD_FIELD(friction), About{"1/K", "relative change of the friction over temperature"});
+        field(TREAD_FIELD(friction_squared),
+              About{"1/K2", "relative change of the friction over temperature squared; negative: a best temperature"});
+        field(TREAD_FIELD(stiffness), About{"1/K", "relative change of the slip stiffnesses over temperature"});
+    }
+};
+static_assert(describesEveryMember<TyreTemperatureParams>());
+
+struct TyreSurroundingsParams {
+    TyrePressureParams pressure{};
+    TyreTemperatureParams temperature{};
+    double ply_steer = 0;
+    double conicity = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(pressure), About{"", "inflation pressure"});
+        field(TREAD_FIELD(temperature), About{"", "temperature"});
+        field(TREAD_FIELD(ply_steer), About{"rad",
+                                            "slip angle to which ply-steer is equal: positive pulls to the left, on "
+                                            "whichever side the tyre is mounted",
+                                            {-0.1, 0.1}});
+        field(TREAD_FIELD(conicity), About{"rad",
+                                           "camber to which conicity is equal: positive as if the top leant outwards; "
+                                           "its pull changes sides with the tyre",
+                                           {-0.1, 0.1}});
+    }
+};
+static_assert(describesEveryMember<TyreSurroundingsParams>());
+
+// The tyre as it is at its inflation pressure.
+TyreParams inflated(TyreParams tyre, const TyrePressureParams& pressure);
+
+// Whether the temperature can be another than the nominal one.
+bool warms(const TyreTemperatureParams& params);
+
+// `warming` is the temperature less that at the start, K; `slip_power` in W, `speed` in m/s. Returns it after dt.
+double advanceWarming(double warming, const TyreTemperatureParams& params, double slip_power, double speed, double dt);
+
+// What the temperature makes of the tyre: factors on its friction and on its slip stiffnesses.
+struct TyreWarmth {
+    double friction;
+    double stiffness;
+};
+TyreWarmth warmth(const TyreTemperatureParams& params, double warming);
+
+// Ply-steer and conicity as shifts of the motion under which the tyre's formulas are asked, paper axes.
+struct TyreShift {
+    double slip = 0;    // -, lateral slip velocity over forward speed
+    double camber = 0;  // rad
+
+    bool none() const { return slip == 0 && camber == 0; }
+};
+TyreShift shiftOf(const TyreSurroundingsParams& params, bool left);
+
+inline TyreMotion shifted(TyreMotion motion, const TyreShift& shift) {
+    motion.Vsy += shift.slip * motion.Vx;
+    motion.gamma += shift.camber;
+    return motion;
+}
+
+}  // namespace tread

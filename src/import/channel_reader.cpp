@@ -1,0 +1,138 @@
+#include "import/channel_reader.h"
+
+#include <fmt/format.h>
+
+#include "base/number_text.h"
+#include "import/columns.h"
+#include "import/time_base.h"
+#include "import/unit_spelling.h"
+#include "log/log_columns.h"
+#include "log/resample.h"
+
+namespace tread {
+namespace {
+
+[[noreturn]] void refuse(const std::string& path, std::string text) {
+    throw LoadError({{"", 0, 0, path, std::move(text)}});
+}
+
+class ChannelReader {
+public:
+    ChannelReader(const ForeignTable& table, const ImportMap& map, const std::vector<double>& time,
+                  std::vector<Change>& changes)
+        : table_(table), map_(map), time_(time), changes_(changes) {}
+
+    WholeChannel read(std::size_t index) {
+        const ImportChannel& how = map_.map[index];
+        path_ = "map." + std::to_string(index);
+        WholeChannel channel{&how, "", std::vector<double>(time_.size(), 0)};
+        const std::size_t columns = 1 + how.mean_with.size();
+        addColumn(channel, how.from, path_ + ".from", columns);
+        for (std::size_t i = 0; i < how.mean_with.size(); ++i) {
+            addColumn(channel, how.mean_with[i], path_ + ".mean_with." + std::to_string(i), columns);
+        }
+        reportFactors(how, columns);
+        return channel;
+    }
+
+private:
+    void addColumn(WholeChannel& channel, const std::string& name, const std::string& path, std::size_t columns) {
+        const ForeignColumn& column = foreignColumn(table_, name, path);
+        expectNumbers(column);
+        const Scaling scaling = scalingOf(channel, column);
+        const ImportChannel& how = *channel.how;
+        const double factor = how.sign * how.scale / how.rolling_radius.value_or(1) / static_cast<double>(columns);
+        const std::vector<double> values = onRows(column, how, path);
+        for (std::size_t i = 0; i < values.size(); ++i) channel.values[i] += factor * scaling(values[i]);
+    }
+
+    // From the unit of the column to that of the channel, which is fixed for the channels that tread has.
+    Scaling scalingOf(WholeChannel& channel, const ForeignColumn& column) {
+        const ImportChannel& how = *channel.how;
+        const auto known = logUnit(how.channel);
+        const std::string path = path_ + (how.unit.empty() ? ".from" : ".unit");
+        const auto foreign = foreignUnit(column, how.unit, path);
+        if (how.rolling_radius) {
+            channel.unit = "rad/s";
+            if (known && *known != channel.unit) {
+                refuse(path_ + ".rolling_radius", "found a radius, which makes a speed a spin (rad/s), expected " +
+                                                      std::string(*known) + " for " + how.channel);
+            }
+            return scalingTo(foreign.value_or("m/s"), "m/s", path, column);
+        }
+        if (!known && !foreign) {
+            channel.unit = column.unit.empty() ? "-" : column.unit;
+            note("unit", how.channel,
+                 column.unit.empty() ? "no unit said, taken as a pure number"
+                                     : "unknown unit " + quote(column.unit) + ", kept as it is");
+            return {};
+        }
+        if (!foreign && *known != "-") {
+            refuse(path_ + ".from", "column " + quote(column.name) + " of " + table_.file + " says " +
+                                        (column.unit.empty() ? "no unit" : "the unknown unit " + quote(column.unit)) +
+                                        ", expected one like " + std::string(*known) + "; add a line unit");
+        }
+        const std::string from = foreign.value_or("-");
+        channel.unit = known ? std::string(*known) : siUnitOf(from);
+        const Scaling scaling = scalingTo(from, channel.unit, path, column);
+        const bool same = scaling.numerator == scaling.denominator && scaling.offset == 0;
+        if (!same) note("unit", how.channel, from + " to " + (channel.unit == "-" ? "a fraction" : channel.unit));
+        return scaling;
+    }
+
+    // The values on the rows of the file's time base.
+    std::vector<double> onRows(const ForeignColumn& column, const ImportChannel& how, const std::string& path) {
+        if (how.time.empty()) {
+            if (column.values.size() == time_.size()) return column.values;
+            refuse(path, fmt::format("found {} values in column {}, but {} in time: another sampling rate; name the "
+                                     "column with its own time (time)",
+                                     column.values.size(), quote(column.name), time_.size()));
+        }
+        const ImportTime own{how.time, map_.time.unit, map_.time.format, {}, 0, {}};
+        std::vector<Change> ignored;
+        const std::vector<double> own_time = timeOfRows(table_, own, ignored);
+        if (own_time.size() != column.values.size()) {
+            refuse(path_ + ".time",
+                   fmt::format("found {} values in column {}, but {} in column {}, its time", column.values.size(),
+                               quote(column.name), own_time.size(), quote(how.time)));
+        }
+        for (std::size_t i = 1; i < own_time.size(); ++i) {
+            if (own_time[i] > own_time[i - 1]) continue;
+            refuse(path_ + ".time",
+                   fmt::format("column {} does not increase at value {}, expected a time", quote(how.time), i + 1));
+        }
+        std::vector<double> values;
+        for (const double t : time_) values.push_back(valueAt(own_time, column.values, t));
+        note("rate", how.channel, "interpolated from its own time " + quote(how.time));
+        return values;
+    }
+
+    void reportFactors(const ImportChannel& how, std::size_t columns) {
+        if (columns > 1) note("mean", how.channel, fmt::format("mean of {} columns", columns));
+        if (how.sign < 0) note("sign", how.channel, "sign turned");
+        if (how.scale != 1) note("scale", how.channel, "multiplied by " + numberText(how.scale));
+        if (how.rolling_radius) {
+            note("scale", how.channel, "speed over a rolling radius of " + numberText(*how.rolling_radius) + " m");
+        }
+    }
+
+    void note(std::string kind, const std::string& channel, std::string text) {
+        if (!changes_.empty() && changes_.back().channel == channel && changes_.back().text == text) return;
+        changes_.push_back({std::move(kind), channel, time_.size(), std::move(text)});
+    }
+
+    const ForeignTable& table_;
+    const ImportMap& map_;
+    const std::vector<double>& time_;
+    std::vector<Change>& changes_;
+    std::string path_;
+};
+
+}  // namespace
+
+WholeChannel readChannel(const ForeignTable& table, const ImportMap& map, std::size_t index,
+                         const std::vector<double>& time, std::vector<Change>& changes) {
+    return ChannelReader(table, map, time, changes).read(index);
+}
+
+}  // namespace tread

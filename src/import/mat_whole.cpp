@@ -1,0 +1,86 @@
+// MathWorks, MAT-File Format (R2023b): version 5 elements "Tag Field", version 4 "Matrix Header".
+#include "import/mat_whole.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace tread {
+namespace {
+
+constexpr std::size_t kHeader = 128;     // of a version 5 file
+constexpr std::size_t kVersionAt = 124;  // in it: version, then the letters that tell the order of bytes
+constexpr std::size_t kTag = 8, kHeader4 = 20;
+constexpr std::uint32_t kMatrix = 14, kCompressed = 15;
+constexpr std::uint32_t kLargest4 = 1u << 30;  // rows, columns, name: a version 4 file with more is none
+
+std::uint32_t word(std::string_view bytes, std::size_t at, bool big) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto byte = static_cast<unsigned char>(bytes[at + (big ? i : 3 - i)]);
+        value = value << 8 | byte;
+    }
+    return value;
+}
+
+std::string cutOff(std::size_t variable, std::size_t missing) {
+    return "is cut off within its variable number " + std::to_string(variable) + ": " + std::to_string(missing) +
+           " bytes are missing";
+}
+
+std::string version5Fault(std::string_view bytes, bool big) {
+    std::size_t at = kHeader;
+    for (std::size_t variable = 1; at < bytes.size(); ++variable) {
+        if (bytes.size() - at < kTag) return cutOff(variable, kTag - (bytes.size() - at));
+        const std::uint32_t type = word(bytes, at, big), size = word(bytes, at + 4, big);
+        if (type != kMatrix && type != kCompressed) {
+            return "is damaged: at byte " + std::to_string(at) + " there is no variable where one should begin";
+        }
+        at += kTag;
+        if (bytes.size() - at < size) return cutOff(variable, size - (bytes.size() - at));
+        at += size;
+    }
+    return {};
+}
+
+std::string version4Fault(std::string_view bytes) {
+    static constexpr std::array<std::size_t, 6> kBytes{8, 4, 4, 2, 2, 1};  // of a number, by the tens digit of the type
+    std::size_t at = 0;
+    for (std::size_t variable = 1; at < bytes.size(); ++variable) {
+        if (bytes.size() - at < kHeader4) return cutOff(variable, kHeader4 - (bytes.size() - at));
+        const bool big = word(bytes, at, false) > 9999;
+        const std::uint32_t type = word(bytes, at, big), rows = word(bytes, at + 4, big),
+                            columns = word(bytes, at + 8, big), parts = 1 + word(bytes, at + 12, big),
+                            name = word(bytes, at + 16, big), number = type / 10 % 10;
+        if (type > 9999 || number >= kBytes.size() || parts > 2 || std::max({rows, columns, name}) > kLargest4) {
+            return "is no MATLAB file that tread can read (neither version 4, 5 nor 7.3)";
+        }
+        at += kHeader4;
+        const std::size_t left = bytes.size() - at;
+        // Not multiplied out: rows times columns may exceed what a number holds.
+        const std::size_t numbers = left / (kBytes[number] * parts);
+        const bool fits = name <= left && (rows == 0 || columns <= numbers / rows);
+        const std::size_t size = fits ? std::size_t{rows} * columns * kBytes[number] * parts + name : 0;
+        if (!fits || size > left) return "is cut off within its variable number " + std::to_string(variable);
+        at += size;
+    }
+    return bytes.empty() ? "is empty" : "";
+}
+
+}  // namespace
+
+std::string matFault(std::string_view bytes) {
+    if (bytes.size() >= kHeader) {
+        const std::string_view order = bytes.substr(kVersionAt + 2, 2);
+        if (order == "IM" || order == "MI") {
+            const bool big = order == "MI";
+            const bool hdf5 = bytes[kVersionAt + (big ? 0 : 1)] == 2;
+            return hdf5 ? std::string() : version5Fault(bytes, big);
+        }
+    }
+    if (bytes.starts_with("MATLAB")) return "is cut off within its header";
+    return version4Fault(bytes);
+}
+
+}  // namespace tread

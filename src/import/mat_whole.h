@@ -1,0 +1,14 @@
+// Whether a MATLAB file is all there. matio does not notice a file that is cut off: it returns what happened to be in
+// memory.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace tread {
+
+// What is wrong, as one clause; empty when the variables of a version 4 or 5 file end where the file does. Version 7.3
+// is HDF5, which checks itself.
+std::string matFault(std::string_view bytes);
+
+}  // namespace tread

@@ -1,0 +1,105 @@
+#include "import/repair.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "import/spikes.h"
+#include "import/time_base.h"
+#include "log/resample.h"
+
+namespace tread {
+namespace {
+
+constexpr double kAverageBelow = 1 / 1.5;  // of the file's rate: a lower rate of the log is had by averaging
+
+}  // namespace
+
+std::vector<double> shifted(std::vector<double> time, double by) {
+    for (double& t : time) t += by;
+    return time;
+}
+
+void repair(const WholeChannel& channel, const ImportRepairs& repairs, const std::vector<double>& time,
+            std::vector<double>& values, std::vector<Change>& changes) {
+    const ImportChannel& how = *channel.how;
+    const auto note = [&](std::string kind, std::size_t count, std::string text) {
+        changes.push_back({std::move(kind), how.channel, count, std::move(text)});
+    };
+    if (repairs.spikes && how.spikes) {
+        const std::vector<double> before = values;
+        const auto replaced = replaceSpikes(time, values, repairs.spike_limit);
+        if (!replaced.empty()) {
+            const std::size_t first = replaced.front();
+            note("spikes", replaced.size(),
+                 fmt::format("{} of a spike replaced (the first at {:.6g} s: {:.4g} instead of about {:.4g} {})",
+                             replaced.size() == 1 ? "1 sample" : fmt::format("{} samples", replaced.size()),
+                             time[first], before[first], values[first], channel.unit));
+        }
+    }
+    const std::size_t filled = repairs.fill_gaps ? fillHoles(time, values, repairs.max_jump) : 0;
+    if (filled > 0) note("filled", filled, fmt::format("{} missing values interpolated", filled));
+    const auto left = static_cast<std::size_t>(
+        std::count_if(values.begin(), values.end(), [](double v) { return !std::isfinite(v); }));
+    if (left > 0) note("missing", left, fmt::format("{} missing values left as nan", left));
+    if (how.delay != 0) {
+        values = resample(time, values, shifted(time, how.delay));
+        note("delay", values.size(),
+             fmt::format("{:.4g} s {} taken out", std::abs(how.delay), how.delay > 0 ? "late," : "early,"));
+    }
+}
+
+void zeroAndOffset(const WholeChannel& channel, const std::vector<double>& time, std::vector<double>& values,
+                   std::vector<Change>& changes) {
+    const ImportChannel& how = *channel.how;
+    double add = how.offset;
+    if (how.zero_over > 0) {
+        double sum = 0, count = 0;
+        for (std::size_t i = 0; i < time.size() && time[i] - time.front() <= how.zero_over; ++i) {
+            if (!std::isfinite(values[i])) continue;
+            sum += values[i];
+            count += 1;
+        }
+        const double mean = count > 0 ? sum / count : 0;
+        add -= mean;
+        changes.push_back(
+            {"zero", how.channel, values.size(),
+             fmt::format("{:.4g} {} taken out, the mean of the first {:.4g} s", mean, channel.unit, how.zero_over)});
+    }
+    if (how.offset != 0) {
+        changes.push_back(
+            {"offset", how.channel, values.size(), fmt::format("{:+.6g} {} added", how.offset, channel.unit)});
+    }
+    for (double& value : values) value += add;
+}
+
+void resampleLog(Log& log, double rate, std::vector<Change>& changes) {
+    const std::vector<double> time = log.channels.front().values;
+    const bool average = rate * medianStep(time) < kAverageBelow;
+    std::vector<double> at;
+    for (std::size_t i = 0; static_cast<double>(i) <= time.back() * rate * (1 + 1e-12); ++i) {
+        at.push_back(static_cast<double>(i) / rate);
+    }
+    for (std::size_t c = 1; c < log.channels.size(); ++c) {
+        std::vector<double>& values = log.channels[c].values;
+        std::vector<double> out = resample(time, values, at);
+        std::size_t first = 0;
+        for (std::size_t i = 0; average && i < at.size(); ++i) {
+            double sum = 0, count = 0;
+            while (first < time.size() && time[first] < at[i] - 0.5 / rate) ++first;
+            for (std::size_t k = first; k < time.size() && time[k] < at[i] + 0.5 / rate; ++k) {
+                sum += values[k];
+                count += 1;
+            }
+            if (count > 0) out[i] = sum / count;
+        }
+        values = std::move(out);
+    }
+    log.channels.front().values = at;
+    changes.push_back({"rate", "", at.size(),
+                       fmt::format("resampled from {:.6g} to {:.6g} Hz, {}", 1 / medianStep(time), rate,
+                                   average ? "each sample the mean over its step" : "linearly")});
+}
+
+}  // namespace tread

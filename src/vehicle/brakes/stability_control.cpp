@@ -1,0 +1,34 @@
+#include "tread/stability_control.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tread {
+
+PerWheel<double> advance(StabilityControlState& state, const StabilityControlParams& params,
+                         const StabilityControlInput& in, double dt) {
+    if (!params.enabled) return {};
+    state.since_sample += dt;
+    if (state.since_sample < params.period) return state.torque;
+    const double elapsed = std::min(state.since_sample, 2 * params.period);
+    state.since_sample = state.since_sample < 2 * params.period ? state.since_sample - params.period : 0;
+
+    // What the driver asks for.
+    const double speed = std::max(in.speed, params.lowest_speed);
+    const double limit = params.lateral_acceleration_limit / speed;
+    const double steady = speed * in.steer / (in.wheelbase + params.understeer_gradient * speed * speed);
+    const double target = std::clamp(steady, -limit, limit);
+    state.reference = params.lag == 0 ? target : target + (state.reference - target) * std::exp(-elapsed / params.lag);
+
+    // One wheel, on the side to which the car shall turn.
+    state.torque = {};
+    const double error = in.yaw_rate - state.reference;
+    const double beyond = std::abs(error) - params.threshold;
+    if (in.speed < params.lowest_speed || beyond <= 0) return state.torque;
+    const bool oversteers = error * in.yaw_rate > 0;
+    const std::size_t right = error > 0 ? 1 : 0;
+    state.torque[(oversteers ? 0 : 2) + right] = std::min(params.gain * beyond, params.largest);
+    return state.torque;
+}
+
+}  // namespace tread

@@ -1,0 +1,48 @@
+#include "tread/tyre_surroundings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tread {
+namespace {
+
+// However hot or cold, this much of the tyre is left: the polynomials mean nothing far from where they were measured.
+constexpr double kLeast = 0.1;
+
+}  // namespace
+
+TyreParams inflated(TyreParams tyre, const TyrePressureParams& pressure) {
+    const double p = (pressure.inflation - pressure.nominal) / pressure.nominal;
+    if (p == 0) return tyre;
+    tyre.lambda.Cz *= 1 + pressure.radial_stiffness * p;
+    tyre.lambda.Kx *= 1 + pressure.slip_stiffness * p;
+    tyre.lambda.Ky *= 1 + pressure.cornering_stiffness * p;
+    // (53) with its peak at another load. pKy1 is the peak itself: 2 pKy1 / pKy2 is the slope at zero load.
+    tyre.parameters.pKy2 *= 1 + pressure.cornering_peak_load * p;
+    return tyre;
+}
+
+bool warms(const TyreTemperatureParams& params) {
+    return params.heat_capacity > 0 || params.start != params.nominal;
+}
+
+double advanceWarming(double warming, const TyreTemperatureParams& params, double slip_power, double speed, double dt) {
+    if (params.heat_capacity == 0) return warming;
+    // Trapezoidal rule: heat lost with the mean temperature of the step.
+    const double loss = params.cooling + params.cooling_by_speed * std::abs(speed);
+    const double over_air = params.start + warming - params.air;
+    return warming + dt * (params.slip_share * slip_power - loss * over_air) / (params.heat_capacity + 0.5 * dt * loss);
+}
+
+TyreWarmth warmth(const TyreTemperatureParams& params, double warming) {
+    const double over = params.start + warming - params.nominal;
+    return {.friction = std::max(1 + (params.friction + params.friction_squared * over) * over, kLeast),
+            .stiffness = std::max(1 + params.stiffness * over, kLeast)};
+}
+
+TyreShift shiftOf(const TyreSurroundingsParams& params, bool left) {
+    // A wheel steered to the left slips to the right. Outwards is to the left (negative) on the left.
+    return {.slip = std::tan(params.ply_steer), .camber = left ? -params.conicity : params.conicity};
+}
+
+}  // namespace tread

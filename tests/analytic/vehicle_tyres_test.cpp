@@ -1,0 +1,125 @@
+// Tyres that differ from what their file says: in pull, temperature, pressure, and from wheel to wheel.
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "shared/single_track.h"
+
+namespace tread {
+namespace {
+
+using reference::kStep;
+
+// Yaw rate and side force after going straight on with a held hand wheel.
+double yawRate(const VehicleParams& params, double speed = 20) {
+    const PlaneRoad road;
+    reference::Car car = reference::settled(params, road, {.speed = speed});
+    for (double t = 0; t < 3; t += kStep) car.step(kStep);
+    return car.output().chassis.yaw_rate;
+}
+
+VehicleParams symmetric() {
+    VehicleParams params = reference::compact();
+    params.aero = {};
+    for (AxleParams* axle : {&params.front, &params.rear}) {
+        TyreCoefficients& p = axle->tyre.parameters;
+        for (double* odd : {&p.pHy1, &p.pHy2, &p.pVy1, &p.pVy2, &p.pEy3, &p.qHz1, &p.qHz2, &p.qDz6, &p.qDz7, &p.ssz1})
+            *odd = 0;
+    }
+    return params;
+}
+
+TEST(TyresOfACar, PlySteerActsAsAHandWheelTurnedByThatAngle) {
+    VehicleParams params = symmetric();
+    params.front.tyre_surroundings.ply_steer = 0.001;
+    const double pulled = yawRate(params);
+    const PlaneRoad road;
+    reference::Car steered = reference::settled(symmetric(), road, {.speed = 20});
+    VehicleInput in = steered.input;
+    in.steering_wheel_angle = 0.001 * params.steering.ratio;
+    for (double t = 0; t < 3; t += kStep) steered.step(in, kStep);
+    EXPECT_GT(pulled, 0.001) << "positive pulls to the left";
+    EXPECT_NEAR(pulled, steered.output().chassis.yaw_rate, 0.01 * pulled);
+}
+
+TEST(TyresOfACar, ConicityOfEqualTyresCancelsAndOfOneTyrePullsToItsSide) {
+    VehicleParams both = symmetric();
+    both.front.tyre_surroundings.conicity = 0.01;
+    EXPECT_NEAR(yawRate(both), 0, 1e-9);
+    TyreSurroundingsParams conical;
+    conical.conicity = 0.01;
+    VehicleParams left = symmetric(), right = symmetric();
+    left.front.left.tyre_surroundings = conical;
+    right.front.right.tyre_surroundings = conical;
+    EXPECT_GT(yawRate(left), 1e-4) << "as if its top leant to the left";
+    EXPECT_NEAR(yawRate(right), -yawRate(left), 1e-9);
+}
+
+TEST(TyresOfACar, OneWheelMayWearAnotherTyre) {
+    VehicleParams params = symmetric();
+    params.rear.right.tyre = params.rear.tyre;
+    params.rear.right.tyre->lambda.muy = 0.5;
+    params.rear.right.tyre->parameters.Ro -= 0.005;
+    const Vehicle vehicle = prepare(params);
+    EXPECT_EQ(vehicle.corners[3].tyre.lambda.muy, 0.5);
+    EXPECT_EQ(vehicle.corners[2].tyre.lambda.muy, 1);
+    EXPECT_NEAR(vehicle.corners[2].hub_B.z() - vehicle.corners[3].hub_B.z(), 0.005, 1e-5) << "it stands lower";
+    EXPECT_EQ(vehicle.corners[3].tyre.side, TyreSide::right) << "mounted as any other tyre";
+}
+
+TEST(TyresOfACar, LowPressureLetsTheWheelSinkByTheClosedForm) {
+    VehicleParams params = symmetric();
+    TyreSurroundingsParams flat;
+    flat.pressure = {.inflation = 110000, .nominal = 220000, .radial_stiffness = 0.8};
+    params.front.left.tyre_surroundings = flat;
+    const PlaneRoad road;
+    const reference::Car car = reference::settled(params, road, {.input = {.brake = 0.5}});
+    const WheelState &soft = car.state.wheels[0], &hard = car.state.wheels[1];
+    const TyreCoefficients& p = params.front.tyre.parameters;
+    EXPECT_NEAR(p.Ro - soft.radius, soft.load / (0.6 * p.pz1), 1e-6);
+    EXPECT_NEAR(p.Ro - hard.radius, hard.load / p.pz1, 1e-6);
+}
+
+TEST(TyresOfACar, TemperatureInASteadyTurnIsThatOfItsSlipPower) {
+    VehicleParams params = symmetric();
+    TyreTemperatureParams& t = params.front.tyre_surroundings.temperature;
+    t = {
+        .start = 293.15, .air = 288.15, .heat_capacity = 20, .slip_share = 0.6, .cooling = 10, .cooling_by_speed = 0.5};
+    const PlaneRoad road;
+    const reference::Car car = reference::steadyTurn(params, road, 20, 0.05, 12);
+    for (const std::size_t i : {0u, 1u}) {
+        const WheelState& w = car.state.wheels[i];
+        const WheelOutput out = car.output().wheel[i];
+        // Steady: the patch slips as the rim does.
+        const double power = -w.fx * (w.motion.Vx - params.front.tyre.parameters.Re * w.spin) + w.fy * w.motion.Vsy;
+        const double expected = 288.15 + 0.6 * power / (10 + 0.5 * w.motion.Vx);
+        std::printf("front tyre %zu: %.0f W, %.2f K, closed form %.2f K\n", i, power, out.temperature, expected);
+        EXPECT_GT(power, 500);
+        EXPECT_NEAR(out.temperature - 288.15, expected - 288.15, 0.01 * (expected - 288.15));
+    }
+    EXPECT_EQ(car.output().wheel[2].temperature, 293.15) << "the rear tyres keep theirs";
+}
+
+TEST(TyresOfACar, TyresThatHeatRobsOfATenthOfTheirGripStopAsOnARoadOfThatFriction) {
+    const auto distance = [](double start, double friction) {
+        VehicleParams params = symmetric();
+        for (AxleParams* axle : {&params.front, &params.rear}) {
+            axle->tyre_surroundings.temperature.start = start;
+            axle->tyre_surroundings.temperature.friction = -0.002;
+        }
+        const PlaneRoad road(0, 0, friction);
+        reference::Car car = reference::settled(params, road, {.speed = 20});
+        const double from = car.motion.position_W.x();
+        VehicleInput in = car.input;
+        in.throttle = 0;
+        in.clutch = in.brake = 1;
+        for (double t = 0; t < 6; t += kStep) car.step(in, kStep);
+        return car.motion.position_W.x() - from;
+    };
+    EXPECT_NEAR(distance(343.15, 1), distance(293.15, 0.9), 1e-6);
+    EXPECT_GT(distance(343.15, 1), 1.05 * distance(293.15, 1));
+}
+
+}  // namespace
+}  // namespace tread

@@ -1,0 +1,36 @@
+// What the fuzzer and the replay of its corpus do with a text as a height field.
+#pragma once
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <string_view>
+
+#include "road/height_field_file.h"
+
+namespace tread::fuzz {
+
+// True when the text was taken.
+inline bool readHostileHeights(std::string_view text) {
+    HeightField field;
+    std::vector<Problem> problems;
+    parseHeightField(field, text, "fuzz.csv", problems);
+    for (const Problem& problem : problems) {
+        if (problem.file != "fuzz.csv" || problem.text.empty()) std::abort();
+    }
+    if (!problems.empty()) return false;
+    if (field.columns < 2 || field.rows() < 2 || field.heights.size() % static_cast<std::size_t>(field.columns) != 0)
+        std::abort();
+    if (!kGridSpacing.allow(field.x_spacing) || !kGridSpacing.allow(field.y_spacing)) return false;  // the reader's
+    constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+    for (const double x : {-kInfinity, -1e300, 0.0, 0.3, 1e300, kInfinity}) {
+        field.at(x, kNoNumber);
+        field.at(kNoNumber, x);
+        for (const double y : {-kInfinity, 0.1, 1e300}) {
+            if (std::isnan(field.at(x, y).height)) std::abort();
+        }
+    }
+    return true;
+}
+
+}  // namespace tread::fuzz

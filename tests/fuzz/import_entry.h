@@ -1,0 +1,49 @@
+// What the fuzzers and the replay of their corpora do with the bytes of a foreign log: read it, guess a mapping, make a
+// log. It must end in a log that keeps its promises, or in a fault that says something.
+#pragma once
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "base/read_yaml.h"
+#include "import/import.h"
+
+namespace tread::fuzz {
+
+inline void require(bool condition) {
+    if (!condition) std::abort();
+}
+
+// True when it became a log.
+inline bool importHostile(auto&& read) {
+    try {
+        const ForeignTable table = read();
+        std::vector<std::string> guesses;
+        const ImportMap map = guessMap(table, guesses);
+        require(mappingText(readYamlText<ImportMap>(mappingText(map), "guess.yaml")) == mappingText(map));
+        for (const Log& log : importLog(table, map).logs) {
+            const std::vector<double>& time = log.channels.front().values;
+            require(time.size() >= 2 && time.front() == 0);
+            for (const Channel& channel : log.channels) {
+                require(channel.values.size() == time.size() && !channel.name.empty() && !channel.unit.empty());
+            }
+            for (std::size_t i = 1; i < time.size(); ++i) require(time[i] > time[i - 1]);
+        }
+        return true;
+    } catch (const LoadError& error) {
+        require(!error.problems().empty());
+        for (const Problem& problem : error.problems()) require(!problem.text.empty());
+        return false;
+    }
+}
+
+// Each text goes through both readers, whatever it looks like.
+inline bool importHostileText(const std::string& text) {
+    const bool vbo = importHostile([&] { return parseVbo(text, "fuzz.vbo"); });
+    const bool table = importHostile([&] { return parseForeignCsv(text, "fuzz.csv"); });
+    return vbo || table;
+}
+
+}  // namespace tread::fuzz

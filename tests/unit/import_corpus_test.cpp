@@ -1,0 +1,45 @@
+// Replays the corpora of the import fuzzers.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "fuzz/import_entry.h"
+#include "import/mat_whole.h"
+
+namespace tread {
+namespace {
+
+std::string bytesOf(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(ImportCorpus, EveryTextBecomesALogOrIsRefusedInWords) {
+    std::vector<std::string> taken;
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(TREAD_SOURCE_DIR "/tests/fuzz/corpus/import")) {
+        SCOPED_TRACE(entry.path().string());
+        if (fuzz::importHostileText(bytesOf(entry.path()))) taken.push_back(entry.path().filename());
+        ++files;
+    }
+    std::sort(taken.begin(), taken.end());
+    EXPECT_GE(files, 15u);
+    EXPECT_EQ(taken, (std::vector<std::string>{"commas.csv", "duplicates.csv", "holes.csv", "jumps.csv", "latin1.vbo",
+                                               "metadata.csv", "no_time.csv", "plain.csv", "short_last_row.vbo",
+                                               "units_below.csv"}));
+}
+
+TEST(ImportCorpus, EveryMatlabFileIsJudged) {
+    std::size_t files = 0, whole = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(TREAD_SOURCE_DIR "/tests/fuzz/corpus/mat")) {
+        whole += matFault(bytesOf(entry.path())).empty();
+        ++files;
+    }
+    EXPECT_GE(files, 6u);
+    EXPECT_EQ(whole, 3u) << "versions 4, 5 and the header of 7.3";
+}
+
+}  // namespace
+}  // namespace tread

@@ -1,0 +1,154 @@
+#include "import/import.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "base/read_yaml.h"
+#include "base/write_yaml.h"
+#include "base/yaml_position.h"
+#include "commands.h"
+#include "log/csv.h"
+#include "output.h"
+#include "tread/load.h"
+
+namespace tread::program {
+namespace {
+
+std::string outputOf(const ImportOptions& options, const char* extension) {
+    if (!options.output.empty()) return options.output;
+    const Path beside = Path(options.file).filename().replace_extension(extension);
+    if (!std::filesystem::exists(beside)) return beside.string();
+    throw LoadError(
+        {{"", 0, 0, "",
+          fmt::format("tread import: '{}' is there already; name the file to write with -o", beside.string())}});
+}
+
+int importTyre(const ImportOptions& options) {
+    if (!options.map.empty() || !options.init.empty()) {
+        throw LoadError({{options.file, 0, 0, "", "is a tyre property file, which needs no mapping; leave out --map"}});
+    }
+    const std::string output = outputOf(options, ".yaml");
+    const TyreParams tyre = loadTyre(options.file);
+    writeFile(output, writeYaml(tyre));
+    const std::string answer =
+        fmt::format("Imported the tyre {} into {}", Path(options.file).filename().string(), output);
+    if (options.json) {
+        printJson({{"answer", answer}, {"file", options.file}, {"output", {output}}, {"notes", tyre.notes}});
+    } else {
+        for (const std::string& note : tyre.notes) std::fprintf(stderr, "%s\n", note.c_str());
+        print(answer + "\n");
+    }
+    return kYes;
+}
+
+// A fault of the mapping, where the mapping says it.
+Problem placed(Problem problem, const ImportOptions& options) {
+    if (!problem.file.empty()) return problem;
+    if (options.map.empty()) {
+        problem.file = options.file;
+        problem.text += "; `tread import --init map.yaml` writes the guessed mapping for you to correct";
+        return problem;
+    }
+    const TextPosition position = positionOfValue(options.map, problem.path);
+    problem.file = options.map;
+    problem.line = position.line;
+    problem.column = position.column;
+    return problem;
+}
+
+Imported imported(const ForeignTable& table, const ImportMap& map, const ImportOptions& options) {
+    try {
+        return importLog(table, map);
+    } catch (const LoadError& error) {
+        std::vector<Problem> problems;
+        for (const Problem& problem : error.problems()) problems.push_back(placed(problem, options));
+        throwIfAny(std::move(problems));
+        throw;
+    }
+}
+
+// log.csv; log_1.csv, log_2.csv when there are several.
+std::vector<std::string> writeLogs(const std::vector<Log>& logs, const std::string& output) {
+    std::vector<std::string> files;
+    for (std::size_t i = 0; i < logs.size(); ++i) {
+        Path file = output;
+        if (logs.size() > 1) {
+            file.replace_filename(fmt::format("{}_{}{}", file.stem().string(), i + 1, file.extension().string()));
+        }
+        writeLog(file, logs[i]);
+        files.push_back(file.string());
+    }
+    return files;
+}
+
+std::string answerOf(const Imported& result, const std::string& file, const std::vector<std::string>& output) {
+    const Log& log = result.logs.front();
+    const std::vector<double>& time = log.channels.front().values;
+    const std::string into =
+        output.size() == 1 ? output.front() : fmt::format("{} files from {}", output.size(), output.front());
+    return fmt::format("Imported {}: {} channels, {} samples, {:.4g} s{}, into {}", Path(file).filename().string(),
+                       log.channels.size() - 1, time.size(), time.back(),
+                       output.size() > 1 ? " in the first recording" : "", into);
+}
+
+std::string listedNames(const std::vector<std::string>& names) {
+    std::string out;
+    for (const std::string& name : names) out += (out.empty() ? "" : ", ") + name;
+    return out;
+}
+
+int writeGuess(const ImportOptions& options, const ImportMap& map, const std::vector<std::string>& guesses) {
+    writeFile(options.init, mappingText(map));
+    for (const std::string& guess : guesses) std::fprintf(stderr, "guess: %s\n", guess.c_str());
+    const std::string answer =
+        fmt::format("Guessed {} channels of {}; correct {} and import with --map {}", map.map.size(),
+                    Path(options.file).filename().string(), options.init, options.init);
+    if (options.json) {
+        printJson({{"answer", answer}, {"file", options.file}, {"output", {options.init}}, {"guesses", guesses}});
+    } else {
+        print(answer + "\n");
+    }
+    return kYes;
+}
+
+}  // namespace
+
+int import(const ImportOptions& options) {
+    const std::string extension = Path(options.file).extension().string();
+    if (extension == ".tir" || extension == ".TIR") return importTyre(options);
+
+    const ForeignTable table = readForeignTable(options.file);
+    std::vector<std::string> guesses;
+    const bool guessed = options.map.empty();
+    const ImportMap map = guessed ? guessMap(table, guesses) : readYaml<ImportMap>(options.map);
+    if (!options.init.empty()) return writeGuess(options, map, guesses);
+
+    const std::string output = outputOf(options, ".csv");
+    const Imported result = imported(table, map, options);
+    const std::vector<std::string> files = writeLogs(result.logs, output);
+    const std::string answer = answerOf(result, options.file, files);
+    if (options.json) {
+        printJson({{"answer", answer},
+                   {"file", options.file},
+                   {"kind", table.kind},
+                   {"output", files},
+                   {"rows", result.rows},
+                   {"samples", result.logs.front().samples()},
+                   {"changes", tread::json(result.changes)},
+                   {"not_taken", result.not_taken},
+                   {"guesses", guesses},
+                   {"guessed_mapping", guessed ? nlohmann::json(mappingText(map)) : nlohmann::json(nullptr)}});
+        return kYes;
+    }
+    std::string words = text(result.changes);
+    if (!result.not_taken.empty()) words += "not taken: " + listedNames(result.not_taken) + "\n";
+    for (const std::string& guess : guesses) words += "guess: " + guess + "\n";
+    if (guessed) words += "guessed mapping (--init FILE writes it):\n" + mappingText(map);
+    std::fputs(words.c_str(), stderr);
+    print(answer + "\n");
+    return kYes;
+}
+
+}  // namespace tread::program
