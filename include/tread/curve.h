@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -18,9 +19,10 @@ struct Curve {
     bool empty() const { return points.empty(); }
     bool operator==(const Curve&) const = default;
 
-    // Value at x; 0 for a curve without points.
+    // Value at x; 0 for a curve without points. NaN gives NaN: what broke down upstream stays visible.
     double operator()(double x) const {
         if (points.empty()) return 0;
+        if (std::isnan(x)) return x;
         if (x <= points.front().x) return points.front().y;
         if (x >= points.back().x) return points.back().y;
         const auto right = std::upper_bound(points.begin(), points.end(), x,

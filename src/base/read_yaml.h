@@ -30,7 +30,7 @@ namespace tread {
 namespace detail {
 
 struct IgnoreComplaint {
-    void operator()(std::string_view, std::string) const {}
+    void operator()(std::string_view, const std::string&) const {}
 };
 
 template <class T>

@@ -1,7 +1,9 @@
 // The equilibrium is found by letting the car settle: all sub-models, present and future, are in it as they are. What
 // the settling adds vanishes at rest: the body heaves, rolls and pitches as if it were light, and is damped; a rolling
-// car is held at its speed while the torque at the wheels is sought that leaves no longitudinal acceleration. Dry friction
-// in the suspension could hold the body anywhere nearby; it is left out, so that the car stands where it does not act.
+// car is held at its speed while the torque at the wheels is sought that leaves no longitudinal acceleration, and,
+// where it pulls to a side, the hand-wheel angle and the sideslip that leave no lateral and yaw acceleration. Dry
+// friction in the suspension could hold the body anywhere nearby; it is left out, so that the car stands where it does
+// not act.
 
 #include "tread/equilibrium.h"
 
@@ -20,6 +22,10 @@ constexpr double kLightest = 9;  // mass of the body over that with which it set
 constexpr double kRideDamping = 6;    // 1/s, of heave, roll and pitch
 constexpr double kDriftDamping = 25;  // 1/s, of a standing car along the road
 constexpr double kTorqueGain = 20;    // 1/s: how fast the torque at the wheels follows the need
+constexpr double kPullShows = 0.5;    // s, after which a pull to a side is not the settling's
+constexpr double kSideGain = 3;       // how much faster than its own the car finds its sideslip
+constexpr double kTrimRate = 3;       // 1/s: about how fast the hand wheel follows the need
+constexpr double kTypicalSlope = 20;  // 1/rad, cornering stiffness of a tyre over its load
 
 Vector3 vectorOf(const std::array<double, 3>& a) {
     return {a[0], a[1], a[2]};
@@ -98,6 +104,13 @@ double meanDrivenSpin(const VehicleState& state, double front_share) {
     return 0.5 * (front_share * (w[0].spin + w[1].spin) + (1 - front_share) * (w[2].spin + w[3].spin));
 }
 
+// Yaw acceleration over the hand-wheel angle, roughly, 1/(s2 rad).
+double yawByHandWheel(const VehicleParams& params) {
+    const double b = params.wheelbase - params.front_axle_distance;
+    const double front_load = params.mass * kStandardGravity * b / params.wheelbase;
+    return params.front_axle_distance * kTypicalSlope * front_load / (params.inertia.yaw * params.steering.ratio);
+}
+
 }  // namespace
 
 Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, const Start& start) {
@@ -108,7 +121,9 @@ Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, co
     const double front_share = vehicle.params.driveline.front_share;
     const double inertia_torque = vehicle.params.mass * vehicle.corners[0].tyre.parameters.Re;
     const Vector3 forward = place.orientation * Vector3::UnitX();
+    const Vector3 left = place.orientation * Vector3::UnitY();
     const Vector3 n = place.orientation * Vector3::UnitZ();
+    const double trim_gain = kTrimRate / yawByHandWheel(vehicle.params);
     const double hastening = kRideFrequency / heaveFrequency(vehicle);
     const double lightness = std::clamp(hastening * hastening, 1.0, kLightest);
     const double step = hastening > 1 ? 0.002 : 0.001;  // s
@@ -117,6 +132,8 @@ Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, co
     VehicleState& state = result.state;
     double torque = 0;
     double quiet = 0;
+    bool pulls = false;
+    double sideways = 0;  // m/s, to the left
     for (double t = 0; t < kLongest && quiet < kQuietTime; t += step) {
         // Driveline in steady running at the torque sought.
         const SteadyDriveline steady =
@@ -138,8 +155,16 @@ Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, co
         const Vector3 drift = (1 - kDriftDamping * step) * across(left_over, n);
         const Vector3 yaw = (1 - kDriftDamping * step) * turning.dot(n) * n;
         if (rolls) {
-            // Hold place, speed and heading.
-            push(motion, state, vehicle, place.velocity_W + ride, tilt);
+            // Hold place, speed and heading; a car that pulls to a side is steered against it.
+            const double aside = acceleration.dot(left), turns = angular.dot(n);
+            pulls |= t > kPullShows && std::max(std::abs(aside), std::abs(turns)) > kQuiet;
+            if (pulls) {
+                sideways += kSideGain * step * aside;
+                result.input.steering_wheel_angle -= trim_gain * step * turns;
+                const double turned = (motion.orientation * Vector3::UnitX()).dot(left);
+                motion.orientation = (Quaternion(Eigen::AngleAxisd(-turned, n)) * motion.orientation).normalized();
+            }
+            push(motion, state, vehicle, place.velocity_W + ride + sideways * left, tilt);
             motion.position_W = place.position_W + (motion.position_W - place.position_W).dot(n) * n;
             torque -= kTorqueGain * step * inertia_torque * acceleration.dot(forward);
         } else {
@@ -150,7 +175,7 @@ Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, co
     }
 
     // Rest at last: what the settling left is below what matters.
-    result.motion.velocity_W = place.velocity_W;
+    result.motion.velocity_W = place.velocity_W + sideways * left;
     result.motion.angular_velocity_W.setZero();
     for (std::size_t i = 0; i < kWheels; ++i) {
         WheelState& wheel = state.wheels[i];

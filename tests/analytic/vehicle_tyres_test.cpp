@@ -11,11 +11,13 @@ namespace {
 
 using reference::kStep;
 
-// Yaw rate and side force after going straight on with a held hand wheel.
+// Yaw rate with the hand wheel held straight.
 double yawRate(const VehicleParams& params, double speed = 20) {
     const PlaneRoad road;
     reference::Car car = reference::settled(params, road, {.speed = speed});
-    for (double t = 0; t < 3; t += kStep) car.step(kStep);
+    VehicleInput in = car.input;
+    in.steering_wheel_angle = 0;  // where the start held it against the pull
+    for (double t = 0; t < 3; t += kStep) car.step(in, kStep);
     return car.output().chassis.yaw_rate;
 }
 
@@ -119,6 +121,46 @@ TEST(TyresOfACar, TyresThatHeatRobsOfATenthOfTheirGripStopAsOnARoadOfThatFrictio
     };
     EXPECT_NEAR(distance(343.15, 1), distance(293.15, 0.9), 1e-6);
     EXPECT_GT(distance(343.15, 1), 1.05 * distance(293.15, 1));
+}
+
+// ---- Starting straight on ----
+
+void expectStraight(const VehicleParams& params, const Road& road) {
+    reference::Car car = reference::settled(params, road, {.speed = 25});
+    const Equilibrium start = equilibrium(car.vehicle, {road, car.gravity_W}, {.speed = 25});
+    EXPECT_LT(start.acceleration, 1e-5);
+    for (double t = 0; t < 2; t += kStep) car.step(kStep);
+    EXPECT_NEAR(car.output().chassis.yaw_rate, 0, 1e-4);
+    EXPECT_NEAR(car.output().chassis.ay, 0, 1e-3);
+}
+
+TEST(TyresOfACar, APullIsSteeredAgainstFromTheStart) {
+    const PlaneRoad road;
+    VehicleParams params = symmetric();
+    params.front.tyre_surroundings.ply_steer = 0.001;
+    expectStraight(params, road);
+    const Equilibrium start = equilibrium(prepare(params), {road, {0, 0, -kStandardGravity}}, {.speed = 25});
+    EXPECT_NEAR(start.input.steering_wheel_angle, -0.001 * params.steering.ratio, 0.01 * 0.001 * params.steering.ratio);
+    EXPECT_NEAR(start.motion.velocity_W.y(), 0, 1e-3);
+
+    // Rear tyres that pull turn the car askew: it goes straight on with its sideslip, the front wheels parallel.
+    params = symmetric();
+    params.rear.tyre_surroundings.ply_steer = 0.001;
+    expectStraight(params, road);
+    const Equilibrium askew = equilibrium(prepare(params), {road, {0, 0, -kStandardGravity}}, {.speed = 25});
+    EXPECT_NEAR(askew.motion.velocity_W.y() / 25, 0.001, 0.02 * 0.001);
+    EXPECT_NEAR(askew.input.steering_wheel_angle, 0.001 * params.steering.ratio, 0.02 * 0.001 * params.steering.ratio);
+
+    params.steering.delay = 0.1;
+    params.steering.lag = 0.05;
+    params.steering.rack_compliance = 2e-5;
+    expectStraight(params, road);
+}
+
+TEST(TyresOfACar, ABankIsSteeredAgainstFromTheStart) {
+    const PlaneRoad bank(0, 0.03, 1);
+    expectStraight(reference::compact(), bank);
+    expectStraight(reference::rearDriveSedan(), bank);
 }
 
 }  // namespace

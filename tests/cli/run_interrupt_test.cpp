@@ -63,7 +63,7 @@ TEST_F(TreadRun, ProgressIsShownOnATerminalAndWipedBeforeTheMessage) {
     car();
     scenario();
     const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
-    ASSERT_GE(terminal, 0);
+    if (terminal < 0) GTEST_SKIP() << "this system has no pseudo-terminals (/dev/pts)";
     ASSERT_EQ(grantpt(terminal), 0);
     ASSERT_EQ(unlockpt(terminal), 0);
     Running program(words({"--set", "scenario.phases.0.until.duration=100000", "--set", "scenario.time_limit=200000"}),

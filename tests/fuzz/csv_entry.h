@@ -3,35 +3,32 @@
 #pragma once
 
 #include <cmath>
-#include <cstdlib>
 #include <string_view>
 #include <vector>
 
+#include "fuzz/demand.h"
 #include "log/csv.h"
 
 namespace tread::fuzz {
 
 // True when the text was taken.
 inline bool readHostileCsv(std::string_view text) {
-    const auto demand = [](bool condition) {
-        if (!condition) std::abort();
-    };
     try {
         const Log log = parseLog(text, "fuzz.csv");
+        demand(log.samples() > 0);
         const std::vector<double>& time = log.channels.front().values;
-        demand(!time.empty());
         for (const Channel& channel : log.channels) {
             demand(channel.values.size() == time.size() && !channel.name.empty() && !channel.unit.empty());
         }
         for (std::size_t i = 0; i < time.size(); ++i) {
             demand(std::isfinite(time[i]) && (i == 0 || time[i] > time[i - 1]));
         }
-        return true;
     } catch (const LoadError& error) {
         demand(!error.problems().empty());
         for (const Problem& problem : error.problems()) demand(problem.file == "fuzz.csv" && !problem.text.empty());
         return false;
     }
+    return true;
 }
 
 }  // namespace tread::fuzz

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "height_field_entry.h"
+#include "fuzz/height_field_entry.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     tread::fuzz::readHostileHeights({reinterpret_cast<const char*>(bytes), size});

@@ -3,18 +3,14 @@
 #pragma once
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 
 #include "base/read_yaml.h"
+#include "fuzz/demand.h"
 #include "import/import.h"
 
 namespace tread::fuzz {
-
-inline void require(bool condition) {
-    if (!condition) std::abort();
-}
 
 // True when it became a log.
 inline bool importHostile(auto&& read) {
@@ -22,19 +18,19 @@ inline bool importHostile(auto&& read) {
         const ForeignTable table = read();
         std::vector<std::string> guesses;
         const ImportMap map = guessMap(table, guesses);
-        require(mappingText(readYamlText<ImportMap>(mappingText(map), "guess.yaml")) == mappingText(map));
+        demand(mappingText(readYamlText<ImportMap>(mappingText(map), "guess.yaml")) == mappingText(map));
         for (const Log& log : importLog(table, map).logs) {
             const std::vector<double>& time = log.channels.front().values;
-            require(time.size() >= 2 && time.front() == 0);
+            demand(time.size() >= 2 && time.front() == 0);
             for (const Channel& channel : log.channels) {
-                require(channel.values.size() == time.size() && !channel.name.empty() && !channel.unit.empty());
+                demand(channel.values.size() == time.size() && !channel.name.empty() && !channel.unit.empty());
             }
-            for (std::size_t i = 1; i < time.size(); ++i) require(time[i] > time[i - 1]);
+            for (std::size_t i = 1; i < time.size(); ++i) demand(time[i] > time[i - 1]);
         }
         return true;
     } catch (const LoadError& error) {
-        require(!error.problems().empty());
-        for (const Problem& problem : error.problems()) require(!problem.text.empty());
+        demand(!error.problems().empty());
+        for (const Problem& problem : error.problems()) demand(!problem.text.empty());
         return false;
     }
 }

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "import_entry.h"
+#include "fuzz/import_entry.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     tread::fuzz::importHostileText({reinterpret_cast<const char*>(bytes), size});

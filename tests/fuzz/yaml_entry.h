@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <cstdlib>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +11,7 @@
 
 #include "base/read_yaml.h"
 #include "base/write_yaml.h"
+#include "fuzz/demand.h"
 #include "tread/tyre.h"
 #include "tread/wheels.h"
 
@@ -79,10 +79,6 @@ struct Everything {
     }
 };
 static_assert(describesEveryMember<Everything>());
-
-inline void demand(bool condition) {
-    if (!condition) std::abort();
-}
 
 // True when the text was taken.
 template <Described T>

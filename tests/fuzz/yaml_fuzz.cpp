@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "yaml_entry.h"
+#include "fuzz/yaml_entry.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     tread::fuzz::readHostileYaml({reinterpret_cast<const char*>(bytes), size});

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace tread {
 namespace {
 
@@ -28,6 +30,11 @@ TEST(Curve, OnePointIsAConstantAndNoPointIsZero) {
     EXPECT_EQ(constant(2), 7);
     EXPECT_EQ(constant(9), 7);
     EXPECT_EQ(Curve{}(3), 0);
+}
+
+TEST(Curve, OfNoNumberIsNoNumber) {
+    EXPECT_TRUE(std::isnan(kCurve(std::nan(""))));
+    EXPECT_TRUE(std::isnan(Curve{{{2, 7}}}(std::nan(""))));
 }
 
 }  // namespace
