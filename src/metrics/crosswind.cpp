@@ -13,17 +13,17 @@ namespace tread {
 namespace {
 
 constexpr std::string_view kName = "crosswind";
-constexpr double kReading = 2.0;              // s after the wind
-constexpr double kOnset = 0.1;                // of the largest lateral acceleration
-constexpr double kLeast = 0.1;                // m/s2: less is no gust
-constexpr double kFixed = 1.0 / kDegrees;     // rad by which the steering wheel may move
-constexpr double kBefore = 0.5;               // s of driving straight on
-constexpr double kStraight = 0.1;             // m/s2 of lateral acceleration before
+constexpr double kReading = 2.0;           // s after the wind
+constexpr double kOnset = 0.1;             // of the largest lateral acceleration
+constexpr double kLeast = 0.1;             // m/s2: less is no gust
+constexpr double kFixed = 1.0 / kDegrees;  // rad by which the steering wheel may move
+constexpr double kBefore = 0.5;            // s of driving straight on
+constexpr double kStraight = 0.1;          // m/s2 of lateral acceleration before
 
 struct Crosswind {
-    double onset;                  // s
-    double deviation;              // m, to the side to which the wind blows
-    double yaw, peak_yaw_rate;     // rad, rad/s, signs of that side
+    double onset;               // s
+    double deviation;           // m, to the side to which the wind blows
+    double yaw, peak_yaw_rate;  // rad, rad/s, signs of that side
     double peak_ay, speed;
 };
 
@@ -47,8 +47,9 @@ double farthest(const TimeSeries& series, double from, double to) {
 }
 
 Crosswind findCrosswind(const Log& log) {
-    const auto needed = channels(log, kName, {"driver.steering_wheel_angle", "chassis.x", "chassis.y", "chassis.yaw",
-                                              "chassis.yaw_rate", "chassis.ay"});
+    const auto needed = channels(
+        log, kName,
+        {"driver.steering_wheel_angle", "chassis.x", "chassis.y", "chassis.yaw", "chassis.yaw_rate", "chassis.ay"});
     const TimeSeries yaw_rate = cleaned(needed[4], kResponseHalfWidth), ay = cleaned(needed[5], kResponseHalfWidth);
     const TimeSeries& hand = needed[0];
     const auto [least, most] = std::minmax_element(hand.value.begin(), hand.value.end());

@@ -40,7 +40,8 @@ MetricTable<SlowSteer> table() {
         {{"steering_wheel_gradient", "deg/g", "d steering-wheel angle / d ay, " + range},
          [](const SlowSteer& s) { return kDegrees * kGravity * s.slope; }},
         {{"understeer_gradient", "deg/g",
-          "that gradient over the steering ratio, less wheelbase / speed^2; undefined when these are not known"},
+          "d road-wheel angle (by the steering ratio) / d ay, less wheelbase / speed^2; undefined when these are not "
+          "known"},
          [](const SlowSteer& s) { return kDegrees * kGravity * s.understeer; }},
         {{"largest_ay", "m/s2", "largest magnitude of the lateral acceleration"},
          [](const SlowSteer& s) { return s.largest_ay; }},
@@ -61,12 +62,13 @@ SlowSteer findSlowSteer(const Log& log, const KnownCar& car) {
     const Instant most = sign > 0 ? left : right;
     const double zero = hand.value.front();
 
-    std::vector<double> x, y, times, speeds;
+    std::vector<double> x, y, road, times, speeds;
     for (std::size_t i = 0; i < ay.size() && ay.time[i] <= most.time; ++i) {
         const double a = sign * ay.value[i];
         if (a < kLow || a > kHigh) continue;
         x.push_back(a);
         y.push_back(sign * (hand.value[i] - zero));
+        road.push_back(sign * car.roadWheelAngle(hand.value[i]));
         times.push_back(ay.time[i]);
         speeds.push_back(v.value[i]);
     }
@@ -96,7 +98,7 @@ SlowSteer findSlowSteer(const Log& log, const KnownCar& car) {
     found.rate = rate;
     found.largest_ay = sign * most.value;
     found.angle_there = sign * (at(hand, most.time) - zero);
-    found.understeer = line.slope / car.steering_ratio - car.wheelbase / (found.speed * found.speed);
+    found.understeer = fitLine(x, road).slope - car.wheelbase / (found.speed * found.speed);
     return found;
 }
 

@@ -143,7 +143,7 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
     const Equilibrium rest = startOf(params, scenario, {.road = *road, .wind_W = startingWind(scenario)});
     BulletVehicle car(params, world.chassis(), *road);
     car.restore(rest.motion, rest.state, rest.input);
-    Driver driver(scenario, rest.input, {params.wheelbase, params.steering.ratio});
+    Driver driver(scenario, rest.input, {params.wheelbase, params.steering.ratio, params.steering.ratio_curve});
 
     checkSensors(scenario.log.sensors);
     Sample sample(scenario.log, scenario.step);

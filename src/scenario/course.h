@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -87,6 +89,18 @@ struct CourseParams {
         for (std::size_t i = 1; i < self.sections.size(); ++i) {
             if (self.sections[i].from < self.sections[i - 1].to)
                 complain("sections", "the sections must follow each other along x");
+        }
+        if (self.sections.empty()) return;
+        if (self.begin + self.sections.front().from < self.car.ahead)
+            complain("begin", "the first lane begins beside the car or behind it, expected ahead of its front end");
+        const auto all = lanes(self);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const std::string which = "found lane " + std::to_string(i + 1);
+            if (all[i].left - all[i].right < self.car.width)
+                complain("sections", which + " narrower than the car, which cannot go through");
+            if (i > 0 && all[i].from == all[i - 1].to &&
+                (all[i].right > all[i - 1].left - self.car.width || all[i].left < all[i - 1].right + self.car.width))
+                complain("sections", which + " beside the end of the one before, expected way to get there");
         }
     }
 };

@@ -86,6 +86,7 @@ struct Scenario {
     WindParams wind;
     StartParams start;
     CourseParams course;
+    std::vector<std::string> car_settings = {};
     std::vector<Phase> phases;
     LogParams log;
     SeriesParams series;
@@ -102,6 +103,8 @@ struct Scenario {
         field(TREAD_FIELD(wind), About{"", "wind"});
         field(TREAD_FIELD(start), About{"", "start"});
         field(TREAD_FIELD(course), About{"", "path and lanes of the manoeuvre"});
+        field(TREAD_FIELD(car_settings),
+              About{"", "what this manoeuvre changes on the car, each path=value: brakes.anti_lock.enabled=true"});
         field(TREAD_FIELD(phases), About{"", "what the driver does, one phase after the other"});
         field(TREAD_FIELD(log), About{"", "what is logged"});
         field(TREAD_FIELD(series), About{"", "further runs, when one cannot answer the question"});

@@ -32,7 +32,7 @@ void SteerControl::look(const SteeringSignal& signal, const ChassisOutput& car, 
 }
 
 void SteerControl::correct(double missing_curvature, double bandwidth, double dt) {
-    angle_ += dt * bandwidth * car_.ratio * car_.wheelbase * missing_curvature;
+    angle_ += dt * bandwidth * car_.ratioAt(angle_) * car_.wheelbase * missing_curvature;
     angle_ = std::clamp(angle_, -kLargest, kLargest);
 }
 
@@ -47,7 +47,7 @@ double SteerControl::pathAngle(const FollowPath& driver, const ChassisOutput& ca
     const double aside = dy * std::cos(course) - dx * std::sin(course);
     const double curvature = 2 * aside / (dx * dx + dy * dy);
     const double asked = curvature + driver.lead * (curvature - car.yaw_rate / v);
-    return driver.gain * car_.ratio * (car_.wheelbase + driver.understeer * v * v) * asked;
+    return driver.gain * car_.ratioAt(angle_) * (car_.wheelbase + driver.understeer * v * v) * asked;
 }
 
 void SteerControl::follow(const FollowPath& driver, const ChassisOutput& car, double time, double dt) {

@@ -1,11 +1,13 @@
 // Hands of a driver who watches the car: holds a curvature, or follows a path.
 #pragma once
 
+#include <cmath>
 #include <deque>
 #include <utility>
 
 #include "scenario/path.h"
 #include "scenario/signals.h"
+#include "tread/curve.h"
 #include "tread/vehicle_output.h"
 
 namespace tread {
@@ -14,6 +16,9 @@ namespace tread {
 struct KnownSteering {
     double wheelbase = 2.6;  // m
     double ratio = 16;       // hand wheel over road wheel
+    Curve ratio_curve = {};  // that over the hand-wheel angle to either side, in place of the one number
+
+    double ratioAt(double hand_wheel) const { return ratio_curve.empty() ? ratio : ratio_curve(std::abs(hand_wheel)); }
 };
 
 class SteerControl {

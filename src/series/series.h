@@ -32,7 +32,7 @@ struct SeriesResult {
     std::string number;  // path; empty when there is no series
     std::string unit;    // SI
     std::vector<SeriesRun> runs;
-    double highest;      // that passed, SI; NaN: none, or not asked for
+    double highest;  // that passed, SI; NaN: none, or not asked for
 };
 
 // The scenario with the numbers that `tune` asks for. Throws SeriesError when a target cannot be reached.

@@ -183,6 +183,25 @@ TEST(Course, PathRunsThroughTheMiddleOfTheLanes) {
     EXPECT_NEAR(half.y, y, 0.01);
 }
 
+TEST(Course, LanesThatTheCarCannotReachAreFaults) {
+    const auto faultOf = [](std::string from, const std::string& to) {
+        std::string text = kLaneChange;
+        text.replace(text.find(from), from.size(), to);
+        try {
+            scenarioOf(text);
+        } catch (const LoadError& error) {
+            return error.problems().front().text;
+        }
+        return std::string("no fault");
+    };
+    EXPECT_EQ(faultOf("edge: right, at: 1, width_extra: 1", "edge: right, at: 1, width_extra: -0.1"),
+              "found lane 2 narrower than the car, which cannot go through");
+    EXPECT_EQ(faultOf("from: 25.5", "from: 12"),
+              "found lane 2 beside the end of the one before, expected way to get there");
+    EXPECT_EQ(faultOf("begin: 50", "begin: 1.5"),
+              "the first lane begins beside the car or behind it, expected ahead of its front end");
+}
+
 TEST(Course, ADriverWithoutPathIsAFault) {
     try {
         scenarioOf("phases: [{steering: follow_path, until: {time: 1}}]");

@@ -60,6 +60,22 @@ TEST(SlowlyIncreasingSteer, UndersteerIsThatOfTheSingleTrackModel) {
               std::string::npos);
 }
 
+// A ratio that falls with the angle: the road wheels turn as h / (r0 - k h). A car whose lateral acceleration is in
+// proportion to the road wheels has the gradient of a straight line; by one ratio it would not.
+TEST(SlowlyIncreasingSteer, ARatioOverTheAngleIsTakenWhereTheWheelStands) {
+    constexpr double kGain = 40, kSpeed = 22, kWheelbase = 2.6;  // m/s2 per rad of the road wheels
+    const Curve ratio{{{0, 18}, {2, 12}}};
+    const auto hand = [](double t) { return t < 1 ? 0 : 13.5 * kDegree * (t - 1); };
+    const auto ay = [&](double t) { return kGain * hand(t) / ratio(hand(t)); };
+    const Log log = sample::log(100, 7,
+                                {{"driver.steering_wheel_angle", "rad", hand},
+                                 {"chassis.vx", "m/s", sample::constant(kSpeed)},
+                                 {"chassis.ay", "m/s2", ay}});
+    const auto found = metrics(log, "slowly_increasing_steer", {.wheelbase = kWheelbase, .ratio_curve = ratio});
+    const double expected = (1 / kGain - kWheelbase / (kSpeed * kSpeed)) * kGravity / kDegree;
+    EXPECT_NEAR(valueOf(found, "understeer_gradient"), expected, 1e-3 * std::abs(expected));
+}
+
 // x = X sin(w t), y = Y sin(w t - phi): slope on centre Y/X cos(phi), branches 2 Y sin(phi) and 2 X sin(phi) apart.
 TEST(Weave, LoopsOfSinesHaveTheirClosedForm) {
     constexpr double kX = 0.25, kY = 2, kR = 0.08, kM = 3, kAyPhase = 0.25, kYawPhase = 0.06, kTorquePhase = -0.4,

@@ -50,7 +50,7 @@ Log drive(const RunRecord& record, const Path& file, std::optional<LogWriter>& w
 }
 
 KnownCar knownOf(const VehicleParams& vehicle, const Scenario& scenario) {
-    return {vehicle.wheelbase, vehicle.steering.ratio, scenario.course};
+    return {vehicle.wheelbase, vehicle.steering.ratio, scenario.course, vehicle.steering.ratio_curve};
 }
 
 Driven evaluate(const RunRecord& record, const Log& log) {

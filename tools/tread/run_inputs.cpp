@@ -128,6 +128,10 @@ RunRecord readRunInputs(const RunOptions& options) {
     if (!problems.empty()) refuse(std::move(problems));
 
     constexpr const char* kSource = "--set";
+    // The scenario's settings of the car, as they are after --set; then --set has the last word.
+    Settable asked = inputs;
+    applySettings(asked, options.settings, kSource, listingOf);
+    applySettings(inputs.vehicle, asked.scenario.car_settings, options.scenario + ": car_settings", listingOf);
     applySettings(inputs, options.settings, kSource, listingOf);
     for (const Fault& fault : unknownNames(inputs.scenario)) {
         problems.push_back({kSource, 0, 0, "scenario." + fault.path, fault.text});
