@@ -12,10 +12,11 @@
 #include "base/did_you_mean.h"
 #include "cli/program.h"
 #include "metrics/metrics.h"
+#include "places/places.h"
 
 namespace tread {
 
-inline const std::string kSource = TREAD_SOURCE_DIR;
+inline const std::string kSource = sourceFile();
 
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
