@@ -12,7 +12,7 @@ namespace tread {
 namespace {
 
 constexpr double kStep = 0.001;  // s
-constexpr KnownSteering kCar{.wheelbase = 2.5, .ratio = 16};
+const KnownSteering kCar{.wheelbase = 2.5, .ratio = 16};
 
 Scenario scenarioOf(const std::string& text) {
     return readYamlText<Scenario>(text, "scenario.yaml");

@@ -18,17 +18,17 @@ constexpr double kStop = kSpeed / kDeceleration;              // s
 constexpr double kTrim = 0.1;                                 // rad, of the hand wheel before
 
 // Constant deceleration along y = 0. The driver turns the hand wheel at a constant rate, 1 rad in 2 s, then back at
-// half that; the car yaws in a half sine over the stop.
+// half that; the car yaws away and back.
 Log logOf(double rate, double side) {
     const auto braked = [](double t) { return std::clamp(t - kOnset, 0.0, kStop); };
     const auto hand = [=](double t) {
         const double s = braked(t);
         return kTrim - side * (s < 2 ? 0.5 * s : 1 - 0.25 * (s - 2));
     };
-    const auto yaw = [=](double t) { return side * 0.05 * std::sin(std::numbers::pi * braked(t) / kStop); };
+    const auto yaw = [=](double t) { return side * 0.025 * (1 - std::cos(2 * std::numbers::pi * braked(t) / kStop)); };
     const auto yaw_rate = [=](double t) {
-        const double s = braked(t), w = std::numbers::pi / kStop;
-        return s > 0 && s < kStop ? side * 0.05 * w * std::cos(w * s) : 0;
+        const double turn = 2 * std::numbers::pi / kStop;
+        return side * 0.025 * turn * std::sin(turn * braked(t));
     };
     return sample::log(rate, 6,
                        {{"driver.brake", "-", [](double t) { return t < kOnset ? 0 : 1; }},
