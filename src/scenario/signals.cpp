@@ -71,7 +71,7 @@ double at(const Pulse<Of>& signal, double held, double elapsed) {
 }
 
 template <class Of>
-double at(const Random<Of>& signal, double held, double elapsed) {
+double at(const Noise<Of>& signal, double held, double elapsed) {
     const double width = (signal.to - signal.from) / signal.lines;
     const auto seed = static_cast<std::uint64_t>(signal.seed);
     double sum = 0;

@@ -121,7 +121,7 @@ struct Pulse {
 // Band-limited noise about where it is: sines of equal amplitude and random phase, one at a random place in each of
 // as many equal parts of the band. It does not repeat, and comes out the same from the same seed on every machine.
 template <class Of>
-struct Random {
+struct Noise {
     static constexpr std::string_view kName = "random";
     double rms = kRequired;
     double from = kRequired;
@@ -175,7 +175,7 @@ struct HandsOff {
 
 using SteeringSignal =
     std::variant<Keep, Constant<Angle>, Ramp<Angle>, Sine<Angle>, SineWithDwell<Angle>, Sweep<Angle>, Pulse<Angle>,
-                 Random<Angle>, Table<Angle>, Replay<Angle>, HoldLateralAcceleration, HoldRadius, FollowPath, HandsOff>;
+                 Noise<Angle>, Table<Angle>, Replay<Angle>, HoldLateralAcceleration, HoldRadius, FollowPath, HandsOff>;
 using PedalSignal = std::variant<Keep, Constant<Pedal>, Ramp<Pedal>, Table<Pedal>, Replay<Pedal>>;
 using ThrottleSignal = std::variant<Keep, Constant<Pedal>, Ramp<Pedal>, Table<Pedal>, Replay<Pedal>, HoldSpeed>;
 

@@ -30,7 +30,7 @@ struct Input {
 const std::array<Input, 3> kInputs{
     Input{"sweep", Sweep<Angle>{0.2, 0.1, 4, 40, SweepLaw::logarithmic}, 46},
     Input{"pulse", Pulse<Angle>{0.5, 0.4}, 8},
-    Input{"random", Random<Angle>{0.1, 0.15, 2.5, 150, 3}, 240},
+    Input{"random", Noise<Angle>{0.1, 0.15, 2.5, 150, 3}, 240},
 };
 
 // Tolerances: the random signal is cut by windows of 20 s, in which a response that lags leaks by its lag over 20 s;
@@ -91,7 +91,7 @@ TEST(FrequencyResponse, ResonanceAndBandwidthAreThoseOfTheSingleTrackModel) {
 TEST(FrequencyResponse, CoherenceTellsTheShareOfTheNoise) {
     const shared::SingleTrack car;
     constexpr double kRate = 50, kLowest = 0.15, kHighest = 2.5, kRms = 0.1, kNoise = 0.03;
-    Log log = car.drive(signalFrom(Random<Angle>{kRms, kLowest, kHighest, 100, 3}, 0), 600, kRate, 0.01);
+    Log log = car.drive(signalFrom(Noise<Angle>{kRms, kLowest, kHighest, 100, 3}, 0), 600, kRate, 0.01);
     sample::addNoise(log, "chassis.yaw_rate", kNoise, 1);
     const auto found = metrics(log, "frequency_response");
     for (const double f : {0.5, 1.0, 2.0}) {

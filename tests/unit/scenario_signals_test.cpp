@@ -138,7 +138,7 @@ TEST(Signals, PulseIsATriangle) {
 }
 
 TEST(Signals, RandomHasItsPowerInItsBandAndNowhereElse) {
-    const SteeringSignal random = Random<Angle>{0.1, 0.2, 2, 120, 7};
+    const SteeringSignal random = Noise<Angle>{0.1, 0.2, 2, 120, 7};
     constexpr double kRate = 20, kTime = 400;
     double squares = 0, sum = 0, outside = 0;
     std::vector<double> values;
@@ -165,7 +165,7 @@ TEST(Signals, RandomHasItsPowerInItsBandAndNowhereElse) {
 
 TEST(Signals, RandomIsItsSeeds) {
     const auto of = [](int seed, double t) {
-        return valueAt(SteeringSignal{Random<Angle>{0.1, 0.2, 2, 120, seed}}, kHeld, t);
+        return valueAt(SteeringSignal{Noise<Angle>{0.1, 0.2, 2, 120, seed}}, kHeld, t);
     };
     EXPECT_EQ(of(1, 0), kHeld) << "begins without a jump";
     EXPECT_EQ(of(1, 3.3), of(1, 3.3));
