@@ -189,8 +189,8 @@ TEST_F(TreadRun, CarInPlaceOfTheScenarioIsRefused) {
     const Result result = runProgram({"run", car(text), car(text), "-o", out()});
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(firstLine(result.err), scratch.path("car.yaml") + ":" + placeOf(text, "name:") +
-                                         ": found the unknown key \"name\", expected the name of a field; write one of "
-                                         "title, description, manoeuvre, step, time_limit, road, wind, start, phases or log");
+                                         ": found the unknown key \"name\", expected the name of a field; correct or "
+                                         "remove it");
 }
 
 }  // namespace
