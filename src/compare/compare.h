@@ -23,12 +23,14 @@ struct ChannelComparison {
     std::string channel;
     std::string unit;
     bool same = true;
-    std::size_t samples = 0;          // that were compared
-    double peak = 0;                  // largest magnitude of the whole reference channel
-    double allowed = 0;               // difference up to which the channels are the same
-    double largest = 0;               // largest magnitude of the difference
-    double largest_time = 0;          // s
-    double rms = 0;                   // of the difference
+    std::size_t samples = 0;  // that were compared
+    double peak = 0;          // largest magnitude of the whole reference channel
+    double allowed = 0;       // difference up to which the channels are the same
+    double largest = 0;       // largest magnitude of the difference
+    double largest_time = 0;  // s
+    double rms = 0;           // of the difference
+    std::optional<double>
+        r_squared;  // share of the reference's variance that the candidate explains; none: it has none
     std::optional<Divergence> first;  // where the tolerance is left
     std::size_t reference_not_finite = 0;
     std::size_t candidate_not_finite = 0;
