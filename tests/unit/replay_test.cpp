@@ -70,5 +70,44 @@ TEST_F(ReplayTest, MissingFileOrNameIsAFault) {
     EXPECT_THROW(scenario("brake: {replay: {channel: driver.brake}}"), LoadError);
 }
 
+constexpr const char* kRepeat =
+    "phases:\n"
+    "  - steering: {replay: {channel: driver.steering_wheel_angle}}\n"
+    "    throttle: {hold_speed: {as_driven: true}}\n"
+    "    until: {drive_end: true}\n";
+
+TEST_F(ReplayTest, DriveGivesHandSpeedAndEnd) {
+    const Scenario asked = loadScenario(scratch.file("scenario.yaml", std::string("drive: drive.csv\n") + kRepeat));
+    const Scenario read = withReplaysRead(asked);
+    EXPECT_DOUBLE_EQ(read.start.speed, 20);
+    EXPECT_DOUBLE_EQ(std::get<Table<Angle>>(read.phases[0].steering).points(0.5), 0.25);
+    EXPECT_DOUBLE_EQ(std::get<HoldSpeed>(read.phases[0].throttle).profile(3), 20);
+    EXPECT_DOUBLE_EQ(read.phases[0].until.time.value(), 3);
+    EXPECT_EQ(read.drive, "") << "read once: the scenario that is kept with the run needs the log no more";
+    EXPECT_DOUBLE_EQ(withReplaysRead(read).phases[0].until.time.value(), 3);
+}
+
+TEST_F(ReplayTest, OwnStartSpeedWins) {
+    const Scenario asked =
+        loadScenario(scratch.file("scenario.yaml", std::string("drive: drive.csv\nstart: {speed: 5}\n") + kRepeat));
+    EXPECT_DOUBLE_EQ(withReplaysRead(asked).start.speed, 5);
+}
+
+TEST_F(ReplayTest, DriveThatIsNotNamedOrNotRepeatedIsAFault) {
+    const auto fault = [&](const std::string& text) -> std::string {
+        try {
+            withReplaysRead(loadScenario(scratch.file("scenario.yaml", text)));
+        } catch (const LoadError& error) {
+            return error.what();
+        }
+        return "no fault";
+    };
+    EXPECT_EQ(fault(kRepeat),
+              "scenario.drive: found no log of the drive that the scenario repeats; name it here, or with `tread run "
+              "--log FILE`");
+    EXPECT_NE(fault("drive: drive.csv\nphases: [{until: {duration: 5}}]").find("but nothing that repeats it"),
+              std::string::npos);
+}
+
 }  // namespace
 }  // namespace tread
