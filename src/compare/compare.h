@@ -57,6 +57,9 @@ struct Comparison {
 // log but not in the other is a difference; so is a log that ends early.
 Comparison compare(const Log& reference, const Log& candidate, const Tolerances& tolerances = {});
 
+// What was found besides values, one sentence each: faults, notes, channels that only one log has.
+std::vector<std::string> remarks(const Comparison& comparison);
+
 // First line: the answer in words. Then what was found besides values, and a table of the worst channels.
 std::string text(const Comparison& comparison, std::size_t worst = 10);
 nlohmann::json json(const Comparison& comparison);

@@ -33,6 +33,13 @@ std::string joined(const std::vector<std::string>& names) {
     return out;
 }
 
+// A simulation has dozens of channels that no car logs.
+std::string fewOf(const std::vector<std::string>& names) {
+    constexpr std::size_t kMost = 8;
+    if (names.size() <= kMost) return joined(names);
+    return joined({names.begin(), names.begin() + kMost}) + fmt::format(" and {} more", names.size() - kMost);
+}
+
 std::string count(std::size_t number, std::string_view what) {
     return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
 }
@@ -103,12 +110,17 @@ nlohmann::json jsonOf(const ChannelComparison& channel) {
 
 }  // namespace
 
+std::vector<std::string> remarks(const Comparison& comparison) {
+    std::vector<std::string> out = comparison.faults;
+    out.insert(out.end(), comparison.notes.begin(), comparison.notes.end());
+    if (!comparison.missing.empty()) out.push_back("Only in the reference: " + joined(comparison.missing) + ".");
+    if (!comparison.extra.empty()) out.push_back("Only in the candidate: " + fewOf(comparison.extra) + ".");
+    return out;
+}
+
 std::string text(const Comparison& comparison, std::size_t worst) {
     std::string out = answer(comparison) + "\n";
-    for (const std::string& fault : comparison.faults) out += fault + "\n";
-    for (const std::string& note : comparison.notes) out += note + "\n";
-    if (!comparison.missing.empty()) out += "Only in the reference: " + joined(comparison.missing) + "\n";
-    if (!comparison.extra.empty()) out += "Only in the candidate: " + joined(comparison.extra) + "\n";
+    for (const std::string& remark : remarks(comparison)) out += remark + "\n";
 
     const auto order = worstFirst(comparison);
     const std::size_t rows = std::min(worst, order.size());
