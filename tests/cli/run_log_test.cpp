@@ -23,7 +23,8 @@ TEST(RunLog, DriveIsRepeatedFromItsLog) {
     const Result compared = runProgram({"compare", drive, scratch.path("again/log.csv"), "--json"});
     ASSERT_EQ(compared.status, 1) << "the feet are not those of the drive";
     std::size_t found = 0;
-    for (const auto& channel : nlohmann::json::parse(compared.out)["channels"]) {
+    const auto comparison = nlohmann::json::parse(compared.out);
+    for (const auto& channel : comparison["channels"]) {
         const std::string name = channel["channel"];
         if (name != "chassis.yaw_rate" && name != "chassis.ay" && name != "driver.steering_wheel_angle") continue;
         EXPECT_GT(channel["r_squared"].get<double>(), 0.999) << name;

@@ -81,8 +81,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Drive{"s90/slalom_30.csv", "s90_csv", "volvo_s90", "volvo_s90", "sensor.vbox_ay", 0.998, 0.972},
                     Drive{"s90/slalom_30.vbo", "s90_vbo", "volvo_s90", "volvo_s90", "sensor.vbox_ay", 0.998, 0.972},
                     Drive{"s90/sweep_50_70.csv", "s90_csv", "volvo_s90", "volvo_s90", "sensor.vbox_ay", 0.99, 0.975}),
-    [](const testing::TestParamInfo<Drive>& info) {
-        std::string name = std::filesystem::path(info.param.file).filename();
+    [](const testing::TestParamInfo<Drive>& drive) {
+        std::string name = std::filesystem::path(drive.param.file).filename();
         for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
         return name;
     });

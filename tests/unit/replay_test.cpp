@@ -67,7 +67,8 @@ TEST_F(ReplayTest, BeginningBehindTheEndOfTheLogIsAFault) {
 
 TEST_F(ReplayTest, MissingFileOrNameIsAFault) {
     EXPECT_THROW(Driver(scenario("brake: {replay: {file: none.csv, channel: driver.brake}}"), {}), std::runtime_error);
-    EXPECT_THROW(scenario("brake: {replay: {channel: driver.brake}}"), LoadError);
+    EXPECT_THROW(scenario("brake: {replay: {file: drive.csv}}"), LoadError);
+    EXPECT_THROW(Driver(scenario("brake: {replay: {channel: driver.brake}}"), {}), LoadError) << "no drive either";
 }
 
 constexpr const char* kRepeat =
