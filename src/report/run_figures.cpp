@@ -65,7 +65,7 @@ const Channel* completeChannel(const Log& log, std::string_view name) {
     return channel && log.samples() > 0 && channel->values.size() == log.samples() ? channel : nullptr;
 }
 
-std::optional<Chart> pathFigure(const Log& log, double car_length, double car_width) {
+std::optional<Chart> pathFigure(const Log& log, const CarShape& car) {
     const Channel* x = completeChannel(log, "chassis.x");
     const Channel* y = completeChannel(log, "chassis.y");
     const Channel* yaw = completeChannel(log, "chassis.yaw");
@@ -79,8 +79,8 @@ std::optional<Chart> pathFigure(const Log& log, double car_length, double car_wi
     // On a long path a car to scale would be a speck: it is enlarged by a round factor then, and the note says so.
     constexpr double kSmallest = 0.06;  // of the path
     const double path = std::max(extent(x->values), extent(y->values));
-    const double enlarged = std::max(1.0, niceStep(kSmallest * path / car_length, 1));
-    const double length = enlarged * car_length, width = enlarged * car_width;
+    const double enlarged = std::max(1.0, niceStep(kSmallest * path / car.length(), 1));
+    const double length = enlarged * car.length(), width = enlarged * car.width;
     for (const Pose& pose : fewPoses(log, 1.1 * length)) {
         chart.series.push_back(outline(pose, length, width));
         const double beside = 0.5 * width + 0.06 * std::max(path, length);

@@ -4,12 +4,13 @@
 #include <optional>
 
 #include "log/log.h"
+#include "report/car_shape.h"
 #include "report/svg.h"
 
 namespace tread {
 
 // The path seen from above, with the car's outline at a few moments. Lengths in metres.
-std::optional<Chart> pathFigure(const Log& log, double car_length, double car_width);
+std::optional<Chart> pathFigure(const Log& log, const CarShape& car);
 
 // Fx/Fz against Fy/Fz of each wheel, with the circle of friction 1 for scale.
 std::optional<Chart> frictionFigure(const Log& log);

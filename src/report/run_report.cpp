@@ -3,6 +3,7 @@
 #include <array>
 
 #include "report/html.h"
+#include "report/replay.h"
 #include "report/run_figures.h"
 #include "report/text.h"
 
@@ -133,10 +134,22 @@ void addMetrics(HtmlPage& page, const std::vector<Metric>& metrics) {
     page.table({"Metric", "Value", "Unit", "Definition"}, rows, true);
 }
 
+CarShape shapeOf(const RunReport& content) {
+    return content.record ? carShape(content.record->vehicle) : typicalCarShape();
+}
+
+void addReplay(HtmlPage& page, const RunReport& content) {
+    std::string data = replayData({{content.vehicle, content.log, shapeOf(content)}},
+                                  content.record ? content.record->scenario.road : RoadParams{});
+    if (data.empty()) return;
+    page.section("Replay");
+    page.replay(std::move(data));
+}
+
 void addFigures(HtmlPage& page, const RunReport& content) {
     std::vector<Chart> figures;
-    for (auto& figure : {pathFigure(content.log, content.car_length, content.car_width), steeringFigure(content.log),
-                         frictionFigure(content.log)}) {
+    for (auto& figure :
+         {pathFigure(content.log, shapeOf(content)), steeringFigure(content.log), frictionFigure(content.log)}) {
         if (figure) figures.push_back(*figure);
     }
     if (figures.empty()) return;
@@ -156,6 +169,7 @@ std::string runReport(const RunReport& content) {
                     {"What it is", content.scenario_description},
                     {"Made by", content.version}});
 
+    if (content.log.samples() > 0) addReplay(page, content);
     addMetrics(page, content.metrics);
     if (content.log.samples() > 0) {
         addFigures(page, content);

@@ -6,6 +6,7 @@
 
 #include "log/log.h"
 #include "metrics/metric.h"
+#include "run/run_record.h"
 
 namespace tread {
 
@@ -20,8 +21,8 @@ struct RunReport {
     std::vector<Metric> metrics = {};  // most important first: the first six become cards
     std::string resolved_yaml = {};
     std::vector<std::string> warnings = {};
-    double car_length = 4.3;  // m, of the outline in the top view
-    double car_width = 1.8;
+    const RunRecord* record =
+        nullptr;  // car and road of the replay and the top view; without it a medium car, level ground
 };
 
 std::string runReport(const RunReport& content);

@@ -121,7 +121,8 @@ void saveResults(const RunRecord& record, const Log& log, const RunOptions& opti
                                                  .log = log,
                                                  .metrics = found.metrics,
                                                  .resolved_yaml = writeYaml(record),
-                                                 .warnings = found.warnings}));
+                                                 .warnings = found.warnings,
+                                                 .record = &record}));
     if (options.json) {
         printJson(json);
         return;
