@@ -4,14 +4,15 @@
 
 #include "cli/logs.h"
 #include "cli/program.h"
+#include "places/places.h"
 
 namespace tread {
 namespace {
 
 using Json = nlohmann::json;
 
-const std::string kVehicles = TREAD_SOURCE_DIR "/vehicles/";
-const std::string kScenarios = TREAD_SOURCE_DIR "/scenarios/";
+const std::string kVehicles = sourceFile("vehicles/");
+const std::string kScenarios = sourceFile("scenarios/");
 
 // The text with its first `from` replaced.
 std::string with(std::string text, const std::string& from, const std::string& to) {

@@ -8,12 +8,13 @@
 
 #include "cli/logs.h"
 #include "cli/program.h"
+#include "places/places.h"
 #include "shared/file_size_limit.h"
 
 namespace tread {
 namespace {
 
-const std::string kTyreFile = TREAD_SOURCE_DIR "/vehicles/tyres/car_205_60R15.yaml";
+const std::string kTyreFile = sourceFile("vehicles/tyres/car_205_60R15.yaml");
 
 // Ways to have a file written; its name goes behind the words. Words with a dot are files of the test's folder.
 struct Way {
@@ -111,7 +112,7 @@ TEST(StandardOutput, ThatIsFullIsOneSentenceOfEveryCommand) {
     const std::string log = scratch.path("log.csv");
     writeLog(log, cli::stepSteer());
     const std::string slips = scratch.file("slips.csv", "Fz,gamma,Vx,Vsx,Vsy\n4000,0,20,0,1\n");
-    const std::string root = TREAD_SOURCE_DIR;
+    const std::string root = sourceFile();
     const std::vector<std::vector<std::string>> answers{
         {"run", root + "/vehicles/compact.yaml", root + "/scenarios/drop_and_settle.yaml", "-o", scratch.path("out")},
         {"--version"},

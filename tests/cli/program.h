@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "places/places.h"
 #include "shared/scratch.h"
 
 namespace tread {
@@ -28,13 +29,13 @@ public:
         posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
         posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
         posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-        words.insert(words.begin(), TREAD_PROGRAM);
+        words.insert(words.begin(), programFile());
         std::vector<char*> argv;
         for (std::string& word : words) argv.push_back(word.data());
         argv.push_back(nullptr);
-        const int fault = posix_spawn(&child_, TREAD_PROGRAM, &actions, nullptr, argv.data(), environ);
+        const int fault = posix_spawn(&child_, words.front().c_str(), &actions, nullptr, argv.data(), environ);
         posix_spawn_file_actions_destroy(&actions);
-        if (fault != 0) throw std::runtime_error("cannot start " TREAD_PROGRAM);
+        if (fault != 0) throw std::runtime_error("cannot start " + words.front());
     }
     ~Running() {
         if (child_ == 0) return;

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
+#include "places/places.h"
 
 namespace tread {
 namespace {
@@ -22,7 +23,7 @@ TEST(SchemaCommand, PrintsJsonSchema) {
 }
 
 void expectFresh(const std::string& what, const std::string& file) {
-    EXPECT_EQ(contentOf(TREAD_SOURCE_DIR "/" + file), runProgram({"schema", what}).out)
+    EXPECT_EQ(contentOf(sourceFile(file)), runProgram({"schema", what}).out)
         << "renew it with: tread schema " << what << " -o " << file;
 }
 
@@ -37,7 +38,7 @@ TEST(SchemaCommand, ShippedSchemasAreFresh) {
 TEST(SchemaCommand, ShippedFilesNameASchemaThatIsThere) {
     const std::string marker = "# yaml-language-server: $schema=";
     std::size_t files = 0;
-    for (const char* folder : {TREAD_SOURCE_DIR "/vehicles", TREAD_SOURCE_DIR "/scenarios"}) {
+    for (const std::string& folder : {sourceFile("vehicles"), sourceFile("scenarios")}) {
         for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
             if (entry.path().extension() != ".yaml") continue;
             const std::string line = firstLine(contentOf(entry.path().string()));

@@ -10,10 +10,11 @@
 #include <vector>
 
 #include "cli/program.h"
+#include "places/places.h"
 
 namespace tread {
 
-inline const std::string kSource = TREAD_SOURCE_DIR;
+inline const std::string kSource = sourceFile();
 
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);

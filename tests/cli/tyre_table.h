@@ -11,11 +11,12 @@
 #include <vector>
 
 #include "cli/program.h"
+#include "places/places.h"
 #include "shared/car_205_60R15.h"
 
 namespace tread {
 
-inline const std::string kCarTyre = TREAD_SOURCE_DIR "/vehicles/tyres/car_205_60R15.yaml";
+inline const std::string kCarTyre = sourceFile("vehicles/tyres/car_205_60R15.yaml");
 
 // The tyre has no overturning couple of its own; with these, every result is there to be compared.
 inline const std::vector<std::string> kCouples{"--set", "parameters.qx1=2e-6", "--set", "parameters.qx2=0.03",

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "log/csv.h"
+#include "places/places.h"
 #include "run/simulate.h"
 #include "scenario/load.h"
 #include "tread/load.h"
@@ -12,7 +13,7 @@
 namespace tread::golden {
 namespace {
 
-const std::filesystem::path kSource = TREAD_SOURCE_DIR;
+const std::filesystem::path kSource = sourceFile();
 
 // What the driver does, how the body moves, and one number from the depth of every sub-model: what a change breaks
 // shows in at least one of them.

@@ -10,12 +10,13 @@
 #include <string>
 
 #include "base/numbers.h"
+#include "places/places.h"
 #include "tread/tyre.h"
 
 namespace reference {
 
 inline tread::TyreParams car205() {
-    std::ifstream file(TREAD_SOURCE_DIR "/vehicles/tyres/car_205_60R15.yaml");
+    std::ifstream file(tread::sourceFile("vehicles/tyres/car_205_60R15.yaml"));
     std::map<std::string, double> values;
     for (std::string line; std::getline(file, line);) {
         std::istringstream words(line.substr(0, line.find('#')));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "places/places.h"
 #include "run/simulate.h"
 #include "scenario/load.h"
 #include "tread/load.h"
@@ -12,13 +13,13 @@
 namespace tread::shared {
 
 inline VehicleParams compact() {
-    return loadVehicle(TREAD_SOURCE_DIR "/vehicles/compact.yaml");
+    return loadVehicle(sourceFile("vehicles/compact.yaml"));
 }
 inline VehicleParams sedan() {
-    return loadVehicle(TREAD_SOURCE_DIR "/vehicles/rear_drive_sedan.yaml");
+    return loadVehicle(sourceFile("vehicles/rear_drive_sedan.yaml"));
 }
 inline Scenario scenario(const std::string& name) {
-    return loadScenario(TREAD_SOURCE_DIR "/scenarios/" + name + ".yaml");
+    return loadScenario(sourceFile("scenarios/" + name + ".yaml"));
 }
 
 inline const std::vector<double>& channel(const Log& log, std::string_view name) {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "places/places.h"
 #include "road/plane.h"
 #include "tread/equilibrium.h"
 #include "tread/load.h"
@@ -11,10 +12,10 @@
 namespace reference {
 
 inline tread::VehicleParams compact() {
-    return tread::loadVehicle(TREAD_SOURCE_DIR "/vehicles/compact.yaml");
+    return tread::loadVehicle(tread::sourceFile("vehicles/compact.yaml"));
 }
 inline tread::VehicleParams rearDriveSedan() {
-    return tread::loadVehicle(TREAD_SOURCE_DIR "/vehicles/rear_drive_sedan.yaml");
+    return tread::loadVehicle(tread::sourceFile("vehicles/rear_drive_sedan.yaml"));
 }
 
 // Tyre without what has no closed form or tells left from right: ply-steer, conicity, camber thrust, belt gyroscopics.

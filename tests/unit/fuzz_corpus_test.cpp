@@ -8,6 +8,7 @@
 #include "fuzz/csv_entry.h"
 #include "fuzz/height_field_entry.h"
 #include "fuzz/yaml_entry.h"
+#include "places/places.h"
 #include "shared/scratch.h"
 
 namespace tread {
@@ -20,7 +21,7 @@ struct Replay {
 
 Replay replay(const std::string& corpus, bool (*reads)(std::string_view text)) {
     Replay replay;
-    for (const auto& entry : std::filesystem::directory_iterator(TREAD_SOURCE_DIR "/tests/fuzz/corpus/" + corpus)) {
+    for (const auto& entry : std::filesystem::directory_iterator(sourceFile("tests/fuzz/corpus/" + corpus))) {
         SCOPED_TRACE(entry.path().string());
         if (reads(contentOf(entry.path()))) replay.taken.push_back(entry.path().filename());
         ++replay.files;

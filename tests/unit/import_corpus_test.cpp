@@ -7,6 +7,7 @@
 
 #include "fuzz/import_entry.h"
 #include "import/mat_whole.h"
+#include "places/places.h"
 
 namespace tread {
 namespace {
@@ -19,7 +20,7 @@ std::string bytesOf(const std::filesystem::path& file) {
 TEST(ImportCorpus, EveryTextBecomesALogOrIsRefusedInWords) {
     std::vector<std::string> taken;
     std::size_t files = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(TREAD_SOURCE_DIR "/tests/fuzz/corpus/import")) {
+    for (const auto& entry : std::filesystem::directory_iterator(sourceFile("tests/fuzz/corpus/import"))) {
         SCOPED_TRACE(entry.path().string());
         if (fuzz::importHostileText(bytesOf(entry.path()))) taken.push_back(entry.path().filename());
         ++files;
@@ -33,7 +34,7 @@ TEST(ImportCorpus, EveryTextBecomesALogOrIsRefusedInWords) {
 
 TEST(ImportCorpus, EveryMatlabFileIsJudged) {
     std::size_t files = 0, whole = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(TREAD_SOURCE_DIR "/tests/fuzz/corpus/mat")) {
+    for (const auto& entry : std::filesystem::directory_iterator(sourceFile("tests/fuzz/corpus/mat"))) {
         whole += matFault(bytesOf(entry.path())).empty();
         ++files;
     }

@@ -9,6 +9,7 @@
 
 #include "base/read_yaml.h"
 #include "import/import.h"
+#include "places/places.h"
 #include "shared/import_problems.h"
 
 namespace tread {
@@ -26,7 +27,7 @@ protected:
 
     Imported import(const std::string& file, const std::string& map, std::optional<double> rate = {}) const {
         SCOPED_TRACE(file);
-        auto mapping = readYaml<ImportMap>(TREAD_SOURCE_DIR "/tools/import/" + map + ".yaml");
+        auto mapping = readYaml<ImportMap>(sourceFile("tools/import/" + map + ".yaml"));
         mapping.repairs.rate = rate;
         Imported result = importLog(readForeignTable(folder_ / file), mapping);
         EXPECT_EQ(result.logs.size(), 1u);

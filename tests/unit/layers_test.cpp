@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "places/places.h"
 #include "shared/source_files.h"
 
 namespace tread::layers {
@@ -19,7 +20,7 @@ TEST(Layers, OfTheProjectAreKept) {
         return (name.extension() == ".h" || name.extension() == ".cpp") &&
                (top == "src" || top == "include" || top == "tools" || top == "tests");
     };
-    const std::vector<SourceFile> files = sourceFiles(TREAD_SOURCE_DIR, is_code);
+    const std::vector<SourceFile> files = sourceFiles(sourceFile(), is_code);
     std::size_t includes = 0;
     for (const SourceFile& file : files) {
         includes += includesOf(file.text).size();

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <string_view>
 
+#include "places/places.h"
 #include "shared/source_files.h"
 
 namespace tread {
@@ -45,7 +46,7 @@ std::pair<long, std::string> machinePath(const std::string& text) {
 }
 
 TEST(MachinePaths, AreInNoFile) {
-    const auto files = sourceFiles(TREAD_SOURCE_DIR, [](const auto&) { return true; });
+    const auto files = sourceFiles(sourceFile(), [](const auto&) { return true; });
     EXPECT_GT(files.size(), 150u) << "the search must find the project";
     for (const SourceFile& file : files) {
         const auto [line, path] = machinePath(file.text);

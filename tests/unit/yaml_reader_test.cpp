@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/concat.h"
+#include "places/places.h"
 #include "shared/described_samples.h"
 #include "shared/scratch.h"
 #include "tread/tyre.h"
@@ -80,7 +81,7 @@ Texts faults(const std::string& text) {
 // ---- What may stand in a file --------------------------------------------------------------------------------------
 
 TEST(YamlReader, TyreFileLoadsUnchanged) {
-    const auto tyre = readYaml<TyreParams>(TREAD_SOURCE_DIR "/vehicles/tyres/car_205_60R15.yaml");
+    const auto tyre = readYaml<TyreParams>(sourceFile("vehicles/tyres/car_205_60R15.yaml"));
     EXPECT_EQ(tyre.name, "car_205_60R15");
     EXPECT_EQ(tyre.side, TyreSide::left);
     EXPECT_EQ(tyre.parameters.Fzo, 4000);

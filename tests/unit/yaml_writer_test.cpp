@@ -16,6 +16,7 @@
 #include "base/number_text.h"
 #include "base/numbers.h"
 #include "base/read_yaml.h"
+#include "places/places.h"
 #include "tread/tyre.h"
 #include "tread/wheels.h"
 
@@ -175,7 +176,7 @@ TEST(YamlWriter, MissingRequiredNumberIsSaidInAComment) {
 }
 
 TEST(YamlWriter, TyreReadsBackBitForBit) {
-    auto tyre = readYaml<TyreParams>(TREAD_SOURCE_DIR "/vehicles/tyres/car_205_60R15.yaml");
+    auto tyre = readYaml<TyreParams>(sourceFile("vehicles/tyres/car_205_60R15.yaml"));
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> fraction(0.5, 2);
     for (const Number& number : numbers(tyre)) *number.value *= fraction(random);
