@@ -10,7 +10,6 @@
 #include <string_view>
 
 #include "report/pack.h"
-#include "report/palette.h"
 #include "report/replay_road.h"
 #include "report/run_figures.h"
 #include "tread/road_surface.h"
@@ -102,7 +101,7 @@ nlohmann::ordered_json wheelData(const ReplayCar& car, const RoadSurface& road, 
     return {{"hub", {hub.x(), hub.y(), hub.z()}}, {"radius", car.shape.wheel_radius[wheel]}, {"channels", channels}};
 }
 
-nlohmann::ordered_json carData(const ReplayCar& car, const RoadSurface& road, std::size_t index) {
+nlohmann::ordered_json carData(const ReplayCar& car, const RoadSurface& road) {
     const std::vector<double>& time = car.log.channels.front().values;
     const std::vector<std::size_t> rows = frameRows(time);
     std::vector<double> times;
@@ -122,10 +121,8 @@ nlohmann::ordered_json carData(const ReplayCar& car, const RoadSurface& road, st
     auto wheels = nlohmann::ordered_json::array();
     for (std::size_t wheel = 0; wheel < kWheels; ++wheel) wheels.push_back(wheelData(car, road, wheel, rows));
     const CarShape& shape = car.shape;
-    return {{"name", car.name},     {"colour", hex(automaticLook(index).colour)},
-            {"ahead", shape.ahead}, {"behind", shape.behind},
-            {"width", shape.width}, {"height", shape.height},
-            {"roof", shape.roof},   {"time", packed(times)},
+    return {{"name", car.name},     {"colour", hex(car.colour)}, {"ahead", shape.ahead}, {"behind", shape.behind},
+            {"width", shape.width}, {"height", shape.height},    {"roof", shape.roof},   {"time", packed(times)},
             {"channels", channels}, {"wheels", wheels}};
 }
 
@@ -150,7 +147,7 @@ std::string replayData(const std::vector<ReplayCar>& cars, const RoadParams& par
     if (shown.empty()) return {};
     const RoadSurface road(params);
     nlohmann::ordered_json json{{"cars", nlohmann::ordered_json::array()}, {"road", replayRoad(params, wayOf(shown))}};
-    for (const ReplayCar& car : shown) json["cars"].push_back(carData(car, road, json["cars"].size()));
+    for (const ReplayCar& car : shown) json["cars"].push_back(carData(car, road));
     return scriptJson(json);
 }
 

@@ -6,6 +6,7 @@
 
 #include "log/log.h"
 #include "report/car_shape.h"
+#include "report/palette.h"
 #include "tread/road_params.h"
 
 namespace tread {
@@ -14,6 +15,7 @@ struct ReplayCar {
     std::string name;
     const Log& log;
     CarShape shape;
+    Colour colour = Colour::blue;
 };
 
 // JSON for the page's script; empty when no log says where its car is (chassis.x, chassis.y, chassis.yaw). Cars whose

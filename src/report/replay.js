@@ -4,6 +4,7 @@
 
     const {element, format, read} = values;
     const kLag = 0.4;  // s by which the follow camera turns later than the car
+    const kAside = 0.4;  // rad by which it looks from the right rear, so that forces along the car can be seen
     const data = read('replay-data');
     const holder = document.getElementById('replay');
 
@@ -41,11 +42,11 @@
         force: round((Math.max(replayCar.largest(data.cars, 'fx'), replayCar.largest(data.cars, 'fy')) || 1) / 2)
     };
     const cars = data.cars.map(each => replayCar.build(each, units));
-    const sun = new THREE.DirectionalLight('#ffffff', 0.75);
+    const sun = new THREE.DirectionalLight('#ffffff', 0.6);
     sun.castShadow = true;
     Object.assign(sun.shadow.camera, {left: -6, right: 6, top: 6, bottom: -6, near: 1, far: 60});
     sun.shadow.mapSize.set(1024, 1024);
-    scene.add(new THREE.HemisphereLight('#ffffff', '#8a8f96', 0.55), sun, sun.target,
+    scene.add(new THREE.HemisphereLight('#ffffff', '#b4b9c0', 0.75), sun, sun.target,
               replayRoad.build(data.road, painter.capabilities.getMaxAnisotropy()));
     for (const car of cars) scene.add(car.object, car.trace());
 
@@ -135,8 +136,8 @@
             camera.position.set(at.x, at.y, at.z + distance.Top);
             camera.lookAt(at);
         } else {
-            const heading = state.followed.heading(state.time - kLag), d = distance.Follow;
-            camera.position.set(at.x - d * Math.cos(heading), at.y - d * Math.sin(heading), at.z + 0.3 * d);
+            const from = state.followed.heading(state.time - kLag) + kAside, d = distance.Follow;
+            camera.position.set(at.x - d * Math.cos(from), at.y - d * Math.sin(from), at.z + 0.36 * d);
             camera.lookAt(at.x, at.y, at.z + 0.2);
         }
         sun.target.position.copy(at);

@@ -49,10 +49,12 @@ const replayCar = (function () {
         group.add(shaft, head);
         group.set = function (along, across) {
             const length = Math.hypot(along, across);
-            group.visible = length > 0.03;
+            const size = Math.min(1, length / (1.5 * kHead));  // a small force has a small arrow
+            group.visible = length > 0.01;
             group.rotation.z = Math.atan2(across, along);
-            shaft.scale.x = Math.max(0.001, length - kHead);
-            head.position.x = Math.max(0, length - kHead / 2);
+            shaft.scale.x = Math.max(0.001, length - size * kHead);
+            head.scale.setScalar(Math.max(0.001, size));
+            head.position.x = length - size * kHead / 2;
         };
         return group;
     }

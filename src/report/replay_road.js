@@ -77,14 +77,14 @@ const replayRoad = (function () {
         // Higher places are lighter, so that unevenness of centimetres can be seen.
         function addMesh(mesh) {
             const points = [], colours = [], triangles = [];
-            const highest = mesh.lowest + 65535 * mesh.step;
+            const largest = Math.max(-mesh.lowest, mesh.lowest + 65535 * mesh.step);
             let next = 0;
             for (const [i, j, cells] of mesh.tiles) {
                 const first = points.length / 3, row = cells + 1;
                 for (let node = 0; node < row * row; ++node) {
                     const x = mesh.tile * (i + Math.floor(node / row) / cells), y = mesh.tile * (j + node % row / cells);
                     const above = mesh.lowest + mesh.step * decoded[next++];
-                    const light = 0.8 + 0.45 * (above - mesh.lowest) / (highest - mesh.lowest);
+                    const light = 1 + 0.4 * above / largest;
                     points.push(x, y, planeAt(x, y) + above);
                     colours.push(...colourOf(frictionAt(x, y)).multiplyScalar(light).toArray());
                 }

@@ -37,7 +37,9 @@ void addCompare(CLI::App& app, CompareOptions& o) {
     app.add_option("reference", o.reference, "log to compare with (CSV)")->required();
     app.add_option("new", o.candidate, "log to judge (CSV)")->required();
     app.add_option("--tolerances", o.tolerances, "tolerances per channel (YAML)");
-    app.add_option("--report", o.report, "write an overlay report (HTML)");
+    app.add_option("--report", o.report, "write an overlay report (HTML) with a replay of all cars");
+    app.add_option("--also", o.others,
+                   "further log (CSV) to draw in the report, not judged; may be given several times");
     app.add_option(
         "--envelope", o.envelope,
         "iso19364: do measurements (reference) lie within the boundaries around a simulation (new)? Or a file");
