@@ -1,5 +1,6 @@
 #include "base/setting.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "base/did_you_mean.h"
@@ -50,6 +51,35 @@ std::size_t elementIndex(std::string_view name, std::size_t size) {
     return is_index ? std::min(index, size) : size;
 }
 
+namespace {
+
+bool isIndex(std::string_view part) {
+    return !part.empty() && part.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+// The path with 0 for every index; these go into `indices`.
+std::string withoutIndices(std::string_view path, std::vector<std::string>& indices) {
+    std::string out;
+    while (!path.empty()) {
+        const std::string_view name = takeName(path);
+        if (isIndex(name)) indices.emplace_back(name);
+        out = joinPath(out, isIndex(name) ? "0" : name);
+    }
+    return out;
+}
+
+// And back, as far as there are indices.
+std::string withIndices(std::string_view path, const std::vector<std::string>& indices) {
+    std::string out;
+    for (std::size_t used = 0; !path.empty();) {
+        const std::string_view name = takeName(path);
+        out = joinPath(out, isIndex(name) && used < indices.size() ? indices[used++] : std::string(name));
+    }
+    return out;
+}
+
+}  // namespace
+
 std::string unknownPathText(const std::string& path, const std::vector<ReferenceRow>& known, PathListing listing) {
     std::vector<std::string_view> paths;
     std::vector<std::string_view> endings;
@@ -57,13 +87,22 @@ std::string unknownPathText(const std::string& path, const std::vector<Reference
         paths.push_back(row.path);
         if (row.path.ends_with("." + path)) endings.push_back(row.path);
     }
+    // The table lists element 0 for every element, and all alternatives of a choice.
+    std::vector<std::string> indices;
+    const std::string general = withoutIndices(path, indices);
+    if (std::find(paths.begin(), paths.end(), general) != paths.end()) {
+        return "found the unknown path " + quote(path) +
+               ", which belongs to an element that is not there or to another choice than the one made; set the whole "
+               "of it, as {key: value}";
+    }
     const std::string text = "found the unknown path " + quote(path) + ", expected the path of a field";
     if (!endings.empty()) {
         endings.resize(std::min<std::size_t>(endings.size(), 4));
         return text + "; did you mean " + listed(endings) + "? " + listing(endings.front());
     }
-    const auto near = closest(path, paths);
-    return text + (near ? "; did you mean " + quote(*near) + "? " : "; ") + listing(near.value_or(path));
+    const auto near = closest(general, paths);
+    return text + (near ? "; did you mean " + quote(withIndices(*near, indices)) + "? " : "; ") +
+           listing(near.value_or(path));
 }
 
 }  // namespace tread::detail

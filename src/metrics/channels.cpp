@@ -21,7 +21,8 @@ TimeSeries seriesOf(const Log& log, std::string_view manoeuvre, const Channel& c
 
 }  // namespace
 
-std::vector<TimeSeries> channels(const Log& log, std::string_view manoeuvre, const std::vector<std::string_view>& names) {
+std::vector<TimeSeries> channels(const Log& log, std::string_view manoeuvre,
+                                 const std::vector<std::string_view>& names) {
     std::string missing;
     for (std::string_view name : names) {
         if (!log.find(name)) missing += fmt::format("{}{}", missing.empty() ? "" : ", ", name);

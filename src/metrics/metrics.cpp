@@ -12,8 +12,27 @@ namespace tread {
 
 // What is more special comes first: a car that is dropped is parked as well, a step is slow steering at its end.
 const std::vector<Manoeuvre>& manoeuvres() {
-    static const std::vector<Manoeuvre> list = {dropAndSettle(), parked(),    straightBraking(), coastDown(),
-                                                stepSteer(),     sineSteer(), steadyCircle(), ride()};
+    static const std::vector<Manoeuvre> list = {dropAndSettle(),
+                                                hillStart(),
+                                                parked(),
+                                                straightBraking(),
+                                                splitMuBraking(),
+                                                brakingInTurn(),
+                                                acceleration(),
+                                                coastDown(),
+                                                powerOff(),
+                                                freeSteer(),
+                                                stepSteer(),
+                                                sineSteer(),
+                                                sineWithDwell(),
+                                                steadyCircle(),
+                                                slowlyIncreasingSteer(),
+                                                frequencyResponse(),
+                                                weave(),
+                                                transition(),
+                                                laneChange(),
+                                                crosswind(),
+                                                ride()};
     return list;
 }
 

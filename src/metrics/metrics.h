@@ -1,6 +1,7 @@
 // What the standards ask of a manoeuvre, as numbers with definitions, from a log alone: simulated or measured.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <stdexcept>
@@ -10,6 +11,8 @@
 
 #include "log/log.h"
 #include "metrics/metric.h"
+#include "scenario/course.h"
+#include "tread/curve.h"
 
 namespace tread {
 
@@ -19,10 +22,18 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-// What is known of the car besides the log; NaN: unknown, and metrics that need it are NaN.
+// What is known of car and course besides the log; NaN: unknown, and metrics that need it are NaN.
 struct KnownCar {
     double wheelbase = std::numeric_limits<double>::quiet_NaN();       // m
     double steering_ratio = std::numeric_limits<double>::quiet_NaN();  // steering wheel over road wheel
+    CourseParams course = {};                                          // that was driven; no sections: unknown
+    Curve ratio_curve = {};  // that ratio over the steering-wheel angle to either side, in place of the one number
+
+    // Mean road-wheel angle at a steering-wheel angle, rad.
+    double roadWheelAngle(double steering_wheel) const {
+        return steering_wheel / (ratio_curve.empty() ? steering_ratio : ratio_curve(std::abs(steering_wheel)));
+    }
+    bool knowsRatio() const { return !ratio_curve.empty() || !std::isnan(steering_ratio); }
 };
 
 struct Manoeuvre {

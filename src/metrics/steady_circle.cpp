@@ -143,7 +143,11 @@ std::optional<TimeSeries> frontLessRear(const Log& log, const std::string& what)
 }
 
 std::optional<TimeSeries> roadWheelAngle(const Log& log, const Circle& circle, const KnownCar& car) {
-    if (!std::isnan(car.steering_ratio)) return increments(circle.steering, 0, 1 / car.steering_ratio);
+    if (car.knowsRatio()) {
+        TimeSeries road = circle.steering;
+        for (double& angle : road.value) angle = car.roadWheelAngle(angle);
+        return road;
+    }
     return frontLessRear(log, "steer");
 }
 

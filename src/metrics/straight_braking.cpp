@@ -9,31 +9,17 @@
 #include "metrics/channels.h"
 #include "metrics/manoeuvres.h"
 #include "metrics/metric_table.h"
+#include "metrics/stop.h"
 
 namespace tread {
 namespace {
 
 constexpr std::string_view kName = "straight_braking";
-constexpr double kLeastBrake = 0.02;       // of the pedal: less is a resting foot
-constexpr double kOnsetShare = 0.001;      // of the largest pedal: where actuation starts ...
-constexpr double kOnsetNoise = 5;          // ... or in standard deviations of its noise, so that noise is no actuation
-constexpr double kSlowestStart = 2.0;      // m/s
-constexpr double kLargestSteering = 0.35;  // rad at the steering wheel: more is no straight line
-constexpr double kLargestTurn = 0.5;       // m/s2: more is braking in a turn
-constexpr double kNearlyStopped = 0.2;     // m/s: from here the last metre is extrapolated, out of the sensor's noise
-constexpr double kLockedSlip = -0.9;       // slip ratio below which a wheel counts as locked
-constexpr double kLockedUntil = 1.0;       // m/s: below, every braked wheel stands still sooner or later
-constexpr double kPeakHalfWidth = 0.05;    // s
-constexpr double kSpeedHalfWidth = 0.1;    // s
+constexpr double kLargestSteering = 0.35;    // rad at the steering wheel: more is no straight line
+constexpr double kLockedSlip = -0.9;         // slip ratio below which a wheel counts as locked
+constexpr double kLockedUntil = 1.0;         // m/s: below, every braked wheel stands still sooner or later
+constexpr double kPeakHalfWidth = 0.05;      // s
 constexpr double kNominalSteps = 10 * kKmh;  // nominal speeds are whole tens of km/h
-
-struct Stop {
-    double start;          // s, brake actuation
-    double initial_speed;  // m/s
-    double end;            // s, standstill
-    double distance;       // m
-    double duration() const { return end - start; }
-};
 
 constexpr std::array kWheels = {"front_left", "front_right", "rear_left", "rear_right"};
 
@@ -82,44 +68,8 @@ MetricTable<Braking> table() {
     return lines;
 }
 
-double brakeOnset(const TimeSeries& brake) {
-    const double most = *std::max_element(brake.value.begin(), brake.value.end());
-    if (most < kLeastBrake) notFound(kName, "the brake is never applied");
-    // The application that leads to the stop begins where the pedal last left zero before its largest value.
-    const double level = std::max(kOnsetShare * most, kOnsetNoise * noise(brake));
-    const double peak = highest(brake, brake.begin(), brake.end()).time;
-    if (brake.value.front() > level && !firstCrossing(brake, level, brake.begin(), peak)) return brake.begin();
-    return lastCrossing(brake, level, brake.begin(), peak).value_or(brake.begin());
-}
-
-Stop findStop(const TimeSeries& v, const TimeSeries& brake) {
-    Stop stop{};
-    stop.start = brakeOnset(brake);
-    stop.initial_speed = at(v, stop.start);
-    if (stop.initial_speed < kSlowestStart) {
-        notFound(kName, fmt::format("the car moves at {:.2g} m/s only when it is braked", stop.initial_speed));
-    }
-    const auto nearly = firstCrossing(v, kNearlyStopped, stop.start);
-    if (!nearly) {
-        const double least = *std::min_element(v.value.begin(), v.value.end());
-        notFound(kName, fmt::format("the car is braked from {:.3g} m/s but does not stop (slowest {:.3g} m/s)",
-                                    stop.initial_speed, least));
-    }
-    // Deceleration over the last stretch before; the speed sensor's noise and the car's rocking come after.
-    const double before = firstCrossing(v, 0.1 * stop.initial_speed + kNearlyStopped, stop.start).value_or(stop.start);
-    const double deceleration = (at(v, before) - kNearlyStopped) / std::max(*nearly - before, 1e-9);
-    stop.end = *nearly + kNearlyStopped / deceleration;
-    stop.distance = integral(v, stop.start, *nearly) + 0.5 * kNearlyStopped * kNearlyStopped / deceleration;
-    return stop;
-}
-
 void checkStraight(const Log& log, const Stop& stop) {
-    if (const auto yaw_rate = channelIfThere(log, kName, "chassis.yaw_rate")) {
-        const double turn = mean(*yaw_rate, stop.start - 0.2, stop.start) * stop.initial_speed;
-        if (std::abs(turn) > kLargestTurn) {
-            notFound(kName, fmt::format("the car is in a turn of {:.2g} m/s2 when it is braked", std::abs(turn)));
-        }
-    }
+    expectNoTurn(log, kName, stop);
     const auto steering = channelIfThere(log, kName, "driver.steering_wheel_angle");
     if (!steering) return;
     const TimeSeries during = part(*steering, stop.start, stop.end);
@@ -130,14 +80,6 @@ void checkStraight(const Log& log, const Stop& stop) {
     }
 }
 
-// Mean fully developed deceleration: the average over distance between 80 and 10 % of the initial speed.
-double meanFullyDeveloped(const TimeSeries& v, const Stop& stop) {
-    const double vb = 0.8 * stop.initial_speed, ve = 0.1 * stop.initial_speed;
-    const auto tb = firstCrossing(v, vb, stop.start), te = firstCrossing(v, ve, stop.start);
-    if (!tb || !te) return kUndefined;
-    return (vb * vb - ve * ve) / (2 * integral(v, *tb, *te));
-}
-
 double peakDeceleration(const Log& log, const TimeSeries& v, const Stop& stop) {
     const auto logged = channelIfThere(log, kName, "chassis.ax");
     const TimeSeries acceleration = logged ? *logged : cleanDerivative(v, kSpeedHalfWidth);
@@ -145,21 +87,6 @@ double peakDeceleration(const Log& log, const TimeSeries& v, const Stop& stop) {
     const bool noisy = logged && isNoisy(*logged);
     const TimeSeries during = part(noisy ? averaged(*logged, kPeakHalfWidth) : acceleration, stop.start, stop.end);
     return -*std::min_element(during.value.begin(), during.value.end());
-}
-
-// Largest distance of the path from the line along which the car went when the brake was applied; left is positive.
-double lateralDeviation(const Log& log, const Stop& stop) {
-    const auto x = channelIfThere(log, kName, "chassis.x"), y = channelIfThere(log, kName, "chassis.y");
-    const auto yaw = channelIfThere(log, kName, "chassis.yaw");
-    if (!x || !y || !yaw) return kUndefined;
-    const double heading = at(*yaw, stop.start), x0 = at(*x, stop.start), y0 = at(*y, stop.start);
-    TimeSeries away = *x;
-    for (std::size_t i = 0; i < away.size(); ++i) {
-        away.value[i] = (y->value[i] - y0) * std::cos(heading) - (x->value[i] - x0) * std::sin(heading);
-    }
-    const TimeSeries during = part(away, stop.start, stop.end);
-    return *std::max_element(during.value.begin(), during.value.end(),
-                             [](double a, double b) { return std::abs(a) < std::abs(b); });
 }
 
 // Slip ratio of a wheel; from its spin, with the rolling radius it had when the brake was applied, if not logged.
@@ -184,14 +111,13 @@ double lockedShare(const Log& log, const TimeSeries& v, const Stop& stop, const 
 }
 
 Braking findBraking(const Log& log) {
-    const TimeSeries brake = channels(log, kName, {"driver.brake", "chassis.vx"}).front();
     const TimeSeries v = cleaned(speed(log, kName), kSpeedHalfWidth);
-    const Stop stop = findStop(v, brake);
+    const Stop stop = findStop(log, kName);
     checkStraight(log, stop);
     Braking found{.stop = stop,
                   .mfdd = meanFullyDeveloped(v, stop),
                   .peak = peakDeceleration(log, v, stop),
-                  .deviation = lateralDeviation(log, stop),
+                  .deviation = lateralDeviation(log, kName, stop),
                   .locked_shares = {}};
     for (std::size_t wheel = 0; wheel < kWheels.size(); ++wheel) {
         found.locked_shares[wheel] = lockedShare(log, v, stop, std::string("wheel.") + kWheels[wheel]);

@@ -101,8 +101,10 @@ void HtmlPage::table(const std::vector<std::string>& header, const std::vector<s
     for (const auto& row : rows) {
         place() += "<tr>";
         for (const Cell& cell : row) {
-            place() += fmt::format("<td class=\"{}{}\">{}</td>", cell.number ? "number " : "",
-                                   cell.alarm ? "alarm" : "", escapeMarkup(cell.text));
+            const std::string text = escapeMarkup(cell.text);
+            place() += fmt::format(
+                "<td class=\"{}{}\">{}</td>", cell.number ? "number " : "", cell.alarm ? "alarm" : "",
+                cell.link.empty() ? text : fmt::format("<a href=\"{}\">{}</a>", escapeMarkup(cell.link), text));
         }
         place() += "</tr>\n";
     }

@@ -38,8 +38,9 @@ struct Card {  // one number to see first
 
 struct Cell {
     std::string text;
-    bool number = false;  // aligned to the right
-    bool alarm = false;   // drawn as bad news
+    bool number = false;    // aligned to the right
+    bool alarm = false;     // drawn as bad news
+    std::string link = {};  // address, relative to the page
 };
 
 class HtmlPage {

@@ -143,7 +143,7 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
     const Equilibrium rest = startOf(params, scenario, {.road = *road, .wind_W = startingWind(scenario)});
     BulletVehicle car(params, world.chassis(), *road);
     car.restore(rest.motion, rest.state, rest.input);
-    Driver driver(scenario, rest.input);
+    Driver driver(scenario, rest.input, {params.wheelbase, params.steering.ratio, params.steering.ratio_curve});
 
     checkSensors(scenario.log.sensors);
     Sample sample(scenario.log, scenario.step);
@@ -188,8 +188,7 @@ std::vector<Column> recordedColumns(const std::vector<std::string>& patterns) {
     return Sample({.channels = patterns}).columns();
 }
 
-Log simulate(const VehicleParams& vehicle, const Scenario& scenario) {
-    Log log;
+Recorder recorderInto(Log& log) {
     Recorder recorder;
     recorder.begin = [&](const std::vector<Column>& columns) {
         for (const Column& column : columns) log.channels.push_back({column.name, column.unit, {}});
@@ -197,7 +196,12 @@ Log simulate(const VehicleParams& vehicle, const Scenario& scenario) {
     recorder.row = [&](std::span<const double> row) {
         for (std::size_t i = 0; i < row.size(); ++i) log.channels[i].values.push_back(row[i]);
     };
-    simulate(vehicle, scenario, recorder);
+    return recorder;
+}
+
+Log simulate(const VehicleParams& vehicle, const Scenario& scenario) {
+    Log log;
+    simulate(vehicle, scenario, recorderInto(log));
     return log;
 }
 

@@ -41,6 +41,9 @@ std::vector<Column> recordedColumns(const std::vector<std::string>& patterns);
 // scenario starts, or when the manoeuvre does not end.
 void simulate(const VehicleParams& vehicle, const Scenario& scenario, const Recorder& recorder);
 
+// Records into a log in memory, which must outlive the recorder.
+Recorder recorderInto(Log& log);
+
 // The same into memory.
 Log simulate(const VehicleParams& vehicle, const Scenario& scenario);
 

@@ -2,17 +2,21 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "scenario/scenario.h"
+#include "scenario/speed_control.h"
+#include "scenario/steer_control.h"
 #include "tread/vehicle_output.h"
 
 namespace tread {
 
 class Driver {
 public:
-    // `initial` is how hand and feet are held in the equilibrium. The scenario must outlive the driver.
-    Driver(const Scenario& scenario, const VehicleInput& initial);
+    // `initial` is how hand and feet are held in the equilibrium; `car` what a driver knows who watches the path.
+    // Reads the logs that the scenario replays; throws as withReplaysRead does.
+    Driver(const Scenario& scenario, const VehicleInput& initial, const KnownSteering& car = {});
 
     // Looks at the car at a time: ends a phase whose condition came true.
     void look(double time, const ChassisOutput& chassis, double hand_wheel_angle = 0);
@@ -29,22 +33,22 @@ public:
 private:
     const Phase& phase() const { return scenario_.phases[phase_]; }
     bool last() const { return phase_ + 1 == scenario_.phases.size(); }
-    bool conditionTrue() const;
+    std::optional<double> endByClock() const;  // s
     void next(double time);
+    void beginPhase();
     VehicleInput signals(double time) const;
 
-    const Scenario& scenario_;
+    Scenario scenario_;
     std::size_t phase_ = 0;
     double phase_start_ = 0;  // s
     bool ended_ = false;      // the last phase, by a condition
     VehicleInput held_;       // at the start of the phase
-    ChassisOutput seen_;
+    Observed seen_;
     double seen_hand_wheel_ = 0;  // rad
     double seen_time_ = 0;        // s
-    double phase_distance_ = 0;   // m
-    double phase_speed_ = 0;      // m/s, at the start of the phase
-    double missing_way_ = 0;      // m, integral of the speed that was missing
     bool looked_ = false;
+    SpeedControl feet_;
+    SteerControl hands_;
 };
 
 }  // namespace tread

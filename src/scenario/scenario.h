@@ -6,8 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "scenario/course.h"
 #include "scenario/sensor.h"
+#include "scenario/series.h"
 #include "scenario/signals.h"
+#include "scenario/until.h"
 #include "scenario/wind.h"
 #include "tread/describe.h"
 #include "tread/road_params.h"
@@ -37,34 +40,6 @@ struct StartParams {
     }
 };
 static_assert(describesEveryMember<StartParams>());
-
-// A phase ends with the first of these that comes true.
-struct Until {
-    std::optional<double> duration;
-    std::optional<double> speed_below;
-    std::optional<double> speed_above;
-    std::optional<double> lateral_acceleration_above;
-    std::optional<double> distance;
-
-    static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(duration), About{"s", "time since the phase began", kPositive});
-        field(TREAD_FIELD(speed_below), About{"m/s", "forward speed falls below this", kAny});
-        field(TREAD_FIELD(speed_above), About{"m/s", "forward speed rises above this", kNonNegative});
-        field(TREAD_FIELD(lateral_acceleration_above),
-              About{"m/s2", "magnitude of the lateral acceleration rises above this", kPositive});
-        field(TREAD_FIELD(distance), About{"m", "way since the phase began", kPositive});
-    }
-
-    static void check(const auto& self, auto&& complain) {
-        if (!self.duration && !self.speed_below && !self.speed_above && !self.lateral_acceleration_above &&
-            !self.distance) {
-            complain("duration",
-                     "found no condition, expected at least one (duration, speed_below, speed_above, "
-                     "lateral_acceleration_above or distance), or the phase would never end");
-        }
-    }
-};
-static_assert(describesEveryMember<Until>());
 
 struct Phase {
     std::string name;
@@ -110,8 +85,11 @@ struct Scenario {
     RoadParams road;
     WindParams wind;
     StartParams start;
+    CourseParams course;
+    std::vector<std::string> car_settings = {};
     std::vector<Phase> phases;
     LogParams log;
+    SeriesParams series;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(title), About{"", "what the manoeuvre is, in a few words"});
@@ -124,13 +102,23 @@ struct Scenario {
         field(TREAD_FIELD(road), About{"", "road"});
         field(TREAD_FIELD(wind), About{"", "wind"});
         field(TREAD_FIELD(start), About{"", "start"});
+        field(TREAD_FIELD(course), About{"", "path and lanes of the manoeuvre"});
+        field(TREAD_FIELD(car_settings),
+              About{"", "what this manoeuvre changes on the car, each path=value: brakes.anti_lock.enabled=true"});
         field(TREAD_FIELD(phases), About{"", "what the driver does, one phase after the other"});
         field(TREAD_FIELD(log), About{"", "what is logged"});
+        field(TREAD_FIELD(series), About{"", "further runs, when one cannot answer the question"});
     }
 
     static void check(const auto& self, auto&& complain) {
         if (self.phases.empty())
             complain("phases", "found no phase, expected at least one that says what the driver does and until when");
+        if (!self.course.path.empty() || !self.course.sections.empty()) return;
+        for (const Phase& phase : self.phases) {
+            if (!std::holds_alternative<FollowPath>(phase.steering)) continue;
+            complain("course", "found no path, expected sections or a path: a driver follows it");
+            return;
+        }
     }
 };
 static_assert(describesEveryMember<Scenario>());

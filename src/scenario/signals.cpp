@@ -1,23 +1,30 @@
 #include "scenario/signals.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace tread {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kFadeIn = 1;  // s: a random signal begins without a jump
 
-double at(const Keep&, double held, double) {
-    return held;
-}
-double at(const HoldSpeed&, double held, double) {
-    return held;
-}
-double at(const HandsOff&, double held, double) {
-    return held;
+// A reproducible number from 0 up to 1 for each index: SplitMix64 (Steele, Lea, Flood, OOPSLA 2014).
+double uniform(std::uint64_t seed, std::uint64_t index) {
+    std::uint64_t z = (seed << 32) + (index + 1) * 0x9e3779b97f4a7c15;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+    z ^= z >> 31;
+    return static_cast<double>(z >> 11) * 0x1p-53;
 }
 
+// Keep, and what watches the car.
+template <class Other>
+double at(const Other&, double held, double) {
+    return held;
+}
 template <class Of>
 double at(const Constant<Of>& signal, double, double) {
     return signal.value;
@@ -37,10 +44,43 @@ double at(const Sine<Of>& signal, double held, double elapsed) {
 }
 
 template <class Of>
+double at(const SineWithDwell<Of>& signal, double held, double elapsed) {
+    const double pause = 0.75 / signal.frequency;
+    const double run = elapsed <= pause ? elapsed : std::max(pause, elapsed - signal.dwell);
+    if (run * signal.frequency >= 1) return held;
+    return held + signal.amplitude * std::sin(kTurn * signal.frequency * run);
+}
+
+template <class Of>
 double at(const Sweep<Of>& signal, double held, double elapsed) {
     if (elapsed >= signal.duration) return held;
-    const double rise = (signal.to - signal.from) / signal.duration;
-    return held + signal.amplitude * std::sin(kTurn * (signal.from + 0.5 * rise * elapsed) * elapsed);
+    double periods;
+    if (signal.law == SweepLaw::logarithmic && signal.to != signal.from) {
+        const double growth = std::log(signal.to / signal.from) / signal.duration;
+        periods = signal.from * std::expm1(growth * elapsed) / growth;
+    } else {
+        const double rise = (signal.to - signal.from) / signal.duration;
+        periods = (signal.from + 0.5 * rise * elapsed) * elapsed;
+    }
+    return held + signal.amplitude * std::sin(kTurn * periods);
+}
+
+template <class Of>
+double at(const Pulse<Of>& signal, double held, double elapsed) {
+    return held + signal.amplitude * std::max(0.0, 1 - std::abs(2 * elapsed / signal.duration - 1));
+}
+
+template <class Of>
+double at(const Noise<Of>& signal, double held, double elapsed) {
+    const double width = (signal.to - signal.from) / signal.lines;
+    const auto seed = static_cast<std::uint64_t>(signal.seed);
+    double sum = 0;
+    for (int line = 0; line < signal.lines; ++line) {
+        const auto index = 2 * static_cast<std::uint64_t>(line);
+        const double frequency = signal.from + width * (line + uniform(seed, index));
+        sum += std::sin(kTurn * (frequency * elapsed + uniform(seed, index + 1)));
+    }
+    return held + std::min(1.0, elapsed / kFadeIn) * signal.rms * std::sqrt(2.0 / signal.lines) * sum;
 }
 
 template <class Of>

@@ -1,9 +1,12 @@
 // What a driver's foot or hand does over the time of one phase of a manoeuvre.
 #pragma once
 
+#include <array>
+#include <string>
 #include <string_view>
 #include <variant>
 
+#include "scenario/closed_loop.h"
 #include "tread/curve.h"
 #include "tread/describe.h"
 
@@ -62,7 +65,26 @@ struct Sine {
     }
 };
 
-// A sine whose frequency rises linearly with time.
+// One period about where it is, that waits at its second peak: the steering of FMVSS 126 and ISO 19365.
+template <class Of>
+struct SineWithDwell {
+    static constexpr std::string_view kName = "sine_with_dwell";
+    double amplitude = kRequired;
+    double frequency = kRequired;
+    double dwell = kRequired;
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(amplitude), About{Of::kUnit, "amplitude"});
+        field(TREAD_FIELD(frequency), About{"1/s", "frequency of the sine", kPositive});
+        field(TREAD_FIELD(dwell), About{"s", "pause at three quarters of the period", kNonNegative});
+    }
+};
+
+enum class SweepLaw { linear, logarithmic };
+constexpr auto enumNames(SweepLaw) {
+    return std::array<std::string_view, 2>{"linear", "logarithmic"};
+}
+
+// A sine whose frequency changes with time: by as many hertz, or by the same factor, in every second.
 template <class Of>
 struct Sweep {
     static constexpr std::string_view kName = "sweep";
@@ -70,11 +92,51 @@ struct Sweep {
     double from = kRequired;
     double to = kRequired;
     double duration = kRequired;
+    SweepLaw law = SweepLaw::linear;
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(amplitude), About{Of::kUnit, "amplitude"});
         field(TREAD_FIELD(from), About{"1/s", "frequency at the start", kNonNegative});
         field(TREAD_FIELD(to), About{"1/s", "frequency at the end", kPositive});
         field(TREAD_FIELD(duration), About{"s", "time from the first to the last frequency", kPositive});
+        field(TREAD_FIELD(law), About{"", "how the frequency changes over time"});
+    }
+    static void check(const auto& self, auto&& complain) {
+        if (self.law == SweepLaw::logarithmic && self.from <= 0)
+            complain("from", "found 0, expected more than 0: a logarithmic sweep never leaves a frequency of zero");
+    }
+};
+
+// A triangle: up to the amplitude and back, in equal times.
+template <class Of>
+struct Pulse {
+    static constexpr std::string_view kName = "pulse";
+    double amplitude = kRequired;
+    double duration = kRequired;
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(amplitude), About{Of::kUnit, "height"});
+        field(TREAD_FIELD(duration), About{"s", "width at the foot", kPositive});
+    }
+};
+
+// Band-limited noise about where it is: sines of equal amplitude and random phase, one at a random place in each of
+// as many equal parts of the band. It does not repeat, and comes out the same from the same seed on every machine.
+template <class Of>
+struct Noise {
+    static constexpr std::string_view kName = "random";
+    double rms = kRequired;
+    double from = kRequired;
+    double to = kRequired;
+    int lines = 120;
+    int seed = 1;
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(rms), About{Of::kUnit, "root mean square", kNonNegative});
+        field(TREAD_FIELD(from), About{"1/s", "lowest frequency", kNonNegative});
+        field(TREAD_FIELD(to), About{"1/s", "highest frequency", kPositive});
+        field(TREAD_FIELD(lines), About{"-", "number of sines", {1, 10000}});
+        field(TREAD_FIELD(seed), About{"-", "another seed gives another signal of the same kind", kNonNegative});
+    }
+    static void check(const auto& self, auto&& complain) {
+        if (self.from >= self.to) complain("from", "the lowest frequency must be below the highest (from < to)");
     }
 };
 
@@ -87,17 +149,21 @@ struct Table {
     }
 };
 
-// Throttle by a speed controller (proportional and integral).
-struct HoldSpeed {
-    static constexpr std::string_view kName = "hold_speed";
-    double speed = 0;
-    double proportional = 0.15;
-    double integral = 0.05;
+// What was logged: in a simulation or, imported, in a car.
+template <class Of>
+struct Replay {
+    static constexpr std::string_view kName = "replay";
+    std::string file;
+    std::string channel;
+    double from = 0;
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(speed), About{"m/s", "speed to hold; 0: that at the start of the phase", kNonNegative});
-        field(TREAD_FIELD(proportional), About{"s/m", "throttle over the speed that is missing", kNonNegative});
-        field(TREAD_FIELD(integral),
-              About{"1/m", "throttle over the integral of the speed that is missing", kNonNegative});
+        field(TREAD_FIELD(file), About{"", "log (CSV), relative to the scenario's file"});
+        field(TREAD_FIELD(channel), About{"", "channel of the log; its unit must be that of the signal"});
+        field(TREAD_FIELD(from), About{"s", "time in the log at which the phase begins"});
+    }
+    static void check(const auto& self, auto&& complain) {
+        if (self.file.empty()) complain("file", "found no file, expected the name of a log");
+        if (self.channel.empty()) complain("channel", "found no channel, expected the name of one in the log");
     }
 };
 
@@ -108,12 +174,13 @@ struct HandsOff {
 };
 
 using SteeringSignal =
-    std::variant<Keep, Constant<Angle>, Ramp<Angle>, Sine<Angle>, Sweep<Angle>, Table<Angle>, HandsOff>;
-using PedalSignal = std::variant<Keep, Constant<Pedal>, Ramp<Pedal>, Table<Pedal>>;
-using ThrottleSignal = std::variant<Keep, Constant<Pedal>, Ramp<Pedal>, Table<Pedal>, HoldSpeed>;
+    std::variant<Keep, Constant<Angle>, Ramp<Angle>, Sine<Angle>, SineWithDwell<Angle>, Sweep<Angle>, Pulse<Angle>,
+                 Noise<Angle>, Table<Angle>, Replay<Angle>, HoldLateralAcceleration, HoldRadius, FollowPath, HandsOff>;
+using PedalSignal = std::variant<Keep, Constant<Pedal>, Ramp<Pedal>, Table<Pedal>, Replay<Pedal>>;
+using ThrottleSignal = std::variant<Keep, Constant<Pedal>, Ramp<Pedal>, Table<Pedal>, Replay<Pedal>, HoldSpeed>;
 
-// Value `elapsed` seconds into the phase, for a signal that was at `held` when the phase began. HoldSpeed and HandsOff
-// are no functions of time: they answer `held`.
+// Value `elapsed` seconds into the phase, for a signal that was at `held` when the phase began. What watches the car,
+// and HandsOff, is no function of time, and a Replay must have been read (replay.h): they answer `held`.
 double valueAt(const SteeringSignal& signal, double held, double elapsed);
 double valueAt(const PedalSignal& signal, double held, double elapsed);
 double valueAt(const ThrottleSignal& signal, double held, double elapsed);

@@ -62,6 +62,15 @@ TEST_F(Check, TellsEveryKindOfFileByItsContent) {
     EXPECT_EQ(firstLine(runProgram({"check", car}).out), "1 file is fine");
 }
 
+TEST_F(Check, AHeightFieldIsNoLog) {
+    const std::string field = scratch.file("field.csv", "# a ramp\nx\\y [m],0,1\n0,0,0\n1,0.1,0.1\n");
+    const std::string torn = scratch.file("torn.csv", "x\\y [m],0,1\n0,0,0\n1,0.1\n");
+    const Result result = runProgram({"check", field, torn});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.out.find(field + ": height field, fine\n"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find(torn + ":3:1: found 2 cells, expected x and 2 heights"), std::string::npos) << result.out;
+}
+
 TEST_F(Check, ShippedFilesAreFine) {
     std::vector<std::string> arguments{"check"};
     for (const std::string& folder : {kVehicles, kScenarios}) {

@@ -2,9 +2,13 @@
 
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <string_view>
+#include <vector>
 
+#include "base/did_you_mean.h"
 #include "cli/logs.h"
 #include "cli/program.h"
+#include "metrics/metrics.h"
 
 namespace tread {
 namespace {
@@ -55,9 +59,10 @@ TEST_F(Metrics, UnknownManoeuvreIsAnsweredWithASuggestionAndTheList) {
     const Result result = runProgram({"metrics", log, "--manoeuvre", "stp_steer"});
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.out, "");
+    std::vector<std::string_view> names;
+    for (const Manoeuvre& known : manoeuvres()) names.push_back(known.name);
     EXPECT_EQ(result.err,
-              "tread: there is no manoeuvre \"stp_steer\", only drop_and_settle, parked, straight_braking, coast_down, "
-              "step_steer, sine_steer, steady_circle or ride; did you mean \"step_steer\"?\n");
+              "tread: there is no manoeuvre \"stp_steer\", only " + listed(names) + "; did you mean \"step_steer\"?\n");
 }
 
 TEST_F(Metrics, LogWithoutTheManoeuvreSaysWhatWasLookedFor) {

@@ -153,8 +153,10 @@ TEST_F(TreadRun, ScenarioWithoutPhasesIsRefused) {
 
 TEST_F(TreadRun, PhaseWithoutEndIsRefused) {
     expectScenarioRefused(replaced(kScenario, "    until: {duration: 0.2 s}\n", ""), "name: straight",
-                          "phases.0.until.duration: found no condition, expected at least one (duration, speed_below, "
-                          "speed_above, lateral_acceleration_above or distance), or the phase would never end");
+                          "phases.0.until.duration: found no condition, expected at least one (duration, time, "
+                          "speed_below, speed_above, lateral_acceleration_above, lateral_acceleration_below, "
+                          "sideslip_above, steering_above, distance, x_above, x_below, y_above, y_below or "
+                          "yaw_rate_zero), or the phase would never end");
 }
 
 TEST_F(TreadRun, UnitThatDoesNotFitTheScenarioIsRefused) {
@@ -187,8 +189,8 @@ TEST_F(TreadRun, CarInPlaceOfTheScenarioIsRefused) {
     const Result result = runProgram({"run", car(text), car(text), "-o", out()});
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(firstLine(result.err), scratch.path("car.yaml") + ":" + placeOf(text, "name:") +
-                                         ": found the unknown key \"name\", expected the name of a field; write one of "
-                                         "title, description, manoeuvre, step, time_limit, road, wind, start, phases or log");
+                                         ": found the unknown key \"name\", expected the name of a field; correct or "
+                                         "remove it");
 }
 
 }  // namespace

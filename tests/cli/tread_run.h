@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "base/did_you_mean.h"
 #include "cli/program.h"
+#include "metrics/metrics.h"
 #include "places/places.h"
 
 namespace tread {
@@ -44,9 +46,11 @@ phases:
 inline const std::string kTyre = "tyre: " + kSource + "/vehicles/tyres/car_205_60R15.yaml";
 
 // What stands in place of an unknown manoeuvre.
-inline const std::string kManoeuvres =
-    "drop_and_settle, parked, straight_braking, coast_down, step_steer, sine_steer, steady_circle or ride, or no such "
-    "line for a run without metrics";
+inline const std::string kManoeuvres = [] {
+    std::vector<std::string_view> names;
+    for (const Manoeuvre& known : manoeuvres()) names.push_back(known.name);
+    return listed(names) + ", or no such line for a run without metrics";
+}();
 
 inline void expectStart(const std::string& text, const std::string& start) {
     EXPECT_EQ(text.substr(0, start.size()), start);

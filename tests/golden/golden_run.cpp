@@ -53,15 +53,24 @@ double rounded(double value) {
     return std::round(value * unit) / unit;
 }
 
-}  // namespace
-
-std::vector<std::string> names() {
+// Names of the files without folder and extension, sorted.
+std::vector<std::string> namesIn(const std::filesystem::path& folder, std::string_view extension) {
     std::vector<std::string> found;
-    for (const auto& entry : std::filesystem::directory_iterator(kSource / "scenarios")) {
-        if (entry.path().extension() == ".yaml") found.push_back(entry.path().stem().string());
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().extension() == extension) found.push_back(entry.path().stem().string());
     }
     std::sort(found.begin(), found.end());
     return found;
+}
+
+}  // namespace
+
+std::vector<std::string> scenarios() {
+    return namesIn(kSource / "scenarios", ".yaml");
+}
+
+std::vector<std::string> names() {
+    return namesIn(kSource / "tests" / "golden", ".csv");
 }
 
 std::filesystem::path fileOf(const std::string& name) {

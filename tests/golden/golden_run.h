@@ -11,7 +11,8 @@
 
 namespace tread::golden {
 
-// Names of all scenario files without folder and extension, sorted: the golden log of `x.yaml` is `x.csv`.
+// Names of the scenarios; and of those with a golden log, which for `x.yaml` is `x.csv`. Sorted.
+std::vector<std::string> scenarios();
 std::vector<std::string> names();
 
 std::filesystem::path fileOf(const std::string& name);

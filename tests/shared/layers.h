@@ -17,7 +17,7 @@ using Path = std::filesystem::path;
 // A file may include from its own layer and from those to its left.
 inline const std::vector<std::string> kOrder{"base",     "road",     "tyre",     "vehicle", "bullet",
                                              "log",      "import",   "scenario", "run",     "compare",
-                                             "metrics",  "identify", "diagnose", "campaign", "report",  "tools"};
+                                             "metrics",  "series",   "identify", "diagnose", "campaign", "report",  "tools"};
 
 // Public headers share one folder; each belongs to a layer.
 inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{

@@ -73,7 +73,7 @@ TEST(DetectManoeuvre, EachManoeuvreIsKnownByItsInputs) {
 }
 
 TEST(DetectManoeuvre, ALogWithoutAKnownManoeuvreSaysWhatWasLookedFor) {
-    // A sine with dwell is none of the known ones; neither is a double lane change.
+    // A double lane change shows only beside the course that was driven.
     const auto lane_change = [](double t) {
         const double a = 0.8 * std::exp(-8 * (t - 2) * (t - 2)) - std::exp(-8 * (t - 2.7) * (t - 2.7));
         return a + 0.7 * std::exp(-8 * (t - 4.4) * (t - 4.4)) - 0.5 * std::exp(-8 * (t - 5.2) * (t - 5.2));

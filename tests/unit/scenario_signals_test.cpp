@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace tread {
 namespace {
@@ -99,6 +101,75 @@ TEST(Signals, SweepStaysWhereItBeganAfterItsEnd) {
 TEST(Signals, SweepMayFall) {
     const SteeringSignal falling = Sweep<Angle>{0.5, 3, 1, 4};
     EXPECT_NEAR(valueAt(falling, 0, 1), 0.5 * std::sin(kTurn * (3 - 0.25)), kRounding);
+}
+
+// Every second multiplies the frequency by the same factor: (e^(k t) - 1) f0 / k periods, k = ln(f1 / f0) / T.
+TEST(Signals, LogarithmicSweepMultipliesItsFrequency) {
+    const SteeringSignal sweep = Sweep<Angle>{0.5, 0.2, 3.2, 8, SweepLaw::logarithmic};  // an octave in two seconds
+    const double k = std::log(2.0) / 2;
+    for (const double t : {0.5, 2.0, 6.3}) {
+        EXPECT_NEAR(valueAt(sweep, kHeld, t), kHeld + 0.5 * std::sin(kTurn * 0.2 * (std::exp(k * t) - 1) / k), 1e-10);
+    }
+    EXPECT_EQ(valueAt(sweep, kHeld, 8), kHeld);
+    // From one frequency to the same, both laws are a sine.
+    EXPECT_NEAR(valueAt(SteeringSignal{Sweep<Angle>{0.5, 1, 1, 4, SweepLaw::logarithmic}}, 0, 1.25), 0.5, kRounding);
+}
+
+TEST(Signals, SineWithDwellWaitsAtItsSecondPeak) {
+    const SteeringSignal sine = SineWithDwell<Angle>{2, 0.7, 0.5};
+    const double period = 1 / 0.7;
+    EXPECT_NEAR(valueAt(sine, kHeld, 0.25 * period), kHeld + 2, kRounding);
+    EXPECT_NEAR(valueAt(sine, kHeld, 0.5 * period), kHeld, kRounding);
+    for (const double wait : {0.0, 0.1, 0.25, 0.5})
+        EXPECT_NEAR(valueAt(sine, kHeld, 0.75 * period + wait), kHeld - 2, kRounding) << wait;
+    EXPECT_NEAR(valueAt(sine, kHeld, (11.0 / 12) * period + 0.5), kHeld - 1, kRounding);  // sin(330 deg)
+    EXPECT_EQ(valueAt(sine, kHeld, period + 0.5 + 1e-9), kHeld);
+    EXPECT_NEAR(valueAt(SteeringSignal{SineWithDwell<Angle>{-2, 0.7, 0.5}}, 0, 0.75 * period + 0.3), 2, kRounding);
+}
+
+TEST(Signals, PulseIsATriangle) {
+    const SteeringSignal pulse = Pulse<Angle>{0.4, 0.5};
+    EXPECT_EQ(valueAt(pulse, kHeld, 0), kHeld);
+    EXPECT_NEAR(valueAt(pulse, kHeld, 0.125), kHeld + 0.2, kRounding);
+    EXPECT_NEAR(valueAt(pulse, kHeld, 0.25), kHeld + 0.4, kRounding);
+    EXPECT_NEAR(valueAt(pulse, kHeld, 0.375), kHeld + 0.2, kRounding);
+    EXPECT_EQ(valueAt(pulse, kHeld, 0.5), kHeld);
+    EXPECT_EQ(valueAt(pulse, kHeld, 9), kHeld);
+}
+
+TEST(Signals, RandomHasItsPowerInItsBandAndNowhereElse) {
+    const SteeringSignal random = Noise<Angle>{0.1, 0.2, 2, 120, 7};
+    constexpr double kRate = 20, kTime = 400;
+    double squares = 0, sum = 0, outside = 0;
+    std::vector<double> values;
+    for (double t = 2; t < kTime; t += 1 / kRate) values.push_back(valueAt(random, 0, t));
+    for (double value : values) {
+        sum += value;
+        squares += value * value;
+    }
+    const auto n = static_cast<double>(values.size());
+    EXPECT_NEAR(std::sqrt(squares / n), 0.1, 0.004) << "sines of 120 frequencies beat slowly";
+    EXPECT_NEAR(sum / n, 0, 0.001);
+    // Amplitude of the Fourier sum well outside of the band, against an rms of 0.1.
+    for (const double frequency : {0.05, 2.5, 5.0}) {
+        double re = 0, im = 0;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const double hann = 1 - std::cos(kTurn * static_cast<double>(i) / n);
+            re += hann * values[i] * std::cos(kTurn * frequency * static_cast<double>(i) / kRate);
+            im += hann * values[i] * std::sin(kTurn * frequency * static_cast<double>(i) / kRate);
+        }
+        outside = std::max(outside, 2 * std::hypot(re, im) / n);
+    }
+    EXPECT_LT(outside, 1e-4);
+}
+
+TEST(Signals, RandomIsItsSeeds) {
+    const auto of = [](int seed, double t) {
+        return valueAt(SteeringSignal{Noise<Angle>{0.1, 0.2, 2, 120, seed}}, kHeld, t);
+    };
+    EXPECT_EQ(of(1, 0), kHeld) << "begins without a jump";
+    EXPECT_EQ(of(1, 3.3), of(1, 3.3));
+    EXPECT_NE(of(1, 3.3), of(2, 3.3));
 }
 
 TEST(Signals, TableIsReadOverTheTimeOfThePhaseAndHeldBeyondItsEnds) {

@@ -134,6 +134,17 @@ TEST(Setting, UnknownPathNamesTheLikelyOnesAndWhereTheyAreListed) {
     }
 }
 
+TEST(Setting, ElementsThatAreNotThereAndOtherChoicesAreToldApartFromMistypedPaths) {
+    Car car;
+    for (const char* path : {"extra.2.bump", "steer.ramp.to"}) {
+        EXPECT_EQ(faultOf(car, {std::string(path) + "=1"}),
+                  std::string("--set: ") + path + ": found the unknown path \"" + path +
+                      "\", which belongs to an element that is not there or to another choice than the one made; set "
+                      "the whole of it, as {key: value}");
+    }
+    EXPECT_NE(faultOf(car, {"extra.2.bmup=1"}).find("did you mean \"extra.2.bump\"?"), std::string::npos);
+}
+
 TEST(Setting, TextThatIsNoAssignmentIsRefused) {
     Car car;
     for (const char* text : {"", "gears", "=3", " = ", "gears.=1"}) {

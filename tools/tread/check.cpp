@@ -15,6 +15,7 @@
 #include "log/csv.h"
 #include "log/log_columns.h"
 #include "output.h"
+#include "road/height_field_file.h"
 
 namespace tread::program {
 namespace {
@@ -83,6 +84,23 @@ void checkYaml(CheckedFile& checked, std::string_view text) {
     checked.notes = kind->read(checked.name);
 }
 
+// A height field begins with x and y, a log with the time.
+bool looksLikeHeightField(std::string_view text) {
+    while (text.starts_with('#')) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    return text.substr(0, text.find_first_of(",\n")).find("x\\y") != std::string_view::npos;
+}
+
+void checkCsv(CheckedFile& checked, std::string_view text) {
+    if (looksLikeHeightField(text)) {
+        checked.kind = "height field";
+        HeightField field;
+        parseHeightField(field, text, checked.name, checked.problems);
+    } else {
+        checked.kind = "log";
+        checked.problems = unitFaults(readLog(checked.name), checked.name);
+    }
+}
+
 CheckedFile checkFile(const std::string& name) {
     CheckedFile checked{name, "", {}, {}};
     const std::string extension = Path(name).extension().string();
@@ -97,8 +115,7 @@ CheckedFile checkFile(const std::string& name) {
             checked.kind = "tyre";
             checked.notes = readTyreFile(name);
         } else if (extension == ".csv" || extension == ".CSV") {
-            checked.kind = "log";
-            checked.problems = unitFaults(readLog(name), name);
+            checkCsv(checked, *text);
         } else {
             checkYaml(checked, *text);
         }

@@ -20,6 +20,7 @@ inline constexpr int kRunFailed = 3;  // the simulation could not go on
 struct RunOptions {
     std::string vehicle;
     std::string scenario;
+    std::string all;  // folder of scenarios, in place of one scenario
     std::string output;
     std::vector<std::string> settings;  // path=value
     bool json = false;
@@ -42,6 +43,7 @@ int compare(const CompareOptions& options);
 struct MetricsOptions {
     std::string log;
     std::string manoeuvre;  // empty: detected
+    std::string scenario;   // file that was driven; empty: not known
     bool json = false;
 };
 int metrics(const MetricsOptions& options);

@@ -27,8 +27,10 @@ void addSettings(CLI::App& app, std::vector<std::string>& settings, const std::s
 
 void addRun(CLI::App& app, RunOptions& o) {
     app.add_option("vehicle", o.vehicle, "vehicle file (YAML)")->required();
-    app.add_option("scenario", o.scenario, "scenario file (YAML)")->required();
-    app.add_option("-o,--output", o.output, "folder for log, metrics and report (default: out/<scenario>)");
+    CLI::Option* scenario = app.add_option("scenario", o.scenario, "scenario file (YAML)");
+    app.add_option("--all", o.all, "folder: drive all its scenarios, with one page that links the reports")
+        ->excludes(scenario);
+    app.add_option("-o,--output", o.output, "folder for log, metrics and report (default: out/<scenario>, or out)");
     addSettings(app, o.settings, "path=value, for example front.suspension.spring=\"25 kN/m\" or scenario.step=0.002");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
@@ -51,6 +53,7 @@ void addCompare(CLI::App& app, CompareOptions& o) {
 void addMetrics(CLI::App& app, MetricsOptions& o) {
     app.add_option("log", o.log, "log (CSV)")->required();
     app.add_option("--manoeuvre", o.manoeuvre, "name of the manoeuvre (default: found from the log)");
+    app.add_option("--scenario", o.scenario, "scenario file that was driven: lanes of its course");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 

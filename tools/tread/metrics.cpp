@@ -9,6 +9,7 @@
 #include "log/csv.h"
 #include "log/log_columns.h"
 #include "output.h"
+#include "run_inputs.h"
 
 namespace tread::program {
 namespace {
@@ -29,7 +30,9 @@ int metrics(const MetricsOptions& options) {
 
     try {
         const std::string manoeuvre = detected ? detectManoeuvre(log) : options.manoeuvre;
-        const std::vector<Metric> found = tread::metrics(log, manoeuvre);
+        KnownCar known;
+        if (!options.scenario.empty()) known.course = readScenario(options.scenario).course;
+        const std::vector<Metric> found = tread::metrics(log, manoeuvre, known);
         if (options.json) {
             printJson({{"log", options.log},
                        {"manoeuvre", manoeuvre},

@@ -11,7 +11,7 @@ namespace tread::program {
 class Progress {
 public:
     // `total` in the unit in which progress is told; 0: not known.
-    explicit Progress(double total) : total_(total) {}
+    Progress(double total, const char* unit) : total_(total), unit_(unit) {}
     ~Progress() {
         if (shown_) std::fprintf(stderr, "\r\033[K");
     }
@@ -25,12 +25,13 @@ public:
         shown_ = true;
         constexpr int kWidth = 40;
         const int filled = total_ > 0 ? static_cast<int>(kWidth * (done < total_ ? done / total_ : 1.0)) : 0;
-        std::fprintf(stderr, "\r%.1f s [%.*s%*s]", done, filled, "########################################",
+        std::fprintf(stderr, "\r%.1f %s [%.*s%*s]", done, unit_, filled, "########################################",
                      kWidth - filled, "");
     }
 
 private:
     double total_;
+    const char* unit_;
     bool terminal_ = isatty(STDERR_FILENO) != 0;
     bool shown_ = false;
     std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + std::chrono::seconds(2);

@@ -12,6 +12,8 @@
 #include "run/sensors.h"
 #include "run/simulate.h"
 #include "scenario/load.h"
+#include "scenario/replay.h"
+#include "series/series.h"
 #include "tread/load.h"
 
 namespace tread::program {
@@ -49,6 +51,24 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
         faults.push_back({"manoeuvre", "found the unknown manoeuvre " + quote(name) + ", expected " + listed(known) +
                                            ", or no such line for a run without metrics" + didYouMean(name, known)});
     }
+
+    if (const std::string fault = faultOf(scenario); !fault.empty()) faults.push_back({"series", fault});
+    const auto expectMetric = [&](const std::string& path, const std::string& metric) {
+        for (const Manoeuvre& manoeuvre : manoeuvres()) {
+            if (manoeuvre.name != name || metric.empty()) continue;
+            std::vector<std::string> names;
+            for (const MetricDefinition& definition : manoeuvre.definitions()) names.push_back(definition.name);
+            if (std::find(names.begin(), names.end(), metric) != names.end()) continue;
+            const std::vector<std::string_view> views(names.begin(), names.end());
+            faults.push_back({path, "found " + quote(metric) + ", which is no metric of " + name +
+                                        didYouMean(metric, views) + "; `tread describe metrics` lists them"});
+        }
+    };
+    const SeriesParams& series = scenario.series;
+    for (std::size_t i = 0; i < series.tune.size(); ++i)
+        expectMetric("series.tune." + std::to_string(i) + ".metric", series.tune[i].metric);
+    if (series.vary) expectMetric("series.vary.pass", series.vary->pass);
+    if (series.highest) expectMetric("series.highest.pass", series.highest->pass);
 
     const std::vector<Column> all = recordedColumns({});
     known.clear();
@@ -108,6 +128,10 @@ RunRecord readRunInputs(const RunOptions& options) {
     if (!problems.empty()) refuse(std::move(problems));
 
     constexpr const char* kSource = "--set";
+    // The scenario's settings of the car, as they are after --set; then --set has the last word.
+    Settable asked = inputs;
+    applySettings(asked, options.settings, kSource, listingOf);
+    applySettings(inputs.vehicle, asked.scenario.car_settings, options.scenario + ": car_settings", listingOf);
     applySettings(inputs, options.settings, kSource, listingOf);
     for (const Fault& fault : unknownNames(inputs.scenario)) {
         problems.push_back({kSource, 0, 0, "scenario." + fault.path, fault.text});
@@ -117,7 +141,7 @@ RunRecord readRunInputs(const RunOptions& options) {
     RunRecord record;
     record.tread_version = TREAD_VERSION;
     record.vehicle = std::move(inputs.vehicle);
-    record.scenario = std::move(inputs.scenario);
+    record.scenario = withReplaysRead(std::move(inputs.scenario));
     return record;
 }
 

@@ -1,0 +1,88 @@
+// Side wind at fixed steering, after ISO 12021: how far the car is blown off its line.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "metrics/channels.h"
+#include "metrics/manoeuvres.h"
+#include "metrics/metric_table.h"
+
+namespace tread {
+namespace {
+
+constexpr std::string_view kName = "crosswind";
+constexpr double kReading = 2.0;           // s after the wind
+constexpr double kOnset = 0.1;             // of the largest lateral acceleration
+constexpr double kLeast = 0.1;             // m/s2: less is no gust
+constexpr double kFixed = 1.0 / kDegrees;  // rad by which the steering wheel may move
+constexpr double kBefore = 0.5;            // s of driving straight on
+constexpr double kStraight = 0.1;          // m/s2 of lateral acceleration before
+
+struct Crosswind {
+    double onset;               // s
+    double deviation;           // m, to the side to which the wind blows
+    double yaw, peak_yaw_rate;  // rad, rad/s, signs of that side
+    double peak_ay, speed;
+};
+
+MetricTable<Crosswind> table() {
+    const std::string reading = fmt::format("{:.0f} s after the wind has come", kReading);
+    return {
+        {{"path_deviation", "m", "distance from the line before, " + reading + ", positive to where the car is pushed"},
+         [](const Crosswind& c) { return c.deviation; }},
+        {{"yaw_angle", "deg", "change of heading, " + reading + "; negative: the car turns into the wind"},
+         [](const Crosswind& c) { return kDegrees * c.yaw; }},
+        {{"peak_yaw_rate", "deg/s", "largest yaw rate up to then, positive to where the car is pushed"},
+         [](const Crosswind& c) { return kDegrees * c.peak_yaw_rate; }},
+        {{"peak_ay", "m/s2", "largest lateral acceleration up to then"}, [](const Crosswind& c) { return c.peak_ay; }},
+        {{"speed", "m/s", "when the wind comes"}, [](const Crosswind& c) { return c.speed; }},
+    };
+}
+
+double farthest(const TimeSeries& series, double from, double to) {
+    const double high = highest(series, from, to).value, low = lowest(series, from, to).value;
+    return std::abs(high) > std::abs(low) ? high : low;
+}
+
+Crosswind findCrosswind(const Log& log) {
+    const auto needed = channels(
+        log, kName,
+        {"driver.steering_wheel_angle", "chassis.x", "chassis.y", "chassis.yaw", "chassis.yaw_rate", "chassis.ay"});
+    const TimeSeries yaw_rate = cleaned(needed[4], kResponseHalfWidth), ay = cleaned(needed[5], kResponseHalfWidth);
+    const TimeSeries& hand = needed[0];
+    const auto [least, most] = std::minmax_element(hand.value.begin(), hand.value.end());
+    if (*most - *least > kFixed) {
+        notFound(kName, fmt::format("the steering wheel moves by {:.2g} deg, looked for fixed steering",
+                                    kDegrees * (*most - *least)));
+    }
+    const double largest = farthest(ay, ay.begin(), ay.end());
+    if (std::abs(largest) < kLeast) {
+        notFound(kName, fmt::format("the lateral acceleration stays below {:.2g} m/s2", kLeast));
+    }
+    const auto onset = firstCrossing(ay, kOnset * largest, ay.begin());
+    if (!onset || *onset - ay.begin() < kBefore || std::abs(farthest(ay, ay.begin(), *onset - 0.2)) > kStraight)
+        notFound(kName, fmt::format("the car does not drive straight on for {:.2g} s first", kBefore));
+    const double then = *onset + kReading;
+    if (then > ay.end()) notFound(kName, fmt::format("the log ends before {:.0f} s after the wind", kReading));
+
+    const double side = largest > 0 ? 1 : -1, heading = mean(needed[3], *onset - kBefore, *onset);
+    const double dx = at(needed[1], then) - at(needed[1], *onset), dy = at(needed[2], then) - at(needed[2], *onset);
+    return {.onset = *onset,
+            .deviation = side * (dy * std::cos(heading) - dx * std::sin(heading)),
+            .yaw = side * (at(needed[3], then) - heading),
+            .peak_yaw_rate = side * farthest(yaw_rate, *onset, then),
+            .peak_ay = side * farthest(ay, *onset, then),
+            .speed = at(speed(log, kName), *onset)};
+}
+
+}  // namespace
+
+Manoeuvre crosswind() {
+    return {kName, "side wind at fixed steering: path, heading and yaw rate (after ISO 12021)",
+            [] { return definitions(table()); },
+            [](const Log& log, const KnownCar&) { return values(table(), findCrosswind(log)); }};
+}
+
+}  // namespace tread

@@ -1,0 +1,108 @@
+// Hands off the wheel in a steady turn: how the car straightens itself. After the idea of ISO 17288-1, whose text was
+// not read; shares, times and the 10 % are a choice.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "metrics/channels.h"
+#include "metrics/manoeuvres.h"
+#include "metrics/metric_table.h"
+
+namespace tread {
+namespace {
+
+constexpr std::string_view kName = "free_steer";
+constexpr double kOff = 0.5;                 // of the signal, above which the hands are off
+constexpr double kLeastTime = 2;             // s without hands
+constexpr double kBefore = 0.3;              // s before the release, for what was steady
+constexpr double kLeastTurn = 1 / kDegrees;  // rad/s
+constexpr double kSettled = 0.1;             // of the yaw rate at release
+constexpr double kFirst = 1;                 // s after release
+
+struct FreeSteer {
+    double speed, yaw_rate, ay, steering;  // at release
+    double first;                          // share of the yaw rate left after kFirst
+    double overshoot, settling;            // -, s
+    double steering_overshoot;             // -
+    double last_steering;                  // rad
+};
+
+MetricTable<FreeSteer> table() {
+    return {
+        {{"settling_time", "s",
+          fmt::format("from the release until the yaw rate stays within {:.0f} % of that at release; undefined when it "
+                      "does not",
+                      100 * kSettled)},
+         [](const FreeSteer& f) { return f.settling; }},
+        {{"yaw_rate_overshoot", "-", "largest yaw rate to the other side over that at release"},
+         [](const FreeSteer& f) { return f.overshoot; }},
+        {{"yaw_rate_left", "-", fmt::format("yaw rate {:.0f} s after the release over that at release", kFirst)},
+         [](const FreeSteer& f) { return f.first; }},
+        {{"steering_overshoot", "-", "largest steering-wheel angle to the other side over that at release"},
+         [](const FreeSteer& f) { return f.steering_overshoot; }},
+        {{"last_steering_angle", "deg", "steering-wheel angle at the end of the log"},
+         [](const FreeSteer& f) { return kDegrees * f.last_steering; }},
+        {{"speed", "m/s", "at release"}, [](const FreeSteer& f) { return f.speed; }},
+        {{"yaw_rate", "deg/s", "at release"}, [](const FreeSteer& f) { return kDegrees * f.yaw_rate; }},
+        {{"ay", "m/s2", "lateral acceleration at release"}, [](const FreeSteer& f) { return f.ay; }},
+        {{"steering_angle", "deg", "at release"}, [](const FreeSteer& f) { return kDegrees * f.steering; }},
+    };
+}
+
+// The largest excursion to the other side of zero, over the value at release.
+double overshootOf(const TimeSeries& series, double release, double before) {
+    const double other =
+        before > 0 ? lowest(series, release, series.end()).value : highest(series, release, series.end()).value;
+    return std::max(0.0, -other / before);
+}
+
+// When the series enters the band for good; NaN when it never does.
+double settlingOf(const TimeSeries& series, double release, double band) {
+    const auto up = lastCrossing(series, band, release, series.end());
+    const auto down = lastCrossing(series, -band, release, series.end());
+    if (std::abs(series.value.back()) > band) return kUndefined;
+    return std::max(up.value_or(release), down.value_or(release)) - release;
+}
+
+FreeSteer findFreeSteer(const Log& log) {
+    const auto needed =
+        channels(log, kName, {"driver.hands_off", "driver.steering_wheel_angle", "chassis.yaw_rate", "chassis.ay"});
+    const TimeSeries& off = needed[0];
+    const auto release = firstCrossing(off, kOff, off.begin());
+    if (!release || off.value.back() < kOff || lastCrossing(off, kOff, *release, off.end()).value_or(0) > *release)
+        notFound(kName, "the hands do not leave the wheel once and for all");
+    if (off.end() - *release < kLeastTime) {
+        notFound(kName, fmt::format("the log ends {:.2g} s after the release, looked for at least {:.2g} s",
+                                    off.end() - *release, kLeastTime));
+    }
+    const TimeSeries yaw_rate = cleaned(needed[2], kResponseHalfWidth);
+    const auto before = [&](const TimeSeries& series) { return mean(series, *release - kBefore, *release); };
+    FreeSteer found{};
+    found.yaw_rate = before(yaw_rate);
+    if (std::abs(found.yaw_rate) < kLeastTurn) {
+        notFound(kName,
+                 fmt::format("the car turns at {:.2g} deg/s before the release, looked for at least {:.2g} deg/s",
+                             kDegrees * std::abs(found.yaw_rate), kDegrees * kLeastTurn));
+    }
+    found.speed = before(speed(log, kName));
+    found.ay = before(needed[3]);
+    found.steering = before(needed[1]);
+    found.first = at(yaw_rate, *release + kFirst) / found.yaw_rate;
+    found.overshoot = overshootOf(yaw_rate, *release, found.yaw_rate);
+    found.settling = settlingOf(yaw_rate, *release, kSettled * std::abs(found.yaw_rate));
+    found.steering_overshoot = overshootOf(needed[1], *release, found.steering);
+    found.last_steering = needed[1].value.back();
+    return found;
+}
+
+}  // namespace
+
+Manoeuvre freeSteer() {
+    return {kName, "hands off the wheel in a steady turn: how the car straightens itself (after ISO 17288-1)",
+            [] { return definitions(table()); },
+            [](const Log& log, const KnownCar&) { return values(table(), findFreeSteer(log)); }};
+}
+
+}  // namespace tread

@@ -1,0 +1,251 @@
+// Steering with a broad spectrum: gain, phase and coherence over frequency, after ISO 7401 (random, pulse) and its
+// substitute, the sweep.
+
+#include "metrics/frequency_response.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "metrics/channels.h"
+#include "metrics/manoeuvres.h"
+#include "metrics/metric_table.h"
+
+namespace tread {
+namespace {
+
+constexpr std::string_view kName = "frequency_response";
+constexpr double kSegment = 20;          // s, of Welch's method: eight periods of the lowest frequency that counts
+constexpr double kLowest = 0.1;          // Hz
+constexpr double kHighest = 4.0;         // Hz
+constexpr double kSpacing = 0.05;        // Hz between the points
+constexpr double kLeastPower = 0.01;     // of the largest: below, the steering asks nothing at that frequency
+constexpr double kNarrow = 2.5;          // highest over lowest frequency: less is one sine
+constexpr double kSmallest = 0.005;      // rad at the steering wheel; less is a correction
+constexpr double kRest = 0.02;           // of the largest deflection
+constexpr double kRestTime = 0.5;        // s at both ends of a record that is taken as a whole
+constexpr std::size_t kFewestTurns = 6;  // of random steering
+constexpr std::array kFrequencies{0.2, 0.5, 1.0, 1.5, 2.0, 3.0};  // Hz, at which values are quoted
+constexpr double kPhase = 45;                                     // deg
+
+// Whether a channel is at rest at the beginning and, at the same level, at the end.
+bool restsAtBothEnds(const TimeSeries& series) {
+    const double level = mean(series, series.begin(), series.begin() + kRestTime);
+    double largest = 0, at_ends = 0;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        const double away = std::abs(series.value[i] - level);
+        largest = std::max(largest, away);
+        if (series.time[i] < series.begin() + kRestTime || series.time[i] > series.end() - kRestTime)
+            at_ends = std::max(at_ends, away);
+    }
+    return at_ends <= kRest * largest;
+}
+
+double largestOf(const TimeSeries& series) {
+    double largest = 0;
+    for (double value : series.value) largest = std::max(largest, std::abs(value));
+    return largest;
+}
+
+std::vector<double> raster() {
+    std::vector<double> frequencies;
+    for (int i = 0; kLowest + i * kSpacing <= kHighest + 1e-9; ++i) frequencies.push_back(kLowest + i * kSpacing);
+    return frequencies;
+}
+
+// What lies between, along the points: the value of `quantity` at a frequency.
+double between(const std::vector<FrequencyPoint>& points, double frequency, auto&& quantity) {
+    constexpr double kRounding = 1e-9;  // Hz
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const double left = points[i].frequency, right = points[i + 1].frequency;
+        if (frequency < left - kRounding || frequency > right + kRounding) continue;
+        const double share = (frequency - left) / (right - left);
+        return (1 - share) * quantity(i) + share * quantity(i + 1);
+    }
+    return kUndefined;
+}
+
+// Phase lags without jumps, rad.
+std::vector<double> lags(const std::vector<FrequencyPoint>& points) {
+    std::vector<double> out;
+    for (const FrequencyPoint& point : points) {
+        double lag = -std::arg(point.transfer);
+        const double near = out.empty() ? 0 : out.back();
+        lag -= 2 * std::numbers::pi * std::round((lag - near) / (2 * std::numbers::pi));
+        out.push_back(lag);
+    }
+    return out;
+}
+
+// First frequency at which a quantity of the points passes a level; NaN when it does not.
+double firstPassage(const std::vector<FrequencyPoint>& points, double level, auto&& quantity) {
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const double left = quantity(i) - level, right = quantity(i + 1) - level;
+        if (left == right || (left > 0) == (right > 0)) continue;
+        return points[i].frequency + left / (left - right) * (points[i + 1].frequency - points[i].frequency);
+    }
+    return kUndefined;
+}
+
+using Points = std::vector<FrequencyPoint>;
+
+const FrequencyPoint& peakOf(const Points& points) {
+    return *std::max_element(points.begin(), points.end(), [](const FrequencyPoint& a, const FrequencyPoint& b) {
+        return std::abs(a.transfer) < std::abs(b.transfer);
+    });
+}
+
+MetricTable<SteeringResponse> answerTable(Points SteeringResponse::*answer, std::string_view what,
+                                          std::string_view words, const std::string& unit) {
+    MetricTable<SteeringResponse> lines;
+    const auto name = [&](std::string_view metric) { return fmt::format("{}_{}", what, metric); };
+    const auto gain = [answer](const SteeringResponse& r) {
+        return [&points = r.*answer](std::size_t i) { return std::abs(points[i].transfer); };
+    };
+    lines.push_back({{name("lowest_gain"), unit,
+                      fmt::format("{} over steering-wheel angle at the lowest frequency of the steering", words)},
+                     [gain](const SteeringResponse& r) { return gain(r)(0); }});
+    lines.push_back(
+        {{name("peak_ratio"), "-", fmt::format("largest gain of the {} over that at the lowest frequency", words)},
+         [answer, gain](const SteeringResponse& r) { return std::abs(peakOf(r.*answer).transfer) / gain(r)(0); }});
+    lines.push_back({{name("peak_frequency"), "Hz", fmt::format("where the gain of the {} is largest", words)},
+                     [answer](const SteeringResponse& r) { return peakOf(r.*answer).frequency; }});
+    lines.push_back(
+        {{name("bandwidth"), "Hz",
+          fmt::format(
+              "where the gain of the {} has fallen to 1/sqrt(2) of that at the lowest frequency; undefined when "
+              "it does not",
+              words)},
+         [answer, gain](const SteeringResponse& r) {
+             return firstPassage(r.*answer, gain(r)(0) / std::numbers::sqrt2, gain(r));
+         }});
+    lines.push_back({{name("lag_frequency"), "Hz",
+                      fmt::format("where the {} lags by {:.0f} deg; undefined when it does not", words, kPhase)},
+                     [answer](const SteeringResponse& r) {
+                         const auto lag = lags(r.*answer);
+                         return firstPassage(r.*answer, kPhase / kDegrees, [&](std::size_t i) { return lag[i]; });
+                     }});
+    for (const double frequency : kFrequencies) {
+        const auto at_frequency = [&](std::string_view metric) {
+            return fmt::format("{}_{}_{:.1f}Hz", what, metric, frequency);
+        };
+        const std::string where =
+            fmt::format("at {:.1f} Hz; undefined where the steering has less than {:.0f} % of its largest power",
+                        frequency, 100 * kLeastPower);
+        lines.push_back({{at_frequency("gain"), unit, fmt::format("{} over steering-wheel angle {}", words, where)},
+                         [answer, frequency](const SteeringResponse& r) { return gainAt(r.*answer, frequency); }});
+        lines.push_back(
+            {{at_frequency("phase_lag"), "deg",
+              fmt::format("by which the {} lags the steering-wheel angle {}", words, where)},
+             [answer, frequency](const SteeringResponse& r) { return kDegrees * phaseLagAt(r.*answer, frequency); }});
+        lines.push_back(
+            {{at_frequency("coherence"), "-",
+              fmt::format("share of the {} that follows from the steering {}; or one estimate alone", words, where)},
+             [answer, frequency](const SteeringResponse& r) { return coherenceAt(r.*answer, frequency); }});
+    }
+    return lines;
+}
+
+MetricTable<SteeringResponse> table() {
+    MetricTable<SteeringResponse> lines;
+    const auto add = [&](MetricTable<SteeringResponse> more) { lines.insert(lines.end(), more.begin(), more.end()); };
+    add(answerTable(&SteeringResponse::yaw_rate, "yaw_rate", "yaw rate", "1/s"));
+    add(answerTable(&SteeringResponse::ay, "ay", "lateral acceleration", "m/s2/rad"));
+    add({
+        {{"speed", "m/s", "mean forward speed"}, [](const SteeringResponse& r) { return r.speed; }},
+        {{"largest_ay", "m/s2", "largest magnitude of the lateral acceleration"},
+         [](const SteeringResponse& r) { return r.largest_ay; }},
+        {{"lowest_frequency", "Hz", "from here the steering has power enough"},
+         [](const SteeringResponse& r) { return r.from; }},
+        {{"highest_frequency", "Hz", "up to here"}, [](const SteeringResponse& r) { return r.to; }},
+        {{"segments", "-",
+          fmt::format(
+              "1: the whole record, which begins and ends at rest, a parabola of the transfer function fitted over "
+              "+-{:.2f} Hz; more: Welch's method with a Hann window, half overlapping, H1 = Sxy / Sxx",
+              SpectrumSettings{}.half_band)},
+         [](const SteeringResponse& r) { return static_cast<double>(r.segments); }},
+        {{"segment_length", "s", "length of a segment of Welch's method; undefined for the whole record"},
+         [](const SteeringResponse& r) { return r.settings.segment > 0 ? r.settings.segment : kUndefined; }},
+    });
+    return lines;
+}
+
+}  // namespace
+
+double gainAt(const Points& points, double frequency) {
+    return between(points, frequency, [&](std::size_t i) { return std::abs(points[i].transfer); });
+}
+double phaseLagAt(const Points& points, double frequency) {
+    const auto lag = lags(points);
+    return between(points, frequency, [&](std::size_t i) { return lag[i]; });
+}
+double coherenceAt(const Points& points, double frequency) {
+    return between(points, frequency, [&](std::size_t i) { return points[i].coherence; });
+}
+
+SteeringResponse steeringResponse(const Log& log) {
+    const auto needed =
+        channels(log, kName, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
+    const TimeSeries& steering = needed[0];
+    const double level = mean(steering, steering.begin(), steering.begin() + kRestTime);
+    const double largest = largestOf(increments(steering, level));
+    if (largest < kSmallest) {
+        notFound(kName, fmt::format("the steering wheel moves by {:.2g} deg only, looked for at least {:.2g} deg",
+                                    kDegrees * largest, kDegrees * kSmallest));
+    }
+    const bool whole = restsAtBothEnds(steering);
+    const std::size_t turns = turningPoints(steering, 0.5 * largest).size();
+    if (whole && turns > 1 && turns < kFewestTurns) {
+        notFound(kName, fmt::format("the steering turns back {} times, looked for a pulse (1), or a sweep or random "
+                                    "steering (at least {})",
+                                    turns, kFewestTurns));
+    }
+    if (!whole) {
+        if (turns < kFewestTurns) {
+            notFound(kName, fmt::format("the steering turns back {} times and does not end where it began, looked for "
+                                        "a pulse, a sweep or random steering",
+                                        turns));
+        }
+        if (steering.end() - steering.begin() < kSegment) {
+            notFound(kName,
+                     fmt::format("the log lasts {:.3g} s, looked for at least {:.3g} s of steering that does not "
+                                 "begin and end at rest",
+                                 steering.end() - steering.begin(), kSegment));
+        }
+    }
+    SteeringResponse found{};
+    found.settings.segment = whole ? 0 : kSegment;
+    found.segments = segments(steering, found.settings);
+    found.speed = mean(needed[1], steering.begin(), steering.end());
+    found.largest_ay = largestOf(needed[3]);
+
+    // The band about its strongest frequency in which the steering has power.
+    const auto all = frequencyResponses(steering, std::array{needed[2], needed[3]}, raster(), found.settings);
+    const Points& power = all[0];
+    const auto strongest =
+        std::max_element(power.begin(), power.end(), [](const auto& a, const auto& b) { return a.input < b.input; });
+    auto first = strongest, last = strongest;
+    const double least = kLeastPower * strongest->input;
+    while (first != power.begin() && (first - 1)->input >= least) --first;
+    while (last + 1 != power.end() && (last + 1)->input >= least) ++last;
+    found.from = first->frequency;
+    found.to = last->frequency;
+    if (found.to < kNarrow * found.from) {
+        notFound(kName, fmt::format("the steering has its power between {:.2g} and {:.2g} Hz, looked for a broad band",
+                                    found.from, found.to));
+    }
+    found.yaw_rate.assign(first, last + 1);
+    found.ay.assign(all[1].begin() + (first - power.begin()), all[1].begin() + (last - power.begin()) + 1);
+    return found;
+}
+
+Manoeuvre frequencyResponse() {
+    return {kName, "sweep, pulse or random steering: gain, phase and coherence over frequency (after ISO 7401)",
+            [] { return definitions(table()); },
+            [](const Log& log, const KnownCar&) { return values(table(), steeringResponse(log)); }};
+}
+
+}  // namespace tread

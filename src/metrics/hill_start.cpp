@@ -1,0 +1,82 @@
+// Starting on a hill: how far the car rolls back before it drives off.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "metrics/channels.h"
+#include "metrics/manoeuvres.h"
+#include "metrics/metric_table.h"
+
+namespace tread {
+namespace {
+
+constexpr std::string_view kName = "hill_start";
+constexpr double kHeld = 0.05;        // of the brake: less is released
+constexpr double kStill = 0.1;        // m/s: a car that is held is slower
+constexpr double kDriving = 2.0;      // m/s
+constexpr double kHalfWidth = 0.05;   // s
+constexpr double kLeastGrade = 0.02;  // rise over run
+
+struct HillStart {
+    double release;       // s, of the brake
+    double roll_back;     // m
+    double fastest_back;  // m/s
+    double drives_off;    // s after the release; NaN when it does not
+    double held_drift;    // m, while the brake held the car
+};
+
+MetricTable<HillStart> table() {
+    return {
+        {{"roll_back", "m", "largest way backwards after the brake is released"},
+         [](const HillStart& h) { return h.roll_back; }},
+        {{"roll_back_speed", "m/s", "largest speed backwards"}, [](const HillStart& h) { return h.fastest_back; }},
+        {{"drive_off_time", "s",
+          fmt::format("from the release of the brake to {:.0f} m/s forwards; undefined when that is not reached",
+                      kDriving)},
+         [](const HillStart& h) { return h.drives_off; }},
+        {{"held_drift", "mm", "way of the car while the brake held it"},
+         [](const HillStart& h) { return 1000 * h.held_drift; }},
+    };
+}
+
+HillStart findHillStart(const Log& log) {
+    const auto needed = channels(log, kName, {"driver.brake", "driver.throttle", "chassis.vx"});
+    const TimeSeries& brake = needed[0];
+    const TimeSeries v = cleaned(needed[2], kHalfWidth);
+    const auto release = firstCrossing(brake, kHeld, brake.begin());
+    if (brake.value.front() <= kHeld || !release) notFound(kName, "the brake does not hold the car and then let it go");
+    const TimeSeries before = part(v, v.begin(), *release);
+    for (double speed : before.value) {
+        if (std::abs(speed) > kStill) notFound(kName, "the car moves while the brake is on");
+    }
+    if (const auto pitch = channelIfThere(log, kName, "chassis.pitch")) {
+        // Nose up is negative.
+        const double grade = -mean(*pitch, v.begin(), *release);
+        if (std::abs(grade) < kLeastGrade) notFound(kName, "the car does not stand on a hill");
+    }
+    if (highest(needed[1], *release, v.end()).value < kHeld) notFound(kName, "the throttle is not used");
+    HillStart found{};
+    found.release = *release;
+    double way = 0;
+    for (std::size_t i = 1; i < v.size(); ++i) {
+        if (v.time[i] <= *release) continue;
+        way += 0.5 * (v.value[i] + v.value[i - 1]) * (v.time[i] - v.time[i - 1]);
+        found.roll_back = std::max(found.roll_back, -way);
+        found.fastest_back = std::max(found.fastest_back, -v.value[i]);
+    }
+    const auto off = firstCrossing(v, kDriving, *release);
+    found.drives_off = off ? *off - *release : kUndefined;
+    found.held_drift = std::abs(integral(v, v.begin(), *release));
+    return found;
+}
+
+}  // namespace
+
+Manoeuvre hillStart() {
+    return {kName, "starting on a hill: way backwards, time to drive off", [] { return definitions(table()); },
+            [](const Log& log, const KnownCar&) { return values(table(), findHillStart(log)); }};
+}
+
+}  // namespace tread

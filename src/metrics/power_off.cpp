@@ -1,0 +1,56 @@
+// Power-off in a steady turn, after ISO 9816.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "metrics/channels.h"
+#include "metrics/manoeuvres.h"
+#include "metrics/turn_disturbance.h"
+
+namespace tread {
+namespace {
+
+constexpr std::string_view kName = "power_off";
+constexpr double kLeastThrottle = 0.03;  // of the pedal: less drives no turn
+constexpr double kReleased = 0.02;       // of the pedal
+constexpr double kQuickest = 1.0;        // s from the throttle before to none
+constexpr double kStaysOff = 1.0;        // s
+constexpr double kPedal = 0.02;          // of the brake: less is a resting foot
+
+// When the foot leaves the throttle for good.
+double releaseOf(const TimeSeries& throttle) {
+    const auto off = lastCrossing(throttle, kReleased, throttle.begin(), throttle.end());
+    if (!off || throttle.value.back() > kReleased) notFound(kName, "the throttle is not released and left so");
+    if (throttle.end() - *off < kStaysOff)
+        notFound(kName,
+                 fmt::format("the log ends {:.2g} s after the throttle is released, looked for at least {:.2g} s",
+                             throttle.end() - *off, kStaysOff));
+    const double before = mean(throttle, *off - 2 * kQuickest, *off - kQuickest);
+    if (before < kLeastThrottle)
+        notFound(kName, fmt::format("the throttle is at {:.2g} only before it is released", before));
+    return lastCrossing(throttle, 0.5 * (before + kReleased), throttle.begin(), *off).value_or(*off);
+}
+
+TurnDisturbance findPowerOff(const Log& log) {
+    const double release = releaseOf(channels(log, kName, {"driver.throttle"}).front());
+    if (const auto brake = channelIfThere(log, kName, "driver.brake")) {
+        const TimeSeries after = part(*brake, release, brake->end());
+        if (*std::max_element(after.value.begin(), after.value.end()) > kPedal)
+            notFound(kName, "the car is braked as well");
+    }
+    return turnDisturbance(log, kName, release, log.channels.front().values.back());
+}
+
+}  // namespace
+
+Manoeuvre powerOff() {
+    return {kName,
+            "the throttle released in a steady turn: yaw rate, sideslip and path a second later (after ISO 9816)",
+            [] { return definitions(turnDisturbanceTable("throttle is released")); },
+            [](const Log& log, const KnownCar&) {
+                return values(turnDisturbanceTable("throttle is released"), findPowerOff(log));
+            }};
+}
+
+}  // namespace tread

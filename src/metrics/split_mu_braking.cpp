@@ -1,0 +1,91 @@
+// Braking with unequal friction under left and right wheels, after ISO 14512 and the split test of UN R13-H: what the
+// driver has to steer against, and how the car stops.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "metrics/channels.h"
+#include "metrics/manoeuvres.h"
+#include "metrics/metric_table.h"
+#include "metrics/stop.h"
+
+namespace tread {
+namespace {
+
+constexpr std::string_view kName = "split_mu_braking";
+constexpr double kFirst = 2;                     // s, of the first correction
+constexpr double kSlow = 1;                      // m/s: below, steering and yaw rate tell nothing
+constexpr double kLeastSteering = 5 / kDegrees;  // rad at the steering wheel: less is no correction
+
+struct SplitMu {
+    Stop stop;
+    double mfdd, deviation;  // m/s2, m
+    double first, steering;  // rad
+    double yaw_rate, yaw;    // rad/s, rad
+};
+
+MetricTable<SplitMu> table() {
+    const std::string slow = fmt::format(", down to {:.0f} m/s", kSlow);
+    return {
+        {{"steering_first_2s", "deg",
+          fmt::format("largest turn of the steering wheel from its angle at brake actuation, in the first {:.0f} s",
+                      kFirst)},
+         [](const SplitMu& s) { return kDegrees * s.first; }},
+        {{"largest_steering", "deg", "the same over the whole stop" + slow},
+         [](const SplitMu& s) { return kDegrees * s.steering; }},
+        {{"initial_speed", "m/s", "speed when the driver starts to actuate the brake"},
+         [](const SplitMu& s) { return s.stop.initial_speed; }},
+        {{"stopping_distance", "m", "path from the start of brake actuation to standstill"},
+         [](const SplitMu& s) { return s.stop.distance; }},
+        {{"mfdd", "m/s2", "mean fully developed deceleration: (vb^2 - ve^2) / (2 (se - sb)), vb = 0.8 v0, ve = 0.1 v0"},
+         [](const SplitMu& s) { return s.mfdd; }},
+        {{"lateral_deviation", "m",
+          "largest distance from the line along which the car pointed at brake actuation; left is positive"},
+         [](const SplitMu& s) { return s.deviation; }},
+        {{"largest_yaw_rate", "deg/s", "largest magnitude of the yaw rate" + slow},
+         [](const SplitMu& s) { return kDegrees * s.yaw_rate; }},
+        {{"largest_yaw_angle", "deg", "largest turn of the car from its heading at brake actuation" + slow},
+         [](const SplitMu& s) { return kDegrees * s.yaw; }},
+    };
+}
+
+// Largest distance from the value at the beginning.
+double largestMove(const TimeSeries& series, double from, double to) {
+    const double start = at(series, from);
+    return std::max(highest(series, from, to).value - start, start - lowest(series, from, to).value);
+}
+
+SplitMu findSplitMu(const Log& log) {
+    const auto needed = channels(log, kName, {"driver.steering_wheel_angle", "chassis.yaw_rate", "chassis.yaw"});
+    const Stop stop = findStop(log, kName);
+    expectNoTurn(log, kName, stop);
+    const TimeSeries hand = cleaned(needed[0], kResponseHalfWidth), turning = cleaned(needed[1], kResponseHalfWidth);
+    const TimeSeries v = cleaned(speed(log, kName), kSpeedHalfWidth);
+    const double end = firstCrossing(v, kSlow, stop.start).value_or(stop.end);
+    SplitMu found{
+        .stop = stop,
+        .mfdd = meanFullyDeveloped(v, stop),
+        .deviation = lateralDeviation(log, kName, stop),
+        .first = largestMove(hand, stop.start, std::min(end, stop.start + kFirst)),
+        .steering = largestMove(hand, stop.start, end),
+        .yaw_rate = std::max(highest(turning, stop.start, end).value, -lowest(turning, stop.start, end).value),
+        .yaw = largestMove(needed[2], stop.start, end)};
+    if (found.steering < kLeastSteering) {
+        notFound(kName, fmt::format("the steering wheel turns by {:.2g} deg only while braking, looked for a driver "
+                                    "who corrects by at least {:.2g} deg",
+                                    kDegrees * found.steering, kDegrees * kLeastSteering));
+    }
+    return found;
+}
+
+}  // namespace
+
+Manoeuvre splitMuBraking() {
+    return {kName, "braking with unequal friction left and right, corrected by the driver (after ISO 14512)",
+            [] { return definitions(table()); },
+            [](const Log& log, const KnownCar&) { return values(table(), findSplitMu(log)); }};
+}
+
+}  // namespace tread

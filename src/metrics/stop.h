@@ -1,0 +1,35 @@
+// A braking to standstill in a log: when, from what speed, over what way.
+#pragma once
+
+#include <string_view>
+
+#include "log/log.h"
+#include "metrics/series.h"
+
+namespace tread {
+
+inline constexpr double kSpeedHalfWidth = 0.1;  // s
+// From here the last metre is extrapolated, out of the sensor's noise.
+inline constexpr double kNearlyStopped = 0.2;  // m/s
+
+struct Stop {
+    double start;          // s, brake actuation
+    double initial_speed;  // m/s
+    double end;            // s, standstill
+    double distance;       // m
+    double duration() const { return end - start; }
+};
+
+// Throws MetricError when no car is braked to standstill; `manoeuvre` is looked for.
+Stop findStop(const Log& log, std::string_view manoeuvre);
+
+// Throws MetricError when the car turns as it is braked.
+void expectNoTurn(const Log& log, std::string_view manoeuvre, const Stop& stop);
+
+// Mean fully developed deceleration: the average over distance between 80 and 10 % of the initial speed.
+double meanFullyDeveloped(const TimeSeries& v, const Stop& stop);
+
+// Largest distance of the path from the line along which the car went when the brake was applied; left is positive.
+double lateralDeviation(const Log& log, std::string_view manoeuvre, const Stop& stop);
+
+}  // namespace tread

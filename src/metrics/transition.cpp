@@ -1,0 +1,97 @@
+// On-centre handling, transition test after ISO 13674-2: a slow ramp out of straight ahead.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "metrics/channels.h"
+#include "metrics/manoeuvres.h"
+#include "metrics/metric_table.h"
+
+namespace tread {
+namespace {
+
+constexpr std::string_view kName = "transition";
+constexpr double kHalfWidth = 0.1;               // s
+constexpr double kAyHalfWidth = 0.25;            // s
+constexpr double kFastestRamp = 6 / kDegrees;    // rad/s
+constexpr double kFirstAy = 0.2, kLastAy = 1.0;  // m/s2, range of the slopes
+constexpr std::size_t kFewest = 10;              // samples
+
+struct Transition {
+    double speed, rate;
+    double sensitivity;  // m/s2 per rad
+    double deadband;     // rad
+    double yaw_gain;     // 1/s
+    double torque_gradient;
+    double torque_deadband;  // N m
+};
+
+MetricTable<Transition> table() {
+    const std::string range = fmt::format("regression over {:.1f} to {:.1f} m/s2", kFirstAy, kLastAy);
+    return {
+        {{"steering_sensitivity", "g/100deg", "d ay / d steering-wheel angle, " + range},
+         [](const Transition& t) { return t.sensitivity / kGravity * 100 / kDegrees; }},
+        {{"steering_deadband", "deg", "steering-wheel angle at which that line starts from ay = 0"},
+         [](const Transition& t) { return kDegrees * t.deadband; }},
+        {{"yaw_rate_gain", "1/s", "d yaw rate / d steering-wheel angle over the same time"},
+         [](const Transition& t) { return t.yaw_gain; }},
+        {{"torque_gradient", "N m/g",
+          "d steering-wheel torque / d ay, " + range + "; undefined when no torque is logged"},
+         [](const Transition& t) { return t.torque_gradient * kGravity; }},
+        {{"torque_deadband", "N m", "torque at which that line starts from ay = 0"},
+         [](const Transition& t) { return t.torque_deadband; }},
+        {{"speed", "m/s", "mean forward speed"}, [](const Transition& t) { return t.speed; }},
+        {{"steering_rate", "deg/s", "mean over the regression"}, [](const Transition& t) { return kDegrees * t.rate; }},
+    };
+}
+
+Transition findTransition(const Log& log) {
+    const auto needed =
+        channels(log, kName, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
+    const TimeSeries hand = cleaned(needed[0], kHalfWidth), yaw_rate = cleaned(needed[2], kHalfWidth),
+                     ay = cleaned(needed[3], kAyHalfWidth);
+    const double sign =
+        std::abs(highest(ay, ay.begin(), ay.end()).value) > std::abs(lowest(ay, ay.begin(), ay.end()).value) ? 1 : -1;
+    const auto torque = channelIfThere(log, kName, "steering.torque");
+    std::vector<double> times, angles, accelerations, rates, torques;
+    const double rest = mean(hand, hand.begin(), hand.begin() + 0.2);
+    const double end = firstCrossing(ay, sign * kLastAy, ay.begin()).value_or(ay.end());
+    for (std::size_t i = 0; i < ay.size() && ay.time[i] <= end; ++i) {
+        if (sign * ay.value[i] < kFirstAy) continue;
+        times.push_back(ay.time[i]);
+        angles.push_back(sign * (hand.value[i] - rest));
+        accelerations.push_back(sign * ay.value[i]);
+        rates.push_back(sign * yaw_rate.value[i]);
+        if (torque) torques.push_back(sign * torque->value[i]);
+    }
+    if (times.size() < kFewest || end == ay.end()) {
+        notFound(kName, fmt::format("looked for a slow rise of the lateral acceleration through {:.1f} to {:.1f} m/s2",
+                                    kFirstAy, kLastAy));
+    }
+    Transition found{};
+    found.rate = fitLine(times, angles).slope;
+    if (found.rate <= 0 || found.rate > kFastestRamp) {
+        notFound(kName, fmt::format("the steering wheel turns at {:.2g} deg/s, looked for at most {:.2g} deg/s",
+                                    kDegrees * found.rate, kDegrees * kFastestRamp));
+    }
+    const Line line = fitLine(angles, accelerations);
+    found.sensitivity = line.slope;
+    found.deadband = -line.offset / line.slope;
+    found.yaw_gain = fitLine(angles, rates).slope;
+    const Line turning = torque ? fitLine(accelerations, torques) : Line{kUndefined, kUndefined};
+    found.torque_gradient = turning.slope;
+    found.torque_deadband = turning.offset;
+    found.speed = mean(needed[1], times.front(), times.back());
+    return found;
+}
+
+}  // namespace
+
+Manoeuvre transition() {
+    return {kName, "a slow ramp out of straight ahead: on-centre sensitivity and dead band (after ISO 13674-2)",
+            [] { return definitions(table()); },
+            [](const Log& log, const KnownCar&) { return values(table(), findTransition(log)); }};
+}
+
+}  // namespace tread

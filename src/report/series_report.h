@@ -1,0 +1,49 @@
+// Pages over several runs: the table of a series, and the overview of a catalogue.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "metrics/metric.h"
+
+namespace tread {
+
+struct SeriesReport {
+    struct Run {
+        double value;  // of the number, SI
+        bool passed;
+        std::string failure;  // empty: none
+        std::vector<Metric> metrics;
+        std::string link;  // to its report, relative to the page; empty: it has none
+    };
+    std::string title;
+    std::string answer;
+    std::string vehicle;
+    std::string scenario_description;
+    std::string version;
+    std::string number;  // path of what changes from run to run
+    std::string unit;    // SI
+    std::vector<Run> runs;
+    std::string resolved_yaml;
+};
+std::string seriesReport(const SeriesReport& content);
+
+struct Overview {
+    struct Entry {
+        std::string scenario;  // name of its file
+        std::string title;
+        std::string answer;           // or why there is none
+        std::vector<Metric> metrics;  // most important first
+        std::vector<std::string> warnings;
+        std::string link;
+        bool driven;
+    };
+    std::string title;
+    std::string answer;
+    std::string vehicle;
+    std::string version;
+    std::vector<Entry> entries;
+};
+std::string overviewReport(const Overview& content);
+
+}  // namespace tread

@@ -1,0 +1,85 @@
+// Drivers that watch the car: what they hold, and how briskly.
+#pragma once
+
+#include <string_view>
+
+#include "tread/curve.h"
+#include "tread/describe.h"
+
+namespace tread {
+
+// Throttle, and brake when it has a gain, by a speed controller (proportional and integral).
+struct HoldSpeed {
+    static constexpr std::string_view kName = "hold_speed";
+    double speed = 0;
+    double proportional = 0.15;
+    double integral = 0.05;
+    double brake = 0;
+    Curve profile = {};
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(speed), About{"m/s", "speed to hold; 0: that at the start of the phase", kNonNegative});
+        field(TREAD_FIELD(proportional), About{"s/m", "throttle over the speed that is missing", kNonNegative});
+        field(TREAD_FIELD(integral),
+              About{"1/m", "throttle over the integral of the speed that is missing", kNonNegative});
+        field(TREAD_FIELD(brake),
+              About{"-", "brake pedal over the throttle below zero that the controller would like; 0: never brakes",
+                    kNonNegative});
+        field(TREAD_FIELD(profile),
+              About{"m/s", "speed to hold over the time of the phase, in place of `speed`", kNonNegative, 0, "s"});
+    }
+};
+
+// Hand wheel by an integral controller of the path's curvature. The wheel turns at
+//     bandwidth * steering ratio * wheelbase * (curvature wanted - curvature driven),
+// so that a neutral car closes in on the target with the time constant 1 / bandwidth.
+struct HoldLateralAcceleration {
+    static constexpr std::string_view kName = "hold_lateral_acceleration";
+    double target = kRequired;
+    double bandwidth = 1;
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(target), About{"m/s2", "lateral acceleration, positive to the left"});
+        field(TREAD_FIELD(bandwidth), About{"1/s", "how quickly the driver corrects", kPositive});
+    }
+};
+
+struct HoldRadius {
+    static constexpr std::string_view kName = "hold_radius";
+    double radius = kRequired;
+    double bandwidth = 1;
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(radius), About{"m", "radius of the path of the centre of gravity, positive to the left"});
+        field(TREAD_FIELD(bandwidth), About{"1/s", "how quickly the driver corrects", kPositive});
+    }
+    static void check(const auto& self, auto&& complain) {
+        if (self.radius == 0) complain("radius", "found 0, expected a radius, positive to the left");
+    }
+};
+
+// Hand wheel by a driver who looks ahead on the path of the course and steers for the arc that leads there from the
+// present direction of travel (pure pursuit; Coulter, Carnegie Mellon CMU-RI-TR-92-01, 1992). The angle for an arc is
+// that of a car of the given understeer gradient; hand and eye lag behind.
+struct FollowPath {
+    static constexpr std::string_view kName = "follow_path";
+    double preview_time = 0.6;
+    double preview_distance = 4;
+    double gain = 1;
+    double lead = 0;
+    double understeer = 0.0025;
+    double delay = 0.05;
+    double lag = 0.05;
+    double largest_rate = 17;
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(preview_time), About{"s", "how far ahead the driver looks", kPositive});
+        field(TREAD_FIELD(preview_distance), About{"m", "the same at low speed: never nearer than this", kPositive});
+        field(TREAD_FIELD(gain), About{"-", "hand-wheel angle over the one that the arc needs", kPositive});
+        field(TREAD_FIELD(lead),
+              About{"-", "share of the curvature that is still missing by which the driver steers more", kNonNegative});
+        field(TREAD_FIELD(understeer),
+              About{"rad s2/m", "understeer gradient, at the road wheels, that the driver reckons with"});
+        field(TREAD_FIELD(delay), About{"s", "dead time between eye and hand", {0, 2}});
+        field(TREAD_FIELD(lag), About{"s", "time constant of arms and steering wheel", kNonNegative});
+        field(TREAD_FIELD(largest_rate), About{"rad/s", "fastest turn of the hand wheel", kPositive});
+    }
+};
+
+}  // namespace tread

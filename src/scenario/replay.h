@@ -1,0 +1,17 @@
+// Replays of logs as signals over time.
+#pragma once
+
+#include <filesystem>
+
+#include "scenario/scenario.h"
+
+namespace tread {
+
+// Makes the files that replays name relative to the folder of the scenario.
+void placeReplays(Scenario& scenario, const std::filesystem::path& folder);
+
+// The scenario with the logged values in place of the replays of them. Throws LoadError with every fault, FileError
+// when a log cannot be read.
+Scenario withReplaysRead(Scenario scenario);
+
+}  // namespace tread

@@ -1,0 +1,83 @@
+// The events that end a phase.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/did_you_mean.h"
+#include "tread/describe.h"
+#include "tread/vehicle_output.h"
+
+namespace tread {
+
+// A phase ends with the first of these that comes true.
+struct Until {
+    std::optional<double> duration;
+    std::optional<double> time;
+    std::optional<double> speed_below;
+    std::optional<double> speed_above;
+    std::optional<double> lateral_acceleration_above;
+    std::optional<double> lateral_acceleration_below;
+    std::optional<double> sideslip_above;
+    std::optional<double> steering_above;
+    std::optional<double> distance;
+    std::optional<double> x_above;
+    std::optional<double> x_below;
+    std::optional<double> y_above;
+    std::optional<double> y_below;
+    bool yaw_rate_zero = false;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(duration), About{"s", "time since the phase began", kPositive});
+        field(TREAD_FIELD(time), About{"s", "time since the manoeuvre began", kPositive});
+        field(TREAD_FIELD(speed_below), About{"m/s", "forward speed falls below this", kAny});
+        field(TREAD_FIELD(speed_above), About{"m/s", "forward speed rises above this", kNonNegative});
+        field(TREAD_FIELD(lateral_acceleration_above),
+              About{"m/s2", "magnitude of the lateral acceleration rises above this", kPositive});
+        field(TREAD_FIELD(lateral_acceleration_below),
+              About{"m/s2", "magnitude of the lateral acceleration falls below this", kPositive});
+        field(TREAD_FIELD(sideslip_above), About{"rad", "magnitude of the sideslip angle rises above this", kPositive});
+        field(TREAD_FIELD(steering_above),
+              About{"rad", "magnitude of the hand-wheel angle rises above this", kPositive});
+        field(TREAD_FIELD(distance), About{"m", "way since the phase began", kPositive});
+        field(TREAD_FIELD(x_above), About{"m", "the car is farther along x than this"});
+        field(TREAD_FIELD(x_below), About{"m", "the car is less far along x than this"});
+        field(TREAD_FIELD(y_above), About{"m", "the car is farther to the left, along y, than this"});
+        field(TREAD_FIELD(y_below), About{"m", "the car is farther to the right, along y, than this"});
+        field(TREAD_FIELD(yaw_rate_zero), About{"", "the yaw rate passes through zero during the phase"});
+    }
+
+    static void check(const auto& self, auto&& complain) {
+        std::vector<std::string_view> names;
+        bool any = false;
+        describe(self, [&](std::string_view name, const auto& value, const About&) {
+            names.push_back(name);
+            any = any || static_cast<bool>(value);
+        });
+        if (any) return;
+        complain("duration",
+                 "found no condition, expected at least one (" + listed(names) + "), or the phase would never end");
+    }
+};
+static_assert(describesEveryMember<Until>());
+
+// What a phase has seen so far.
+struct Observed {
+    ChassisOutput car;
+    double steering_wheel_angle = 0;  // rad
+    double distance = 0;              // m, since the phase began
+    double yaw_rate_before = 0;       // rad/s, one look earlier; 0 in the first look of a phase
+};
+
+// Whether an event other than by the clock has come true.
+bool happened(const Until& until, const Observed& seen);
+
+// What is waited for, in words.
+std::string wordsOf(const Until& until);
+
+// Three to four digits for a message; what is next to nothing is 0.
+std::string shortNumber(double value);
+
+}  // namespace tread

@@ -1,0 +1,153 @@
+#include "drive.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <optional>
+#include <system_error>
+
+#include "answer.h"
+#include "base/write_yaml.h"
+#include "log/csv.h"
+#include "metrics/metrics.h"
+#include "output.h"
+#include "report/run_report.h"
+#include "run/simulate.h"
+#include "tyres_of.h"
+
+namespace tread::program {
+namespace {
+
+constexpr int kSignalStatus = 128;  // what shells add to the signal that ended a program
+
+volatile std::sig_atomic_t stopped_by = 0;
+
+extern "C" void stopRun(int signal) {
+    stopped_by = signal;
+    std::signal(signal, SIG_DFL);
+}
+
+// Runs into the log file and into memory. A run that fails leaves a writer with the rows so far.
+Log drive(const RunRecord& record, const Path& file, std::optional<LogWriter>& writer, const Tell& tell) {
+    Log log;
+    const Recorder memory = recorderInto(log);
+    Recorder recorder;
+    recorder.begin = [&](const std::vector<Column>& columns) {
+        writer.emplace(file, columns);
+        memory.begin(columns);
+    };
+    recorder.row = [&](std::span<const double> row) {
+        writer->write(row);
+        memory.row(row);
+        tell(row.front());
+    };
+    recorder.stop = [](double) { return stopped_by != 0; };
+    simulate(record.vehicle, record.scenario, recorder);
+    writer->finish();
+    return log;
+}
+
+KnownCar knownOf(const VehicleParams& vehicle, const Scenario& scenario) {
+    return {vehicle.wheelbase, vehicle.steering.ratio, scenario.course, vehicle.steering.ratio_curve};
+}
+
+Driven evaluate(const RunRecord& record, const Log& log) {
+    Driven found;
+    if (const std::string& manoeuvre = record.scenario.manoeuvre; !manoeuvre.empty()) {
+        try {
+            found.metrics = tread::metrics(log, manoeuvre, knownOf(record.vehicle, record.scenario));
+        } catch (const MetricError& error) {
+            found.warnings.push_back(fmt::format("no metrics of {}: {}", manoeuvre, error.what()));
+        }
+    }
+    for (const auto& [path, tyre] : tyresOf(record.vehicle)) {
+        for (const std::string& note : tyre->notes) {
+            const auto& known = found.warnings;
+            if (std::find(known.begin(), known.end(), note) == known.end()) found.warnings.push_back(note);
+        }
+    }
+    found.answer = runAnswer(record, log, found.metrics);
+    found.json = {{"answer", found.answer},
+                  {"tread_version", record.tread_version},
+                  {"vehicle", record.vehicle.name},
+                  {"scenario", record.scenario.title},
+                  {"manoeuvre", record.scenario.manoeuvre},
+                  {"warnings", found.warnings},
+                  {"metrics", tread::json(found.metrics)}};
+    return found;
+}
+
+Driven saveResults(const RunRecord& record, const Log& log, const Path& folder) {
+    Driven found = evaluate(record, log);
+    writeFile(folder / "metrics.json", jsonText(found.json));
+    writeFile(folder / "report.html", runReport({.title = record.scenario.title,
+                                                 .answer = found.answer,
+                                                 .vehicle = record.vehicle.name,
+                                                 .scenario = record.scenario.title,
+                                                 .scenario_description = record.scenario.description,
+                                                 .version = record.tread_version,
+                                                 .log = log,
+                                                 .metrics = found.metrics,
+                                                 .resolved_yaml = writeYaml(record),
+                                                 .warnings = found.warnings,
+                                                 .record = &record}));
+    return found;
+}
+
+}  // namespace
+
+void prepareFolder(const Path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) {
+        throw FileError(
+            fmt::format("cannot create the folder {}: {}; choose another with -o", folder.string(), error.message()));
+    }
+    for (const char* name :
+         {"log.csv", "log.incomplete.csv", "run.yaml", "metrics.json", "report.html", "series.csv"}) {
+        const Path file = folder / name;
+        std::filesystem::remove(file, error);
+        if (error) {
+            throw FileError(
+                fmt::format("cannot remove {}, which an earlier run has left: {}; choose another folder with -o",
+                            file.string(), error.message()));
+        }
+    }
+}
+
+Driven driveInto(const RunRecord& record, const Path& folder, const Tell& tell) {
+    prepareFolder(folder);
+    writeFile(folder / "run.yaml", writeYaml(record));
+    std::optional<LogWriter> writer;
+    const auto withRows = [&](const SimulationError& error) {
+        return error.what() + (writer ? "; " + writer->keepIncomplete() : "");
+    };
+    try {
+        return saveResults(record, drive(record, folder / "log.csv", writer, tell), folder);
+    } catch (const Interrupted& error) {
+        throw Interrupted(withRows(error), error.time);
+    } catch (const SimulationError& error) {
+        throw SimulationError(withRows(error), error.time);
+    }
+}
+
+std::vector<Metric> measure(const VehicleParams& vehicle, const Scenario& scenario) {
+    Log log;
+    Recorder recorder = recorderInto(log);
+    recorder.stop = [](double) { return stopped_by != 0; };
+    simulate(vehicle, scenario, recorder);
+    return tread::metrics(log, scenario.manoeuvre, knownOf(vehicle, scenario));
+}
+
+void listenToSignals() {
+    std::signal(SIGINT, stopRun);
+    std::signal(SIGTERM, stopRun);
+}
+
+int stoppedStatus() {
+    return kSignalStatus + stopped_by;
+}
+
+}  // namespace tread::program

@@ -1,0 +1,39 @@
+// One run into a folder: log, resolved inputs, metrics, report.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "metrics/metric.h"
+#include "run/run_record.h"
+
+namespace tread::program {
+
+struct Driven {
+    std::string answer;
+    std::vector<Metric> metrics;
+    std::vector<std::string> warnings;
+    nlohmann::json json;  // what metrics.json holds
+};
+
+// Told the time in the run, s.
+using Tell = std::function<void(double time)>;
+
+// A folder for results, without those of an earlier run: what it holds at the end is of this run.
+void prepareFolder(const Path& folder);
+
+// Throws SimulationError, which says what became of the rows so far; FileError.
+Driven driveInto(const RunRecord& record, const Path& folder, const Tell& tell);
+
+// The metrics of a run that leaves nothing behind. Throws SimulationError, MetricError.
+std::vector<Metric> measure(const VehicleParams& vehicle, const Scenario& scenario);
+
+// The first Ctrl-C ends a run in order, the second the program.
+void listenToSignals();
+// Exit status of a program that was stopped so.
+int stoppedStatus();
+
+}  // namespace tread::program

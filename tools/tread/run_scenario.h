@@ -1,0 +1,14 @@
+// A scenario with all that it asks for: numbers tuned first, then one run or a series.
+#pragma once
+
+#include "drive.h"
+
+namespace tread::program {
+
+// Told how much of the first, or only, run is done, from 0 to 1; more when there are several.
+using TellShare = std::function<void(double share)>;
+
+// Throws SimulationError, SeriesError, FileError.
+Driven driveScenario(const RunRecord& record, const Path& folder, const TellShare& tell);
+
+}  // namespace tread::program

@@ -1,0 +1,14 @@
+// A scenario that asks for several runs: each into a folder of its own, and one table over them.
+#pragma once
+
+#include "drive.h"
+
+namespace tread::program {
+
+// The record with the numbers found that its scenario wants tuned.
+RunRecord tunedRecord(RunRecord record);
+
+// Drives the series of a scenario into `folder`, its runs into folders 01, 02, ... there.
+Driven driveSeries(const RunRecord& record, const Path& folder, const Tell& tell);
+
+}  // namespace tread::program
