@@ -1,5 +1,7 @@
 #include "report/car_shape.h"
 
+#include <algorithm>
+
 namespace tread {
 namespace {
 
@@ -18,7 +20,7 @@ CarShape aroundWheels(CarShape shape, double front_distance, double rear_distanc
 
 }  // namespace
 
-CarShape carShape(const VehicleParams& vehicle) {
+CarShape carShape(const VehicleParams& vehicle, const CarOutline& outline) {
     const Vehicle prepared = prepare(vehicle);
     CarShape shape;
     for (std::size_t i = 0; i < kWheels; ++i) {
@@ -26,8 +28,14 @@ CarShape carShape(const VehicleParams& vehicle) {
         shape.wheel_radius[i] = prepared.corners[i].tyre.parameters.Ro;
     }
     shape.height = vehicle.height;
-    return aroundWheels(shape, vehicle.front_axle_distance, vehicle.wheelbase - vehicle.front_axle_distance,
-                        std::max(vehicle.front.track, vehicle.rear.track));
+    shape = aroundWheels(shape, vehicle.front_axle_distance, vehicle.wheelbase - vehicle.front_axle_distance,
+                         std::max(vehicle.front.track, vehicle.rear.track));
+    if (outline.width > 0) {
+        shape.width = outline.width;
+        shape.ahead = outline.ahead;
+        shape.behind = outline.behind;
+    }
+    return shape;
 }
 
 CarShape typicalCarShape() {

@@ -1,6 +1,7 @@
 // What a drawing of the car needs. Wheels, wheelbase and tracks are the car's own; the body around them is a guess.
 #pragma once
 
+#include "scenario/course.h"
 #include "tread/vehicle.h"
 
 namespace tread {
@@ -17,7 +18,8 @@ struct CarShape {
     double length() const { return ahead + behind; }
 };
 
-CarShape carShape(const VehicleParams& vehicle);
+// `outline`: of the body, where a course says it; width 0: guessed.
+CarShape carShape(const VehicleParams& vehicle, const CarOutline& outline = {});
 
 // For a log of which the car is not known: a medium one.
 CarShape typicalCarShape();

@@ -141,7 +141,7 @@ void HtmlPage::addTimeChart(const TimeChart& chart) {
 void HtmlPage::figures(const std::vector<Chart>& charts) {
     place() += "<div class=\"figures\">\n";
     for (const Chart& chart : charts) {
-        place() += fmt::format("<figure>{}", svgInline(chart));
+        place() += fmt::format("<figure{}>{}", chart.width < kWideChart ? "" : " class=\"wide\"", svgInline(chart));
         if (!chart.note.empty()) place() += fmt::format("<figcaption>{}</figcaption>", escapeMarkup(chart.note));
         place() += "</figure>\n";
     }

@@ -93,7 +93,7 @@ std::string overlayReport(const OverlayReport& content) {
                     {"Drawn beside", fmt::format("{}", fmt::join(content.other_names, ", "))},
                     {"Made by", content.version}});
 
-    if (std::string replay = replayData(content.cars, content.road); !replay.empty()) {
+    if (std::string replay = replayData(content.cars, content.scene); !replay.empty()) {
         page.section("Replay");
         page.replay(std::move(replay));
     }

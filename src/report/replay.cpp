@@ -9,9 +9,10 @@
 #include <optional>
 #include <string_view>
 
+#include "report/cross_plot.h"
 #include "report/pack.h"
+#include "report/palette.h"
 #include "report/replay_road.h"
-#include "report/run_figures.h"
 #include "tread/road_surface.h"
 
 namespace tread {
@@ -126,8 +127,8 @@ nlohmann::ordered_json carData(const ReplayCar& car, const RoadSurface& road) {
             {"channels", channels}, {"wheels", wheels}};
 }
 
-std::vector<WayPoint> wayOf(const std::vector<ReplayCar>& cars) {
-    std::vector<WayPoint> way;
+std::vector<Point> wayOf(const std::vector<ReplayCar>& cars) {
+    std::vector<Point> way;
     for (const ReplayCar& car : cars) {
         const auto &x = *valuesOf(car.log, "chassis.x"), &y = *valuesOf(car.log, "chassis.y");
         for (std::size_t i = 0; i < x.size(); ++i) {
@@ -139,15 +140,22 @@ std::vector<WayPoint> wayOf(const std::vector<ReplayCar>& cars) {
 
 }  // namespace
 
-std::string replayData(const std::vector<ReplayCar>& cars, const RoadParams& params) {
+ReplayScene sceneOf(const Scenario& scenario) {
+    return {scenario.road, conesOf(lanes(scenario.course))};
+}
+
+std::string replayData(const std::vector<ReplayCar>& cars, const ReplayScene& scene) {
     std::vector<ReplayCar> shown;
     for (const ReplayCar& car : cars) {
         if (placed(car.log)) shown.push_back(car);
     }
     if (shown.empty()) return {};
-    const RoadSurface road(params);
-    nlohmann::ordered_json json{{"cars", nlohmann::ordered_json::array()}, {"road", replayRoad(params, wayOf(shown))}};
+    const RoadSurface road(scene.road);
+    nlohmann::ordered_json json{{"cars", nlohmann::ordered_json::array()},
+                                {"road", replayRoad(scene.road, wayOf(shown))},
+                                {"cones", nlohmann::ordered_json::array()}};
     for (const ReplayCar& car : shown) json["cars"].push_back(carData(car, road));
+    for (const Point& cone : scene.cones) json["cones"].push_back({cone.x, cone.y, road.at(cone.x, cone.y).height});
     return scriptJson(json);
 }
 

@@ -7,7 +7,7 @@
 #include "log/log.h"
 #include "report/car_shape.h"
 #include "report/palette.h"
-#include "tread/road_params.h"
+#include "scenario/scenario.h"
 
 namespace tread {
 
@@ -18,8 +18,14 @@ struct ReplayCar {
     Colour colour = Colour::blue;
 };
 
+struct ReplayScene {
+    RoadParams road = {};
+    std::vector<Point> cones = {};
+};
+ReplayScene sceneOf(const Scenario& scenario);
+
 // JSON for the page's script; empty when no log says where its car is (chassis.x, chassis.y, chassis.yaw). Cars whose
 // log does not are left out; other channels that are missing do not move.
-std::string replayData(const std::vector<ReplayCar>& cars, const RoadParams& road);
+std::string replayData(const std::vector<ReplayCar>& cars, const ReplayScene& scene);
 
 }  // namespace tread

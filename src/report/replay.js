@@ -47,7 +47,7 @@
     Object.assign(sun.shadow.camera, {left: -6, right: 6, top: 6, bottom: -6, near: 1, far: 60});
     sun.shadow.mapSize.set(1024, 1024);
     scene.add(new THREE.HemisphereLight('#ffffff', '#b4b9c0', 0.75), sun, sun.target,
-              replayRoad.build(data.road, painter.capabilities.getMaxAnisotropy()));
+              replayRoad.build(data.road, painter.capabilities.getMaxAnisotropy()), replayRoad.cones(data.cones));
     for (const car of cars) scene.add(car.object, car.trace());
 
     // ---- Controls ----

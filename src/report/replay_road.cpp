@@ -22,16 +22,16 @@ constexpr std::size_t kMostNodes = 120000;  // in the page: about 320 kB
 
 using Tile = std::pair<int, int>;  // its place in tiles along x and y
 
-RoadArea areaAround(std::span<const WayPoint> way) {
+RoadArea areaAround(std::span<const Point> way) {
     const auto [left, right] = std::minmax_element(way.begin(), way.end(), [](auto a, auto b) { return a.x < b.x; });
     const auto [low, high] = std::minmax_element(way.begin(), way.end(), [](auto a, auto b) { return a.y < b.y; });
     return {left->x - kAround, right->x + kAround, low->y - kAround, high->y + kAround};
 }
 
-std::set<Tile> tilesBeside(std::span<const WayPoint> way) {
+std::set<Tile> tilesBeside(std::span<const Point> way) {
     const auto index = [](double at) { return static_cast<int>(std::floor(at / kTile)); };
     std::set<Tile> tiles;
-    for (const WayPoint& point : way) {
+    for (const Point& point : way) {
         for (int i = index(point.x - kBeside); i <= index(point.x + kBeside); ++i) {
             for (int j = index(point.y - kBeside); j <= index(point.y + kBeside); ++j) tiles.insert({i, j});
         }
@@ -78,7 +78,7 @@ std::size_t nodesOf(int cells) {
     return static_cast<std::size_t>((cells + 1) * (cells + 1));
 }
 
-nlohmann::ordered_json mesh(const RoadParams& params, std::span<const WayPoint> way) {
+nlohmann::ordered_json mesh(const RoadParams& params, std::span<const Point> way) {
     const Surface surface(params);
     const std::set<Tile> tiles = tilesBeside(way);
     std::vector<int> cells;
@@ -108,7 +108,7 @@ nlohmann::ordered_json mesh(const RoadParams& params, std::span<const WayPoint> 
 
 }  // namespace
 
-nlohmann::ordered_json replayRoad(const RoadParams& road, std::span<const WayPoint> way) {
+nlohmann::ordered_json replayRoad(const RoadParams& road, std::span<const Point> way) {
     const RoadArea area = areaAround(way);
     auto patches = nlohmann::ordered_json::array();
     for (const FrictionPatch& patch : road.friction_patches) {

@@ -4,17 +4,15 @@
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 
+#include "scenario/course.h"
 #include "tread/road_params.h"
 
 namespace tread {
 
-// Places that the cars pass; the drawn part of the road lies around them.
-struct WayPoint {
-    double x, y;  // m
-};
-
+// `way`: places that the cars pass, around which the road is drawn.
+//
 // The plane with its friction patches, and where the road is no plane its surface beside the way, as square tiles whose
 // heights count from the plane.
-nlohmann::ordered_json replayRoad(const RoadParams& road, std::span<const WayPoint> way);
+nlohmann::ordered_json replayRoad(const RoadParams& road, std::span<const Point> way);
 
 }  // namespace tread

@@ -29,6 +29,20 @@ const replayRoad = (function () {
         return texture;
     }
 
+    const kCone = 0.5;  // m high
+    function cones(places) {
+        const group = new THREE.Group();
+        const shape = new THREE.ConeBufferGeometry(0.16, kCone, 16).rotateX(Math.PI / 2);
+        const material = new THREE.MeshLambertMaterial({color: '#ff7a1a'});
+        for (const [x, y, z] of places) {
+            const cone = new THREE.Mesh(shape, material);
+            cone.position.set(x, y, z + kCone / 2);
+            cone.castShadow = true;
+            group.add(cone);
+        }
+        return group;
+    }
+
     function build(road, anisotropy) {
         const texture = gridTexture(anisotropy);
         const group = new THREE.Group();
@@ -112,5 +126,5 @@ const replayRoad = (function () {
             ({text: 'friction ' + values.format(friction), colour: colourOf(friction).getStyle()}));
     }
 
-    return {build, legend};
+    return {build, cones, legend};
 })();

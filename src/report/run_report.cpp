@@ -2,9 +2,10 @@
 
 #include <array>
 
+#include "report/cross_plot.h"
 #include "report/html.h"
+#include "report/manoeuvre_figures.h"
 #include "report/replay.h"
-#include "report/run_figures.h"
 #include "report/text.h"
 
 namespace tread {
@@ -134,30 +135,27 @@ void addMetrics(HtmlPage& page, const std::vector<Metric>& metrics) {
     page.table({"Metric", "Value", "Unit", "Definition"}, rows, true);
 }
 
-CarShape shapeOf(const RunReport& content) {
-    return content.record ? carShape(content.record->vehicle) : typicalCarShape();
-}
-
 void addReplay(HtmlPage& page, const RunReport& content) {
-    std::string data = replayData({{content.vehicle, content.log, shapeOf(content)}},
-                                  content.record ? content.record->scenario.road : RoadParams{});
+    const Scenario scenario = content.record ? content.record->scenario : Scenario{};
+    std::string data = replayData({{content.vehicle, content.log, shapeOf(content)}}, sceneOf(scenario));
     if (data.empty()) return;
     page.section("Replay");
     page.replay(std::move(data));
 }
 
 void addFigures(HtmlPage& page, const RunReport& content) {
-    std::vector<Chart> figures;
-    for (auto& figure :
-         {pathFigure(content.log, shapeOf(content)), steeringFigure(content.log), frictionFigure(content.log)}) {
-        if (figure) figures.push_back(*figure);
-    }
+    const std::vector<Chart> figures = manoeuvreFigures(content);
     if (figures.empty()) return;
-    page.section("Path and balance");
+    page.section("What the test shows");
     page.figures(figures);
 }
 
 }  // namespace
+
+CarShape shapeOf(const RunReport& content) {
+    if (!content.record) return typicalCarShape();
+    return carShape(content.record->vehicle, content.record->scenario.course.car);
+}
 
 std::string runReport(const RunReport& content) {
     HtmlPage page(content.title);
@@ -169,10 +167,12 @@ std::string runReport(const RunReport& content) {
                     {"What it is", content.scenario_description},
                     {"Made by", content.version}});
 
-    if (content.log.samples() > 0) addReplay(page, content);
-    addMetrics(page, content.metrics);
     if (content.log.samples() > 0) {
         addFigures(page, content);
+        addReplay(page, content);
+    }
+    addMetrics(page, content.metrics);
+    if (content.log.samples() > 0) {
         addSection(page, "Driver", plannedCharts(content.log, inputPlans()));
         addSection(page, "Chassis", plannedCharts(content.log, chassisPlans()));
         addSection(page, "Wheels and tyres", wheelCharts(content.log));

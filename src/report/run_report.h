@@ -6,6 +6,8 @@
 
 #include "log/log.h"
 #include "metrics/metric.h"
+#include "report/car_shape.h"
+#include "report/svg.h"
 #include "run/run_record.h"
 
 namespace tread {
@@ -24,6 +26,9 @@ struct RunReport {
     const RunRecord* record =
         nullptr;  // car and road of the replay and the top view; without it a medium car, level ground
 };
+
+// What the figures and the replay draw as the car.
+CarShape shapeOf(const RunReport& content);
 
 std::string runReport(const RunReport& content);
 

@@ -71,7 +71,7 @@ void writeReport(const CompareOptions& options, const Log& reference, const Log&
         const Log& log = i == 0 ? reference : i == 1 ? candidate : others[i - 2];
         report.cars.push_back(
             {names[i], log, record ? carShape(record->vehicle) : typicalCarShape(), overlayColour(i)});
-        if (i == 0 && record) report.road = record->scenario.road;
+        if (i == 0 && record) report.scene = sceneOf(record->scenario);
     }
     writeFile(options.report, overlayReport(report));
     std::fprintf(stderr, "overlay report: %s\n", options.report.c_str());
