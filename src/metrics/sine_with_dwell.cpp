@@ -18,8 +18,8 @@ constexpr std::string_view kName = "sine_with_dwell";
 constexpr double kSmallest = 0.1;            // rad at the steering wheel; less is a correction
 constexpr double kSteeringHalfWidth = 0.02;  // s
 constexpr double kLow = 0.05, kHigh = 0.15;  // of the peaks: through these the ends of the sine are drawn out
-constexpr auto [kFirst, kFirstShare] = kYawRateChecks[0];
-constexpr auto [kSecond, kSecondShare] = kYawRateChecks[1];
+constexpr double kFirst = kYawRateChecks[0].after, kSecond = kYawRateChecks[1].after;  // s after completion of steer
+constexpr double kFirstShare = kYawRateChecks[0].share, kSecondShare = kYawRateChecks[1].share;
 constexpr double kReading = 1.07;               // s after beginning of steer
 constexpr double kLight = 1.83, kHeavy = 1.52;  // m, up to and above 3500 kg
 constexpr double kShortestDwell = 0.1;          // s

@@ -4,6 +4,7 @@
 
 #include "report/cross_plot.h"
 #include "report/run_figures.h"
+#include "scenario/cones.h"
 
 namespace tread {
 namespace {

@@ -35,7 +35,7 @@ struct OverlayReport {
     std::vector<ChannelOverlay> channels;
     std::vector<std::string> warnings = {};  // channels that only one log has, and the like
     std::vector<ReplayCar> cars = {};        // reference, candidate and the others
-    RoadParams road = {};                    // on which they drive
+    ReplayScene scene = {};                  // in which they drive
 };
 
 // The colour of a run: reference, candidate, others.

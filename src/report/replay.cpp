@@ -13,6 +13,7 @@
 #include "report/pack.h"
 #include "report/palette.h"
 #include "report/replay_road.h"
+#include "scenario/cones.h"
 #include "tread/road_surface.h"
 
 namespace tread {

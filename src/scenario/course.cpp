@@ -37,18 +37,6 @@ std::vector<Lane> lanes(const CourseParams& course) {
     return out;
 }
 
-std::vector<Point> conesOf(const std::vector<Lane>& course) {
-    std::vector<Point> cones;
-    for (const Lane& lane : course) {
-        for (int i = 0; i < lane.cones; ++i) {
-            const double x = lane.from + (lane.to - lane.from) * i / (lane.cones - 1);
-            cones.push_back({x, lane.left});
-            cones.push_back({x, lane.right});
-        }
-    }
-    return cones;
-}
-
 std::vector<Point> coursePath(const CourseParams& course) {
     std::vector<Point> path;
     for (const PathPoint& point : course.path) path.push_back({point.x, point.y});

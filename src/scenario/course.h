@@ -119,9 +119,6 @@ struct Lane {
 };
 std::vector<Lane> lanes(const CourseParams& course);
 
-// The cones along the edges of the lanes.
-std::vector<Point> conesOf(const std::vector<Lane>& course);
-
 // The path to follow: through the given points, or along the middle of the lanes with half a cosine from one to the
 // next.
 std::vector<Point> coursePath(const CourseParams& course);

@@ -32,10 +32,9 @@ struct CompareOptions {
     std::string candidate;
     std::string tolerances;            // file; empty: defaults
     std::string report;                // file; empty: none
-    std::vector<std::string> others;   // further logs in the report
     std::string envelope;              // iso19364 or file; empty: not judged so
     std::string score;                 // iso18571 or file; empty: not judged so
-    std::vector<std::string> repeats;  // further measurements for these two
+    std::vector<std::string> repeats;  // further logs: for these two, and in the report
     bool json = false;
 };
 int compare(const CompareOptions& options);

@@ -51,10 +51,10 @@ std::optional<RunRecord> recordBeside(const std::string& log) {
 void writeReport(const CompareOptions& options, const Log& reference, const Log& candidate,
                  const Comparison& comparison, const std::string& answer) {
     std::vector<std::string> files{options.reference, options.candidate};
-    files.insert(files.end(), options.others.begin(), options.others.end());
+    files.insert(files.end(), options.repeats.begin(), options.repeats.end());
     const std::vector<std::string> names = shortNames(files);
     std::vector<Log> others;
-    for (const std::string& file : options.others) others.push_back(readLog(file));
+    for (const std::string& file : options.repeats) others.push_back(readLog(file));
 
     OverlayReport report{.title = "Comparison of " + Path(options.candidate).filename().string() + " with " +
                                   Path(options.reference).filename().string(),
@@ -81,11 +81,11 @@ void writeReport(const CompareOptions& options, const Log& reference, const Log&
 
 int compare(const CompareOptions& options) {
     if (!options.envelope.empty() || !options.score.empty()) return judge(options);
-    if (!options.others.empty() && options.report.empty()) {
+    if (!options.repeats.empty() && options.report.empty()) {
         throw LoadError(
             {{"", 0, 0, "",
-              "tread compare: found --also without --report, expected both: further logs are only drawn; name "
-              "the page with --report"}});
+              "tread compare: found --repeat alone, expected --report, --envelope or --score beside it: the "
+              "plain comparison judges one log"}});
     }
     const Tolerances tolerances = options.tolerances.empty() ? Tolerances{} : readYaml<Tolerances>(options.tolerances);
     const Log reference = readLog(options.reference);

@@ -34,7 +34,6 @@ T parameters(const std::string& given, std::string_view standard, const char* op
 
 void refuseOthers(const CompareOptions& options) {
     const char* const other = !options.report.empty()       ? "--report"
-                              : !options.others.empty()     ? "--also"
                               : !options.tolerances.empty() ? "--tolerances"
                                                             : nullptr;
     if (!other) return;
