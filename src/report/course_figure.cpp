@@ -25,6 +25,7 @@ std::optional<Chart> courseFigure(const RunReport& content) {
     Chart chart{.title = "Course from above", .x = {"x", "m"}, .y = {"y", "m"}, .series = {}};
     chart.equal_aspect = true;
     chart.width = kWideChart;
+    chart.height = 230;  // lanes are far longer than wide
     chart.x.lowest = driven.front().from - kBeside;
     chart.x.highest = driven.back().to + kBeside;
     for (const Lane& lane : driven) {
