@@ -1,6 +1,7 @@
 // Channels of a log as series, with one clear error for all that are missing.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -15,11 +16,13 @@ inline constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double kGravity = 9.80665;  // m/s2, the g in deg/g
 inline constexpr double kDegrees = 57.29577951308232;
 inline constexpr double kKmh = 1 / 3.6;  // m/s
+inline constexpr std::array<std::string_view, 4> kWheelNames{"front_left", "front_right", "rear_left", "rear_right"};
 // Half width of the smoothing of measured responses: keeps 2 Hz to 1 %, takes out two thirds of white noise at 100 Hz.
 inline constexpr double kResponseHalfWidth = 0.075;  // s
 
 // The channels in the order of `names`. Throws when any is missing or holds values that are not finite.
-std::vector<TimeSeries> channels(const Log& log, std::string_view manoeuvre, const std::vector<std::string_view>& names);
+std::vector<TimeSeries> channels(const Log& log, std::string_view manoeuvre,
+                                 const std::vector<std::string_view>& names);
 // The same for a channel that the manoeuvre can do without.
 std::optional<TimeSeries> channelIfThere(const Log& log, std::string_view manoeuvre, std::string_view name);
 

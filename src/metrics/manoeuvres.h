@@ -25,6 +25,8 @@ Manoeuvre hillStart();
 Manoeuvre laneChange();
 Manoeuvre crosswind();
 Manoeuvre steadyCircle();
+Manoeuvre bump();
 Manoeuvre ride();
+Manoeuvre straightRunning();
 
 }  // namespace tread

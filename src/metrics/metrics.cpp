@@ -32,7 +32,9 @@ const std::vector<Manoeuvre>& manoeuvres() {
                                                 transition(),
                                                 laneChange(),
                                                 crosswind(),
-                                                ride()};
+                                                bump(),
+                                                ride(),
+                                                straightRunning()};
     return list;
 }
 

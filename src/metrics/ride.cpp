@@ -23,8 +23,6 @@ constexpr double kSmooth = 0.02;     // m/s2, weighted: nobody feels less (ISO 2
 constexpr double kPercent = 100;
 constexpr double kMillimetres = 1000;
 
-constexpr std::array<std::string_view, 4> kWheelNames{"front_left", "front_right", "rear_left", "rear_right"};
-
 struct Ride {
     double speed;  // m/s
     double vertical;

@@ -15,9 +15,9 @@ namespace tread {
 namespace {
 
 constexpr std::string_view kName = "split_mu_braking";
-constexpr double kFirst = 2;                     // s, of the first correction
-constexpr double kSlow = 1;                      // m/s: below, steering and yaw rate tell nothing
-constexpr double kLeastSteering = 5 / kDegrees;  // rad at the steering wheel: less is no correction
+constexpr double kFirst = 2;                 // s, of the first correction
+constexpr double kSlow = 1;                  // m/s: below, steering and yaw rate tell nothing
+constexpr double kLeastTurn = 2 / kDegrees;  // rad, of steering wheel or car: less is straight braking
 
 struct SplitMu {
     Stop stop;
@@ -72,10 +72,10 @@ SplitMu findSplitMu(const Log& log) {
         .steering = largestMove(hand, stop.start, end),
         .yaw_rate = std::max(highest(turning, stop.start, end).value, -lowest(turning, stop.start, end).value),
         .yaw = largestMove(needed[2], stop.start, end)};
-    if (found.steering < kLeastSteering) {
-        notFound(kName, fmt::format("the steering wheel turns by {:.2g} deg only while braking, looked for a driver "
-                                    "who corrects by at least {:.2g} deg",
-                                    kDegrees * found.steering, kDegrees * kLeastSteering));
+    if (std::max(found.steering, found.yaw) < kLeastTurn) {
+        notFound(kName, fmt::format("while braking the steering wheel turns by {:.2g} deg and the car by {:.2g} deg "
+                                    "only, looked for at least {:.2g} deg of one",
+                                    kDegrees * found.steering, kDegrees * found.yaw, kDegrees * kLeastTurn));
     }
     return found;
 }
@@ -83,7 +83,7 @@ SplitMu findSplitMu(const Log& log) {
 }  // namespace
 
 Manoeuvre splitMuBraking() {
-    return {kName, "braking with unequal friction left and right, corrected by the driver (after ISO 14512)",
+    return {kName, "braking with unequal friction left and right (after ISO 14512)",
             [] { return definitions(table()); },
             [](const Log& log, const KnownCar&) { return values(table(), findSplitMu(log)); }};
 }

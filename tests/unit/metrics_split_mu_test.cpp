@@ -64,10 +64,19 @@ TEST(SplitMuBraking, SteeringYawAndStopAreThoseOfTheClosedForms) {
     }
 }
 
-TEST(SplitMuBraking, WithoutCorrectionOrInATurnItIsRefused) {
+TEST(SplitMuBraking, HandsFixedItIsTheTurnOfTheCar) {
     Log log = logOf(100, 1);
     for (double& angle : sample::channel(log, "driver.steering_wheel_angle").values) angle = 0;
-    EXPECT_NE(errorOf(log, "split_mu_braking").find("looked for a driver who corrects"), std::string::npos);
+    const auto found = metrics(log, "split_mu_braking");
+    EXPECT_EQ(valueOf(found, "largest_steering"), 0);
+    EXPECT_GT(valueOf(found, "largest_yaw_angle"), 2);
+}
+
+TEST(SplitMuBraking, StraightOnOrInATurnItIsRefused) {
+    Log log = logOf(100, 1);
+    for (const char* name : {"driver.steering_wheel_angle", "chassis.yaw"})
+        for (double& angle : sample::channel(log, name).values) angle = 0;
+    EXPECT_NE(errorOf(log, "split_mu_braking").find("looked for at least 2 deg"), std::string::npos);
     log = logOf(100, 1);
     for (double& rate : sample::channel(log, "chassis.yaw_rate").values) rate += 0.2;
     EXPECT_NE(errorOf(log, "split_mu_braking").find("is in a turn"), std::string::npos);

@@ -1,0 +1,95 @@
+// Straight on with the hand wheel held: how far the car drifts off, as on a crowned road or with tyres that pull.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "metrics/channels.h"
+#include "metrics/manoeuvres.h"
+#include "metrics/metric_table.h"
+
+namespace tread {
+namespace {
+
+constexpr std::string_view kName = "straight_running";
+constexpr double kShortest = 50;           // m
+constexpr double kFixed = 1.0 / kDegrees;  // rad by which the hand wheel may move
+constexpr double kConstantSpeed = 0.1;     // share by which the speed may change
+constexpr double kGentle = 2;              // m/s2 of lateral acceleration
+constexpr double kAtFirst = 0.2;           // s that tell the first line
+constexpr double kAtLast = 1;              // s
+
+struct StraightRunning {
+    double drift, distance;  // m
+    double yaw;              // rad
+    double yaw_rate, ay;     // at last
+    double hand_torque;      // N m, at last
+    double speed;
+};
+
+MetricTable<StraightRunning> table() {
+    return {
+        {{"drift", "m", "distance from the first line at the end, positive to the left"},
+         [](const StraightRunning& s) { return s.drift; }},
+        {{"drift_per_100m", "m", "the same, scaled by the square of the distance to a drive of 100 m"},
+         [](const StraightRunning& s) { return s.drift * std::pow(100 / s.distance, 2); }},
+        {{"distance", "m", "along the first line"}, [](const StraightRunning& s) { return s.distance; }},
+        {{"yaw_angle", "deg", "change of heading"}, [](const StraightRunning& s) { return kDegrees * s.yaw; }},
+        {{"last_yaw_rate", "deg/s", fmt::format("mean of the last {:.0f} s", kAtLast)},
+         [](const StraightRunning& s) { return kDegrees * s.yaw_rate; }},
+        {{"last_ay", "m/s2", fmt::format("mean lateral acceleration of the last {:.0f} s", kAtLast)},
+         [](const StraightRunning& s) { return s.ay; }},
+        {{"hand_torque", "N m", "of the driver who holds the wheel, mean of that time, positive to the left"},
+         [](const StraightRunning& s) { return s.hand_torque; }},
+        {{"speed", "m/s", "mean"}, [](const StraightRunning& s) { return s.speed; }},
+    };
+}
+
+double range(const TimeSeries& series) {
+    const auto [least, most] = std::minmax_element(series.value.begin(), series.value.end());
+    return *most - *least;
+}
+
+StraightRunning findStraightRunning(const Log& log) {
+    const auto needed = channels(log, kName,
+                                 {"driver.steering_wheel_angle", "chassis.x", "chassis.y", "chassis.yaw",
+                                  "chassis.yaw_rate", "chassis.ay", "chassis.vx"});
+    const TimeSeries &hand = needed[0], &x = needed[1], &y = needed[2];
+    const double begin = x.begin(), end = x.end(), late = std::max(begin, end - kAtLast);
+    if (range(hand) > kFixed) {
+        notFound(kName,
+                 fmt::format("the hand wheel turns by {:.2g} deg, looked for a fixed one", kDegrees * range(hand)));
+    }
+    const double speed = mean(needed[6], begin, end);
+    if (!(speed > 0) || range(needed[6]) > kConstantSpeed * speed)
+        notFound(kName, fmt::format("the speed changes by {:.2g} m/s, looked for a constant one", range(needed[6])));
+    const double push = std::max(highest(needed[5], begin, end).value, -lowest(needed[5], begin, end).value);
+    if (push > kGentle)
+        notFound(kName, fmt::format("the lateral acceleration reaches {:.2g} m/s2, looked for at most {:.2g} m/s2",
+                                    push, kGentle));
+
+    const double heading = mean(needed[3], begin, begin + kAtFirst);
+    const double dx = at(x, end) - at(x, begin), dy = at(y, end) - at(y, begin);
+    const double distance = dx * std::cos(heading) + dy * std::sin(heading);
+    if (distance < kShortest)
+        notFound(kName, fmt::format("the car drives {:.2g} m, looked for at least {:.2g} m", distance, kShortest));
+    const auto torque = channelIfThere(log, kName, "steering.torque");
+    return {.drift = dy * std::cos(heading) - dx * std::sin(heading),
+            .distance = distance,
+            .yaw = at(needed[3], end) - heading,
+            .yaw_rate = mean(needed[4], late, end),
+            .ay = mean(needed[5], late, end),
+            .hand_torque = torque ? mean(*torque, late, end) : kUndefined,
+            .speed = speed};
+}
+
+}  // namespace
+
+Manoeuvre straightRunning() {
+    return {kName, "straight on with the hand wheel held: drift, pull at the hand wheel",
+            [] { return definitions(table()); },
+            [](const Log& log, const KnownCar&) { return values(table(), findStraightRunning(log)); }};
+}
+
+}  // namespace tread
