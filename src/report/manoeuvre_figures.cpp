@@ -89,6 +89,8 @@ const std::vector<Row>& table() {
         {"hill_start", {}},
         {"drop_and_settle", {}},
         {"ride", {}},
+        {"bump", {}},
+        {"straight_running", {path}},
     };
     return kRows;
 }

@@ -121,7 +121,8 @@ TEST(ManoeuvreFigures, TheCourseHasItsConesAndTheOutlineOfTheCar) {
     add(log, "chassis.y", "m", [](double) { return 0.0; });
     add(log, "chassis.yaw", "rad", [](double) { return 0.0; });
     RunRecord record = recordOf("lane_change");
-    record.scenario.course = {.begin = 20, .car = {.width = 1.8, .ahead = 2, .behind = 2.2}};
+    record.scenario.course = {
+        .begin = 20, .car = {.width = 1.8, .ahead = 2, .behind = 2.2}, .sections = {}, .path = {}};
     record.scenario.course.sections.push_back({.from = 0, .to = 10, .width_extra = 0.25, .cones = 3});
     const auto charts = figuresOf(log, record);
     const Chart* chart = named(charts, "Course from above");
