@@ -75,20 +75,30 @@ TEST(Replay, AWheelThatLeansWithItsBodyHasNoLeanOfItsOwn) {
 }
 
 TEST(Replay, ACarWithoutLoggedHeightStandsOnTheRoad) {
-    const Json car = replayed(straightOn(), {.road = {.grade = 0.1}})["cars"][0];
+    ReplayScene scene;
+    scene.road.grade = 0.1;
+    const Json car = replayed(straightOn(), scene)["cars"][0];
     EXPECT_NEAR(channel(car, "z").back(), 0.1 * 40 + typicalCarShape().height, 1e-5);
 }
 
 TEST(ReplayRoad, APlaneNeedsNoMesh) {
     const std::array<Point, 2> way{{{0, 0}, {100, 0}}};
-    const auto road = replayRoad({.grade = 0.05, .bank = 0.02}, way);
+    RoadParams plane;
+    plane.grade = 0.05;
+    plane.bank = 0.02;
+    const auto road = replayRoad(plane, way);
     EXPECT_TRUE(road["mesh"].is_null());
     EXPECT_EQ(road["grade"], 0.05);
 }
 
 TEST(ReplayRoad, TheMeshHasTheHeightsOfTheRoadAboveItsPlane) {
-    RoadParams params{.grade = 0.03};
-    params.obstacles.push_back({.x = 5, .length = 1, .height = 0.04});
+    RoadParams params;
+    params.grade = 0.03;
+    Obstacle bump;
+    bump.x = 5;
+    bump.length = 1;
+    bump.height = 0.04;
+    params.obstacles.push_back(bump);
     const std::array<Point, 3> way{{{0, 0}, {5, 0}, {10, 0}}};
     const auto mesh = replayRoad(params, way)["mesh"];
     ASSERT_FALSE(mesh.is_null());
@@ -113,9 +123,14 @@ TEST(ReplayRoad, TheMeshHasTheHeightsOfTheRoadAboveItsPlane) {
 }
 
 TEST(ReplayRoad, PatchesEndWhereTheDrawnRoadEnds) {
-    RoadParams params{.friction = 0.8};
-    params.friction_patches.push_back({.friction = 0.5, .x_from = 10, .y_from = 0});
-    params.friction_patches.push_back({.friction = 0.5, .x_from = 1000});
+    RoadParams params;
+    params.friction = 0.8;
+    FrictionPatch near, far;
+    near.friction = far.friction = 0.5;
+    near.x_from = 10;
+    near.y_from = 0;
+    far.x_from = 1000;
+    params.friction_patches = {near, far};
     const std::array<Point, 2> way{{{0, 0}, {100, 0}}};
     const auto road = replayRoad(params, way);
     ASSERT_EQ(road["patches"].size(), 1u) << "the other one lies far away";
