@@ -56,8 +56,7 @@ void writeReport(const CompareOptions& options, const Log& reference, const Log&
     std::vector<Log> others;
     for (const std::string& file : options.repeats) others.push_back(readLog(file));
 
-    OverlayReport report{.title = "Comparison of " + Path(options.candidate).filename().string() + " with " +
-                                  Path(options.reference).filename().string(),
+    OverlayReport report{.title = "Comparison of " + names[1] + " with " + names[0],
                          .answer = answer,
                          .reference_name = names[0],
                          .candidate_name = names[1],
