@@ -8,6 +8,7 @@
 #include "metrics/channels.h"
 #include "metrics/manoeuvres.h"
 #include "metrics/metric_table.h"
+#include "scenario/cones.h"
 
 namespace tread {
 namespace {
@@ -63,18 +64,6 @@ struct Cone {
     bool hit = false;
 };
 
-std::vector<Cone> conesOf(const std::vector<Lane>& course) {
-    std::vector<Cone> cones;
-    for (const Lane& lane : course) {
-        for (int i = 0; i < lane.cones; ++i) {
-            const double x = lane.from + (lane.to - lane.from) * i / (lane.cones - 1);
-            cones.push_back({x, lane.left});
-            cones.push_back({x, lane.right});
-        }
-    }
-    return cones;
-}
-
 bool covers(const CarOutline& car, const Pose& pose, const Cone& cone) {
     const double dx = cone.x - pose.x, dy = cone.y - pose.y;
     const double along = dx * std::cos(pose.yaw) + dy * std::sin(pose.yaw);
@@ -116,7 +105,8 @@ LaneChange findLaneChange(const Log& log, const KnownCar& known) {
     const double end = firstCrossing(x, course.back().to + known.course.car.behind, *entry).value_or(x.end());
 
     LaneChange found;
-    std::vector<Cone> cones = conesOf(course);
+    std::vector<Cone> cones;
+    for (const Point& place : conesOf(course)) cones.push_back({place.x, place.y});
     for (std::size_t i = 0; i + 1 < x.size() && x.time[i] < end; ++i) {
         const double way = std::hypot(x.value[i + 1] - x.value[i], y.value[i + 1] - y.value[i]);
         const int steps = std::max(1, static_cast<int>(std::ceil(way / kStep)));

@@ -1,5 +1,7 @@
 // Sine with dwell: stability and responsiveness, after FMVSS 126, UN R13-H and ISO 19365.
 
+#include "metrics/sine_with_dwell.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,11 +15,11 @@ namespace tread {
 namespace {
 
 constexpr std::string_view kName = "sine_with_dwell";
-constexpr double kSmallest = 0.1;                // rad at the steering wheel; less is a correction
-constexpr double kSteeringHalfWidth = 0.02;      // s
-constexpr double kLow = 0.05, kHigh = 0.15;      // of the peaks: through these the ends of the sine are drawn out
-constexpr double kFirst = 1.00, kSecond = 1.75;  // s after completion of steer
-constexpr double kFirstShare = 0.35, kSecondShare = 0.20;
+constexpr double kSmallest = 0.1;            // rad at the steering wheel; less is a correction
+constexpr double kSteeringHalfWidth = 0.02;  // s
+constexpr double kLow = 0.05, kHigh = 0.15;  // of the peaks: through these the ends of the sine are drawn out
+constexpr double kFirst = kYawRateChecks[0].after, kSecond = kYawRateChecks[1].after;  // s after completion of steer
+constexpr double kFirstShare = kYawRateChecks[0].share, kSecondShare = kYawRateChecks[1].share;
 constexpr double kReading = 1.07;               // s after beginning of steer
 constexpr double kLight = 1.83, kHeavy = 1.52;  // m, up to and above 3500 kg
 constexpr double kShortestDwell = 0.1;          // s
@@ -170,6 +172,11 @@ Dwell findDwell(const Log& log) {
 }
 
 }  // namespace
+
+DwellSteering dwellSteering(const Log& log) {
+    const Dwell found = findDwell(log);
+    return {found.begin, found.end, found.peak_yaw_rate};
+}
 
 Manoeuvre sineWithDwell() {
     return {kName, "sine with dwell: stability and lateral displacement (after FMVSS 126 and ISO 19365)",

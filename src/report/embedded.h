@@ -1,5 +1,4 @@
-// Files that the build turns into constants: the chart library as Debian packages it, and the page's own style and
-// script.
+// Files that the build turns into constants: libraries as Debian packages them, and the page's own styles and scripts.
 #pragma once
 
 #include <string_view>
@@ -10,7 +9,15 @@ extern const std::string_view kDygraphsScript;
 extern const std::string_view kDygraphsStyle;
 extern const std::string_view kDygraphsSynchronizer;
 extern const std::string_view kDygraphsLicence;
+extern const std::string_view kThreeScript;
+extern const std::string_view kThreeOrbit;
+extern const std::string_view kThreeLicence;
 extern const std::string_view kPageStyle;
-extern const std::string_view kPageScript;
+extern const std::string_view kValuesScript;
+extern const std::string_view kChartsScript;
+extern const std::string_view kReplayStyle;
+extern const std::string_view kReplayCarScript;
+extern const std::string_view kReplayRoadScript;
+extern const std::string_view kReplayScript;
 
 }  // namespace tread::embedded

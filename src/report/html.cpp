@@ -141,7 +141,7 @@ void HtmlPage::addTimeChart(const TimeChart& chart) {
 void HtmlPage::figures(const std::vector<Chart>& charts) {
     place() += "<div class=\"figures\">\n";
     for (const Chart& chart : charts) {
-        place() += fmt::format("<figure>{}", svgInline(chart));
+        place() += fmt::format("<figure{}>{}", chart.width < kWideChart ? "" : " class=\"wide\"", svgInline(chart));
         if (!chart.note.empty()) place() += fmt::format("<figcaption>{}</figcaption>", escapeMarkup(chart.note));
         place() += "</figure>\n";
     }
@@ -153,6 +153,38 @@ void HtmlPage::collapsible(std::string_view title, std::string_view verbatim) {
                            escapeMarkup(verbatim));
 }
 
+void HtmlPage::replay(std::string data) {
+    place() += "<div id=\"replay\"></div>\n";
+    replay_ = std::move(data);
+}
+
+// The values, then the libraries, then our own scripts. The licences of the libraries ask to travel with every copy.
+std::string HtmlPage::scripts() const {
+    const bool charts = time_charts_ > 0, replay = !replay_.empty();
+    std::string out;
+    const auto add = [&out](std::string_view attributes, std::string_view content) {
+        fmt::format_to(std::back_inserter(out), "<script{}>\n{}</script>\n", attributes, content);
+    };
+    if (charts) out += "<button id=\"reset\" type=\"button\" hidden>Reset zoom</button>\n";
+    if (charts) add(R"( id="chart-data" type="application/json")", "[" + charts_ + "]");
+    if (replay) add(R"( id="replay-data" type="application/json")", replay_);
+    if (charts || replay) add("", embedded::kValuesScript);
+    if (charts) {
+        add("", withoutSourceMap(embedded::kDygraphsScript));
+        add("", withoutSourceMap(embedded::kDygraphsSynchronizer));
+        add("", embedded::kChartsScript);
+        add(R"( type="text/plain")", embedded::kDygraphsLicence);
+    }
+    if (replay) {
+        for (const std::string_view script :
+             {embedded::kThreeScript, embedded::kThreeOrbit, embedded::kReplayRoadScript, embedded::kReplayCarScript,
+              embedded::kReplayScript})
+            add("", script);
+        add(R"( type="text/plain")", embedded::kThreeLicence);
+    }
+    return out;
+}
+
 std::string HtmlPage::finish() const {
     const bool charts = time_charts_ > 0;
     std::string out;
@@ -161,24 +193,14 @@ std::string HtmlPage::finish() const {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n<title>{}</title>\n<style>\n{}{}</style>\n"
-        "</head>\n<body>\n<header>\n<h1>{}</h1>\n{}</header>\n",
+        "{}</head>\n<body>\n<header>\n<h1>{}</h1>\n{}</header>\n",
         kPolicy, escapeMarkup(title_), charts ? withoutStyleMap(embedded::kDygraphsStyle) : "", embedded::kPageStyle,
-        escapeMarkup(title_), head_);
+        replay_.empty() ? "" : fmt::format("<style>\n{}</style>\n", embedded::kReplayStyle), escapeMarkup(title_),
+        head_);
     if (sections_ > 1) out += "<nav>" + contents_ + "</nav>\n";
     if (charts) out += kHints;
     out += "<main>\n" + body_ + (sections_ > 0 ? "</section>\n" : "") + "</main>\n";
-    if (charts) {
-        out += "<button id=\"reset\" type=\"button\" hidden>Reset zoom</button>\n";
-        out += "<script id=\"chart-data\" type=\"application/json\">[" + charts_ + "]</script>\n";
-        for (const std::string_view script :
-             {withoutSourceMap(embedded::kDygraphsScript), withoutSourceMap(embedded::kDygraphsSynchronizer),
-              embedded::kPageScript}) {
-            fmt::format_to(std::back_inserter(out), "<script>\n{}</script>\n", script);
-        }
-        // The licence of the chart library asks to travel with every copy.
-        fmt::format_to(std::back_inserter(out), "<script type=\"text/plain\">\n{}</script>\n",
-                       embedded::kDygraphsLicence);
-    }
+    out += scripts();
     out += "</body>\n</html>\n";
     return out;
 }

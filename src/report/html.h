@@ -63,6 +63,8 @@ public:
     void timeCharts(const std::vector<TimeChart>& charts);
     void stackedTimeCharts(const std::vector<std::vector<TimeChart>>& stacks);
     void figures(const std::vector<Chart>& charts);
+    // Cars on their road, from replayData(); at most one on a page.
+    void replay(std::string data);
     void collapsible(std::string_view title, std::string_view verbatim);
 
     std::string finish() const;
@@ -73,10 +75,12 @@ private:
     std::string contents_;  // links to the sections
     std::string body_;      // the sections
     std::string charts_;    // JSON objects of the time charts, separated by commas
+    std::string replay_;    // JSON
     std::size_t sections_ = 0;
     std::size_t time_charts_ = 0;
 
     void addTimeChart(const TimeChart& chart);
+    std::string scripts() const;
     std::string& place() { return sections_ == 0 ? head_ : body_; }
 };
 

@@ -1,6 +1,7 @@
 #include "report/overlay_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,10 +63,14 @@ std::vector<double> differences(const ChannelOverlay& channel) {
 std::vector<TimeChart> chartsOf(const OverlayReport& content, const ChannelOverlay& channel,
                                 const std::vector<double>& difference) {
     const DisplayUnit shown = displayUnit(channel.unit, channel.name);
-    const Colour colour = channel.ok ? Colour::blue : Colour::vermillion;
+    const Colour colour = channel.ok ? overlayColour(1) : Colour::vermillion;
     TimeChart overlay{.title = channel.name, .unit = shown.unit, .time = channel.time, .curves = {}};
-    overlay.curves = {{content.reference_name, channel.reference, shown.scale, Colour::grey, false, 4},
+    overlay.curves = {{content.reference_name, channel.reference, shown.scale, overlayColour(0), false, 4},
                       {content.candidate_name, channel.candidate, shown.scale, colour}};
+    for (std::size_t i = 0; i < channel.others.size(); ++i) {
+        if (channel.others[i].empty()) continue;
+        overlay.curves.push_back({content.other_names[i], channel.others[i], shown.scale, overlayColour(i + 2)});
+    }
 
     TimeChart gap{.title = "Difference", .unit = shown.unit, .time = channel.time, .curves = {}};
     std::string name = fmt::format("difference, allowed ±{} (band)", formatNumber(channel.tolerance * shown.scale));
@@ -85,9 +90,15 @@ std::string overlayReport(const OverlayReport& content) {
     HtmlPage page(content.title);
     page.answer(content.answer, content.ok ? "within tolerance" : "out of tolerance", content.ok);
     page.warnings(content.warnings);
-    page.keyValues(
-        {{"Reference", content.reference_name}, {"Candidate", content.candidate_name}, {"Made by", content.version}});
+    page.keyValues({{"Reference", content.reference_name},
+                    {"Candidate", content.candidate_name},
+                    {"Drawn beside", fmt::format("{}", fmt::join(content.other_names, ", "))},
+                    {"Made by", content.version}});
 
+    if (std::string replay = replayData(content.cars, content.scene); !replay.empty()) {
+        page.section("Replay");
+        page.replay(std::move(replay));
+    }
     page.section("Channels");
     addTable(page, channels);
     if (channels.empty()) return page.finish();

@@ -7,38 +7,15 @@
 #include <cmath>
 #include <numbers>
 
-#include "report/text.h"
+#include "report/cross_plot.h"
 #include "report/ticks.h"
 
 namespace tread {
 namespace {
 
-std::vector<double> scaled(const std::vector<double>& values, double scale) {
-    std::vector<double> out = values;
-    for (double& value : out) value *= scale;
-    return out;
-}
-
 double extent(const std::vector<double>& values) {
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     return values.empty() ? 0 : *high - *low;
-}
-
-struct Pose {
-    double time, x, y, yaw;
-};
-
-// A closed outline with a pointed nose, so that the heading can be seen.
-Series outline(const Pose& pose, double length, double width) {
-    static constexpr std::array<std::array<double, 2>, 6> kShape = {
-        {{-0.5, 0.5}, {0.25, 0.5}, {0.5, 0.0}, {0.25, -0.5}, {-0.5, -0.5}, {-0.5, 0.5}}};
-    Series series{.name = "", .x = {}, .y = {}, .colour = Colour::vermillion};
-    series.width = 1.5;
-    for (const auto& [along, across] : kShape) {
-        series.x.push_back(pose.x + along * length * std::cos(pose.yaw) - across * width * std::sin(pose.yaw));
-        series.y.push_back(pose.y + along * length * std::sin(pose.yaw) + across * width * std::cos(pose.yaw));
-    }
-    return series;
 }
 
 // About six moments at round times, none where the car has hardly moved since the last.
@@ -60,12 +37,24 @@ std::vector<Pose> fewPoses(const Log& log, double apart) {
 
 }  // namespace
 
-const Channel* completeChannel(const Log& log, std::string_view name) {
-    const Channel* channel = log.find(name);
-    return channel && log.samples() > 0 && channel->values.size() == log.samples() ? channel : nullptr;
+Series carOutline(const Pose& pose, double ahead, double behind, double width) {
+    const double shoulder = ahead - 0.25 * (ahead + behind);
+    const std::array<std::array<double, 2>, 6> shape = {{{-behind, 0.5 * width},
+                                                         {shoulder, 0.5 * width},
+                                                         {ahead, 0.0},
+                                                         {shoulder, -0.5 * width},
+                                                         {-behind, -0.5 * width},
+                                                         {-behind, 0.5 * width}}};
+    Series series{.name = "", .x = {}, .y = {}, .colour = Colour::vermillion};
+    series.width = 1.5;
+    for (const auto& [along, across] : shape) {
+        series.x.push_back(pose.x + along * std::cos(pose.yaw) - across * std::sin(pose.yaw));
+        series.y.push_back(pose.y + along * std::sin(pose.yaw) + across * std::cos(pose.yaw));
+    }
+    return series;
 }
 
-std::optional<Chart> pathFigure(const Log& log, double car_length, double car_width) {
+std::optional<Chart> pathFigure(const Log& log, const CarShape& car) {
     const Channel* x = completeChannel(log, "chassis.x");
     const Channel* y = completeChannel(log, "chassis.y");
     const Channel* yaw = completeChannel(log, "chassis.yaw");
@@ -79,10 +68,10 @@ std::optional<Chart> pathFigure(const Log& log, double car_length, double car_wi
     // On a long path a car to scale would be a speck: it is enlarged by a round factor then, and the note says so.
     constexpr double kSmallest = 0.06;  // of the path
     const double path = std::max(extent(x->values), extent(y->values));
-    const double enlarged = std::max(1.0, niceStep(kSmallest * path / car_length, 1));
-    const double length = enlarged * car_length, width = enlarged * car_width;
+    const double enlarged = std::max(1.0, niceStep(kSmallest * path / car.length(), 1));
+    const double length = enlarged * car.length(), width = enlarged * car.width;
     for (const Pose& pose : fewPoses(log, 1.1 * length)) {
-        chart.series.push_back(outline(pose, length, width));
+        chart.series.push_back(carOutline(pose, enlarged * car.ahead, enlarged * car.behind, width));
         const double beside = 0.5 * width + 0.06 * std::max(path, length);
         chart.labels.push_back({pose.x + beside * std::sin(pose.yaw), pose.y - beside * std::cos(pose.yaw),
                                 fmt::format("{:g} s", pose.time)});
@@ -92,53 +81,79 @@ std::optional<Chart> pathFigure(const Log& log, double car_length, double car_wi
     return chart;
 }
 
-std::optional<Chart> frictionFigure(const Log& log) {
-    constexpr double kLifted = 0.05;  // of the wheel's largest load: below, a ratio of two small forces says nothing
-    Chart chart{.title = "Used friction", .x = {"Fy / Fz", "-"}, .y = {"Fx / Fz", "-"}, .series = {}};
-    chart.equal_aspect = true;
-    for (const WheelLook& wheel : kWheelLooks) {
-        const std::string prefix = fmt::format("wheel.{}.", wheel.key);
-        const Channel* fx = completeChannel(log, prefix + "fx");
-        const Channel* fy = completeChannel(log, prefix + "fy");
-        const Channel* load = completeChannel(log, prefix + "load");
-        if (!fx || !fy || !load) continue;
-        const double least = kLifted * *std::max_element(load->values.begin(), load->values.end());
-        Series series{
-            .name = std::string(wheel.label), .x = {}, .y = {}, .colour = wheel.colour, .dashed = wheel.dashed};
-        for (std::size_t i = 0; i < log.samples(); ++i) {
-            const double fz = load->values[i];
-            const bool on_ground = fz > least;
-            series.x.push_back(on_ground ? fy->values[i] / fz : std::nan(""));
-            series.y.push_back(on_ground ? fx->values[i] / fz : std::nan(""));
-        }
-        chart.series.push_back(std::move(series));
-    }
-    if (chart.series.empty()) return std::nullopt;
+namespace {
 
-    Series circle{.name = "μ = 1", .x = {}, .y = {}, .colour = Colour::grey};
-    circle.width = 1.2;
-    for (int degree = 0; degree <= 360; degree += 5) {
-        circle.x.push_back(std::cos(degree * std::numbers::pi / 180));
-        circle.y.push_back(std::sin(degree * std::numbers::pi / 180));
+// Nothing when the log lacks a force.
+std::optional<Series> usedFriction(const Log& log, const WheelLook& wheel) {
+    constexpr double kLifted = 0.05;  // of the wheel's largest load: below, a ratio of two small forces says nothing
+    const std::string prefix = fmt::format("wheel.{}.", wheel.key);
+    const Channel* fx = completeChannel(log, prefix + "fx");
+    const Channel* fy = completeChannel(log, prefix + "fy");
+    const Channel* load = completeChannel(log, prefix + "load");
+    if (!fx || !fy || !load) return std::nullopt;
+    const double least = kLifted * *std::max_element(load->values.begin(), load->values.end());
+    Series series{.name = std::string(wheel.label), .x = {}, .y = {}, .colour = wheel.colour, .dashed = wheel.dashed};
+    for (std::size_t i = 0; i < log.samples(); ++i) {
+        const double fz = load->values[i];
+        const bool on_ground = fz > least;
+        series.x.push_back(on_ground ? fy->values[i] / fz : std::nan(""));
+        series.y.push_back(on_ground ? fx->values[i] / fz : std::nan(""));
     }
-    chart.series.push_back(std::move(circle));
-    chart.height = 480;  // room for a whole circle
+    return series;
+}
+
+Series circle(std::string name, double radius) {
+    Series series{.name = std::move(name), .x = {}, .y = {}, .colour = Colour::grey};
+    series.width = 1.2;
+    for (int degree = 0; degree <= 360; degree += 5) {
+        series.x.push_back(radius * std::cos(degree * std::numbers::pi / 180));
+        series.y.push_back(radius * std::sin(degree * std::numbers::pi / 180));
+    }
+    return series;
+}
+
+Chart frictionChart(std::string title, std::vector<Series> wheels, double height) {
+    Chart chart{.title = std::move(title), .x = {"Fy / Fz", "-"}, .y = {"Fx / Fz", "-"}, .series = std::move(wheels)};
+    chart.equal_aspect = true;
+    chart.series.push_back(circle("μ = 1", 1));
+    chart.height = height;  // room for a whole circle
     return chart;
 }
 
+}  // namespace
+
+std::optional<Chart> frictionFigure(const Log& log) {
+    std::vector<Series> wheels;
+    for (const WheelLook& wheel : kWheelLooks) {
+        if (auto series = usedFriction(log, wheel)) wheels.push_back(std::move(*series));
+    }
+    if (wheels.empty()) return std::nullopt;
+    return frictionChart("Used friction", std::move(wheels), 480);
+}
+
+std::vector<Chart> wheelFrictionFigures(const Log& log) {
+    std::vector<Chart> charts;
+    for (const WheelLook& wheel : kWheelLooks) {
+        auto series = usedFriction(log, wheel);
+        if (!series) continue;
+        charts.push_back(frictionChart(fmt::format("Friction circle, {}", wheel.label), {std::move(*series)}, 460));
+    }
+    return charts;
+}
+
 std::optional<Chart> steeringFigure(const Log& log) {
-    const Channel* angle = completeChannel(log, "driver.steering_wheel_angle");
-    const Channel* ay = completeChannel(log, "chassis.ay");
-    if (!angle || !ay) return std::nullopt;
+    const Channel* angle = completeChannel(log, kHandWheel.channel);
     constexpr double kStraight = 0.01;  // rad: a run without steering has no response to it
-    if (extent(angle->values) < kStraight) return std::nullopt;
-    const DisplayUnit unit = displayUnit(angle->unit);
-    Chart chart{.title = "Response to steering",
-                .x = {"steering-wheel angle", unit.unit},
-                .y = {"lateral acceleration", ay->unit},
-                .series = {}};
-    chart.series.push_back(
-        {.name = "", .x = scaled(angle->values, unit.scale), .y = ay->values, .colour = Colour::blue});
+    if (!angle || extent(angle->values) < kStraight) return std::nullopt;
+    return crossPlot(log, "Response to steering", kHandWheel, kLateral);
+}
+
+std::optional<Chart> accelerationFigure(const Log& log) {
+    auto chart = crossPlot(log, "g-g diagram", kLateral, kLongitudinal);
+    if (!chart) return chart;
+    chart->series.push_back(circle("1 g", kStandardGravity));
+    chart->equal_aspect = true;
+    chart->height = 480;
     return chart;
 }
 

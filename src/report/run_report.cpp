@@ -2,8 +2,10 @@
 
 #include <array>
 
+#include "report/cross_plot.h"
 #include "report/html.h"
-#include "report/run_figures.h"
+#include "report/manoeuvre_figures.h"
+#include "report/replay.h"
 #include "report/text.h"
 
 namespace tread {
@@ -133,18 +135,27 @@ void addMetrics(HtmlPage& page, const std::vector<Metric>& metrics) {
     page.table({"Metric", "Value", "Unit", "Definition"}, rows, true);
 }
 
+void addReplay(HtmlPage& page, const RunReport& content) {
+    const Scenario scenario = content.record ? content.record->scenario : Scenario{};
+    std::string data = replayData({{content.vehicle, content.log, shapeOf(content)}}, sceneOf(scenario));
+    if (data.empty()) return;
+    page.section("Replay");
+    page.replay(std::move(data));
+}
+
 void addFigures(HtmlPage& page, const RunReport& content) {
-    std::vector<Chart> figures;
-    for (auto& figure : {pathFigure(content.log, content.car_length, content.car_width), steeringFigure(content.log),
-                         frictionFigure(content.log)}) {
-        if (figure) figures.push_back(*figure);
-    }
+    const std::vector<Chart> figures = manoeuvreFigures(content);
     if (figures.empty()) return;
-    page.section("Path and balance");
+    page.section("What the test shows");
     page.figures(figures);
 }
 
 }  // namespace
+
+CarShape shapeOf(const RunReport& content) {
+    if (!content.record) return typicalCarShape();
+    return carShape(content.record->vehicle, content.record->scenario.course.car);
+}
 
 std::string runReport(const RunReport& content) {
     HtmlPage page(content.title);
@@ -156,9 +167,12 @@ std::string runReport(const RunReport& content) {
                     {"What it is", content.scenario_description},
                     {"Made by", content.version}});
 
-    addMetrics(page, content.metrics);
     if (content.log.samples() > 0) {
         addFigures(page, content);
+        addReplay(page, content);
+    }
+    addMetrics(page, content.metrics);
+    if (content.log.samples() > 0) {
         addSection(page, "Driver", plannedCharts(content.log, inputPlans()));
         addSection(page, "Chassis", plannedCharts(content.log, chassisPlans()));
         addSection(page, "Wheels and tyres", wheelCharts(content.log));

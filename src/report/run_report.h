@@ -6,6 +6,9 @@
 
 #include "log/log.h"
 #include "metrics/metric.h"
+#include "report/car_shape.h"
+#include "report/svg.h"
+#include "run/run_record.h"
 
 namespace tread {
 
@@ -20,9 +23,12 @@ struct RunReport {
     std::vector<Metric> metrics = {};  // most important first: the first six become cards
     std::string resolved_yaml = {};
     std::vector<std::string> warnings = {};
-    double car_length = 4.3;  // m, of the outline in the top view
-    double car_width = 1.8;
+    const RunRecord* record =
+        nullptr;  // car and road of the replay and the top view; without it a medium car, level ground
 };
+
+// What the figures and the replay draw as the car.
+CarShape shapeOf(const RunReport& content);
 
 std::string runReport(const RunReport& content);
 

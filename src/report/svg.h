@@ -35,6 +35,9 @@ struct ChartLabel {  // a word at a point of the chart
     std::string text;
 };
 
+// A chart of this width, or wider, takes the whole width of a page.
+inline constexpr double kWideChart = 1000;  // pixels
+
 struct Chart {
     std::string title;
     ChartAxis x;

@@ -163,5 +163,16 @@ TEST_F(Compare, OverlayTakesWholeTurnsOutOfAHeading) {
     EXPECT_NEAR(heading.back() - heading.front(), 10 * 360 / kTurn, 1e-3) << "goes on through half a turn";
 }
 
+TEST_F(Compare, FurtherLogsAreDrawnInTheReportAndOnlyThere) {
+    const Result alone = runProgram({"compare", reference, other, "--repeat", reference});
+    EXPECT_EQ(alone.status, 2);
+    EXPECT_NE(alone.err.find("found --repeat alone, expected --report"), std::string::npos) << alone.err;
+
+    const std::string third = scratch.path("third.csv"), page = scratch.path("page.html");
+    writeLog(third, stepSteer());
+    EXPECT_EQ(runProgram({"compare", reference, other, "--repeat", third, "--report", page}).status, 1);
+    EXPECT_NE(contentOf(page).find(R"("name":"third.csv")"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace tread

@@ -73,4 +73,20 @@ inline std::optional<std::vector<Tag>> readTags(std::string_view text) {
     return tags;
 }
 
+// The first tag that is closed but not open, or open but not closed; empty when all are nested well.
+inline std::string unclosed(const std::vector<Tag>& tags) {
+    std::vector<std::string> open;
+    for (const Tag& tag : tags) {
+        if (tag.closes_itself || tag.name == "meta" || tag.name == "br" || tag.name == "input") continue;
+        if (!tag.closes) {
+            open.push_back(tag.name);
+        } else if (open.empty() || open.back() != tag.name) {
+            return "/" + tag.name;
+        } else {
+            open.pop_back();
+        }
+    }
+    return open.empty() ? "" : open.back();
+}
+
 }  // namespace tread

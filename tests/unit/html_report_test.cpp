@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +10,7 @@
 #include "report/html.h"
 #include "report/overlay_report.h"
 #include "report/run_report.h"
+#include "shared/base64.h"
 #include "shared/markup.h"
 
 namespace tread {
@@ -89,46 +88,37 @@ const nlohmann::json* chartNamed(const nlohmann::json& charts, const std::string
     return nullptr;
 }
 
-template <class Number>
-std::vector<Number> decode(const std::string& base64) {
-    const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string bytes;
-    std::uint32_t bits = 0;
-    int held = 0;
-    for (const char c : base64) {
-        if (c == '=') break;
-        bits = bits << 6 | static_cast<std::uint32_t>(digits.find(c));
-        held += 6;
-        if (held >= 8) bytes += static_cast<char>(bits >> (held -= 8) & 0xFF);
-    }
-    std::vector<Number> out(bytes.size() / sizeof(Number));
-    std::memcpy(out.data(), bytes.data(), out.size() * sizeof(Number));
-    return out;
-}
-
 std::vector<float> curve(const nlohmann::json& chart, std::size_t index) {
-    return decode<float>(chart["curves"][index]["values"].get<std::string>());
+    return unpacked<float>(chart["curves"][index]["values"].get<std::string>());
 }
 
-// What a browser would read as markup of ours: the page without the embedded library files.
+const std::array kOwnScripts{embedded::kValuesScript, embedded::kChartsScript, embedded::kReplayRoadScript,
+                             embedded::kReplayCarScript, embedded::kReplayScript};
+
+// What a browser would read as markup of ours: the page without scripts and the embedded library files.
 std::string withoutLibrary(std::string page) {
     const auto cut = [&page](std::string_view part) {
         const auto at = page.find(part);
-        ASSERT_NE(at, std::string::npos);
-        page.erase(at, part.size());
+        if (at != std::string::npos) page.erase(at, part.size());
+        return at != std::string::npos;
     };
     const auto untilMap = [](std::string_view text, std::string_view map) { return text.substr(0, text.find(map)); };
-    cut(untilMap(embedded::kDygraphsScript, "//# sourceMappingURL="));
-    cut(untilMap(embedded::kDygraphsStyle, "/*# sourceMappingURL="));
-    cut(untilMap(embedded::kDygraphsSynchronizer, "//# sourceMappingURL="));
-    cut(embedded::kDygraphsLicence);
-    cut(embedded::kPageScript);
+    EXPECT_TRUE(cut(untilMap(embedded::kDygraphsScript, "//# sourceMappingURL=")));
+    EXPECT_TRUE(cut(untilMap(embedded::kDygraphsStyle, "/*# sourceMappingURL=")));
+    EXPECT_TRUE(cut(untilMap(embedded::kDygraphsSynchronizer, "//# sourceMappingURL=")));
+    EXPECT_TRUE(cut(embedded::kDygraphsLicence));
+    if (page.find("id=\"replay-data\"") != std::string::npos) {
+        for (const std::string_view part : {embedded::kThreeScript, embedded::kThreeOrbit, embedded::kThreeLicence})
+            EXPECT_TRUE(cut(part));
+    }
+    for (const std::string_view script : kOwnScripts) cut(script);
     return page;
 }
 
 void expectSelfContained(const std::string& page) {
     const auto tags = readTags(page);
     ASSERT_TRUE(tags) << "a < that does not begin a tag of ours";
+    EXPECT_EQ(unclosed(*tags), "");
     for (const Tag& tag : *tags) {
         for (const char* loads : {"link", "iframe", "object", "embed", "base", "img", "image", "use"})
             EXPECT_NE(tag.name, loads);
@@ -147,8 +137,12 @@ void expectSelfContained(const std::string& page) {
 }
 
 TEST(HtmlReport, LibraryFilesCanStandInsideAScriptElement) {
-    for (const std::string_view file : {embedded::kDygraphsScript, embedded::kDygraphsSynchronizer,
-                                        embedded::kPageScript, embedded::kDygraphsLicence}) {
+    std::vector<std::string_view> files{kOwnScripts.begin(), kOwnScripts.end()};
+    for (const std::string_view file :
+         {embedded::kDygraphsScript, embedded::kDygraphsSynchronizer, embedded::kThreeScript, embedded::kThreeOrbit,
+          embedded::kDygraphsLicence, embedded::kThreeLicence})
+        files.push_back(file);
+    for (const std::string_view file : files) {
         EXPECT_GT(file.size(), 1000u);
         EXPECT_EQ(file.find("</script"), std::string_view::npos);
         EXPECT_EQ(file.find("<!--"), std::string_view::npos);
@@ -163,7 +157,7 @@ TEST(HtmlReport, NothingIsLoadedFromAnywhere) {
     content.resolved_yaml = "speed: 80 km/h";
     expectSelfContained(withoutLibrary(runReport(content)));
 
-    EXPECT_EQ(embedded::kPageScript.find("://"), std::string_view::npos);
+    for (const std::string_view script : kOwnScripts) EXPECT_EQ(script.find("://"), std::string_view::npos);
     // Of the library only comments may name an address.
     const std::string library = std::string(embedded::kDygraphsScript);
     EXPECT_EQ(count(library, "://"), count(library, "@license https://github.com/danvk/dygraphs/"));
@@ -208,9 +202,10 @@ TEST(HtmlReport, HostileTextIsHarmlessWhereverItStands) {
     figures.text(kHostile);
     figures.figures({chart});
 
-    // With charts: values, library, synchronizer, page script, licence. Without: none.
+    // Charts: values, common script, library, synchronizer, script, licence. Replay: values, two libraries, three
+    // scripts, licence.
     const std::array<std::pair<std::string, std::size_t>, 3> pages = {
-        {{runReport(run), 5}, {overlayReport(overlay), 5}, {figures.finish(), 0}}};
+        {{runReport(run), 13}, {overlayReport(overlay), 6}, {figures.finish(), 0}}};
     for (const auto& [page, scripts] : pages) {
         EXPECT_EQ(count(page, "<script"), scripts);
         EXPECT_EQ(count(page, "</script"), scripts);
@@ -295,7 +290,7 @@ TEST(RunReport, PeaksOfALongLogAreStillThere) {
     const auto charts = chartsOf(runReport(reportOf(log)));
     const auto* chart = chartNamed(charts, "Wheel load");
     ASSERT_NE(chart, nullptr);
-    const auto time = decode<double>((*chart)["time"].get<std::string>());
+    const auto time = unpacked<double>((*chart)["time"].get<std::string>());
     const auto values = curve(*chart, 3);
     ASSERT_EQ(time.size(), values.size());
     EXPECT_LE(values.size(), 4002u);

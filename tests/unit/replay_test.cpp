@@ -1,113 +1,142 @@
-#include "scenario/replay.h"
+#include "report/replay.h"
 
 #include <gtest/gtest.h>
 
-#include "base/read_yaml.h"
-#include "log/csv.h"
-#include "scenario/driver.h"
-#include "scenario/load.h"
-#include "shared/scratch.h"
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "report/replay_road.h"
+#include "shared/base64.h"
+#include "tread/road_surface.h"
 
 namespace tread {
 namespace {
 
-constexpr const char* kLog =
-    "time [s],driver.steering_wheel_angle [rad],driver.brake [-],chassis.vx [m/s]\n"
-    "0,0,0,20\n1,0.5,0.002,20\n2,0.5,-0.001,20\n3,-0.5,0.6,20\n";
+using Json = nlohmann::json;
 
-class ReplayTest : public testing::Test {
-protected:
-    void SetUp() override { scratch.file("drive.csv", kLog); }
-
-    Scenario scenario(const std::string& phase) {
-        return loadScenario(scratch.file("scenario.yaml", "phases:\n  - {" + phase + ", until: {duration: 5}}\n"));
+// Straight on at 20 m/s for 2 s, 1 kHz.
+Log straightOn() {
+    Log log{{{"time", "s", {}}, {"chassis.x", "m", {}}, {"chassis.y", "m", {}}, {"chassis.yaw", "rad", {}}}};
+    for (int i = 0; i <= 2000; ++i) {
+        const std::array row{0.001 * i, 0.02 * i, 0.0, 0.0};
+        for (std::size_t k = 0; k < row.size(); ++k) log.channels[k].values.push_back(row[k]);
     }
-    std::string faultOf(const std::string& phase) {
-        try {
-            Driver driver(scenario(phase), {});
-        } catch (const LoadError& error) {
-            return error.what();
+    return log;
+}
+
+void add(Log& log, const std::string& name, const std::string& unit, double value) {
+    log.channels.push_back({name, unit, std::vector<double>(log.samples(), value)});
+}
+
+Json replayed(const Log& log, const ReplayScene& scene = {}) {
+    return Json::parse(replayData({{"car", log, typicalCarShape()}}, scene));
+}
+
+std::vector<float> channel(const Json& holder, const char* name) {
+    return unpacked<float>(holder["channels"][name].get<std::string>());
+}
+
+TEST(Replay, ALogThatDoesNotSayWhereTheCarIsHasNone) {
+    Log log = straightOn();
+    log.channels.pop_back();
+    EXPECT_EQ(replayData({{"car", log, typicalCarShape()}}, {}), "");
+}
+
+TEST(Replay, FramesKeepTheirTimesAndTheLastRow) {
+    const Json car = replayed(straightOn())["cars"][0];
+    const auto time = unpacked<double>(car["time"].get<std::string>());
+    ASSERT_EQ(time.size(), 101u) << "50 frames a second";
+    EXPECT_EQ(time.back(), 2.0);
+    const auto x = channel(car, "x");
+    for (std::size_t i = 0; i < time.size(); ++i) EXPECT_NEAR(x[i], 20 * time[i], 1e-5);
+}
+
+TEST(Replay, WheelsTurnAsFarAsTheirSpinSaysAndStandOnTheRoadOfALevelCar) {
+    Log log = straightOn();
+    add(log, "wheel.rear_left.spin", "rad/s", 64.0);
+    for (const char* level : {"chassis.roll", "chassis.pitch", "wheel.rear_left.steer"}) add(log, level, "rad", 0);
+    add(log, "chassis.z", "m", 0.54);
+    add(log, "wheel.rear_left.camber", "rad", -0.02);
+    const Json wheel = replayed(log)["cars"][0]["wheels"][2];
+    EXPECT_NEAR(channel(wheel, "turn").back(), 128.0, 1e-4);
+    EXPECT_NEAR(channel(wheel, "lean").back(), -0.02, 1e-7)
+        << "camber against a level road is lean against a level body";
+    EXPECT_FALSE(wheel["channels"].contains("load")) << "what is not logged is not shown";
+}
+
+TEST(Replay, AWheelThatLeansWithItsBodyHasNoLeanOfItsOwn) {
+    Log log = straightOn();
+    add(log, "chassis.roll", "rad", 0.05);
+    for (const char* level : {"chassis.pitch", "wheel.front_left.steer"}) add(log, level, "rad", 0);
+    add(log, "chassis.z", "m", 0.54);
+    add(log, "wheel.front_left.camber", "rad", 0.05);  // right side down: the top goes to the right
+    EXPECT_NEAR(channel(replayed(log)["cars"][0]["wheels"][0], "lean").back(), 0.0, 1e-7);
+}
+
+TEST(Replay, ACarWithoutLoggedHeightStandsOnTheRoad) {
+    ReplayScene scene;
+    scene.road.grade = 0.1;
+    const Json car = replayed(straightOn(), scene)["cars"][0];
+    EXPECT_NEAR(channel(car, "z").back(), 0.1 * 40 + typicalCarShape().height, 1e-5);
+}
+
+TEST(ReplayRoad, APlaneNeedsNoMesh) {
+    const std::array<Point, 2> way{{{0, 0}, {100, 0}}};
+    RoadParams plane;
+    plane.grade = 0.05;
+    plane.bank = 0.02;
+    const auto road = replayRoad(plane, way);
+    EXPECT_TRUE(road["mesh"].is_null());
+    EXPECT_EQ(road["grade"], 0.05);
+}
+
+TEST(ReplayRoad, TheMeshHasTheHeightsOfTheRoadAboveItsPlane) {
+    RoadParams params;
+    params.grade = 0.03;
+    Obstacle bump;
+    bump.x = 5;
+    bump.length = 1;
+    bump.height = 0.04;
+    params.obstacles.push_back(bump);
+    const std::array<Point, 3> way{{{0, 0}, {5, 0}, {10, 0}}};
+    const auto mesh = replayRoad(params, way)["mesh"];
+    ASSERT_FALSE(mesh.is_null());
+    const auto steps = unpacked<std::uint16_t>(mesh["heights"].get<std::string>());
+    const RoadSurface surface(params);
+    std::size_t next = 0;
+    double highest = 0;
+    for (const auto& tile : mesh["tiles"]) {
+        const int cells = tile[2];
+        for (int i = 0; i <= cells; ++i) {
+            for (int j = 0; j <= cells; ++j) {
+                const double side = mesh["tile"], x = side * (tile[0].get<double>() + double(i) / cells),
+                             y = side * (tile[1].get<double>() + double(j) / cells);
+                const double height = mesh["lowest"].get<double>() + mesh["step"].get<double>() * steps.at(next++);
+                EXPECT_NEAR(height, surface.at(x, y).height - params.grade * x, 1e-6);
+                highest = std::max(highest, height);
+            }
         }
-        return "no fault";
     }
-    const Scratch scratch;
-};
-
-TEST_F(ReplayTest, HandAndFootDoWhatTheLogSays) {
-    const Scenario read = scenario(
-        "steering: {replay: {file: drive.csv, channel: driver.steering_wheel_angle, from: 0.5}}, "
-        "brake: {replay: {file: drive.csv, channel: driver.brake}}");
-    Driver driver(read, {});
-    driver.look(0, {});
-    EXPECT_DOUBLE_EQ(driver.inputAt(0.25).steering_wheel_angle, 0.375);
-    EXPECT_DOUBLE_EQ(driver.inputAt(1).brake, 0.002);
-    EXPECT_DOUBLE_EQ(driver.inputAt(2).brake, 0) << "noise below zero is no negative pedal";
-    EXPECT_DOUBLE_EQ(driver.inputAt(2.5).steering_wheel_angle, -0.5);
-    EXPECT_DOUBLE_EQ(driver.inputAt(4).steering_wheel_angle, -0.5) << "held behind the end";
+    EXPECT_EQ(next, steps.size());
+    EXPECT_NEAR(highest, 0.04, 1e-6);
 }
 
-TEST_F(ReplayTest, ChannelThatIsNotThereIsAFault) {
-    EXPECT_NE(faultOf("brake: {replay: {file: drive.csv, channel: driver.brakes}}")
-                  .find("drive.csv: phases.0.brake.replay.channel: found \"driver.brakes\", which the log does not "
-                        "have; did you mean \"driver.brake\"?"),
-              std::string::npos);
-}
-
-TEST_F(ReplayTest, ChannelOfAnotherUnitIsAFault) {
-    EXPECT_NE(faultOf("steering: {replay: {file: drive.csv, channel: chassis.vx}}")
-                  .find("found \"chassis.vx [m/s]\", expected a channel in rad"),
-              std::string::npos);
-}
-
-TEST_F(ReplayTest, BeginningBehindTheEndOfTheLogIsAFault) {
-    EXPECT_NE(faultOf("brake: {replay: {file: drive.csv, channel: driver.brake, from: 3}}")
-                  .find("replay.from: found 3 s, which is behind the end of the log"),
-              std::string::npos);
-}
-
-TEST_F(ReplayTest, MissingFileOrNameIsAFault) {
-    EXPECT_THROW(Driver(scenario("brake: {replay: {file: none.csv, channel: driver.brake}}"), {}), std::runtime_error);
-    EXPECT_THROW(scenario("brake: {replay: {file: drive.csv}}"), LoadError);
-    EXPECT_THROW(Driver(scenario("brake: {replay: {channel: driver.brake}}"), {}), LoadError) << "no drive either";
-}
-
-constexpr const char* kRepeat =
-    "phases:\n"
-    "  - steering: {replay: {channel: driver.steering_wheel_angle}}\n"
-    "    throttle: {hold_speed: {as_driven: true}}\n"
-    "    until: {drive_end: true}\n";
-
-TEST_F(ReplayTest, DriveGivesHandSpeedAndEnd) {
-    const Scenario asked = loadScenario(scratch.file("scenario.yaml", std::string("drive: drive.csv\n") + kRepeat));
-    const Scenario read = withReplaysRead(asked);
-    EXPECT_DOUBLE_EQ(read.start.speed, 20);
-    EXPECT_DOUBLE_EQ(std::get<Table<Angle>>(read.phases[0].steering).points(0.5), 0.25);
-    EXPECT_DOUBLE_EQ(std::get<HoldSpeed>(read.phases[0].throttle).profile(3), 20);
-    EXPECT_DOUBLE_EQ(read.phases[0].until.time.value(), 3);
-    EXPECT_EQ(read.drive, "") << "read once: the scenario that is kept with the run needs the log no more";
-    EXPECT_DOUBLE_EQ(withReplaysRead(read).phases[0].until.time.value(), 3);
-}
-
-TEST_F(ReplayTest, OwnStartSpeedWins) {
-    const Scenario asked =
-        loadScenario(scratch.file("scenario.yaml", std::string("drive: drive.csv\nstart: {speed: 5}\n") + kRepeat));
-    EXPECT_DOUBLE_EQ(withReplaysRead(asked).start.speed, 5);
-}
-
-TEST_F(ReplayTest, DriveThatIsNotNamedOrNotRepeatedIsAFault) {
-    const auto fault = [&](const std::string& text) -> std::string {
-        try {
-            withReplaysRead(loadScenario(scratch.file("scenario.yaml", text)));
-        } catch (const LoadError& error) {
-            return error.what();
-        }
-        return "no fault";
-    };
-    EXPECT_EQ(fault(kRepeat),
-              "scenario.drive: found no log of the drive that the scenario repeats; name it here, or with `tread run "
-              "--log FILE`");
-    EXPECT_NE(fault("drive: drive.csv\nphases: [{until: {duration: 5}}]").find("but nothing that repeats it"),
-              std::string::npos);
+TEST(ReplayRoad, PatchesEndWhereTheDrawnRoadEnds) {
+    RoadParams params;
+    params.friction = 0.8;
+    FrictionPatch near, far;
+    near.friction = far.friction = 0.5;
+    near.x_from = 10;
+    near.y_from = 0;
+    far.x_from = 1000;
+    params.friction_patches = {near, far};
+    const std::array<Point, 2> way{{{0, 0}, {100, 0}}};
+    const auto road = replayRoad(params, way);
+    ASSERT_EQ(road["patches"].size(), 1u) << "the other one lies far away";
+    EXPECT_DOUBLE_EQ(road["patches"][0]["friction"], 0.4);
+    EXPECT_EQ(road["patches"][0]["area"][0], 10);
+    EXPECT_EQ(road["patches"][0]["area"][1], road["area"][1]);
 }
 
 }  // namespace

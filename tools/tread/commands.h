@@ -35,7 +35,7 @@ struct CompareOptions {
     std::string report;                // file; empty: none
     std::string envelope;              // iso19364 or file; empty: not judged so
     std::string score;                 // iso18571 or file; empty: not judged so
-    std::vector<std::string> repeats;  // further measurements for these two
+    std::vector<std::string> repeats;  // further logs: for these two, and in the report
     bool json = false;
 };
 int compare(const CompareOptions& options);

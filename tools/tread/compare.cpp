@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "base/read_yaml.h"
 #include "commands.h"
@@ -10,25 +11,59 @@
 #include "log/csv.h"
 #include "output.h"
 #include "overlay.h"
+#include "run/run_record.h"
 
 namespace tread::program {
 namespace {
 
 constexpr std::size_t kRows = 10;  // in the table, unless more channels differ
 
+// Names of files, without their folders unless two would be alike.
+std::vector<std::string> shortNames(const std::vector<std::string>& files) {
+    std::vector<std::string> names;
+    for (const std::string& file : files) {
+        const std::string name = Path(file).filename();
+        if (std::find(names.begin(), names.end(), name) != names.end()) return files;
+        names.push_back(name);
+    }
+    return names;
+}
+
+// What `tread run` left beside its log; nothing beside a log from elsewhere.
+std::optional<RunRecord> recordBeside(const std::string& log) {
+    const Path file = Path(log).parent_path() / "run.yaml";
+    if (Path(log).filename() != "log.csv" || !std::filesystem::exists(file)) return std::nullopt;
+    try {
+        return readYaml<RunRecord>(file);
+    } catch (const LoadError&) {  // of another version, perhaps: then the replay shows a medium car on level ground
+        return std::nullopt;
+    }
+}
+
 void writeReport(const CompareOptions& options, const Log& reference, const Log& candidate,
                  const Comparison& comparison, const std::string& answer) {
-    const std::string reference_name = Path(options.reference).filename(),
-                      new_name = Path(options.candidate).filename();
-    const bool alike = reference_name == new_name;  // then only the folders tell them apart
-    const OverlayReport report{.title = "Comparison of " + new_name + " with " + reference_name,
-                               .answer = answer,
-                               .reference_name = alike ? options.reference : reference_name,
-                               .candidate_name = alike ? options.candidate : new_name,
-                               .version = std::string("tread ") + TREAD_VERSION,
-                               .ok = comparison.same,
-                               .channels = overlays(reference, candidate, comparison),
-                               .warnings = remarks(comparison)};
+    std::vector<std::string> files{options.reference, options.candidate};
+    files.insert(files.end(), options.repeats.begin(), options.repeats.end());
+    const std::vector<std::string> names = shortNames(files);
+    std::vector<Log> others;
+    for (const std::string& file : options.repeats) others.push_back(readLog(file));
+
+    OverlayReport report{.title = "Comparison of " + names[1] + " with " + names[0],
+                         .answer = answer,
+                         .reference_name = names[0],
+                         .candidate_name = names[1],
+                         .other_names = {names.begin() + 2, names.end()},
+                         .version = std::string("tread ") + TREAD_VERSION,
+                         .ok = comparison.same,
+                         .channels = overlays(reference, candidate, others, comparison),
+                         .warnings = remarks(comparison)};
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const std::optional<RunRecord> record = recordBeside(files[i]);
+        const Log& log = i == 0 ? reference : i == 1 ? candidate : others[i - 2];
+        report.cars.push_back(
+            {names[i], log, record ? carShape(record->vehicle) : typicalCarShape(), overlayColour(i)});
+        if (i == 0 && record) report.scene = sceneOf(record->scenario);
+    }
     writeFile(options.report, overlayReport(report));
     std::fprintf(stderr, "overlay report: %s\n", options.report.c_str());
 }
@@ -37,6 +72,12 @@ void writeReport(const CompareOptions& options, const Log& reference, const Log&
 
 int compare(const CompareOptions& options) {
     if (!options.envelope.empty() || !options.score.empty()) return judge(options);
+    if (!options.repeats.empty() && options.report.empty()) {
+        throw LoadError(
+            {{"", 0, 0, "",
+              "tread compare: found --repeat alone, expected --report, --envelope or --score beside it: the "
+              "plain comparison judges one log"}});
+    }
     const Tolerances tolerances = options.tolerances.empty() ? Tolerances{} : readYaml<Tolerances>(options.tolerances);
     const Log reference = readLog(options.reference);
     const Log candidate = readLog(options.candidate);

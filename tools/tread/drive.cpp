@@ -91,7 +91,8 @@ Driven saveResults(const RunRecord& record, const Log& log, const Path& folder) 
                                                  .log = log,
                                                  .metrics = found.metrics,
                                                  .resolved_yaml = writeYaml(record),
-                                                 .warnings = found.warnings}));
+                                                 .warnings = found.warnings,
+                                                 .record = &record}));
     return found;
 }
 

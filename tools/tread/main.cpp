@@ -40,12 +40,13 @@ void addCompare(CLI::App& app, CompareOptions& o) {
     app.add_option("reference", o.reference, "log to compare with (CSV)")->required();
     app.add_option("new", o.candidate, "log to judge (CSV)")->required();
     app.add_option("--tolerances", o.tolerances, "tolerances per channel (YAML)");
-    app.add_option("--report", o.report, "write an overlay report (HTML)");
+    app.add_option("--report", o.report, "write an overlay report (HTML) with a replay of all cars");
     app.add_option(
         "--envelope", o.envelope,
         "iso19364: do measurements (reference) lie within the boundaries around a simulation (new)? Or a file");
     app.add_option("--score", o.score, "iso18571: how alike are the curves? Or a file");
-    app.add_option("--repeat", o.repeats, "further measurement of the manoeuvre, for --envelope and --score");
+    app.add_option("--repeat", o.repeats,
+                   "further log: another measurement for --envelope and --score, drawn but not judged in --report");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 

@@ -41,9 +41,21 @@ void bringNear(std::vector<double>& candidate, const std::vector<double>& refere
     }
 }
 
+// The channel of a further run at the moments of the overlay; empty when it has none in that unit.
+std::vector<double> drawnBeside(const Log& log, const ChannelComparison& channel, bool wrapped,
+                                const ChannelOverlay& overlay) {
+    const Channel* found = log.find(channel.channel);
+    if (!found || found->unit != channel.unit) return {};
+    const std::vector<double> values = wrapped ? unwrapped(found->values) : found->values;
+    std::vector<double> out = resample(log.channels.front().values, values, overlay.time);
+    if (wrapped) bringNear(out, overlay.reference);
+    return out;
+}
+
 }  // namespace
 
-std::vector<ChannelOverlay> overlays(const Log& reference, const Log& candidate, const Comparison& comparison) {
+std::vector<ChannelOverlay> overlays(const Log& reference, const Log& candidate, const std::vector<Log>& others,
+                                     const Comparison& comparison) {
     const std::vector<double>& clock = reference.channels.front().values;
     const auto first = std::lower_bound(clock.begin(), clock.end(), comparison.from) - clock.begin();
     const auto last = std::upper_bound(clock.begin(), clock.end(), comparison.to) - clock.begin();
@@ -57,12 +69,12 @@ std::vector<ChannelOverlay> overlays(const Log& reference, const Log& candidate,
         const Channel& there = *candidate.find(channel.channel);
         const bool wrapped = wraps(here) || wraps(there);
         const std::vector<double> values = wrapped ? unwrapped(here.values) : here.values;
-        const std::vector<double> others = wrapped ? unwrapped(there.values) : there.values;
+        const std::vector<double> theirs = wrapped ? unwrapped(there.values) : there.values;
         ChannelOverlay overlay{.name = channel.channel,
                                .unit = channel.unit,
                                .time = time,
                                .reference = {values.begin() + first, values.begin() + last},
-                               .candidate = resample(candidate.channels.front().values, others, shifted),
+                               .candidate = resample(candidate.channels.front().values, theirs, shifted),
                                .tolerance = channel.allowed,
                                .largest = channel.largest,
                                .rms = channel.rms,
@@ -70,6 +82,7 @@ std::vector<ChannelOverlay> overlays(const Log& reference, const Log& candidate,
                                .first_time_out = {},
                                .ok = channel.same};
         if (wrapped) bringNear(overlay.candidate, overlay.reference);
+        for (const Log& other : others) overlay.others.push_back(drawnBeside(other, channel, wrapped, overlay));
         if (channel.first) overlay.first_time_out = channel.first->time;
         result.push_back(std::move(overlay));
     }

@@ -8,7 +8,8 @@
 namespace tread::program {
 
 // The curves, on the samples of the reference within the common time; the constant delay that the comparison found is
-// taken out.
-std::vector<ChannelOverlay> overlays(const Log& reference, const Log& candidate, const Comparison& comparison);
+// taken out. `others` are drawn as they are.
+std::vector<ChannelOverlay> overlays(const Log& reference, const Log& candidate, const std::vector<Log>& others,
+                                     const Comparison& comparison);
 
 }  // namespace tread::program

@@ -2,33 +2,12 @@
 (function () {
     'use strict';
 
-    function decode(base64, Type) {
-        const text = atob(base64);
-        const bytes = new Uint8Array(text.length);
-        for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
-        return new Type(bytes.buffer);
-    }
+    const {decode, format, element, read} = values;
 
     function rowsOf(data) {
         const time = decode(data.time, Float64Array);
         const curves = data.curves.map(curve => decode(curve.values, Float32Array));
         return Array.from(time, (t, i) => [t].concat(curves.map(values => values[i])));
-    }
-
-    // Five digits, without an exponent where people would not write one.
-    function format(value) {
-        if (!Number.isFinite(value)) return '–';
-        const size = Math.abs(value);
-        if (size >= 1e5 && size < 1e9) return value.toFixed(0);
-        if (size > 0 && size < 1e-4) return Number(value.toPrecision(3)).toExponential();
-        return String(Number(value.toPrecision(5)));
-    }
-
-    function element(name, className, text) {
-        const made = document.createElement(name);
-        if (className) made.className = className;
-        if (text !== undefined) made.textContent = text;
-        return made;
     }
 
     // Names always, values while the cursor is on a chart.
@@ -168,11 +147,15 @@
             zoomCallback: fitValues
         });
         chart.getRowForX = nearestRow;
+        figure.querySelector('.canvas').addEventListener('mousemove', () => {
+            const row = chart.getSelection();
+            if (row >= 0) document.dispatchEvent(new CustomEvent('tread-moment', {detail: chart.getValue(row, 0)}));
+        });
         return {chart, rows, band: data.band};
     }
 
     // Chart by chart, so that the text of the page can be read while the charts appear.
-    const all = JSON.parse(document.getElementById('chart-data').textContent);
+    const all = read('chart-data');
     function drawNext() {
         const stop = performance.now() + 15;
         while (charts.length < all.length && performance.now() < stop) {

@@ -1,0 +1,63 @@
+#include "report/course_figure.h"
+
+#include <cmath>
+
+#include "report/cross_plot.h"
+#include "report/run_figures.h"
+#include "scenario/cones.h"
+
+namespace tread {
+namespace {
+
+constexpr double kApart = 6.5;  // m of way between two outlines
+constexpr double kBeside = 15;  // m that are shown before and behind the lanes
+
+}  // namespace
+
+std::optional<Chart> courseFigure(const RunReport& content) {
+    if (!content.record) return std::nullopt;
+    const CourseParams& course = content.record->scenario.course;
+    const std::vector<Lane> driven = lanes(course);
+    const Channel *x = completeChannel(content.log, "chassis.x"), *y = completeChannel(content.log, "chassis.y");
+    const Channel* yaw = completeChannel(content.log, "chassis.yaw");
+    if (driven.empty() || !x || !y || !yaw) return std::nullopt;
+
+    Chart chart{.title = "Course from above", .x = {"x", "m"}, .y = {"y", "m"}, .series = {}};
+    chart.equal_aspect = true;
+    chart.width = kWideChart;
+    chart.height = 230;  // lanes are far longer than wide
+    chart.x.lowest = driven.front().from - kBeside;
+    chart.x.highest = driven.back().to + kBeside;
+    for (const Lane& lane : driven) {
+        for (const double edge : {lane.left, lane.right}) {
+            Series line{
+                .name = "", .x = {lane.from, lane.to}, .y = {edge, edge}, .colour = Colour::grey, .dashed = true};
+            line.width = 1;
+            chart.series.push_back(std::move(line));
+        }
+    }
+    Series cones{.name = "cones", .x = {}, .y = {}, .colour = Colour::amber, .line = false, .markers = true};
+    for (const Point& cone : conesOf(driven)) {
+        cones.x.push_back(cone.x);
+        cones.y.push_back(cone.y);
+    }
+    Series way{.name = "centre of gravity", .x = {}, .y = {}, .colour = Colour::blue};
+    std::vector<Series> outlines;
+    double next = *chart.x.lowest + course.car.behind;
+    for (std::size_t i = 0; i < x->values.size(); ++i) {
+        const Pose pose{0, x->values[i], y->values[i], yaw->values[i]};
+        if (pose.x < *chart.x.lowest || pose.x > *chart.x.highest) continue;
+        way.x.push_back(pose.x);
+        way.y.push_back(pose.y);
+        if (pose.x < next || pose.x > *chart.x.highest - course.car.ahead) continue;
+        next = pose.x + kApart;
+        outlines.push_back(carOutline(pose, course.car.ahead, course.car.behind, course.car.width));
+    }
+    if (!outlines.empty()) outlines.front().name = "car";
+    chart.series.push_back(std::move(way));
+    for (Series& outline : outlines) chart.series.push_back(std::move(outline));
+    chart.series.push_back(std::move(cones));
+    return chart;
+}
+
+}  // namespace tread

@@ -1,0 +1,118 @@
+#include "report/handling_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "metrics/metrics.h"
+#include "metrics/sine_with_dwell.h"
+#include "report/cross_plot.h"
+#include "report/text.h"
+#include "tread/vehicle_output.h"
+
+namespace tread {
+namespace {
+
+std::optional<double> metricNamed(const std::vector<Metric>& metrics, std::string_view name) {
+    for (const Metric& metric : metrics) {
+        if (metric.name == name && std::isfinite(metric.value)) return metric.value;
+    }
+    return std::nullopt;
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// A line of that slope through the middle of the points between two x; nothing without points there.
+std::optional<Series> lineThrough(const Series& curve, double slope, double from, double to) {
+    std::vector<double> offsets;
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        if (curve.x[i] >= from && curve.x[i] <= to) offsets.push_back(curve.y[i] - slope * curve.x[i]);
+    }
+    if (offsets.empty()) return std::nullopt;
+    const double offset = median(std::move(offsets)), end = *std::max_element(curve.x.begin(), curve.x.end());
+    return Series{
+        .name = "", .x = {0, end}, .y = {offset, offset + slope * end}, .colour = Colour::vermillion, .dashed = true};
+}
+
+}  // namespace
+
+std::optional<Chart> understeerFigure(const RunReport& content) {
+    auto chart = crossPlot(content.log, "Understeer", kLateral, kHandWheel);
+    if (!chart) return chart;
+    // A right turn is drawn as a left one.
+    Series& curve = chart->series.front();
+    curve.name = "hand wheel";
+    const auto [low, high] = std::minmax_element(curve.x.begin(), curve.x.end());
+    if (-*low > *high) {
+        for (auto* values : {&curve.x, &curve.y}) {
+            for (double& value : *values) value = -value;
+        }
+    }
+    const auto slope = metricNamed(content.metrics, "steering_wheel_gradient");
+    const auto understeer = metricNamed(content.metrics, "understeer_gradient");
+    const double largest = *std::max_element(curve.x.begin(), curve.x.end());
+    if (slope) {
+        const double upper = std::min(0.375 * kStandardGravity, 0.6 * largest);
+        if (auto line = lineThrough(curve, *slope / kStandardGravity, 0.1 * kStandardGravity, upper)) {
+            line->name = fmt::format("{:.3g} deg/g at the hand wheel", *slope);
+            chart->series.push_back(*std::move(line));
+        }
+    }
+    if (understeer) chart->note = fmt::format("Understeer gradient {:.3g} deg/g at the road wheels.", *understeer);
+    return chart;
+}
+
+std::vector<Chart> dwellFigures(const Log& log) {
+    const auto hand = valuesFor(log, kHandWheel), yaw_rate = valuesFor(log, kYawRate);
+    if (!hand || !yaw_rate) return {};
+    DwellSteering steering{};
+    try {
+        steering = dwellSteering(log);
+    } catch (const MetricError&) {
+        return {};
+    }
+    constexpr double kBefore = 0.5;  // s
+    const std::vector<double>& time = log.channels.front().values;
+    const double end = steering.end + kYawRateChecks.back().after + kBefore;
+    const auto over = [&](const char* title, const PlotAxis& axis, const PlotValues& values) {
+        Chart chart{.title = title, .x = {"time", "s"}, .y = {std::string(axis.label), values.unit}, .series = {}};
+        chart.x.lowest = steering.begin - kBefore;
+        chart.x.highest = std::min(end, time.back());
+        chart.series.push_back(
+            {.name = std::string(axis.label), .x = time, .y = values.values, .colour = Colour::blue});
+        return chart;
+    };
+    const auto upright = [](const Chart& chart, double at, std::string name) {
+        const auto& values = chart.series.front().y;
+        const auto [low, high] = std::minmax_element(values.begin(), values.end());
+        Series line{.name = std::move(name), .x = {at, at}, .y = {*low, *high}, .colour = Colour::grey, .dashed = true};
+        line.width = 1.2;
+        return line;
+    };
+    Chart wheel = over("Steering", kHandWheel, *hand),
+          turning = over("Yaw rate after the steering", kYawRate, *yaw_rate);
+    for (Chart* chart : {&wheel, &turning})
+        chart->series.push_back(upright(*chart, steering.end, "completion of steer"));
+    const double peak = displayUnit("rad/s").scale * steering.peak_yaw_rate;
+    Colour colour = Colour::vermillion;
+    for (const YawRateCheck& check : kYawRateChecks) {
+        const double at = steering.end + check.after, limit = check.share * peak;
+        turning.series.push_back(
+            {.name = fmt::format("{:.2f} s later: at most {:.0f} % of the peak", check.after, 100 * check.share),
+             .x = {at, at},
+             .y = {0, limit},
+             .colour = colour,
+             .width = 4,
+             .markers = true});
+        colour = Colour::amber;
+    }
+    turning.note = "Passed when the curve crosses both bars, or lies on the far side of zero.";
+    return {wheel, turning};
+}
+
+}  // namespace tread

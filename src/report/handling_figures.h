@@ -1,0 +1,18 @@
+// Figures of steady and transient cornering tests.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "report/run_report.h"
+
+namespace tread {
+
+// Hand-wheel angle over lateral acceleration, with the line of the gradient that the metrics found (ISO 4138, slowly
+// increasing steer).
+std::optional<Chart> understeerFigure(const RunReport& content);
+
+// Sine with dwell: hand wheel and yaw rate over time, with the yaw rate that is allowed after completion of steer.
+std::vector<Chart> dwellFigures(const Log& log);
+
+}  // namespace tread
