@@ -165,7 +165,7 @@ std::string runReport(const RunReport& content) {
     page.keyValues({{"Vehicle", content.vehicle},
                     {"Manoeuvre", content.scenario},
                     {"What it is", content.scenario_description},
-                    {"Made by", content.version}});
+                    {"Made by", "tread " + content.version}});
 
     if (content.log.samples() > 0) {
         addFigures(page, content);
