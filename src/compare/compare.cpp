@@ -73,7 +73,7 @@ ChannelComparison compareChannel(const Channel& reference, const Channel& candid
     const bool wrapped = wraps(reference) || wraps(candidate);
     const std::vector<double> others =
         resample(candidate_time, wrapped ? unwrapped(candidate.values) : candidate.values, common.candidate);
-    double squares = 0;
+    double squares = 0, sum = 0, sum_squared = 0;
     for (std::size_t i = 0; i < others.size(); ++i) {
         const double here = reference.values[common.first + i], there = others[i];
         double difference = there - here;
@@ -85,6 +85,9 @@ ChannelComparison compareChannel(const Channel& reference, const Channel& candid
             difference = alike ? 0 : std::numeric_limits<double>::infinity();
         } else {
             squares += difference * difference;
+            const double moved = here - reference.values[common.first];  // so that a large mean takes no digits
+            sum += moved;
+            sum_squared += moved * moved;
         }
         if (std::abs(difference) > result.largest) {
             result.largest = std::abs(difference);
@@ -92,7 +95,10 @@ ChannelComparison compareChannel(const Channel& reference, const Channel& candid
         }
         if (!result.first && std::abs(difference) > result.allowed) result.first = {common.reference[i], here, there};
     }
-    if (!others.empty()) result.rms = std::sqrt(squares / static_cast<double>(others.size()));
+    const auto samples = static_cast<double>(others.size());
+    if (!others.empty()) result.rms = std::sqrt(squares / samples);
+    const double variance = sum_squared - sum * sum / samples;
+    if (variance > 1e-12 * sum_squared && std::isfinite(squares) && !wrapped) result.r_squared = 1 - squares / variance;
     result.same = !result.first;
     return result;
 }

@@ -23,12 +23,14 @@ struct ChannelComparison {
     std::string channel;
     std::string unit;
     bool same = true;
-    std::size_t samples = 0;          // that were compared
-    double peak = 0;                  // largest magnitude of the whole reference channel
-    double allowed = 0;               // difference up to which the channels are the same
-    double largest = 0;               // largest magnitude of the difference
-    double largest_time = 0;          // s
-    double rms = 0;                   // of the difference
+    std::size_t samples = 0;  // that were compared
+    double peak = 0;          // largest magnitude of the whole reference channel
+    double allowed = 0;       // difference up to which the channels are the same
+    double largest = 0;       // largest magnitude of the difference
+    double largest_time = 0;  // s
+    double rms = 0;           // of the difference
+    std::optional<double>
+        r_squared;  // share of the reference's variance that the candidate explains; none: it has none
     std::optional<Divergence> first;  // where the tolerance is left
     std::size_t reference_not_finite = 0;
     std::size_t candidate_not_finite = 0;
@@ -54,6 +56,9 @@ struct Comparison {
 // The candidate is read, linearly between its samples, at the times of the reference. A value that is not finite in one
 // log but not in the other is a difference; so is a log that ends early.
 Comparison compare(const Log& reference, const Log& candidate, const Tolerances& tolerances = {});
+
+// What was found besides values, one sentence each: faults, notes, channels that only one log has.
+std::vector<std::string> remarks(const Comparison& comparison);
 
 // First line: the answer in words. Then what was found besides values, and a table of the worst channels.
 std::string text(const Comparison& comparison, std::size_t worst = 10);

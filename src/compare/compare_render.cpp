@@ -33,6 +33,13 @@ std::string joined(const std::vector<std::string>& names) {
     return out;
 }
 
+// A simulation has dozens of channels that no car logs.
+std::string fewOf(const std::vector<std::string>& names) {
+    constexpr std::size_t kMost = 8;
+    if (names.size() <= kMost) return joined(names);
+    return joined({names.begin(), names.begin() + kMost}) + fmt::format(" and {} more", names.size() - kMost);
+}
+
 std::string count(std::size_t number, std::string_view what) {
     return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
 }
@@ -67,9 +74,10 @@ std::string answer(const Comparison& comparison) {
 
 std::string row(const ChannelComparison& channel, int width) {
     const std::string first = channel.first ? fmt::format("{:.6g}", channel.first->time) : "-";
-    std::string out = fmt::format("{:<{}}  {:<9}  {:>10.4g}  {:>10.4g}  {:>10.4g}  {:>10.4g}  {:>10}  {:<6}",
+    const std::string r_squared = channel.r_squared ? fmt::format("{:.4f}", *channel.r_squared) : "-";
+    std::string out = fmt::format("{:<{}}  {:<9}  {:>10.4g}  {:>10.4g}  {:>10.4g}  {:>8}  {:>10.4g}  {:>10}  {:<6}",
                                   channel.channel, width, channel.same ? "same" : "different", channel.largest,
-                                  channel.allowed, channel.rms, channel.largest_time, first, channel.unit);
+                                  channel.allowed, channel.rms, r_squared, channel.largest_time, first, channel.unit);
     if (channel.reference_not_finite + channel.candidate_not_finite > 0) {
         out += fmt::format("  not finite: {} in the reference, {} in the candidate", channel.reference_not_finite,
                            channel.candidate_not_finite);
@@ -87,9 +95,11 @@ nlohmann::json jsonOf(const ChannelComparison& channel) {
                        {"largest_difference", channel.largest},
                        {"largest_difference_time", channel.largest_time},
                        {"rms_difference", channel.rms},
+                       {"r_squared", nullptr},
                        {"reference_not_finite", channel.reference_not_finite},
                        {"candidate_not_finite", channel.candidate_not_finite},
                        {"first_difference", nullptr}};
+    if (channel.r_squared) out["r_squared"] = *channel.r_squared;
     if (channel.first) {
         out["first_difference"] = {{"time", channel.first->time},
                                    {"reference", channel.first->reference},
@@ -100,20 +110,25 @@ nlohmann::json jsonOf(const ChannelComparison& channel) {
 
 }  // namespace
 
+std::vector<std::string> remarks(const Comparison& comparison) {
+    std::vector<std::string> out = comparison.faults;
+    out.insert(out.end(), comparison.notes.begin(), comparison.notes.end());
+    if (!comparison.missing.empty()) out.push_back("Only in the reference: " + joined(comparison.missing) + ".");
+    if (!comparison.extra.empty()) out.push_back("Only in the candidate: " + fewOf(comparison.extra) + ".");
+    return out;
+}
+
 std::string text(const Comparison& comparison, std::size_t worst) {
     std::string out = answer(comparison) + "\n";
-    for (const std::string& fault : comparison.faults) out += fault + "\n";
-    for (const std::string& note : comparison.notes) out += note + "\n";
-    if (!comparison.missing.empty()) out += "Only in the reference: " + joined(comparison.missing) + "\n";
-    if (!comparison.extra.empty()) out += "Only in the candidate: " + joined(comparison.extra) + "\n";
+    for (const std::string& remark : remarks(comparison)) out += remark + "\n";
 
     const auto order = worstFirst(comparison);
     const std::size_t rows = std::min(worst, order.size());
     if (rows == 0) return out;
     int width = static_cast<int>(std::string_view("channel").size());
     for (std::size_t i = 0; i < rows; ++i) width = std::max(width, static_cast<int>(order[i]->channel.size()));
-    out += fmt::format("\n{:<{}}  {:<9}  {:>10}  {:>10}  {:>10}  {:>10}  {:>10}  unit\n", "channel", width, "verdict",
-                       "largest", "allowed", "rms", "at [s]", "first [s]");
+    out += fmt::format("\n{:<{}}  {:<9}  {:>10}  {:>10}  {:>10}  {:>8}  {:>10}  {:>10}  unit\n", "channel", width,
+                       "verdict", "largest", "allowed", "rms", "R2", "at [s]", "first [s]");
     for (std::size_t i = 0; i < rows; ++i) out += row(*order[i], width);
     if (rows < order.size()) out += fmt::format("and {} more\n", order.size() - rows);
     return out;

@@ -37,17 +37,19 @@ void addTable(HtmlPage& page, const std::vector<const ChannelOverlay*>& channels
     for (const ChannelOverlay* channel : channels) {
         const DisplayUnit shown = displayUnit(channel->unit, channel->name);
         const auto number = [&](double value) { return Cell{formatNumber(value * shown.scale), true}; };
+        const std::string r_squared = channel->r_squared ? formatNumber(*channel->r_squared, 4) : "";
         const std::string out = channel->first_time_out ? formatNumber(*channel->first_time_out, 6) : "";
         rows.push_back({{channel->ok ? "✓ within" : "✗ out", false, !channel->ok},
                         {channel->name},
                         number(channel->largest),
                         number(channel->rms),
+                        {r_squared, true},
                         number(channel->tolerance),
                         {prettyUnit(shown.unit)},
                         {formatNumber(100 * used(*channel), 3), true, !channel->ok},
                         {out, true}});
     }
-    page.table({"Result", "Channel", "Largest", "RMS", "Tolerance", "Unit", "Used, %", "First out, s"}, rows);
+    page.table({"Result", "Channel", "Largest", "RMS", "R²", "Tolerance", "Unit", "Used, %", "First out, s"}, rows);
 }
 
 std::vector<double> differences(const ChannelOverlay& channel) {

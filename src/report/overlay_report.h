@@ -20,6 +20,7 @@ struct ChannelOverlay {
     double tolerance = 0;                          // largest allowed |candidate - reference|, in the unit
     double largest = 0;                            // |candidate - reference|
     double rms = 0;
+    std::optional<double> r_squared = {};       // share of the reference's variance that the candidate explains
     std::optional<double> first_time_out = {};  // s, when the tolerance is first exceeded
     bool ok = true;
 };

@@ -16,6 +16,7 @@ struct HoldSpeed {
     double integral = 0.05;
     double brake = 0;
     Curve profile = {};
+    bool as_driven = false;
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(speed), About{"m/s", "speed to hold; 0: that at the start of the phase", kNonNegative});
         field(TREAD_FIELD(proportional), About{"s/m", "throttle over the speed that is missing", kNonNegative});
@@ -26,6 +27,7 @@ struct HoldSpeed {
                     kNonNegative});
         field(TREAD_FIELD(profile),
               About{"m/s", "speed to hold over the time of the phase, in place of `speed`", kNonNegative, 0, "s"});
+        field(TREAD_FIELD(as_driven), About{"", "holds the speed of the drive that the scenario repeats (drive)"});
     }
 };
 

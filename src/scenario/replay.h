@@ -10,8 +10,8 @@ namespace tread {
 // Makes the files that replays name relative to the folder of the scenario.
 void placeReplays(Scenario& scenario, const std::filesystem::path& folder);
 
-// The scenario with the logged values in place of the replays of them. Throws LoadError with every fault, FileError
-// when a log cannot be read.
+// The scenario with the logged values in place of the replays of them, and of what it takes from its drive: speed, time
+// of the end. Throws LoadError with every fault, FileError when a log cannot be read.
 Scenario withReplaysRead(Scenario scenario);
 
 }  // namespace tread

@@ -85,6 +85,7 @@ struct Scenario {
     RoadParams road;
     WindParams wind;
     StartParams start;
+    std::string drive;
     CourseParams course;
     std::vector<std::string> car_settings = {};
     std::vector<Phase> phases;
@@ -102,6 +103,10 @@ struct Scenario {
         field(TREAD_FIELD(road), About{"", "road"});
         field(TREAD_FIELD(wind), About{"", "wind"});
         field(TREAD_FIELD(start), About{"", "start"});
+        field(TREAD_FIELD(drive),
+              About{"",
+                    "log (CSV) of a drive that is repeated, measured or simulated: replays without a file read it, "
+                    "the start has its speed; `tread run --log FILE` names it"});
         field(TREAD_FIELD(course), About{"", "path and lanes of the manoeuvre"});
         field(TREAD_FIELD(car_settings),
               About{"", "what this manoeuvre changes on the car, each path=value: brakes.anti_lock.enabled=true"});

@@ -157,12 +157,12 @@ struct Replay {
     std::string channel;
     double from = 0;
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(file), About{"", "log (CSV), relative to the scenario's file"});
+        field(TREAD_FIELD(file),
+              About{"", "log (CSV), relative to the scenario's file; none: the drive that the scenario repeats"});
         field(TREAD_FIELD(channel), About{"", "channel of the log; its unit must be that of the signal"});
         field(TREAD_FIELD(from), About{"s", "time in the log at which the phase begins"});
     }
     static void check(const auto& self, auto&& complain) {
-        if (self.file.empty()) complain("file", "found no file, expected the name of a log");
         if (self.channel.empty()) complain("channel", "found no channel, expected the name of one in the log");
     }
 };

@@ -28,6 +28,7 @@ struct Until {
     std::optional<double> y_above;
     std::optional<double> y_below;
     bool yaw_rate_zero = false;
+    bool drive_end = false;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(duration), About{"s", "time since the phase began", kPositive});
@@ -47,6 +48,7 @@ struct Until {
         field(TREAD_FIELD(y_above), About{"m", "the car is farther to the left, along y, than this"});
         field(TREAD_FIELD(y_below), About{"m", "the car is farther to the right, along y, than this"});
         field(TREAD_FIELD(yaw_rate_zero), About{"", "the yaw rate passes through zero during the phase"});
+        field(TREAD_FIELD(drive_end), About{"", "the drive that the scenario repeats (drive) ends"});
     }
 
     static void check(const auto& self, auto&& complain) {

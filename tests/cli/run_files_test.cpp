@@ -155,8 +155,8 @@ TEST_F(TreadRun, PhaseWithoutEndIsRefused) {
     expectScenarioRefused(replaced(kScenario, "    until: {duration: 0.2 s}\n", ""), "name: straight",
                           "phases.0.until.duration: found no condition, expected at least one (duration, time, "
                           "speed_below, speed_above, lateral_acceleration_above, lateral_acceleration_below, "
-                          "sideslip_above, steering_above, distance, x_above, x_below, y_above, y_below or "
-                          "yaw_rate_zero), or the phase would never end");
+                          "sideslip_above, steering_above, distance, x_above, x_below, y_above, y_below, "
+                          "yaw_rate_zero or drive_end), or the phase would never end");
 }
 
 TEST_F(TreadRun, UnitThatDoesNotFitTheScenarioIsRefused) {

@@ -116,6 +116,18 @@ TEST(Compare, LargestRmsAndFirstDifferenceAreThoseThatWereMade) {
               "Different: 1 of 2 channels; first at t = 3 s, chassis.ay 1.7056 instead of 0.7056 m/s2");
 }
 
+TEST(Compare, RSquaredIsTheShareOfTheVarianceThatIsExplained) {
+    // Over whole periods a sine has the variance 1/2, and 0.9 of it leaves 0.1^2 / 2, an offset of 0.2 leaves 0.04.
+    const auto sine = [](double gain, double offset) {
+        const auto value = [=](double t) { return 100 + offset + gain * std::sin(std::numbers::pi / 2 * (t + 0.005)); };
+        return sampled(100, 0, 3.99, {{"chassis.ay", "m/s2", value}});
+    };
+    EXPECT_NEAR(compare(sine(1, 0), sine(0.9, 0)).channels[0].r_squared.value(), 0.99, 1e-9);
+    EXPECT_NEAR(compare(sine(1, 0), sine(1, 0.2)).channels[0].r_squared.value(), 1 - 0.04 / 0.5, 1e-9);
+    EXPECT_DOUBLE_EQ(compare(sine(1, 0), sine(1, 0)).channels[0].r_squared.value(), 1);
+    EXPECT_FALSE(compare(sine(0, 0), sine(1, 0)).channels[0].r_squared) << "nothing varies that could be explained";
+}
+
 TEST(Compare, AnotherSamplingRateIsTheSameUpToInterpolation) {
     const Log slow = sampled(100, 0, 10, {kLateral});
     const Log fast = sampled(999, 0, 10, {kLateral});

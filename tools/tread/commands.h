@@ -21,6 +21,7 @@ struct RunOptions {
     std::string vehicle;
     std::string scenario;
     std::string all;  // folder of scenarios, in place of one scenario
+    std::string log;  // of the drive that the scenario repeats; empty: the scenario names it
     std::string output;
     std::vector<std::string> settings;  // path=value
     bool json = false;

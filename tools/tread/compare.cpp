@@ -18,14 +18,6 @@ namespace {
 
 constexpr std::size_t kRows = 10;  // in the table, unless more channels differ
 
-std::vector<std::string> remarks(const Comparison& comparison) {
-    std::vector<std::string> out = comparison.faults;
-    out.insert(out.end(), comparison.notes.begin(), comparison.notes.end());
-    for (const std::string& name : comparison.missing) out.push_back("Only the reference has " + name + ".");
-    for (const std::string& name : comparison.extra) out.push_back("Only the new log has " + name + ".");
-    return out;
-}
-
 // Names of files, without their folders unless two would be alike.
 std::vector<std::string> shortNames(const std::vector<std::string>& files) {
     std::vector<std::string> names;

@@ -30,6 +30,7 @@ void addRun(CLI::App& app, RunOptions& o) {
     CLI::Option* scenario = app.add_option("scenario", o.scenario, "scenario file (YAML)");
     app.add_option("--all", o.all, "folder: drive all its scenarios, with one page that links the reports")
         ->excludes(scenario);
+    app.add_option("--log", o.log, "log of the drive that the scenario repeats (CSV)");
     app.add_option("-o,--output", o.output, "folder for log, metrics and report (default: out/<scenario>, or out)");
     addSettings(app, o.settings, "path=value, for example front.suspension.spring=\"25 kN/m\" or scenario.step=0.002");
     app.add_flag("--json", o.json, "print the result as JSON");

@@ -78,6 +78,7 @@ std::vector<ChannelOverlay> overlays(const Log& reference, const Log& candidate,
                                .tolerance = channel.allowed,
                                .largest = channel.largest,
                                .rms = channel.rms,
+                               .r_squared = channel.r_squared,
                                .first_time_out = {},
                                .ok = channel.same};
         if (wrapped) bringNear(overlay.candidate, overlay.reference);

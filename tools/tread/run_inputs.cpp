@@ -127,6 +127,7 @@ RunRecord readRunInputs(const RunOptions& options) {
     collect([&] { inputs.scenario = readScenario(options.scenario); });
     if (!problems.empty()) refuse(std::move(problems));
 
+    if (!options.log.empty()) inputs.scenario.drive = options.log;
     constexpr const char* kSource = "--set";
     // The scenario's settings of the car, as they are after --set; then --set has the last word.
     Settable asked = inputs;
