@@ -73,7 +73,7 @@ const std::vector<Row>& table() {
         over("Lateral acceleration", kHandWheel, kLateral), over("Yaw rate", kHandWheel, kYawRate),
         over("Hand-wheel torque", kHandWheel, kHandWheelTorque), over("Hand-wheel torque", kLateral, kHandWheelTorque)};
     static const std::vector<Row> kRows = {
-        {"step_steer", {step, path, friction}},
+        {"step_steer", {step, path}},
         {"slowly_increasing_steer", {understeer, roll, sideslip, path}},
         {"steady_circle", {understeer, roll, sideslip, path}},
         {"frequency_response", {bode}},
