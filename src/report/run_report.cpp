@@ -116,7 +116,9 @@ void addCards(HtmlPage& page, const std::vector<Metric>& metrics) {
     for (const Metric& metric : metrics) {
         if (cards.size() == kMost) break;
         const DisplayUnit shown = displayUnit(metric.unit);
-        cards.push_back({metric.name, formatNumber(metric.value * shown.scale, 3), prettyUnit(shown.unit)});
+        std::string words = metric.name;
+        std::replace(words.begin(), words.end(), '_', ' ');
+        cards.push_back({std::move(words), formatNumber(metric.value * shown.scale, 3), prettyUnit(shown.unit)});
     }
     page.cards(cards);
 }
