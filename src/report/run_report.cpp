@@ -1,5 +1,6 @@
 #include "report/run_report.h"
 
+#include <algorithm>
 #include <array>
 
 #include "report/cross_plot.h"
