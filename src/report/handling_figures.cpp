@@ -67,6 +67,52 @@ std::optional<Chart> understeerFigure(const RunReport& content) {
     return chart;
 }
 
+std::optional<Chart> stepFigure(const RunReport& content) {
+    const auto amplitude = metricNamed(content.metrics, "steering_amplitude");  // deg
+    const Channel* hand = completeChannel(content.log, kHandWheel.channel);
+    if (!amplitude || *amplitude == 0 || !hand) return std::nullopt;
+    const double step = *amplitude / displayUnit("rad").scale;
+    const std::vector<double>& time = content.log.channels.front().values;
+
+    // Time zero of the standard: half the steering input.
+    std::size_t half = 0;
+    while (half < time.size() && (hand->values[half] - hand->values.front()) / step < 0.5) ++half;
+    if (half == time.size()) return std::nullopt;
+    std::vector<double> since = time;
+    for (double& t : since) t -= time[half];
+
+    constexpr double kBefore = 0.5, kAfter = 3;  // s
+    Chart chart{.title = "Response to the step",
+                .x = {"time from half the steering input", "s"},
+                .y = {"share of the steady value", "-"},
+                .series = {}};
+    chart.x.lowest = std::max(-kBefore, since.front());
+    chart.x.highest = std::min(kAfter, since.back());
+    const auto add = [&](const PlotAxis& axis, std::string_view steady_name, std::string_view time_name,
+                         Colour colour) {
+        const Channel* channel = completeChannel(content.log, axis.channel);
+        const auto gain = steady_name.empty() ? std::optional(1.0) : metricNamed(content.metrics, steady_name);
+        if (!channel || !gain || *gain == 0) return;
+        Series curve{.name = std::string(axis.label), .x = since, .y = channel->values, .colour = colour};
+        for (double& value : curve.y) value = (value - channel->values.front()) / (*gain * step);
+        curve.dashed = steady_name.empty();
+        chart.series.push_back(std::move(curve));
+        const auto answered = metricNamed(content.metrics, time_name);
+        if (!answered) return;
+        Series mark{.name = fmt::format("90 % after {:.3g} s", *answered),
+                    .x = {*answered, *answered},
+                    .y = {0, 0.9},
+                    .colour = colour,
+                    .dashed = true};
+        mark.width = 1.2;
+        chart.series.push_back(std::move(mark));
+    };
+    add(kHandWheel, "", "", Colour::grey);
+    add(kYawRate, "yaw_rate_gain", "yaw_rate_response_time", Colour::blue);
+    add(kLateral, "ay_gain", "ay_response_time", Colour::vermillion);
+    return chart;
+}
+
 std::vector<Chart> dwellFigures(const Log& log) {
     const auto hand = valuesFor(log, kHandWheel), yaw_rate = valuesFor(log, kYawRate);
     if (!hand || !yaw_rate) return {};

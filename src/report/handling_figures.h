@@ -12,6 +12,10 @@ namespace tread {
 // increasing steer).
 std::optional<Chart> understeerFigure(const RunReport& content);
 
+// Step steer: hand wheel, yaw rate and lateral acceleration over time as shares of their steady values, with the
+// response times that the metrics found (ISO 7401).
+std::optional<Chart> stepFigure(const RunReport& content);
+
 // Sine with dwell: hand wheel and yaw rate over time, with the yaw rate that is allowed after completion of steer.
 std::vector<Chart> dwellFigures(const Log& log);
 

@@ -44,6 +44,9 @@ std::vector<Chart> gg(const RunReport& run) {
 std::vector<Chart> understeer(const RunReport& run) {
     return listed(understeerFigure(run));
 }
+std::vector<Chart> step(const RunReport& run) {
+    return listed(stepFigure(run));
+}
 std::vector<Chart> dwell(const RunReport& run) {
     return dwellFigures(run.log);
 }
@@ -70,6 +73,7 @@ const std::vector<Row>& table() {
         over("Lateral acceleration", kHandWheel, kLateral), over("Yaw rate", kHandWheel, kYawRate),
         over("Hand-wheel torque", kHandWheel, kHandWheelTorque), over("Hand-wheel torque", kLateral, kHandWheelTorque)};
     static const std::vector<Row> kRows = {
+        {"step_steer", {step, path}},
         {"slowly_increasing_steer", {understeer, roll, sideslip, path}},
         {"steady_circle", {understeer, roll, sideslip, path}},
         {"frequency_response", {bode}},

@@ -93,7 +93,7 @@ std::string overlayReport(const OverlayReport& content) {
     page.keyValues({{"Reference", content.reference_name},
                     {"Candidate", content.candidate_name},
                     {"Drawn beside", fmt::format("{}", fmt::join(content.other_names, ", "))},
-                    {"Made by", content.version}});
+                    {"Made by", "tread " + content.version}});
 
     if (std::string replay = replayData(content.cars, content.scene); !replay.empty()) {
         page.section("Replay");

@@ -169,7 +169,7 @@
             if (cars.length > 1) parts.push(car.data.name);
             if (car.has('vx')) parts.push((3.6 * car.value('vx', state.time)).toFixed(1) + ' km/h');
             for (const name of ['ax', 'ay']) {
-                if (car.has(name)) parts.push(name + ' ' + car.value(name, state.time).toFixed(1) + ' m/s²');
+                if (car.has(name)) parts.push(name + ' ' + (Number(car.value(name, state.time).toFixed(1)) + 0).toFixed(1) + ' m/s²');
             }
             row.textContent = parts.join(' · ');
             if (cars.length > 1) row.style.borderLeft = '4px solid ' + car.data.colour;

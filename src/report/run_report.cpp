@@ -1,5 +1,6 @@
 #include "report/run_report.h"
 
+#include <algorithm>
 #include <array>
 
 #include "report/cross_plot.h"
@@ -116,7 +117,9 @@ void addCards(HtmlPage& page, const std::vector<Metric>& metrics) {
     for (const Metric& metric : metrics) {
         if (cards.size() == kMost) break;
         const DisplayUnit shown = displayUnit(metric.unit);
-        cards.push_back({metric.name, formatNumber(metric.value * shown.scale, 3), prettyUnit(shown.unit)});
+        std::string words = metric.name;
+        std::replace(words.begin(), words.end(), '_', ' ');
+        cards.push_back({std::move(words), formatNumber(metric.value * shown.scale, 3), prettyUnit(shown.unit)});
     }
     page.cards(cards);
 }
@@ -165,7 +168,7 @@ std::string runReport(const RunReport& content) {
     page.keyValues({{"Vehicle", content.vehicle},
                     {"Manoeuvre", content.scenario},
                     {"What it is", content.scenario_description},
-                    {"Made by", content.version}});
+                    {"Made by", "tread " + content.version}});
 
     if (content.log.samples() > 0) {
         addFigures(page, content);

@@ -21,8 +21,9 @@ std::string keyMetrics(const std::vector<Metric>& metrics) {
     std::string words;
     for (std::size_t i = 0; i < std::min(kKeyMetrics, metrics.size()); ++i) {
         const DisplayUnit shown = displayUnit(metrics[i].unit);
-        words += fmt::format("{}{} {} {}", i == 0 ? "" : "; ", metrics[i].name,
-                             formatNumber(metrics[i].value * shown.scale, 4), prettyUnit(shown.unit));
+        words += fmt::format("{}{} {}", i == 0 ? "" : "; ", metrics[i].name,
+                             formatNumber(metrics[i].value * shown.scale, 4));
+        if (shown.unit != "-") words += " " + prettyUnit(shown.unit);
     }
     return words;
 }
@@ -35,7 +36,7 @@ std::string seriesReport(const SeriesReport& content) {
     page.keyValues({{"Vehicle", content.vehicle},
                     {"What it is", content.scenario_description},
                     {"Varied", content.number},
-                    {"Made by", content.version}});
+                    {"Made by", "tread " + content.version}});
     page.section("Runs");
     const auto full =
         std::find_if(content.runs.begin(), content.runs.end(), [](const auto& r) { return !r.metrics.empty(); });
@@ -71,15 +72,15 @@ std::string seriesReport(const SeriesReport& content) {
 std::string overviewReport(const Overview& content) {
     HtmlPage page(content.title);
     page.answer(content.answer);
-    page.keyValues({{"Vehicle", content.vehicle}, {"Made by", content.version}});
+    page.keyValues({{"Vehicle", content.vehicle}, {"Made by", "tread " + content.version}});
     page.section("Manoeuvres");
     std::vector<std::vector<Cell>> rows;
     for (const Overview::Entry& entry : content.entries) {
         rows.push_back({{.text = entry.title.empty() ? entry.scenario : entry.title, .link = entry.link},
-                        {.text = keyMetrics(entry.metrics)},
-                        {.text = entry.answer, .alarm = !entry.driven}});
+                        {.text = entry.answer, .alarm = !entry.driven},
+                        {.text = keyMetrics(entry.metrics)}});
     }
-    page.table({"Manoeuvre", "Key metrics", "Answer"}, rows, true);
+    page.table({"Manoeuvre", "Answer", "Key metrics"}, rows, true);
     std::vector<std::vector<Cell>> warnings;
     for (const Overview::Entry& entry : content.entries) {
         for (const std::string& warning : entry.warnings)

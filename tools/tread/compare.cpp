@@ -53,7 +53,7 @@ void writeReport(const CompareOptions& options, const Log& reference, const Log&
                          .reference_name = names[0],
                          .candidate_name = names[1],
                          .other_names = {names.begin() + 2, names.end()},
-                         .version = std::string("tread ") + TREAD_VERSION,
+                         .version = TREAD_VERSION,
                          .ok = comparison.same,
                          .channels = overlays(reference, candidate, others, comparison),
                          .warnings = remarks(comparison)};
