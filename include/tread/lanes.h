@@ -22,7 +22,7 @@
 namespace tread {
 
 // Answer of a comparison, per lane: all bits set where it holds.
-struct LaneMask {
+struct alignas(32) LaneMask {
     typedef std::int64_t Vector __attribute__((vector_size(32)));
     Vector bits;
 
@@ -31,7 +31,7 @@ struct LaneMask {
     TREAD_INLINE friend LaneMask operator!(const LaneMask& a) { return {~a.bits}; }
 };
 
-struct Lanes {
+struct alignas(32) Lanes {
     typedef double Vector __attribute__((vector_size(32)));
     Vector lane;
 
@@ -56,6 +56,8 @@ struct Lanes {
     TREAD_INLINE friend LaneMask operator==(const Lanes& a, const Lanes& b) { return {a.lane == b.lane}; }
     TREAD_INLINE friend LaneMask operator!=(const Lanes& a, const Lanes& b) { return {a.lane != b.lane}; }
 };
+// A vector's own alignment differs between instruction sets; files compiled for different ones share these structs.
+static_assert(alignof(Lanes) == 32 && alignof(LaneMask) == 32);
 
 inline namespace TREAD_ISA {
 

@@ -8,6 +8,12 @@
 
 namespace tread {
 
+#ifdef BT_USE_DOUBLE_PRECISION
+inline namespace bullet_float64 {
+#else
+inline namespace bullet_float32 {
+#endif
+
 inline Vector3 fromBullet(const btVector3& v) {
     return {v.x(), v.y(), v.z()};
 }
@@ -22,5 +28,5 @@ inline btQuaternion toBullet(const Quaternion& q) {
     return {static_cast<btScalar>(q.x()), static_cast<btScalar>(q.y()), static_cast<btScalar>(q.z()),
             static_cast<btScalar>(q.w())};
 }
-
+}
 }  // namespace tread

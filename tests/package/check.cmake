@@ -1,5 +1,5 @@
 # Installs the build into a prefix of its own (STEP=install), or builds and runs the consumer against it in one of the ways
-# of consumer/CMakeLists.txt (STEP=package, source, pkgconfig, wrong_bullet).
+# of consumer/CMakeLists.txt (STEP=package, source, pkgconfig, wrong_bullet and those in single precision).
 #   cmake -DSTEP=... -DFOLDER=... -DBUILD=... -DSOURCE=... -DCOMPILER=... -DFLAGS=... -DLAUNCHER=... -P check.cmake
 set(prefix "${FOLDER}/installed tread")
 
@@ -63,10 +63,14 @@ must_run(${CMAKE_COMMAND} -S ${place}/consumer -B ${place}/build -G Ninja -DTREA
     -DCMAKE_PREFIX_PATH=${prefix} -DTREAD_PREFIX=${prefix} -DTREAD_SOURCE=${SOURCE}
     -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
 run(${CMAKE_COMMAND} --build ${place}/build)
-if(STEP STREQUAL wrong_bullet)
-    if(status EQUAL 0 OR NOT text MATCHES "undefined reference to [^\n]*bullet_float32[^\n]*BulletVehicle")
-        message(FATAL_ERROR "a program built for single-precision Bullet must not link, and the linker must name "
-            "bullet_float32; status ${status}:\n${text}")
+if(STEP MATCHES "^wrong_bullet")
+    set(wrong bullet_float32)
+    if(STEP STREQUAL wrong_bullet_float)
+        set(wrong bullet_float64)
+    endif()
+    if(status EQUAL 0 OR NOT text MATCHES "undefined reference to [^\n]*${wrong}[^\n]*BulletVehicle")
+        message(FATAL_ERROR "a program built for Bullet in the other precision must not link, and the linker must name "
+            "${wrong}; status ${status}:\n${text}")
     endif()
     return()
 endif()
