@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "bullet/body_link.h"
 #include "bullet/convert.h"
 
 namespace tread {
@@ -18,16 +19,6 @@ inline namespace bullet_float32 {
 namespace {
 
 constexpr double kLongestSubstep = 0.001;  // s: 60 Hz and 1000 Hz then differ by rounding of the step alone
-
-// Rotation vector of the turn from a to b, divided by dt.
-Vector3 meanAngularVelocity(const Quaternion& a, const Quaternion& b, double dt) {
-    Quaternion turn = b * a.conjugate();
-    if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
-    const double sine = turn.vec().norm();
-    if (sine == 0) return Vector3::Zero();
-    const double angle = 2 * std::atan2(sine, turn.w());
-    return turn.vec() * (angle / sine / dt);
-}
 
 Quaternion attitudeOf(const BodyAxes& axes) {
     Eigen::Matrix3d m;
@@ -50,9 +41,7 @@ struct BulletVehicle::Implementation {
     VehicleInput input;  // at the time of the last step
     VehicleInput next;   // at the end of the next one
     Vector3 wind = Vector3::Zero();
-    // Velocities that the body will show after Bullet's step if nobody else pushes it.
-    Vector3 expected_velocity;
-    Vector3 expected_angular_velocity;
+    BodyLink link;
 
     Vector3 gravity() const { return fromBullet(chassis.getGravity()); }
 
@@ -63,20 +52,6 @@ struct BulletVehicle::Implementation {
         chassis.setMassProps(static_cast<btScalar>(vehicle.params.mass), toBullet(moments));
         chassis.setGravity(acceleration);
         chassis.updateInertiaTensor();
-    }
-
-    void expectWhatBodyHas() {
-        expected_velocity = fromBullet(chassis.getLinearVelocity());
-        expected_angular_velocity = fromBullet(chassis.getAngularVelocity());
-    }
-
-    // The pose is Bullet's; the velocity is ours, changed by what others did to the body's.
-    void takeMotion() {
-        motion.position_W = fromBullet(chassis.getCenterOfMassPosition());
-        motion.orientation = fromBullet(chassis.getOrientation()) * axes;
-        motion.velocity_W += fromBullet(chassis.getLinearVelocity()) - expected_velocity;
-        motion.angular_velocity_W += fromBullet(chassis.getAngularVelocity()) - expected_angular_velocity;
-        expectWhatBodyHas();
     }
 };
 
@@ -90,16 +65,13 @@ BulletVehicle::BulletVehicle(const VehicleParams& params, btRigidBody& chassis, 
                                .input = {},
                                .next = {},
                                .wind = Vector3::Zero(),
-                               .expected_velocity = {},
-                               .expected_angular_velocity = {}}) {
+                               .link = {}}) {
     self_->setMass();
-    chassis.setFlags(chassis.getFlags() &
-                     ~(BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT | BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD |
-                       BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY));
+    switchOffGyroscopicForces(chassis);
     self_->motion.velocity_W = fromBullet(chassis.getLinearVelocity());
     self_->motion.angular_velocity_W = fromBullet(chassis.getAngularVelocity());
-    self_->expectWhatBodyHas();
-    self_->takeMotion();
+    expectWhatBodyHas(self_->link, chassis);
+    observe();
 }
 
 BulletVehicle::~BulletVehicle() = default;
@@ -122,7 +94,7 @@ void BulletVehicle::restore(const ChassisMotion& motion, const VehicleState& sta
     self_->chassis.setInterpolationWorldTransform(pose);
     self_->chassis.setLinearVelocity(toBullet(motion.velocity_W));
     self_->chassis.setAngularVelocity(toBullet(motion.angular_velocity_W));
-    self_->expectWhatBodyHas();
+    expectWhatBodyHas(self_->link, self_->chassis);
 }
 
 const ChassisMotion& BulletVehicle::motion() const {
@@ -140,7 +112,7 @@ VehicleOutput BulletVehicle::output() const {
 }
 
 void BulletVehicle::observe() {
-    self_->takeMotion();
+    takeMotion(self_->motion, self_->link, self_->chassis, self_->axes);
 }
 
 void BulletVehicle::plan(double dt) {
@@ -168,13 +140,7 @@ void BulletVehicle::plan(double dt) {
     }
     s.input = s.next;
 
-    // Give the body the mean velocity, less what Bullet will add for gravity.
-    s.expected_velocity = (end.position_W - s.motion.position_W) / dt;
-    s.expected_angular_velocity = meanAngularVelocity(s.motion.orientation, end.orientation, dt);
-    const Vector3 change = s.expected_velocity - dt * s.gravity() - fromBullet(s.chassis.getLinearVelocity());
-    const Vector3 spin_change = s.expected_angular_velocity - fromBullet(s.chassis.getAngularVelocity());
-    s.chassis.setLinearVelocity(s.chassis.getLinearVelocity() + toBullet(change));
-    s.chassis.setAngularVelocity(s.chassis.getAngularVelocity() + toBullet(spin_change));
+    giveMotion(s.chassis, s.link, s.motion, end, dt);
     s.motion.velocity_W = end.velocity_W;
     s.motion.angular_velocity_W = end.angular_velocity_W;
 }

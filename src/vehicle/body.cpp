@@ -12,9 +12,10 @@ std::array<double, 3> toArray(const Vector3& v) {
 
 }  // namespace
 
-ChassisMotion predicted(const ChassisMotion& from, const VehicleState& state, double dt) {
-    const Vector3 a = toVector(state.acceleration_W);
-    const Vector3 alpha = toVector(state.angular_acceleration_W);
+ChassisMotion predicted(const ChassisMotion& from, const std::array<double, 3>& acceleration_W,
+                        const std::array<double, 3>& angular_acceleration_W, double dt) {
+    const Vector3 a = toVector(acceleration_W);
+    const Vector3 alpha = toVector(angular_acceleration_W);
     ChassisMotion to;
     to.position_W = from.position_W + dt * (from.velocity_W + 0.5 * dt * a);
     const Vector3 turn = dt * (from.angular_velocity_W + 0.5 * dt * alpha);

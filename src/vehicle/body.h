@@ -22,7 +22,8 @@ struct Wrench {
 };
 
 // Position and attitude after dt, velocities predicted with the accelerations of the last step.
-ChassisMotion predicted(const ChassisMotion& from, const VehicleState& state, double dt);
+ChassisMotion predicted(const ChassisMotion& from, const std::array<double, 3>& acceleration_W,
+                        const std::array<double, 3>& angular_acceleration_W, double dt);
 
 // Weight of the body; the wheels' weight along z hangs on their suspension.
 Wrench weight(const Vehicle& vehicle, const BodyFrame& body);

@@ -83,7 +83,7 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
     const VehicleParams& params = vehicle.params;
 
     // Body: where it is at the end of the step.
-    ChassisMotion next = predicted(motion, state, dt);
+    ChassisMotion next = predicted(motion, state.acceleration_W, state.angular_acceleration_W, dt);
     const BodyFrame from = bodyFrame(motion, state, surroundings.gravity_W);
     const BodyFrame to = bodyFrame(next, state, surroundings.gravity_W);
 

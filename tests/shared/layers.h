@@ -26,7 +26,8 @@ inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{
     {"tyre", {"tyre", "four_tyres"}},
     {"vehicle",
      {"suspension", "steering", "driveline", "engine", "gearbox", "differential", "brakes", "anti_lock",
-      "stability_control", "aero", "compliance", "tyre_surroundings", "vehicle", "equilibrium", "load"}},
+      "stability_control", "aero", "compliance", "tyre_surroundings", "vehicle", "equilibrium", "load",
+      "wheeled_body"}},
     {"bullet", {"bullet_road", "bullet_ground", "bullet_vehicle", "raycast_vehicle"}},
 };
 

@@ -1,0 +1,130 @@
+// A rigid body on any number of wheels, each on a strut of its own: the car of a game, as btRaycastVehicle describes
+// it.
+//
+// The struts have no mass: spring, damper and stop stand in series with the tyre's radial spring, and the body feels
+// what the road does to the tyre. The tyre is the whole Delft Tyre 97 with its contact patch, the wheel spins, locks
+// and carries gyroscopic moments. Not here, but in vehicle.h: axle kinematics and compliance, driveline, steering,
+// brakes.
+//
+// Axes are the body's own, whichever they are: only the directions of struts and axles count.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "tread/vehicle.h"
+
+namespace tread {
+
+inline constexpr std::size_t kMostWheels = 12;
+
+// ---- Parameters ----
+
+struct StrutParams {
+    double length = 0.3;
+    double stiffness = 25000;
+    double bump = 2000;
+    double rebound = 2000;
+    double most_force = kInfinity;
+    double travel = 0.2;
+    double anti_roll_bar = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(length), About{"m", "from the connection point to the wheel centre, unloaded", kNonNegative});
+        field(TREAD_FIELD(stiffness), About{"N/m", "of the spring", kNonNegative});
+        field(TREAD_FIELD(bump), About{"N s/m", "damping in compression", kNonNegative});
+        field(TREAD_FIELD(rebound), About{"N s/m", "damping in extension", kNonNegative});
+        field(TREAD_FIELD(most_force), About{"N", "most that spring and damper carry together", kNonNegative});
+        field(TREAD_FIELD(travel), About{"m", "compression at which the stop begins", kNonNegative});
+        field(TREAD_FIELD(anti_roll_bar),
+              About{"N/m", "force per difference of compression with the partner", kNonNegative});
+    }
+};
+static_assert(describesEveryMember<StrutParams>());
+
+struct BodyWheel {
+    static constexpr std::size_t kAlone = kMostWheels;
+
+    Vector3 top_B = Vector3::Zero();     // m, from the centre of gravity to the connection point
+    Vector3 down_B = -Vector3::UnitZ();  // unit vector along the strut
+    Vector3 left_B = Vector3::UnitY();   // unit vector of the spin axis at zero steer: spin forward turns about it
+    StrutParams strut;
+    TyreParams tyre;
+    double inertia = 1;     // kg m2, of the wheel about its axis
+    double roll_share = 1;  // where the side force acts: 1 at the contact (as it is), 0 at the height of the body's
+                            // centre of gravity (a game's help against tipping)
+    std::size_t partner = kAlone;  // the wheel at the other end of the anti-roll bar
+};
+
+// What follows from the parameters.
+struct WheeledBody {
+    double mass = 1;                            // kg, wheels included
+    Vector3 inverse_inertia = Vector3::Ones();  // 1/(kg m2), about the body's axes
+    Vector3 linear_factor_W = Vector3::Ones();  // share of each component of the accelerations that happens
+    Vector3 angular_factor_W = Vector3::Ones();
+    std::size_t wheel_count = 0;
+    std::array<BodyWheel, kMostWheels> wheels;
+    std::array<FourTyres, kMostWheels / kWheels> packs;  // of the wheels' tyres; idle places repeat the first
+    std::array<double, kMostWheels> peak_ratio{};        // slip ratio of the greatest force at the nominal load
+    std::array<double, kMostWheels> peak_angle{};        // slip angle likewise, rad
+};
+// Completes `packs` and what follows from the tyres.
+void prepareTyres(WheeledBody& body);
+
+// A car tyre in the size of any wheel: the shape of a measured 205/60R15, friction 1, its lengths in proportion to the
+// radius and its forces to the load.
+TyreParams similarTyre(double load, double radius);
+
+// ---- State and motion ----
+
+struct WheelDemand {
+    double steer = 0;         // rad about the strut, positive to the left
+    double drive_torque = 0;  // N m, positive forward
+    double brake_torque = 0;  // N m, that the brake can hold
+    double friction = 1;      // scales the tyre's friction, besides the road's
+};
+
+struct BodyWheelState {
+    TyreState tyre;
+    TyreMotion motion;                  // of the tyre at the end of the last step, paper axes
+    double spin = 0;                    // rad/s, positive forward
+    double spin_rate = 0;               // rad/s2
+    double rotation = 0;                // rad, turned so far
+    double compression = 0;             // m, of the strut
+    double deflection = 0;              // m, of the tyre
+    double steer = 0;                   // rad
+    double load = 0;                    // N, normal to the road
+    double fx = 0, fy = 0;              // N, ISO 8855 wheel axes
+    double mz = 0;                      // N m
+    double strut_force = 0;             // N
+    double strut_rate = 0;              // m/s, of the compression
+    double camber = 0;                  // rad, against the road
+    double slip_power = 0;              // W, lost between contact patch and road
+    double steer_torque = 0;            // N m, of the road about the strut, positive turns to the left
+    double grip = 0;                    // N, the most that the tyre can hold
+    std::array<double, 3> contact_B{};  // m, contact centre
+    std::array<double, 3> force_W{};    // N, of the road on the tyre
+    bool touches = false;
+};
+
+struct WheeledBodyState {
+    std::array<BodyWheelState, kMostWheels> wheels;
+    std::array<double, 3> acceleration_W{};
+    std::array<double, 3> angular_acceleration_W{};
+};
+static_assert(std::is_trivially_copyable_v<WheeledBodyState>, "a snapshot is a copy");
+
+// Where a wheel's strut begins and the wheel's centre, m in the world.
+Vector3 strutTop(const ChassisMotion& motion, const BodyWheel& wheel);
+Vector3 wheelCentre(const ChassisMotion& motion, const BodyWheel& wheel, double compression);
+
+// Sets a wheel down without slip or spin of its own: rolling freely, with no force stored in tyre or patch.
+void setDown(WheeledBodyState& state, const ChassisMotion& motion, const WheeledBody& body, std::size_t wheel,
+             const RoadContact& ground);
+
+// Advances the body by dt (at most about 4 ms) over the planes under its wheels; the demands are given at both ends.
+void advance(ChassisMotion& motion, WheeledBodyState& state, const WheeledBody& body,
+             std::span<const WheelDemand> begin, std::span<const WheelDemand> end, std::span<const RoadContact> ground,
+             const Vector3& gravity_W, double dt);
+
+}  // namespace tread

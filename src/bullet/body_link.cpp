@@ -1,0 +1,59 @@
+#include "bullet/body_link.h"
+
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <cmath>
+
+#include "bullet/convert.h"
+
+namespace tread {
+
+#ifdef BT_USE_DOUBLE_PRECISION
+inline namespace bullet_float64 {
+#else
+inline namespace bullet_float32 {
+#endif
+
+namespace {
+
+// Rotation vector of the turn from a to b, divided by dt.
+Vector3 meanAngularVelocity(const Quaternion& a, const Quaternion& b, double dt) {
+    Quaternion turn = b * a.conjugate();
+    if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
+    const double sine = turn.vec().norm();
+    if (sine == 0) return Vector3::Zero();
+    const double angle = 2 * std::atan2(sine, turn.w());
+    return turn.vec() * (angle / sine / dt);
+}
+
+}  // namespace
+
+void expectWhatBodyHas(BodyLink& link, const btRigidBody& body) {
+    link.velocity = fromBullet(body.getLinearVelocity());
+    link.angular_velocity = fromBullet(body.getAngularVelocity());
+}
+
+void takeMotion(ChassisMotion& motion, BodyLink& link, const btRigidBody& body, const Quaternion& axes) {
+    motion.position_W = fromBullet(body.getCenterOfMassPosition());
+    motion.orientation = fromBullet(body.getOrientation()) * axes;
+    motion.velocity_W += fromBullet(body.getLinearVelocity()) - link.velocity;
+    motion.angular_velocity_W += fromBullet(body.getAngularVelocity()) - link.angular_velocity;
+    expectWhatBodyHas(link, body);
+}
+
+void giveMotion(btRigidBody& body, BodyLink& link, const ChassisMotion& from, const ChassisMotion& to, double dt) {
+    link.velocity = (to.position_W - from.position_W) / dt;
+    link.angular_velocity = meanAngularVelocity(from.orientation, to.orientation, dt);
+    const Vector3 gravity = fromBullet(body.getGravity()).cwiseProduct(fromBullet(body.getLinearFactor()));
+    const Vector3 change = link.velocity - dt * gravity - fromBullet(body.getLinearVelocity());
+    const Vector3 spin_change = link.angular_velocity - fromBullet(body.getAngularVelocity());
+    body.setLinearVelocity(body.getLinearVelocity() + toBullet(change));
+    body.setAngularVelocity(body.getAngularVelocity() + toBullet(spin_change));
+}
+
+void switchOffGyroscopicForces(btRigidBody& body) {
+    body.setFlags(body.getFlags() & ~(BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT | BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD |
+                                      BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY));
+}
+}
+}  // namespace tread

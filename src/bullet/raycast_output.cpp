@@ -1,0 +1,113 @@
+// What a RaycastVehicle shows: the stock vehicle's wheel infos and speed, and what it has beyond them.
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bullet/convert.h"
+#include "bullet/raycast_parts.h"
+
+namespace tread {
+
+#ifdef BT_USE_DOUBLE_PRECISION
+inline namespace bullet_float64 {
+#else
+inline namespace bullet_float32 {
+#endif
+
+namespace {
+
+// Below this speed slips are shown against it.
+constexpr double kSlowest = 0.5;  // m/s
+
+struct SlipShown {
+    double ratio;
+    double angle;  // ISO 8855: positive when the wheel moves to the left
+};
+SlipShown slipOf(const BodyWheelState& wheel, const TyreParams& tyre) {
+    const double speed = std::max(std::abs(wheel.motion.Vx), kSlowest);
+    const double Vsx = wheel.motion.Vx - tyre.parameters.Re * wheel.spin;
+    return {-Vsx / speed, std::atan(-wheel.motion.Vsy / speed)};
+}
+
+// 1 while the tyre grips, falling towards 0 the farther its slip is beyond that of its greatest force.
+double gripShown(const SlipShown& slip, double peak_ratio, double peak_angle) {
+    const double beyond = std::hypot(slip.ratio / peak_ratio, slip.angle / peak_angle);
+    return beyond > 1 ? 1 / beyond : 1;
+}
+
+}  // namespace
+
+void RaycastVehicle::Implementation::show(double dt) {
+    for (std::size_t i = 0; i < car.wheel_count; ++i) {
+        const BodyWheel& wheel = car.wheels[i];
+        const BodyWheelState& now = state.wheels[i];
+        const WheelGround& ground = grounds[i];
+        btWheelInfo& shown = info(i);
+        const btVector3 down = toBullet(Vector3(motion.orientation * wheel.down_B));
+
+        btWheelInfo::RaycastInfo& ray = shown.m_raycastInfo;
+        ray.m_suspensionLength = static_cast<btScalar>(wheel.strut.length - now.compression);
+        shown_length[i] = ray.m_suspensionLength;
+        face.updateWheelTransform(static_cast<int>(i), false);
+        ray.m_isInContact = now.touches;  // which Bullet's transform has just denied
+        ray.m_groundObject = now.touches ? ground.handle : nullptr;
+        const auto& [x, y, z] = now.contact_B;
+        ray.m_contactPointWS = now.touches
+                                   ? toBullet(Vector3(motion.position_W + motion.orientation * Vector3(x, y, z)))
+                                   : ray.m_hardPointWS + down * ray.m_suspensionLength;
+        ray.m_contactNormalWS = now.touches ? toBullet(ground.plane.normal_W) : -down;
+
+        const auto rotation = static_cast<btScalar>(now.rotation);
+        shown.m_rotation = rotation;
+        shown.m_deltaRotation = static_cast<btScalar>(now.spin * dt);
+        const SlipShown slip = slipOf(now, wheel.tyre);
+        shown.m_skidInfo =
+            now.touches ? static_cast<btScalar>(gripShown(slip, car.peak_ratio[i], car.peak_angle[i])) : btScalar(1);
+        shown.m_wheelsSuspensionForce = static_cast<btScalar>(std::max(now.strut_force, 0.0));
+        shown.m_suspensionRelativeVelocity = static_cast<btScalar>(-now.strut_rate);
+        const btScalar lean = -ray.m_contactNormalWS.dot(down);
+        shown.m_clippedInvContactDotSuspension = lean > btScalar(0.1) ? 1 / lean : btScalar(10);
+    }
+}
+
+// The speed is a private member of the base that only its own step sets: let it step without wheels.
+void RaycastVehicle::Implementation::showSpeed(double dt) {
+    auto& wheels = face.m_wheelInfo;
+    const int count = wheels.size();
+    wheels.resizeNoInitialize(0);
+    face.btRaycastVehicle::updateVehicle(static_cast<btScalar>(dt));
+    wheels.resizeNoInitialize(count);
+}
+
+WheelTelemetry RaycastVehicle::telemetry(int index) const {
+    const auto i = static_cast<std::size_t>(index);
+    WheelTelemetry shown;
+    if (index < 0 || i >= self_->car.wheel_count) return shown;
+    const BodyWheelState& now = self_->state.wheels[i];
+    const SlipShown slip = slipOf(now, self_->car.wheels[i].tyre);
+    const btVector3& contact = m_wheelInfo[index].m_raycastInfo.m_contactPointWS;
+    shown.load = now.load;
+    shown.fx = now.fx;
+    shown.fy = now.fy;
+    shown.slip_ratio = now.touches ? slip.ratio : 0;
+    shown.slip_angle = now.touches ? slip.angle : 0;
+    shown.slip_power = now.slip_power;
+    shown.spin = now.spin;
+    shown.compression = now.compression;
+    shown.deflection = now.deflection;
+    shown.steer_torque = now.steer_torque;
+    shown.grip = now.grip;
+    shown.contact_x = contact.x();
+    shown.contact_y = contact.y();
+    shown.contact_z = contact.z();
+    return shown;
+}
+
+const char* RaycastVehicle::surfaceName(int index) const {
+    const auto i = static_cast<std::size_t>(index);
+    if (index < 0 || i >= self_->car.wheel_count || !self_->grounds[i].surface.name) return "";
+    return self_->grounds[i].surface.name;
+}
+}
+}  // namespace tread

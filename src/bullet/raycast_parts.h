@@ -1,0 +1,70 @@
+// What a RaycastVehicle consists of, for the files that make up its step.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bullet/body_link.h"
+#include "bullet/stock_tuning.h"
+#include "bullet/wheel_ray.h"
+
+namespace tread {
+
+#ifdef BT_USE_DOUBLE_PRECISION
+inline namespace bullet_float64 {
+#else
+inline namespace bullet_float32 {
+#endif
+
+struct RaycastVehicle::Implementation {
+    RaycastVehicle& face;
+    btRigidBody& chassis;
+    btVehicleRaycaster* raycaster;  // as the game gave it
+    bool own_rays;                  // it is Bullet's default one, or none
+    std::optional<VehicleParams> file;
+    std::array<std::optional<TyreParams>, kMostWheels> own_tyres{};
+    SurfaceAt surface{};
+    RayFilter filter{};
+    double substep = 0.001;
+
+    // What the car was made of, and the car.
+    std::array<WheelTuning, kMostWheels> tunings{};
+    double made_for_mass = 0;
+    bool made = false;
+    WheeledBody car{};
+
+    ChassisMotion motion{};
+    BodyLink link{};
+    Vector3 expected_position = Vector3::Zero();
+    WheeledBodyState state{};
+    std::array<WheelDemand, kMostWheels> demands{};
+    std::array<WheelGround, kMostWheels> grounds{};
+    std::array<Vector3, kMostWheels> impulses{};  // N s, of the ground on the wheels over the last step
+    std::array<btScalar, kMostWheels> shown_length{};
+    std::size_t wheels_before = 0;
+    bool asleep = false;
+
+    std::size_t wheelCount() const;
+    btWheelInfo& info(std::size_t wheel) { return face.m_wheelInfo[static_cast<int>(wheel)]; }
+    WheelDemand demand(std::size_t wheel);
+    Vector3 gravity() const;
+
+    // raycast_car.cpp: the car follows what the game changed.
+    void makeCar();
+    void takeBody();
+
+    // raycast_step.cpp
+    void step(const btCollisionWorld* world, double dt);
+    bool staysAsleep(const btCollisionWorld* world);
+    void takeUp(const btCollisionWorld* world, double dt);
+    void findGround(std::size_t wheel, const ChassisMotion& at, const btCollisionWorld* world, double dt);
+    void drive(const btCollisionWorld* world, double dt);
+    void pushGround(double dt);
+    void fallAsleepOrNot();
+
+    // raycast_output.cpp
+    void show(double dt);
+    void showSpeed(double dt);
+};
+}
+}  // namespace tread

@@ -1,0 +1,201 @@
+// One step of a RaycastVehicle: take what Bullet and the game did, advance the car on a motion of its own, give the
+// chassis the velocities of that motion.
+#include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bullet/convert.h"
+#include "bullet/raycast_parts.h"
+
+namespace tread {
+
+#ifdef BT_USE_DOUBLE_PRECISION
+inline namespace bullet_float64 {
+#else
+inline namespace bullet_float32 {
+#endif
+
+namespace {
+
+constexpr double kLongestStep = 1.0;  // s: of a longer one, the first second counts
+// A pose this far from where the chassis should be is a teleport, not a collision.
+constexpr double kTeleport = 0.25;      // m
+constexpr double kTeleportTurn = 0.25;  // rad
+// A wheel looks at the ground again when it has gone this share of its radius.
+constexpr double kLookAgain = 0.5;
+// Below these a vehicle may fall asleep; Bullet alone would stop one that rolls at walking pace.
+constexpr double kRestSpeed = 0.01;  // m/s
+constexpr double kRestSpin = 0.05;   // rad/s
+
+double share(double begin, double end, double at) {
+    return begin + at * (end - begin);
+}
+
+WheelDemand between(const WheelDemand& a, const WheelDemand& b, double at) {
+    return {share(a.steer, b.steer, at), share(a.drive_torque, b.drive_torque, at),
+            share(a.brake_torque, b.brake_torque, at), share(a.friction, b.friction, at)};
+}
+
+bool same(const WheelDemand& a, const WheelDemand& b) {
+    return a.steer == b.steer && a.drive_torque == b.drive_torque && a.brake_torque == b.brake_torque &&
+           a.friction == b.friction;
+}
+
+}  // namespace
+
+void RaycastVehicle::Implementation::step(const btCollisionWorld* world, double dt) {
+    if (!(dt > 0) || !std::isfinite(dt)) return;
+    if (!chassis.isActive() && staysAsleep(world)) return;
+    makeCar();
+    takeUp(world, dt);
+    showSpeed(dt);
+    if (car.mass > 0 && motion.position_W.allFinite() && motion.orientation.coeffs().allFinite()) drive(world, dt);
+    fallAsleepOrNot();
+    show(dt);
+}
+
+// A sleeping car costs a look at its inputs and at the ground that it stands on.
+bool RaycastVehicle::Implementation::staysAsleep(const btCollisionWorld* world) {
+    if (chassis.getActivationState() != ISLAND_SLEEPING) return true;  // the game switched its simulation off
+    bool wakes = !asleep || wheelCount() != car.wheel_count;
+    if (!asleep) {
+        // Bullet has just stopped the chassis, wherever it stood.
+        wakes = !made;
+        asleep = true;
+        motion.velocity_W.setZero();
+        motion.angular_velocity_W.setZero();
+        link = {};
+        state.acceleration_W = state.angular_acceleration_W = {};
+        for (std::size_t i = 0; i < wheelCount(); ++i) info(i).m_deltaRotation = 0;
+    }
+    for (std::size_t i = 0; i < wheelCount() && !wakes; ++i) {
+        wakes = !same(demand(i), demands[i]) || !(tuningOf(info(i)) == tunings[i]);
+        if (world && !wakes) wakes = !isThere(grounds[i], *world);
+    }
+    if (!wakes) return true;
+    chassis.activate(true);
+    chassis.applyGravity();  // for what is left of this call of stepSimulation
+    asleep = false;
+    return false;
+}
+
+// Takes the chassis' motion; a wheel that was put somewhere else starts anew there.
+void RaycastVehicle::Implementation::takeUp(const btCollisionWorld* world, double dt) {
+    if (asleep) {
+        // Others woke the chassis: what gravity did to it before the wheels could hold it is taken back.
+        asleep = false;
+        if (chassis.getTotalForce().dot(chassis.getGravity()) > 0) link.velocity = dt * gravity();
+        else chassis.applyGravity();
+    }
+    const Quaternion before = motion.orientation;
+    const Vector3 pushed = fromBullet(chassis.getLinearVelocity()) - link.velocity;
+    const Vector3 turned = fromBullet(chassis.getAngularVelocity()) - link.angular_velocity;
+    takeMotion(motion, link, chassis, Quaternion::Identity());
+    if (!motion.velocity_W.allFinite() || !motion.angular_velocity_W.allFinite()) {
+        motion.velocity_W = link.velocity;
+        motion.angular_velocity_W = link.angular_velocity;
+    }
+    const bool moved = (motion.position_W - expected_position).norm() > kTeleport + 2 * dt * pushed.norm();
+    const double turn = before.angularDistance(motion.orientation);
+    const double most = kTeleportTurn + 2 * dt * (turned.norm() + link.angular_velocity.norm());
+    const bool teleported = moved || turn > most;
+
+    for (std::size_t i = 0; i < car.wheel_count; ++i) {
+        const bool reset = i < wheels_before && info(i).m_raycastInfo.m_suspensionLength != shown_length[i];
+        if (reset) state.wheels[i].compression = 0;
+        if (i >= wheels_before) state.wheels[i] = {};
+        findGround(i, motion, world, dt);
+        if (teleported || reset || i >= wheels_before) {
+            setDown(state, motion, car, i, grounds[i].plane);
+            demands[i] = demand(i);
+        }
+    }
+    wheels_before = car.wheel_count;
+}
+
+void RaycastVehicle::Implementation::findGround(std::size_t wheel, const ChassisMotion& at,
+                                                const btCollisionWorld* world, double dt) {
+    const BodyWheel& w = car.wheels[wheel];
+    const double radius = w.tyre.parameters.Ro;
+    const WheelRay ray{.top_W = strutTop(at, w),
+                       .down_W = at.orientation * w.down_B,
+                       .raised = radius,
+                       .length = w.strut.length + radius,
+                       .ahead = at.velocity_W.norm() * dt + 0.5 * radius,
+                       .wheel = static_cast<int>(wheel)};
+    const bool by_user = !own_rays || !world;
+    grounds[wheel] = castRay(ray, {chassis, world, by_user ? raycaster : nullptr, filter, surface});
+}
+
+void RaycastVehicle::Implementation::drive(const btCollisionWorld* world, double dt) {
+    const double simulated = std::min(dt, kLongestStep);
+    const int substeps = std::max(1, static_cast<int>(std::ceil(simulated / substep - 1e-6)));
+    const double h = simulated / substeps;
+    std::array<WheelDemand, kMostWheels> next, begin, end;
+    std::array<RoadContact, kMostWheels> planes;
+    for (std::size_t i = 0; i < car.wheel_count; ++i) {
+        next[i] = demand(i);
+        impulses[i].setZero();
+    }
+    const ChassisMotion start = motion;
+    for (int k = 0; k < substeps; ++k) {
+        for (std::size_t i = 0; i < car.wheel_count; ++i) {
+            begin[i] = between(demands[i], next[i], static_cast<double>(k) / substeps);
+            end[i] = between(demands[i], next[i], (k + 1.0) / substeps);
+            const Vector3 gone = strutTop(motion, car.wheels[i]) - grounds[i].cast_at;
+            if (gone.norm() > kLookAgain * car.wheels[i].tyre.parameters.Ro)
+                findGround(i, motion, world, simulated - k * h);
+            planes[i] = grounds[i].plane;
+            planes[i].point_W += (k + 1) * h * planes[i].velocity_W;
+        }
+        const std::size_t n = car.wheel_count;
+        advance(motion, state, car, {begin.data(), n}, {end.data(), n}, {planes.data(), n}, gravity(), h);
+        for (std::size_t i = 0; i < n; ++i)
+            impulses[i] +=
+                h * Vector3(state.wheels[i].force_W[0], state.wheels[i].force_W[1], state.wheels[i].force_W[2]);
+    }
+    for (std::size_t i = 0; i < car.wheel_count; ++i) demands[i] = next[i];
+
+    expected_position = start.position_W + dt / simulated * (motion.position_W - start.position_W);
+    giveMotion(chassis, link, start, motion, simulated);
+    chassis.setLinearVelocity(chassis.getLinearVelocity() - toBullet(Vector3((dt - simulated) * gravity())));
+    pushGround(simulated);
+    // The pose is Bullet's to change.
+    motion.position_W = start.position_W;
+    motion.orientation = start.orientation;
+}
+
+// What the wheels push, they push back. A body that is so light that the tyres' springs would throw it about within one
+// step takes less than the whole.
+void RaycastVehicle::Implementation::pushGround(double dt) {
+    for (std::size_t i = 0; i < car.wheel_count; ++i) {
+        btRigidBody* body = btRigidBody::upcast(grounds[i].object);
+        if (!body || body->getInvMass() <= 0 || impulses[i].isZero()) continue;
+        const auto& [x, y, z] = state.wheels[i].contact_B;
+        const Vector3 contact = motion.position_W + motion.orientation * Vector3(x, y, z);
+        const btVector3 arm = toBullet(contact) - body->getCenterOfMassPosition();
+        const btVector3 normal = toBullet(grounds[i].plane.normal_W);
+        const btVector3 turn = (body->getInvInertiaTensorWorld() * arm.cross(normal)).cross(arm);
+        const double inverse_mass = body->getInvMass() + static_cast<double>(normal.dot(turn));
+        const TyreParams& tyre = car.wheels[i].tyre;
+        const double stiffness = tyre.parameters.pz1 * tyre.lambda.Cz;
+        const double taken = std::min(1.0, 1 / (dt * dt * stiffness * inverse_mass));
+        body->activate();
+        body->applyImpulse(toBullet(Vector3(-taken * impulses[i])), arm);
+    }
+}
+
+// Bullet stops what has been slow for two seconds; what still rolls, or stands on what still moves, is kept awake.
+void RaycastVehicle::Implementation::fallAsleepOrNot() {
+    bool rests = motion.velocity_W.norm() < kRestSpeed && motion.angular_velocity_W.norm() < kRestSpeed;
+    for (std::size_t i = 0; i < car.wheel_count; ++i) {
+        rests &= std::abs(state.wheels[i].spin) < kRestSpin;
+        const btRigidBody* body = btRigidBody::upcast(grounds[i].object);
+        rests &= !body || body->isStaticOrKinematicObject() || !body->isActive();
+    }
+    if (!rests) chassis.setDeactivationTime(0);
+}
+}
+}  // namespace tread

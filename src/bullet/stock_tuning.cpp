@@ -1,0 +1,139 @@
+#include "bullet/stock_tuning.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bullet/convert.h"
+
+namespace tread {
+
+#ifdef BT_USE_DOUBLE_PRECISION
+inline namespace bullet_float64 {
+#else
+inline namespace bullet_float32 {
+#endif
+
+namespace {
+
+constexpr double kSmallestRadius = 0.005;  // m
+constexpr double kLargestRadius = 20;      // m
+constexpr double kLongestStrut = 20;       // m
+constexpr double kMostForce = 1e9;         // N
+constexpr double kMostDemand = 1e8;        // N, of engine or brake
+// A spring is never softer than this share of its tyre's stiffness, nor harder than this multiple.
+constexpr double kSoftestSpring = 1e-3;
+constexpr double kHardestSpring = 9;
+// Wheels are about a twentieth of the mass that they carry, at 0.77 of their radius (a car's: 19 kg, 1 kg m2).
+constexpr double kWheelMassShare = 0.05;
+constexpr double kGyrationSquared = 0.6;
+// The engine gives nothing any more when the rim is this fast: a wheel in the air does not spin up for ever.
+constexpr double kFastestRim = 200;   // m/s
+constexpr double kStepsOfStock = 60;  // 1/s, at which a stock brake impulse is taken
+constexpr double kSteepestFriction = 1.2;
+
+double within(double value, double lowest, double highest, double otherwise) {
+    return std::isnan(value) ? otherwise : std::clamp(value, lowest, highest);
+}
+
+Vector3 direction(const btVector3& v, const Vector3& otherwise) {
+    const Vector3 d = fromBullet(v);
+    const double length = d.norm();
+    return std::isfinite(length) && length > 1e-6 ? Vector3(d / length) : otherwise;
+}
+
+// Up to 1 as it is; beyond, towards the friction of the best road tyres.
+double frictionOf(double slip) {
+    slip = within(slip, 0, 1e6, 1);
+    return slip <= 1 ? slip : kSteepestFriction - (kSteepestFriction - 1) / slip;
+}
+
+BodyWheel geometryOf(const btWheelInfo& info) {
+    BodyWheel wheel;
+    wheel.top_B = fromBullet(info.m_chassisConnectionPointCS);
+    if (!wheel.top_B.allFinite()) wheel.top_B.setZero();
+    wheel.down_B = direction(info.m_wheelDirectionCS, -Vector3::UnitY());
+    // Bullet's wheels roll towards up x axle: their axles point to the right.
+    wheel.left_B = direction(-info.m_wheelAxleCS, wheel.down_B.unitOrthogonal());
+    if (wheel.left_B.cross(wheel.down_B).norm() < 0.1) wheel.left_B = wheel.down_B.unitOrthogonal();
+    wheel.strut.length = within(info.m_suspensionRestLength1, 0, kLongestStrut, 0.3);
+    return wheel;
+}
+
+double radiusOf(const btWheelInfo& info) {
+    return within(info.m_wheelsRadius, kSmallestRadius, kLargestRadius, 0.3);
+}
+
+TyreParams mounted(const TyreParams& tyre, bool left) {
+    return (tyre.side == TyreSide::left) == left ? tyre : mirrored(tyre);
+}
+
+}  // namespace
+
+WheelTuning tuningOf(const btWheelInfo& w) {
+    const btVector3 &top = w.m_chassisConnectionPointCS, &down = w.m_wheelDirectionCS, &axle = w.m_wheelAxleCS;
+    WheelTuning tuning{{top.x(), top.y(), top.z(), down.x(), down.y(), down.z(), axle.x(), axle.y(), axle.z(),
+                        w.m_suspensionRestLength1, w.m_maxSuspensionTravelCm, w.m_wheelsRadius, w.m_suspensionStiffness,
+                        w.m_wheelsDampingCompression, w.m_wheelsDampingRelaxation, w.m_maxSuspensionForce,
+                        w.m_rollInfluence, w.m_bIsFrontWheel ? 1.0 : 0.0}};
+    for (double& x : tuning.numbers) {
+        if (std::isnan(x)) x = -kInfinity;  // what is not a number is at least equal to itself
+    }
+    return tuning;
+}
+
+double restingLoad(double mass, std::size_t wheels) {
+    return std::max(mass * kStandardGravity / static_cast<double>(std::max<std::size_t>(wheels, 1)), 1e-3);
+}
+
+BodyWheel wheelFromTuning(const btWheelInfo& info, double mass, double resting_load,
+                          const std::optional<TyreParams>& tyre) {
+    BodyWheel wheel = geometryOf(info);
+    const double radius = radiusOf(info);
+    wheel.tyre = tyre ? *tyre : similarTyre(resting_load, radius);
+    wheel.inertia = kGyrationSquared * kWheelMassShare * resting_load / kStandardGravity * radius * radius;
+    wheel.roll_share = within(info.m_rollInfluence, 0, 1, 0.1);
+
+    // Spring and tyre in series are as soft as the stock spring alone.
+    const double radial = wheel.tyre.parameters.pz1 * wheel.tyre.lambda.Cz;
+    const double stock = within(info.m_suspensionStiffness * mass, 0, kMostForce, 0.2 * radial);
+    const double share = stock / radial;
+    const double alone = share < kHardestSpring / (1 + kHardestSpring) ? share / (1 - share) : kHardestSpring;
+    wheel.strut.stiffness = radial * std::max(alone, kSoftestSpring);
+    wheel.strut.bump = within(info.m_wheelsDampingCompression * mass, 0, kMostForce, 0);
+    wheel.strut.rebound = within(info.m_wheelsDampingRelaxation * mass, 0, kMostForce, 0);
+    wheel.strut.most_force = within(info.m_maxSuspensionForce, 0, kMostForce, kMostForce);
+    wheel.strut.travel =
+        within(0.01 * info.m_maxSuspensionTravelCm, 0, wheel.strut.length + 0.5 * radius, wheel.strut.length);
+    return wheel;
+}
+
+BodyWheel wheelFromFile(const btWheelInfo& info, const VehicleParams& params, bool left, double resting_load,
+                        const std::optional<TyreParams>& tyre) {
+    const AxleParams& axle = info.m_bIsFrontWheel ? params.front : params.rear;
+    const WheelParams& own = left ? axle.left : axle.right;
+    BodyWheel wheel = geometryOf(info);
+    wheel.tyre = tyre ? *tyre : mounted(own.tyre ? *own.tyre : axle.tyre, left);
+    wheel.inertia = axle.wheel_inertia;
+    wheel.strut.stiffness =
+        std::max(axle.suspension.spring, kSoftestSpring * wheel.tyre.parameters.pz1 * wheel.tyre.lambda.Cz);
+    wheel.strut.bump = axle.suspension.damper.bump;
+    wheel.strut.rebound = axle.suspension.damper.rebound;
+    wheel.strut.most_force = kMostForce;
+    wheel.strut.travel = resting_load / wheel.strut.stiffness + axle.suspension.bump_stop.clearance;
+    wheel.strut.anti_roll_bar = axle.suspension.anti_roll_bar;
+    return wheel;
+}
+
+WheelDemand demandOf(const btWheelInfo& info, double radius, double spin, bool from_file) {
+    const double force = within(info.m_engineForce, -kMostDemand, kMostDemand, 0);
+    const double rim = spin * radius / kFastestRim;
+    const double left = rim * force > 0 ? std::max(1 - rim * rim, 0.0) : 1;
+    WheelDemand demand;
+    demand.steer = within(info.m_steering, -1e3, 1e3, 0);
+    demand.drive_torque = left * force * radius;
+    demand.brake_torque = within(info.m_brake * kStepsOfStock, 0, kMostDemand, 0) * radius;
+    demand.friction = from_file ? 1 : frictionOf(info.m_frictionSlip);
+    return demand;
+}
+}
+}  // namespace tread

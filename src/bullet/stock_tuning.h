@@ -1,0 +1,38 @@
+// What the numbers of btRaycastVehicle mean for the car, and what a vehicle file puts in their place.
+#pragma once
+
+#include <optional>
+
+#include "tread/raycast_vehicle.h"
+
+namespace tread {
+
+#ifdef BT_USE_DOUBLE_PRECISION
+inline namespace bullet_float64 {
+#else
+inline namespace bullet_float32 {
+#endif
+
+// What a wheel of the car is made of, as it was when it was made: a change of any of these makes it anew.
+struct WheelTuning {
+    std::array<double, 18> numbers{};
+    bool operator==(const WheelTuning&) const = default;
+};
+WheelTuning tuningOf(const btWheelInfo& info);
+
+// Load of each wheel at rest, as far as a tyre's size needs it.
+double restingLoad(double mass, std::size_t wheels);
+
+// A wheel from the stock numbers. None of them can make it other than finite: what is not a number, or out of all
+// reason, is replaced by the nearest value that is.
+BodyWheel wheelFromTuning(const btWheelInfo& info, double mass, double resting_load,
+                          const std::optional<TyreParams>& tyre);
+
+// A wheel with the tyre and suspension of a vehicle's axle; `left` says on which side of the car it is.
+BodyWheel wheelFromFile(const btWheelInfo& info, const VehicleParams& params, bool left, double resting_load,
+                        const std::optional<TyreParams>& tyre);
+
+// The game's demand on a wheel. `from_file`: friction slip does not count.
+WheelDemand demandOf(const btWheelInfo& info, double radius, double spin, bool from_file);
+}
+}  // namespace tread

@@ -1,0 +1,136 @@
+#include "bullet/wheel_ray.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
+#include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <cmath>
+
+#include "bullet/convert.h"
+
+namespace tread {
+
+#ifdef BT_USE_DOUBLE_PRECISION
+inline namespace bullet_float64 {
+#else
+inline namespace bullet_float32 {
+#endif
+
+namespace {
+
+struct GroundBelow : btCollisionWorld::ClosestRayResultCallback {
+    GroundBelow(const btVector3& from, const btVector3& to, const btRigidBody& own, const RayFilter& filter)
+        : ClosestRayResultCallback(from, to), chassis(own) {
+        // Bullet's default caster is wrong by up to half a metre on boxes in single precision.
+        if constexpr (sizeof(btScalar) == sizeof(float))
+            m_flags |= btTriangleRaycastCallback::kF_UseGjkConvexCastRaytest;
+        m_collisionFilterGroup = filter.group;
+        m_collisionFilterMask = filter.mask;
+    }
+    bool needsCollision(btBroadphaseProxy* proxy) const override {
+        const auto* object = static_cast<const btCollisionObject*>(proxy->m_clientObject);
+        return object != &chassis && object->hasContactResponse() && ClosestRayResultCallback::needsCollision(proxy) &&
+               chassis.checkCollideWith(object);
+    }
+    btScalar addSingleResult(btCollisionWorld::LocalRayResult& result, bool normal_in_world) override {
+        part = result.m_localShapeInfo ? result.m_localShapeInfo->m_shapePart : -1;
+        triangle = result.m_localShapeInfo ? result.m_localShapeInfo->m_triangleIndex : -1;
+        return ClosestRayResultCallback::addSingleResult(result, normal_in_world);
+    }
+    const btRigidBody& chassis;
+    int part = -1;
+    int triangle = -1;
+};
+
+// Height of a rough surface: bumps about a metre long, the same whenever one comes there.
+double bump(const Vector3& at, double amplitude) {
+    if (amplitude == 0) return 0;
+    return amplitude * (0.5 * std::sin(6.1 * at.x() + 2.3 * at.y() + 1.7 * at.z()) +
+                        0.5 * std::sin(-2.9 * at.x() + 5.3 * at.y() + 3.1 * at.z() + 1));
+}
+
+// Completes a ground whose plane is known.
+void describe(WheelGround& ground, const SurfaceQuery& query, const SurfaceAt& surface) {
+    if (surface) ground.surface = surface(query);
+    const double friction = ground.surface.friction;
+    ground.plane.friction = std::isfinite(friction) && friction > 0 ? friction : 0;
+    const double roughness = std::isfinite(ground.surface.roughness) ? ground.surface.roughness : 0;
+    ground.plane.point_W += bump(ground.plane.point_W, roughness) * ground.plane.normal_W;
+    if (!ground.object) return;
+    ground.place = ground.object->getWorldArrayIndex();
+    ground.pose = ground.object->getWorldTransform();
+    if (const auto* body = btRigidBody::upcast(ground.object)) {
+        if (body->isStaticObject()) return;
+        ground.plane.velocity_W =
+            fromBullet(body->getVelocityInLocalPoint(query.point - body->getCenterOfMassPosition()));
+    }
+}
+
+bool isUnit(const Vector3& n) {
+    return n.allFinite() && std::abs(n.norm() - 1) < 0.5;
+}
+
+// A user's raycaster may return anything that is not null: only what the world holds is a body.
+btCollisionObject* heldBy(const btCollisionWorld* world, void* handle) {
+    if (!world) return nullptr;
+    const auto& objects = world->getCollisionObjectArray();
+    const int place = objects.findLinearSearch(static_cast<btCollisionObject*>(handle));
+    return place < objects.size() ? objects[place] : nullptr;
+}
+
+WheelGround castByUser(const WheelRay& ray, const RaySource& source) {
+    WheelGround ground;
+    const btVector3 from = toBullet(ray.top_W), to = toBullet(Vector3(ray.top_W + ray.length * ray.down_W));
+    btVehicleRaycaster::btVehicleRaycasterResult result;
+    ground.handle = source.user->castRay(from, to, result);
+    const Vector3 normal = fromBullet(result.m_hitNormalInWorld);
+    ground.plane.exists = ground.handle && std::isfinite(result.m_distFraction) && isUnit(normal);
+    if (!ground.plane.exists) return ground;
+    ground.object = heldBy(source.world, ground.handle);
+    ground.plane.point_W = ray.top_W + static_cast<double>(result.m_distFraction) * ray.length * ray.down_W;
+    ground.plane.normal_W = normal.normalized();
+    describe(ground, {ground.object, -1, -1, result.m_hitPointInWorld, ray.wheel}, source.surface);
+    return ground;
+}
+
+WheelGround castIntoWorld(const WheelRay& ray, const RaySource& source) {
+    WheelGround ground;
+    const Vector3 start = ray.top_W - ray.raised * ray.down_W;
+    const double way = ray.raised + ray.length + ray.ahead;
+    const btVector3 from = toBullet(start), to = toBullet(Vector3(start + way * ray.down_W));
+    GroundBelow hit(from, to, source.chassis, source.filter);
+    source.world->rayTest(from, to, hit);
+    const Vector3 normal = fromBullet(hit.m_hitNormalWorld);
+    ground.plane.exists = hit.hasHit() && isUnit(normal);
+    if (!ground.plane.exists) return ground;
+    // Depth along the ray in double: the hit point itself is rounded to the world's precision.
+    ground.handle = ground.object = const_cast<btCollisionObject*>(hit.m_collisionObject);
+    ground.plane.point_W = start + static_cast<double>(hit.m_closestHitFraction) * way * ray.down_W;
+    ground.plane.normal_W = normal.normalized();
+    if (ground.plane.normal_W.dot(ray.down_W) > 0) ground.plane.normal_W = -ground.plane.normal_W;
+    describe(ground, {ground.object, hit.part, hit.triangle, hit.m_hitPointWorld, ray.wheel}, source.surface);
+    return ground;
+}
+
+}  // namespace
+
+bool isThere(const WheelGround& ground, const btCollisionWorld& world) {
+    if (!ground.object) return true;
+    const auto& objects = world.getCollisionObjectArray();
+    if (ground.place < 0 || ground.place >= objects.size() || objects[ground.place] != ground.object) return false;
+    return ground.object->getWorldTransform() == ground.pose;
+}
+
+WheelGround castRay(const WheelRay& ray, const RaySource& source) {
+    WheelGround ground;
+    ground.plane.exists = false;
+    if (ray.top_W.allFinite() && ray.down_W.allFinite()) {
+        if (source.user) ground = castByUser(ray, source);
+        else if (source.world) ground = castIntoWorld(ray, source);
+    }
+    ground.cast_at = ray.top_W;
+    ground.known = true;
+    return ground;
+}
+}
+}  // namespace tread

@@ -1,0 +1,53 @@
+// What lies under a wheel, found by a ray along its strut.
+#pragma once
+
+#include "tread/raycast_vehicle.h"
+
+namespace tread {
+
+#ifdef BT_USE_DOUBLE_PRECISION
+inline namespace bullet_float64 {
+#else
+inline namespace bullet_float32 {
+#endif
+
+struct WheelGround {
+    RoadContact plane;
+    void* handle = nullptr;               // what the ray gave: a user's may be anything
+    btCollisionObject* object = nullptr;  // for use within the step that found it, or while isThere() says so
+    int place = -1;                       // in the world's list of objects
+    btTransform pose;                     // of the object then
+    Surface surface;
+    Vector3 cast_at = Vector3::Zero();  // m, top of the strut then
+    bool known = false;
+};
+
+// Whether the object is still in the world and where it was: asked without touching one that may be gone.
+bool isThere(const WheelGround& ground, const btCollisionWorld& world);
+
+struct WheelRay {
+    Vector3 top_W;   // m, top of the strut
+    Vector3 down_W;  // unit vector
+    double raised;   // m, how far above the top the ray starts
+    double length;   // m, from the top to where the unloaded tyre ends
+    double ahead;    // m, how much farther the wheel may come within the step
+    int wheel;
+};
+
+struct RayFilter {
+    int group = btBroadphaseProxy::AllFilter;
+    int mask = btBroadphaseProxy::AllFilter;
+};
+
+// Where rays go: into the world, past the chassis, what it does not collide with and what has no contact response; or,
+// with a user's raycaster, from the top of the strut and as far as in the stock vehicle.
+struct RaySource {
+    const btRigidBody& chassis;
+    const btCollisionWorld* world;  // may be null
+    btVehicleRaycaster* user;       // may be null
+    RayFilter filter;
+    const SurfaceAt& surface;
+};
+WheelGround castRay(const WheelRay& ray, const RaySource& source);
+}
+}  // namespace tread
