@@ -17,7 +17,7 @@ public:
 private:
     btDefaultCollisionConfiguration configuration_;
     btCollisionDispatcher dispatcher_{&configuration_};
-    btDbvtBroadphase broadphase_;
+    btSimpleBroadphase broadphase_;
     btSequentialImpulseConstraintSolver solver_;
     btDiscreteDynamicsWorld dynamics_{&dispatcher_, &broadphase_, &solver_, &configuration_};
     btBoxShape shape_;
