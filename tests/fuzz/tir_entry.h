@@ -8,6 +8,7 @@
 
 #include "base/numbers.h"
 #include "fuzz/demand.h"
+#include "tread/problem.h"
 #include "tyre/tir_file.h"
 
 namespace tread::fuzz {
