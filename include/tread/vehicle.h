@@ -207,4 +207,7 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
 VehicleOutput observe(const ChassisMotion& motion, const VehicleState& state, const Vehicle& vehicle,
                       const Vector3& gravity_W);
 
+// The part of it that is read in every step: the chassis, and what turns.
+void glance(VehicleOutput& output, const ChassisMotion& motion, const VehicleState& state, const Vector3& gravity_W);
+
 }  // namespace tread

@@ -51,13 +51,13 @@ std::string version4Fault(std::string_view bytes) {
         if (bytes.size() - at < kHeader4) return cutOff(variable, kHeader4 - (bytes.size() - at));
         const bool big = word(bytes, at, false) > 9999;
         const std::uint32_t type = word(bytes, at, big), rows = word(bytes, at + 4, big),
-                            columns = word(bytes, at + 8, big), parts = 1 + word(bytes, at + 12, big),
+                            columns = word(bytes, at + 8, big), imaginary = word(bytes, at + 12, big),
                             name = word(bytes, at + 16, big), number = type / 10 % 10;
-        if (type > 9999 || number >= kBytes.size() || parts > 2 || std::max({rows, columns, name}) > kLargest4) {
+        if (type > 9999 || number >= kBytes.size() || imaginary > 1 || std::max({rows, columns, name}) > kLargest4) {
             return "is no MATLAB file that tread can read (neither version 4, 5 nor 7.3)";
         }
         at += kHeader4;
-        const std::size_t left = bytes.size() - at;
+        const std::size_t left = bytes.size() - at, parts = 1 + imaginary;
         // Not multiplied out: rows times columns may exceed what a number holds.
         const std::size_t numbers = left / (kBytes[number] * parts);
         const bool fits = name <= left && (rows == 0 || columns <= numbers / rows);

@@ -219,7 +219,8 @@ MetricTable<SteadyCircle> table() {
           "d(road-wheel angle - wheelbase / radius) / d ay; " + range +
               "; undefined when neither wheelbase nor slip angles are known and the radius changes"},
          [](const SteadyCircle& s) { return kPerG * s.understeer; }},
-        {{"steering_wheel_gradient", "deg/g", "d steering-wheel angle / d ay by the method; " + range},
+        {{"steering_wheel_gradient", "deg/g",
+          "d steering-wheel angle / d ay by the method; " + range + "; undefined when the steering wheel is held"},
          [](const SteadyCircle& s) { return kPerG * s.steering_wheel; }},
         {{"roll_gradient", "deg/g", "d roll angle / d ay; " + range},
          [](const SteadyCircle& s) { return kPerG * s.roll; }},
@@ -238,7 +239,9 @@ SteadyCircle findSteadyCircle(const Log& log, const KnownCar& car) {
     return {.method = method,
             .means = meansOf(circle),
             .understeer = understeer(log, circle, car, method),
-            .steering_wheel = gradient(circle, [&](std::size_t i) { return circle.steering.value[i]; }),
+            .steering_wheel = method == Method::constant_steering
+                                  ? kUndefined
+                                  : gradient(circle, [&](std::size_t i) { return circle.steering.value[i]; }),
             .roll = channelGradient(circle, channelIfThere(log, kName, "chassis.roll")),
             .sideslip = channelGradient(circle, sideslip(log, kName)),
             .largest_ay = largest};

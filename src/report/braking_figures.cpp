@@ -42,12 +42,16 @@ std::vector<Chart> brakingFigures(const RunReport& content) {
         return {};
     const std::vector<double> way = brakingWay(log.channels.front().values, brake->values, vx->values);
     const PlotValues speed = *valuesFor(log, kForwardSpeed);
+    std::vector<double> way_rolling = way;
+    for (std::size_t i = 0; i < way.size(); ++i) {
+        if (vx->values[i] < kStanding) way_rolling[i] = std::nan("");
+    }
     std::vector<Chart> charts{overWay("Speed", {"speed", speed.unit, 0.0}, way, speed.values)};
 
     if (ax) {
         std::vector<double> deceleration;
         for (const double value : ax->values) deceleration.push_back(-value);
-        Chart chart = overWay("Deceleration", {"deceleration", ax->unit}, way, std::move(deceleration));
+        Chart chart = overWay("Deceleration", {"deceleration", ax->unit}, way_rolling, std::move(deceleration));
         for (const Metric& metric : content.metrics) {
             if (metric.name != "mfdd" || !std::isfinite(metric.value)) continue;
             chart.series.front().name = "deceleration";
@@ -65,7 +69,7 @@ std::vector<Chart> brakingFigures(const RunReport& content) {
         const std::string name = fmt::format("wheel.{}.slip_ratio", wheel.key);
         if (auto values = valuesFor(log, {name, "slip", "%"}))
             slip.series.push_back({.name = std::string(wheel.label),
-                                   .x = way,
+                                   .x = way_rolling,
                                    .y = std::move(values->values),
                                    .colour = wheel.colour,
                                    .dashed = wheel.dashed});

@@ -27,6 +27,9 @@ inline constexpr PlotAxis kYawRate{"chassis.yaw_rate", "yaw rate", "deg/s"};
 inline constexpr PlotAxis kSideslip{"chassis.sideslip", "sideslip angle", "deg"};
 inline constexpr PlotAxis kRoll{"chassis.roll", "roll angle", "deg"};
 
+// m/s: below, a car comes to rest and rocks on its tyres, which says nothing about slip and used friction.
+inline constexpr double kStanding = 1;
+
 struct PlotValues {
     std::vector<double> values;  // in `unit`
     std::string unit;

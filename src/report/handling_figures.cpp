@@ -39,9 +39,32 @@ std::optional<Series> lineThrough(const Series& curve, double slope, double from
         .name = "", .x = {0, end}, .y = {offset, offset + slope * end}, .colour = Colour::vermillion, .dashed = true};
 }
 
+// Where the hand wheel is held, the path says how the car understeers.
+std::optional<Chart> curvatureFigure(const Log& log) {
+    const Channel *ay = completeChannel(log, kLateral.channel), *rate = completeChannel(log, kYawRate.channel);
+    const Channel* speed = completeChannel(log, kForwardSpeed.channel);
+    if (!ay || !rate || !speed) return std::nullopt;
+    Series curve{.name = "", .x = ay->values, .y = rate->values, .colour = Colour::blue};
+    for (std::size_t i = 0; i < curve.y.size(); ++i)
+        curve.y[i] = speed->values[i] > kStanding ? curve.y[i] / speed->values[i] : std::nan("");
+    return Chart{.title = "Curvature of the path",
+                 .x = {std::string(kLateral.label), ay->unit},
+                 .y = {"yaw rate / speed", "1/m"},
+                 .series = {std::move(curve)}};
+}
+
 }  // namespace
 
 std::optional<Chart> understeerFigure(const RunReport& content) {
+    const auto understeer = metricNamed(content.metrics, "understeer_gradient");
+    const std::string note =
+        understeer ? fmt::format("Understeer gradient {:.3g} deg/g at the road wheels.", *understeer) : "";
+    const auto slope = metricNamed(content.metrics, "steering_wheel_gradient");
+    if (!slope) {
+        auto chart = curvatureFigure(content.log);
+        if (chart) chart->note = note;
+        return chart;
+    }
     auto chart = crossPlot(content.log, "Understeer", kLateral, kHandWheel);
     if (!chart) return chart;
     // A right turn is drawn as a left one.
@@ -53,17 +76,13 @@ std::optional<Chart> understeerFigure(const RunReport& content) {
             for (double& value : *values) value = -value;
         }
     }
-    const auto slope = metricNamed(content.metrics, "steering_wheel_gradient");
-    const auto understeer = metricNamed(content.metrics, "understeer_gradient");
     const double largest = *std::max_element(curve.x.begin(), curve.x.end());
-    if (slope) {
-        const double upper = std::min(0.375 * kStandardGravity, 0.6 * largest);
-        if (auto line = lineThrough(curve, *slope / kStandardGravity, 0.1 * kStandardGravity, upper)) {
-            line->name = fmt::format("{:.3g} deg/g at the hand wheel", *slope);
-            chart->series.push_back(*std::move(line));
-        }
+    const double upper = std::min(0.375 * kStandardGravity, 0.6 * largest);
+    if (auto line = lineThrough(curve, *slope / kStandardGravity, 0.1 * kStandardGravity, upper)) {
+        line->name = fmt::format("{:.3g} deg/g at the hand wheel", *slope);
+        chart->series.push_back(*std::move(line));
     }
-    if (understeer) chart->note = fmt::format("Understeer gradient {:.3g} deg/g at the road wheels.", *understeer);
+    chart->note = note;
     return chart;
 }
 

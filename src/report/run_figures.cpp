@@ -91,13 +91,15 @@ std::optional<Series> usedFriction(const Log& log, const WheelLook& wheel) {
     const Channel* fy = completeChannel(log, prefix + "fy");
     const Channel* load = completeChannel(log, prefix + "load");
     if (!fx || !fy || !load) return std::nullopt;
+    const Channel* speed = completeChannel(log, kForwardSpeed.channel);
     const double least = kLifted * *std::max_element(load->values.begin(), load->values.end());
     Series series{.name = std::string(wheel.label), .x = {}, .y = {}, .colour = wheel.colour, .dashed = wheel.dashed};
     for (std::size_t i = 0; i < log.samples(); ++i) {
         const double fz = load->values[i];
-        const bool on_ground = fz > least;
-        series.x.push_back(on_ground ? fy->values[i] / fz : std::nan(""));
-        series.y.push_back(on_ground ? fx->values[i] / fz : std::nan(""));
+        const bool rolls = !speed || std::abs(speed->values[i]) > kStanding;
+        const bool drawn = fz > least && rolls;
+        series.x.push_back(drawn ? fy->values[i] / fz : std::nan(""));
+        series.y.push_back(drawn ? fx->values[i] / fz : std::nan(""));
     }
     return series;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "report/cross_plot.h"
 #include "report/html.h"
@@ -116,6 +117,7 @@ void addCards(HtmlPage& page, const std::vector<Metric>& metrics) {
     std::vector<Card> cards;
     for (const Metric& metric : metrics) {
         if (cards.size() == kMost) break;
+        if (!std::isfinite(metric.value)) continue;
         const DisplayUnit shown = displayUnit(metric.unit);
         std::string words = metric.name;
         std::replace(words.begin(), words.end(), '_', ' ');

@@ -56,13 +56,14 @@ struct Layout {
     double pixelY(double value) const { return (y.highest - value) / y.span() * height; }
 };
 
-// Smallest and largest finite value, a little room around; never empty.
+// Smallest and largest value of the points that are drawn, a little room around; never empty.
 Range rangeOf(const Chart& chart, std::vector<double> Series::*values, double ChartLabel::*label_value,
               const ChartAxis& axis) {
     Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const Series& series : chart.series) {
-        for (const double value : series.*values) {
-            if (!std::isfinite(value)) continue;
+        for (std::size_t i = 0; i < series.x.size(); ++i) {
+            if (!std::isfinite(series.x[i]) || !std::isfinite(series.y[i])) continue;
+            const double value = (series.*values)[i];
             range.lowest = std::min(range.lowest, value);
             range.highest = std::max(range.highest, value);
         }

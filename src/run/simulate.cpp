@@ -55,6 +55,9 @@ public:
         return row_;
     }
 
+    // Whether sensors need the whole of every sample.
+    bool isObserved() const { return !sensors_.empty(); }
+
     // In every step, once the sample is complete.
     void observe(const BodyMotion& body) {
         for (Observed& one : sensors_) one.sensor.observe(*one.source, body);
@@ -156,14 +159,23 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
     for (long k = 0;; ++k) {
         sample.time = static_cast<double>(k) * dt;
         const double yaw_before = sample.car.chassis.yaw;
-        sample.car = car.output();
-        sample.car.chassis.yaw = unwrapped(sample.car.chassis.yaw, yaw_before);
+        const bool row_due = k % steps_per_row == 0;
+        const auto look = [&](bool at_everything) {
+            if (at_everything) {
+                sample.car = car.output();
+            } else {
+                glance(sample.car, car.motion(), car.state(), world.gravity());
+            }
+            sample.car.chassis.yaw = unwrapped(sample.car.chassis.yaw, yaw_before);
+        };
+        look(row_due || sample.isObserved());
         checkHealth(sample.car, sample.time);
         sample.observe(bodyMotion(car));
         driver.look(sample.time, sample.car.chassis, sample.car.steering.angle);
 
         const bool finished = driver.finished(sample.time);
-        if (k % steps_per_row == 0 || finished) recorder.row(sample.row());
+        if (finished && !row_due) look(true);
+        if (row_due || finished) recorder.row(sample.row());
         if (finished) break;
         if (recorder.stop(sample.time)) {
             throw Interrupted(fmt::format("interrupted at t = {:.4g} s", sample.time), sample.time);

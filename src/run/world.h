@@ -12,12 +12,13 @@ public:
     explicit World(const VehicleParams& vehicle);
 
     btRigidBody& chassis() { return chassis_; }
+    Vector3 gravity() const { return {0, 0, -kStandardGravity}; }
     void step(double dt) { dynamics_.stepSimulation(dt, 0); }
 
 private:
     btDefaultCollisionConfiguration configuration_;
     btCollisionDispatcher dispatcher_{&configuration_};
-    btDbvtBroadphase broadphase_;
+    btSimpleBroadphase broadphase_;
     btSequentialImpulseConstraintSolver solver_;
     btDiscreteDynamicsWorld dynamics_{&dispatcher_, &broadphase_, &solver_, &configuration_};
     btBoxShape shape_;

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/numbers.h"
+#include "base/text_file.h"
 #include "tyre/tir_map.h"
 #include "tyre/tir_text.h"
 #include "tyre/tir_units.h"
@@ -276,11 +277,20 @@ void TirImport::warnOfLosses() {
 }  // namespace
 
 TyreParams readTir(const std::filesystem::path& file, std::vector<std::string>& warnings) {
+    std::string fault;
+    const auto content = readTextFile(file, fault);
+    if (!content) throw LoadError({{file.string(), 0, 0, "", fault}});
+    if (content->size() > kLargestFile)
+        throw LoadError({{file.string(), 0, 0, "", "is larger than 4 MB, expected a tyre property file"}});
+    return parseTir(*content, file.string(), warnings);
+}
+
+TyreParams parseTir(std::string_view written, const std::string& file, std::vector<std::string>& warnings) {
     std::vector<Problem> problems;
     const auto throwIfAny = [&problems] {
         if (!problems.empty()) throw LoadError(problems);
     };
-    const TirText content = readTirText(file, problems);
+    const TirText content = parseTirText(written, file, problems);
     if (content.entries.empty()) throwIfAny();
     TirImport import(content, problems, warnings);
     if (!import.isKnownModel()) throwIfAny();

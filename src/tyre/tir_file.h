@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tread/tyre.h"
@@ -17,5 +18,8 @@ namespace tread {
 
 // Throws LoadError with all faults of the file: bad lines, units, numbers, missing keys, or another tyre model.
 TyreParams readTir(const std::filesystem::path& file, std::vector<std::string>& warnings);
+
+// The same from the text of a file; `file` is its name in messages.
+TyreParams parseTir(std::string_view written, const std::string& file, std::vector<std::string>& warnings);
 
 }  // namespace tread

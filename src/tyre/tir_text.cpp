@@ -4,7 +4,8 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <fstream>
+#include <map>
+#include <utility>
 
 namespace tread {
 namespace {
@@ -82,16 +83,15 @@ private:
         } else {
             entry.value = withoutComment(line.substr(at));
         }
-        for (const TirEntry& earlier : text_.entries) {
-            if (earlier.key == entry.key && earlier.section == entry.section) {
-                return complain(start, entry.key, "is given twice, first in line " + std::to_string(earlier.line));
-            }
-        }
+        const auto [earlier, is_first] = lines_.try_emplace({entry.section, entry.key}, line_);
+        if (!is_first)
+            return complain(start, entry.key, "is given twice, first in line " + std::to_string(earlier->second));
         text_.entries.push_back(std::move(entry));
     }
 
     TirText& text_;
     std::vector<Problem>& problems_;
+    std::map<std::pair<std::string, std::string>, int> lines_;  // of a key in a section
     std::string section_;
     int line_ = 0;
 };
@@ -126,16 +126,15 @@ std::optional<double> numberIn(const TirEntry& entry) {
     return value;
 }
 
-TirText readTirText(const std::filesystem::path& file, std::vector<Problem>& problems) {
+TirText parseTirText(std::string_view content, const std::string& file, std::vector<Problem>& problems) {
     TirText text;
-    text.file = file.string();
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file)) {
-        problems.push_back({text.file, 0, 0, "", "cannot be read"});
-        return text;
-    }
+    text.file = file;
     LineReader reader(text, problems);
-    for (std::string line; std::getline(stream, line);) reader.read(line);
+    while (!content.empty()) {
+        const std::size_t end = std::min(content.find('\n'), content.size());
+        reader.read(content.substr(0, end));
+        content.remove_prefix(std::min(end + 1, content.size()));
+    }
     return text;
 }
 

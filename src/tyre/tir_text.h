@@ -1,7 +1,6 @@
 // The text of a .tir file: sections of `KEY = value`, comments behind `$` and `!`, tables.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,7 +34,7 @@ std::string upperCase(std::string_view text);
 // The number that a value says; nothing when it is not a finite number and nothing else.
 std::optional<double> numberIn(const TirEntry& entry);
 
-// Reads a file; faults of lines are added to `problems`.
-TirText readTirText(const std::filesystem::path& file, std::vector<Problem>& problems);
+// Faults of lines are added to `problems`, which name `file`.
+TirText parseTirText(std::string_view content, const std::string& file, std::vector<Problem>& problems);
 
 }  // namespace tread

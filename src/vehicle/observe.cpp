@@ -8,7 +8,8 @@ namespace {
 constexpr double kSlowWheel = 0.1;  // m/s, below which slips are reported against this speed
 constexpr double kSlowBody = 0.5;   // m/s, below which the sideslip angle means nothing
 
-ChassisOutput observeChassis(const ChassisMotion& motion, const VehicleState& state, const Vector3& up) {
+ChassisOutput observeChassis(const ChassisMotion& motion, const VehicleState& state, const Vector3& gravity_W) {
+    const Vector3 up = gravity_W.norm() > 0 ? Vector3(-gravity_W.normalized()) : Vector3::UnitZ();
     const Eigen::Matrix3d body = motion.orientation.toRotationMatrix();
     // Intermediate axes of ISO 8855: x horizontal along the heading, z vertical.
     const Vector3 x = (body.col(0) - body.col(0).dot(up) * up).normalized();
@@ -70,9 +71,8 @@ WheelOutput observeWheel(const WheelState& wheel, const Vehicle::Corner& corner)
 
 VehicleOutput observe(const ChassisMotion& motion, const VehicleState& state, const Vehicle& vehicle,
                       const Vector3& gravity_W) {
-    const Vector3 up = gravity_W.norm() > 0 ? Vector3(-gravity_W.normalized()) : Vector3::UnitZ();
     VehicleOutput out;
-    out.chassis = observeChassis(motion, state, up);
+    out.chassis = observeChassis(motion, state, gravity_W);
     for (std::size_t i = 0; i < kWheels; ++i) {
         out.wheel[i] = observeWheel(state.wheels[i], vehicle.corners[i]);
         out.wheel[i].brake_temperature = vehicle.params.brakes.ambient_temperature + state.brakes.heating[i];
@@ -83,6 +83,13 @@ VehicleOutput observe(const ChassisMotion& motion, const VehicleState& state, co
     out.driveline = {state.driveline.engine_speed, state.engine_torque, state.motor_torque,
                      static_cast<double>(state.driveline.gear)};
     return out;
+}
+
+void glance(VehicleOutput& output, const ChassisMotion& motion, const VehicleState& state, const Vector3& gravity_W) {
+    output.chassis = observeChassis(motion, state, gravity_W);
+    for (std::size_t i = 0; i < kWheels; ++i) output.wheel[i].spin = state.wheels[i].spin;
+    output.steering.angle = state.steering.angle;
+    output.driveline.engine_speed = state.driveline.engine_speed;
 }
 
 }  // namespace tread

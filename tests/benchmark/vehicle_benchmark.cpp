@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "shared/bullet_scene.h"
+#include "shared/equipped_car.h"
 #include "shared/vehicle_run.h"
 
 namespace tread {
@@ -13,15 +14,25 @@ constexpr double kSpeed = 20;    // m/s
 
 // The car goes straight on; it is set back before it leaves where a float world would still be exact.
 template <class Car>
-void driveOn(benchmark::State& state) {
+void driveOn(benchmark::State& state, const VehicleParams& params) {
     shared::PlaneWorld world;
-    Car car(world.dynamics, shared::compact(), kSpeed);
+    Car car(world.dynamics, params, kSpeed);
     for (int i = 0; i < 1000; ++i) world.dynamics.stepSimulation(kStep, 0);
     for (auto _ : state) world.dynamics.stepSimulation(kStep, 0);
     state.counters["speed"] = car.chassis().getLinearVelocity().x();
 }
-BENCHMARK(driveOn<shared::StockCar>)->Name("step_1kHz/stock");
-BENCHMARK(driveOn<shared::TreadCar>)->Name("step_1kHz/tread");
+void stockStep(benchmark::State& state) {
+    driveOn<shared::StockCar>(state, shared::compact());
+}
+void treadStep(benchmark::State& state) {
+    driveOn<shared::TreadCar>(state, shared::compact());
+}
+void everythingStep(benchmark::State& state) {
+    driveOn<shared::TreadCar>(state, shared::withEverything(shared::compact()));
+}
+BENCHMARK(stockStep)->Name("step_1kHz/stock");
+BENCHMARK(treadStep)->Name("step_1kHz/tread");
+BENCHMARK(everythingStep)->Name("step_1kHz/tread_everything");
 
 void emptyWorld(benchmark::State& state) {
     shared::PlaneWorld world;
@@ -30,14 +41,20 @@ void emptyWorld(benchmark::State& state) {
 BENCHMARK(emptyWorld)->Name("step_1kHz/empty_world");
 
 // Equilibrium, step steer of 6 s at 1 kHz, log in memory. `real_time_factor`: simulated over computed time.
-void wholeRun(benchmark::State& state) {
-    const VehicleParams car = shared::compact();
+void wholeRun(benchmark::State& state, const VehicleParams& car) {
     const Scenario scenario = shared::scenario("step_steer_80");
     double simulated = 0;
     for (auto _ : state) simulated += simulate(car, scenario).channels.front().values.back();
     state.counters["real_time_factor"] = benchmark::Counter(simulated, benchmark::Counter::kIsRate);
 }
-BENCHMARK(wholeRun)->Name("headless/step_steer_80")->Unit(benchmark::kMillisecond);
+void shippedRun(benchmark::State& state) {
+    wholeRun(state, shared::compact());
+}
+void everythingRun(benchmark::State& state) {
+    wholeRun(state, shared::withEverything(shared::compact()));
+}
+BENCHMARK(shippedRun)->Name("headless/step_steer_80")->Unit(benchmark::kMillisecond);
+BENCHMARK(everythingRun)->Name("headless/step_steer_80_everything")->Unit(benchmark::kMillisecond);
 
 void settling(benchmark::State& state) {
     const Vehicle car = prepare(shared::compact());

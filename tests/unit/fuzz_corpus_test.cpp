@@ -7,6 +7,7 @@
 
 #include "fuzz/csv_entry.h"
 #include "fuzz/height_field_entry.h"
+#include "fuzz/tir_entry.h"
 #include "fuzz/yaml_entry.h"
 #include "places/places.h"
 #include "shared/scratch.h"
@@ -46,6 +47,12 @@ TEST(FuzzCorpus, EveryHeightFieldIsTakenOrRefusedInWords) {
     const auto [files, taken] = replay("height_field", fuzz::readHostileHeights);
     EXPECT_GE(files, 9u);
     EXPECT_EQ(taken, (std::vector<std::string>{"plain.csv"}));
+}
+
+TEST(FuzzCorpus, EveryTyrePropertyFileIsTakenOrRefusedInWords) {
+    const auto [files, taken] = replay("tir", fuzz::readHostileTir);
+    EXPECT_GE(files, 14u);
+    EXPECT_EQ(taken, (std::vector<std::string>{"latin1.tir", "plain.tir", "tables.tir", "units.tir", "windows.tir"}));
 }
 
 }  // namespace

@@ -183,7 +183,10 @@ int check(const CheckOptions& options) {
     for (const std::string& name : options.files) files.push_back(checkFile(name));
     for (const CheckedFile& file : files) {
         for (const std::string& note : file.notes) {
-            std::fprintf(stderr, "%s: note: %s\n", file.name.c_str(), note.c_str());
+            // What concerns the file itself begins with its name already.
+            const bool named = note.starts_with(file.name + ": ");
+            const std::size_t begin = named ? file.name.size() + 2 : 0;
+            std::fprintf(stderr, "%s: note: %s\n", file.name.c_str(), note.c_str() + begin);
         }
     }
     const std::vector<Problem> faults = allFaults(files);
