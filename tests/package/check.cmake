@@ -1,4 +1,4 @@
-# Installs the build into a prefix of its own (STEP=install), or builds and runs the consumer against it in one of the ways
+# Installs the build into a prefix of its own (STEP=install), makes Debian packages of it and unpacks them (STEP=debian), or builds and runs the consumer against it in one of the ways
 # of consumer/CMakeLists.txt (STEP=package, source, pkgconfig, wrong_bullet and those in single precision).
 #   cmake -DSTEP=... -DFOLDER=... -DBUILD=... -DSOURCE=... -DCOMPILER=... -DFLAGS=... -DLAUNCHER=... -P check.cmake
 set(prefix "${FOLDER}/installed tread")
@@ -50,6 +50,37 @@ if(STEP STREQUAL install)
     must_run("${first}/bin/tread" --version)
     file(RENAME ${first} ${prefix})
     return()
+endif()
+
+# ---- Make the Debian packages, judge what they say of themselves, unpack them ----
+if(STEP STREQUAL debian)
+    find_program(shlibdeps dpkg-shlibdeps)
+    if(NOT shlibdeps)
+        message(FATAL_ERROR "no dpkg-shlibdeps here (Debian package dpkg-dev): the packages cannot know what they need")
+    endif()
+    set(packages "${FOLDER}/packages")
+    must_run(${CMAKE_CPACK_COMMAND} --config ${BUILD}/CPackConfig.cmake -G DEB -B ${packages})
+    function(check_package name)
+        file(GLOB package "${packages}/${name}_*.deb")
+        list(LENGTH package count)
+        if(NOT count EQUAL 1)
+            message(FATAL_ERROR "expected one package ${name}, found: ${package}")
+        endif()
+        must_run(dpkg-deb --field ${package})
+        foreach(expected ${ARGN})
+            if(NOT text MATCHES "${expected}")
+                message(SEND_ERROR "${name}: the control file lacks '${expected}':\n${text}")
+            endif()
+        endforeach()
+        must_run(dpkg-deb --extract ${package} "${FOLDER}/unpacked")
+    endfunction()
+    check_package(tread "Depends: [^\n]*libbullet" "Depends: [^\n]*libyaml-cpp" "Depends: [^\n]*libmatio" "Section: science")
+    check_package(libtread-dev "Depends: libbullet-dev, libeigen3-dev, libyaml-cpp-dev, pkg-config" "Section: libdevel")
+    must_run("${FOLDER}/unpacked/usr/bin/tread" --version)
+    return()
+endif()
+if(STEP STREQUAL debian_consumer)
+    set(prefix "${FOLDER}/unpacked/usr")
 endif()
 
 # ---- Configure, build and run the consumer ----

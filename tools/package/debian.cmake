@@ -1,0 +1,27 @@
+# Debian packages: `cpack --config build/CPackConfig.cmake` makes tread (the program with vehicles and scenarios) and
+# libtread-dev (headers and libraries for Bullet in both precisions, found by CMake and pkg-config).
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME tread)
+set(CPACK_PACKAGE_CONTACT "the tread developers <tread@localhost>")
+set(CPACK_PACKAGE_VENDOR tread)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES TRUE)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_RESOURCE_FILE_LICENSE ${CMAKE_CURRENT_SOURCE_DIR}/LICENSE)
+set(CPACK_DEB_COMPONENT_INSTALL TRUE)
+set(CPACK_COMPONENTS_ALL development)
+if(TREAD_LAB)
+    list(APPEND CPACK_COMPONENTS_ALL program)
+endif()
+
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tread)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
+    "full-vehicle simulator on Delft Tyre 97\n Runs standard manoeuvres headless, computes their metrics, compares and reports logs.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libtread-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libbullet-dev, libeigen3-dev, libyaml-cpp-dev, pkg-config")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
+    "full-vehicle simulator on Delft Tyre 97, for Bullet programs\n A vehicle action and a replacement of btRaycastVehicle, for Bullet in single and double precision.")
+include(CPack)
