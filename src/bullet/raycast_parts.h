@@ -36,6 +36,8 @@ struct RaycastVehicle::Implementation {
     ChassisMotion motion{};
     BodyLink link{};
     Vector3 expected_position = Vector3::Zero();
+    Vector3 seen_velocity = Vector3::Zero();  // at the instant of the last step; `motion` is ahead of it
+    Vector3 seen_angular_velocity = Vector3::Zero();
     WheeledBodyState state{};
     std::array<WheelDemand, kMostWheels> demands{};
     std::array<WheelGround, kMostWheels> grounds{};

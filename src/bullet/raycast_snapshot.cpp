@@ -38,7 +38,7 @@ std::array<double, 12> toArray(const btTransform& pose) {
 btTransform poseOf(const std::array<double, 12>& n) {
     const auto at = [&](std::size_t i) { return static_cast<btScalar>(n[i]); };
     return btTransform(btMatrix3x3(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8)),
-            btVector3(at(9), at(10), at(11)));
+                       btVector3(at(9), at(10), at(11)));
 }
 
 }  // namespace

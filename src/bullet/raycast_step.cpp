@@ -29,13 +29,11 @@ constexpr double kLookAgain = 0.5;
 constexpr double kRestSpeed = 0.01;  // m/s
 constexpr double kRestSpin = 0.05;   // rad/s
 
-double share(double begin, double end, double at) {
-    return begin + at * (end - begin);
-}
-
+// A wheel is steered along the way from one step to the next; forces come at once.
 WheelDemand between(const WheelDemand& a, const WheelDemand& b, double at) {
-    return {share(a.steer, b.steer, at), share(a.drive_torque, b.drive_torque, at),
-            share(a.brake_torque, b.brake_torque, at), share(a.friction, b.friction, at)};
+    WheelDemand demand = b;
+    demand.steer = a.steer + at * (b.steer - a.steer);
+    return demand;
 }
 
 bool same(const WheelDemand& a, const WheelDemand& b) {
@@ -101,6 +99,13 @@ void RaycastVehicle::Implementation::takeUp(const btCollisionWorld* world, doubl
     const double turn = before.angularDistance(motion.orientation);
     const double most = kTeleportTurn + 2 * dt * (turned.norm() + link.angular_velocity.norm());
     const bool teleported = moved || turn > most;
+    if (teleported) {
+        motion.velocity_W = link.velocity;
+        motion.angular_velocity_W = link.angular_velocity;
+        state.acceleration_W = state.angular_acceleration_W = {};
+    }
+    seen_velocity = motion.velocity_W;
+    seen_angular_velocity = motion.angular_velocity_W;
 
     for (std::size_t i = 0; i < car.wheel_count; ++i) {
         const bool reset = i < wheels_before && info(i).m_raycastInfo.m_suspensionLength != shown_length[i];
@@ -171,7 +176,7 @@ void RaycastVehicle::Implementation::drive(const btCollisionWorld* world, double
 // step takes less than the whole.
 void RaycastVehicle::Implementation::pushGround(double dt) {
     for (std::size_t i = 0; i < car.wheel_count; ++i) {
-        btRigidBody* body = btRigidBody::upcast(grounds[i].object);
+        btRigidBody* body = bodyUnder(grounds[i]);
         if (!body || body->getInvMass() <= 0 || impulses[i].isZero()) continue;
         const auto& [x, y, z] = state.wheels[i].contact_B;
         const Vector3 contact = motion.position_W + motion.orientation * Vector3(x, y, z);
@@ -192,7 +197,7 @@ void RaycastVehicle::Implementation::fallAsleepOrNot() {
     bool rests = motion.velocity_W.norm() < kRestSpeed && motion.angular_velocity_W.norm() < kRestSpeed;
     for (std::size_t i = 0; i < car.wheel_count; ++i) {
         rests &= std::abs(state.wheels[i].spin) < kRestSpin;
-        const btRigidBody* body = btRigidBody::upcast(grounds[i].object);
+        const btRigidBody* body = bodyUnder(grounds[i]);
         rests &= !body || body->isStaticOrKinematicObject() || !body->isActive();
     }
     if (!rests) chassis.setDeactivationTime(0);

@@ -98,11 +98,11 @@ void RaycastVehicle::setTyre(int wheel, const TyreParams& tyre) {
 }
 
 Vector3 RaycastVehicle::velocity() const {
-    return self_->motion.velocity_W;
+    return self_->seen_velocity;
 }
 
 Vector3 RaycastVehicle::angularVelocity() const {
-    return self_->motion.angular_velocity_W;
+    return self_->seen_angular_velocity;
 }
 }
 }  // namespace tread
