@@ -16,9 +16,6 @@ inline namespace bullet_float32 {
 
 namespace {
 
-std::array<double, 3> toArray(const Vector3& v) {
-    return {v.x(), v.y(), v.z()};
-}
 std::array<double, 6> toArray(const Vector3& a, const Vector3& b) {
     return {a.x(), a.y(), a.z(), b.x(), b.y(), b.z()};
 }
@@ -50,7 +47,7 @@ RaycastVehicleState RaycastVehicle::snapshot() const {
     state.demands = s.demands;
     state.velocity = toArray(s.motion.velocity_W, s.motion.angular_velocity_W);
     state.expected = toArray(s.link.velocity, s.link.angular_velocity);
-    state.expected_position = toArray(s.expected_position);
+    state.planned = s.planned;
     state.pose = toArray(s.chassis.getWorldTransform());
     state.body_velocity =
         toArray(fromBullet(s.chassis.getLinearVelocity()), fromBullet(s.chassis.getAngularVelocity()));
@@ -68,7 +65,7 @@ void RaycastVehicle::restore(const RaycastVehicleState& state) {
     s.motion.velocity_W = vectorAt(state.velocity, 0);
     s.motion.angular_velocity_W = vectorAt(state.velocity, 3);
     s.link = {vectorAt(state.expected, 0), vectorAt(state.expected, 3)};
-    s.expected_position = vectorAt(state.expected_position, 0);
+    s.planned = state.planned;
     s.wheels_before = std::min(static_cast<std::size_t>(std::max(state.wheel_count, 0)), s.wheelCount());
     s.asleep = state.asleep;
 

@@ -55,7 +55,6 @@ RaycastVehicle::RaycastVehicle(const btVehicleTuning& tuning, btRigidBody* chass
     s.motion.velocity_W = s.link.velocity;
     s.motion.angular_velocity_W = s.link.angular_velocity;
     takeMotion(s.motion, s.link, *chassis, Quaternion::Identity());
-    s.expected_position = s.motion.position_W;
 }
 
 RaycastVehicle::RaycastVehicle(const btVehicleTuning& tuning, btRigidBody* chassis, btVehicleRaycaster* raycaster,

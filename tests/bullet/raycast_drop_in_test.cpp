@@ -156,6 +156,18 @@ TEST(RaycastVehicle, TwelveAndThreeWheelsStandAndDrive) {
     }
 }
 
+// A game that draws at an uneven pace and steps as long as the last picture took.
+TEST(RaycastVehicle, ParkedCarDoesNotMindUnevenSteps) {
+    World world;
+    world.addPlane();
+    DropIn car(world);
+    car.brake(50);
+    run(world, 3, 60);
+    const btVector3 before = car.place();
+    for (int i = 0; i < 300; ++i) world.dynamics.stepSimulation(scalar(0.01 + 0.007 * (i % 4)), 0);
+    EXPECT_LT((car.place() - before).length(), 2e-5);
+}
+
 // A raycaster that a game wrote for itself: flat ground at a height, and a handle that is no body.
 struct OwnGround : btVehicleRaycaster {
     void* castRay(const btVector3& from, const btVector3& to, btVehicleRaycasterResult& result) override {
