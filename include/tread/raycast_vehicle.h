@@ -93,8 +93,8 @@ struct RaycastVehicleState {
     std::array<WheelDemand, kMostWheels> demands;  // at the end of the last step
     std::array<double, 6> velocity{};              // linear and angular, at the instant of the last step
     std::array<double, 6> expected{};              // what the chassis shows if nobody else pushes it
-    std::array<double, 3> expected_position{};
-    std::array<double, 12> pose{};  // of the chassis: basis by rows, origin
+    double planned = 0;                            // s, length of the step for which that was planned
+    std::array<double, 12> pose{};                 // of the chassis: basis by rows, origin
     std::array<double, 6> body_velocity{};
     double deactivation_time = 0;
     int activation_state = 0;

@@ -44,7 +44,7 @@ Vector3 RaycastVehicle::Implementation::gravity() const {
 }
 
 WheelDemand RaycastVehicle::Implementation::demand(std::size_t wheel) {
-    return demandOf(info(wheel), car.wheels[wheel].tyre.parameters.Ro, state.wheels[wheel].spin, file.has_value());
+    return demandOf(info(wheel), car.wheels[wheel], state.wheels[wheel].spin, file.has_value());
 }
 
 void RaycastVehicle::Implementation::takeBody() {

@@ -35,7 +35,9 @@ struct RaycastVehicle::Implementation {
 
     ChassisMotion motion{};
     BodyLink link{};
-    Vector3 expected_position = Vector3::Zero();
+    double planned = 0;  // s, length of the step that the chassis' velocity was planned for; asleep 0
+    Vector3 seen_velocity = Vector3::Zero();  // at the instant of the last step; `motion` is ahead of it
+    Vector3 seen_angular_velocity = Vector3::Zero();
     WheeledBodyState state{};
     std::array<WheelDemand, kMostWheels> demands{};
     std::array<WheelGround, kMostWheels> grounds{};
@@ -56,6 +58,8 @@ struct RaycastVehicle::Implementation {
     // raycast_step.cpp
     void step(const btCollisionWorld* world, double dt);
     bool staysAsleep(const btCollisionWorld* world);
+    void takeBackGravity(double dt);
+    bool isTeleported(double dt) const;
     void takeUp(const btCollisionWorld* world, double dt);
     void findGround(std::size_t wheel, const ChassisMotion& at, const btCollisionWorld* world, double dt);
     void drive(const btCollisionWorld* world, double dt);

@@ -16,9 +16,6 @@ inline namespace bullet_float32 {
 
 namespace {
 
-std::array<double, 3> toArray(const Vector3& v) {
-    return {v.x(), v.y(), v.z()};
-}
 std::array<double, 6> toArray(const Vector3& a, const Vector3& b) {
     return {a.x(), a.y(), a.z(), b.x(), b.y(), b.z()};
 }
@@ -38,7 +35,7 @@ std::array<double, 12> toArray(const btTransform& pose) {
 btTransform poseOf(const std::array<double, 12>& n) {
     const auto at = [&](std::size_t i) { return static_cast<btScalar>(n[i]); };
     return btTransform(btMatrix3x3(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8)),
-            btVector3(at(9), at(10), at(11)));
+                       btVector3(at(9), at(10), at(11)));
 }
 
 }  // namespace
@@ -50,7 +47,7 @@ RaycastVehicleState RaycastVehicle::snapshot() const {
     state.demands = s.demands;
     state.velocity = toArray(s.motion.velocity_W, s.motion.angular_velocity_W);
     state.expected = toArray(s.link.velocity, s.link.angular_velocity);
-    state.expected_position = toArray(s.expected_position);
+    state.planned = s.planned;
     state.pose = toArray(s.chassis.getWorldTransform());
     state.body_velocity =
         toArray(fromBullet(s.chassis.getLinearVelocity()), fromBullet(s.chassis.getAngularVelocity()));
@@ -68,7 +65,7 @@ void RaycastVehicle::restore(const RaycastVehicleState& state) {
     s.motion.velocity_W = vectorAt(state.velocity, 0);
     s.motion.angular_velocity_W = vectorAt(state.velocity, 3);
     s.link = {vectorAt(state.expected, 0), vectorAt(state.expected, 3)};
-    s.expected_position = vectorAt(state.expected_position, 0);
+    s.planned = state.planned;
     s.wheels_before = std::min(static_cast<std::size_t>(std::max(state.wheel_count, 0)), s.wheelCount());
     s.asleep = state.asleep;
 

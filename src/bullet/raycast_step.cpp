@@ -23,19 +23,19 @@ constexpr double kLongestStep = 1.0;  // s: of a longer one, the first second co
 // A pose this far from where the chassis should be is a teleport, not a collision.
 constexpr double kTeleport = 0.25;      // m
 constexpr double kTeleportTurn = 0.25;  // rad
+// Below this velocity from elsewhere the chassis counts as moved by gravity and its wheels alone.
+constexpr double kPushed = 0.01;  // m/s
 // A wheel looks at the ground again when it has gone this share of its radius.
 constexpr double kLookAgain = 0.5;
 // Below these a vehicle may fall asleep; Bullet alone would stop one that rolls at walking pace.
 constexpr double kRestSpeed = 0.01;  // m/s
 constexpr double kRestSpin = 0.05;   // rad/s
 
-double share(double begin, double end, double at) {
-    return begin + at * (end - begin);
-}
-
+// A wheel is steered along the way from one step to the next; forces come at once.
 WheelDemand between(const WheelDemand& a, const WheelDemand& b, double at) {
-    return {share(a.steer, b.steer, at), share(a.drive_torque, b.drive_torque, at),
-            share(a.brake_torque, b.brake_torque, at), share(a.friction, b.friction, at)};
+    WheelDemand demand = b;
+    demand.steer = a.steer + at * (b.steer - a.steer);
+    return demand;
 }
 
 bool same(const WheelDemand& a, const WheelDemand& b) {
@@ -67,6 +67,7 @@ bool RaycastVehicle::Implementation::staysAsleep(const btCollisionWorld* world) 
         motion.velocity_W.setZero();
         motion.angular_velocity_W.setZero();
         link = {};
+        planned = 0;
         state.acceleration_W = state.angular_acceleration_W = {};
         for (std::size_t i = 0; i < wheelCount(); ++i) info(i).m_deltaRotation = 0;
     }
@@ -81,33 +82,52 @@ bool RaycastVehicle::Implementation::staysAsleep(const btCollisionWorld* world) 
     return false;
 }
 
+// Bullet has moved the chassis on with the velocity that was planned for a step of the length before, and with gravity
+// for the length that the step had. In the difference, as after waking, nothing held the car: that is taken back.
+void RaycastVehicle::Implementation::takeBackGravity(double dt) {
+    const bool pulled = !asleep || chassis.getTotalForce().dot(chassis.getGravity()) > 0;
+    if (!pulled) chassis.applyGravity();  // woken within a call of stepSimulation: for what is left of it
+    asleep = false;
+    if (!pulled || dt == planned) return;
+    const Vector3 factor = fromBullet(chassis.getLinearFactor());
+    const Vector3 extra = (dt - planned) * gravity().cwiseProduct(factor);
+    link.velocity += extra;
+    if ((fromBullet(chassis.getLinearVelocity()) - link.velocity).norm() > kPushed) return;
+    btTransform pose = chassis.getCenterOfMassTransform();
+    pose.setOrigin(pose.getOrigin() - toBullet(Vector3(dt * extra)));
+    chassis.setCenterOfMassTransform(pose);
+}
+
+// Whether the chassis is elsewhere than its velocity has taken it.
+bool RaycastVehicle::Implementation::isTeleported(double dt) const {
+    const Vector3 velocity = fromBullet(chassis.getLinearVelocity());
+    const Vector3 moved = fromBullet(chassis.getCenterOfMassPosition()) - motion.position_W;
+    const double turned = motion.orientation.angularDistance(fromBullet(chassis.getOrientation()));
+    return (moved - dt * velocity).norm() > kTeleport ||
+           turned > kTeleportTurn + 1.2 * dt * static_cast<double>(chassis.getAngularVelocity().length());
+}
+
 // Takes the chassis' motion; a wheel that was put somewhere else starts anew there.
 void RaycastVehicle::Implementation::takeUp(const btCollisionWorld* world, double dt) {
-    if (asleep) {
-        // Others woke the chassis: what gravity did to it before the wheels could hold it is taken back.
-        asleep = false;
-        if (chassis.getTotalForce().dot(chassis.getGravity()) > 0) link.velocity = dt * gravity();
-        else chassis.applyGravity();
-    }
-    const Quaternion before = motion.orientation;
-    const Vector3 pushed = fromBullet(chassis.getLinearVelocity()) - link.velocity;
-    const Vector3 turned = fromBullet(chassis.getAngularVelocity()) - link.angular_velocity;
+    const bool teleported = isTeleported(dt);
+    if (teleported) asleep = false;
+    else takeBackGravity(dt);
     takeMotion(motion, link, chassis, Quaternion::Identity());
-    if (!motion.velocity_W.allFinite() || !motion.angular_velocity_W.allFinite()) {
+    if (teleported || !motion.velocity_W.allFinite() || !motion.angular_velocity_W.allFinite()) {
         motion.velocity_W = link.velocity;
         motion.angular_velocity_W = link.angular_velocity;
+        state.acceleration_W = state.angular_acceleration_W = {};
     }
-    const bool moved = (motion.position_W - expected_position).norm() > kTeleport + 2 * dt * pushed.norm();
-    const double turn = before.angularDistance(motion.orientation);
-    const double most = kTeleportTurn + 2 * dt * (turned.norm() + link.angular_velocity.norm());
-    const bool teleported = moved || turn > most;
+    seen_velocity = motion.velocity_W;
+    seen_angular_velocity = motion.angular_velocity_W;
 
     for (std::size_t i = 0; i < car.wheel_count; ++i) {
-        const bool reset = i < wheels_before && info(i).m_raycastInfo.m_suspensionLength != shown_length[i];
+        const bool added = i >= wheels_before;
+        const bool reset = !added && info(i).m_raycastInfo.m_suspensionLength != shown_length[i];
+        if (added) state.wheels[i] = {};
         if (reset) state.wheels[i].compression = 0;
-        if (i >= wheels_before) state.wheels[i] = {};
         findGround(i, motion, world, dt);
-        if (teleported || reset || i >= wheels_before) {
+        if (teleported || reset || added) {
             setDown(state, motion, car, i, grounds[i].plane);
             demands[i] = demand(i);
         }
@@ -158,9 +178,15 @@ void RaycastVehicle::Implementation::drive(const btCollisionWorld* world, double
     }
     for (std::size_t i = 0; i < car.wheel_count; ++i) demands[i] = next[i];
 
-    expected_position = start.position_W + dt / simulated * (motion.position_W - start.position_W);
+    if (!motion.position_W.allFinite() || !motion.velocity_W.allFinite() || !motion.angular_velocity_W.allFinite()) {
+        // No demand is known that leads here. Whatever does, the car goes on as it was, its wheels anew.
+        motion = start;
+        wheels_before = 0;
+        state = {};
+        for (Vector3& impulse : impulses) impulse.setZero();
+    }
     giveMotion(chassis, link, start, motion, simulated);
-    chassis.setLinearVelocity(chassis.getLinearVelocity() - toBullet(Vector3((dt - simulated) * gravity())));
+    planned = simulated;
     pushGround(simulated);
     // The pose is Bullet's to change.
     motion.position_W = start.position_W;
@@ -171,7 +197,7 @@ void RaycastVehicle::Implementation::drive(const btCollisionWorld* world, double
 // step takes less than the whole.
 void RaycastVehicle::Implementation::pushGround(double dt) {
     for (std::size_t i = 0; i < car.wheel_count; ++i) {
-        btRigidBody* body = btRigidBody::upcast(grounds[i].object);
+        btRigidBody* body = bodyUnder(grounds[i]);
         if (!body || body->getInvMass() <= 0 || impulses[i].isZero()) continue;
         const auto& [x, y, z] = state.wheels[i].contact_B;
         const Vector3 contact = motion.position_W + motion.orientation * Vector3(x, y, z);
@@ -192,7 +218,7 @@ void RaycastVehicle::Implementation::fallAsleepOrNot() {
     bool rests = motion.velocity_W.norm() < kRestSpeed && motion.angular_velocity_W.norm() < kRestSpeed;
     for (std::size_t i = 0; i < car.wheel_count; ++i) {
         rests &= std::abs(state.wheels[i].spin) < kRestSpin;
-        const btRigidBody* body = btRigidBody::upcast(grounds[i].object);
+        const btRigidBody* body = bodyUnder(grounds[i]);
         rests &= !body || body->isStaticOrKinematicObject() || !body->isActive();
     }
     if (!rests) chassis.setDeactivationTime(0);

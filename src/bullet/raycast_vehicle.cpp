@@ -55,7 +55,6 @@ RaycastVehicle::RaycastVehicle(const btVehicleTuning& tuning, btRigidBody* chass
     s.motion.velocity_W = s.link.velocity;
     s.motion.angular_velocity_W = s.link.angular_velocity;
     takeMotion(s.motion, s.link, *chassis, Quaternion::Identity());
-    s.expected_position = s.motion.position_W;
 }
 
 RaycastVehicle::RaycastVehicle(const btVehicleTuning& tuning, btRigidBody* chassis, btVehicleRaycaster* raycaster,
@@ -98,11 +97,11 @@ void RaycastVehicle::setTyre(int wheel, const TyreParams& tyre) {
 }
 
 Vector3 RaycastVehicle::velocity() const {
-    return self_->motion.velocity_W;
+    return self_->seen_velocity;
 }
 
 Vector3 RaycastVehicle::angularVelocity() const {
-    return self_->motion.angular_velocity_W;
+    return self_->seen_angular_velocity;
 }
 }
 }  // namespace tread

@@ -19,7 +19,7 @@ constexpr double kSmallestRadius = 0.005;  // m
 constexpr double kLargestRadius = 20;      // m
 constexpr double kLongestStrut = 20;       // m
 constexpr double kMostForce = 1e9;         // N
-constexpr double kMostDemand = 1e8;        // N, of engine or brake
+constexpr double kMostDemand = 1000;       // of engine or brake, over the tyre's nominal load
 // A spring is never softer than this share of its tyre's stiffness, nor harder than this multiple.
 constexpr double kSoftestSpring = 1e-3;
 constexpr double kHardestSpring = 9;
@@ -124,14 +124,16 @@ BodyWheel wheelFromFile(const btWheelInfo& info, const VehicleParams& params, bo
     return wheel;
 }
 
-WheelDemand demandOf(const btWheelInfo& info, double radius, double spin, bool from_file) {
-    const double force = within(info.m_engineForce, -kMostDemand, kMostDemand, 0);
+WheelDemand demandOf(const btWheelInfo& info, const BodyWheel& wheel, double spin, bool from_file) {
+    const double radius = wheel.tyre.parameters.Ro;
+    const double most = kMostDemand * wheel.tyre.parameters.Fzo;
+    const double force = within(info.m_engineForce, -most, most, 0);
     const double rim = spin * radius / kFastestRim;
     const double left = rim * force > 0 ? std::max(1 - rim * rim, 0.0) : 1;
     WheelDemand demand;
     demand.steer = within(info.m_steering, -1e3, 1e3, 0);
     demand.drive_torque = left * force * radius;
-    demand.brake_torque = within(info.m_brake * kStepsOfStock, 0, kMostDemand, 0) * radius;
+    demand.brake_torque = within(info.m_brake * kStepsOfStock, 0, most, 0) * radius;
     demand.friction = from_file ? 1 : frictionOf(info.m_frictionSlip);
     return demand;
 }

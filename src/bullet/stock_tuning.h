@@ -32,7 +32,7 @@ BodyWheel wheelFromTuning(const btWheelInfo& info, double mass, double resting_l
 BodyWheel wheelFromFile(const btWheelInfo& info, const VehicleParams& params, bool left, double resting_load,
                         const std::optional<TyreParams>& tyre);
 
-// The game's demand on a wheel. `from_file`: friction slip does not count.
-WheelDemand demandOf(const btWheelInfo& info, double radius, double spin, bool from_file);
+// The game's demand on a wheel that spins so fast. `from_file`: friction slip does not count.
+WheelDemand demandOf(const btWheelInfo& info, const BodyWheel& wheel, double spin, bool from_file);
 }
 }  // namespace tread

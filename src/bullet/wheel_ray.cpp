@@ -1,10 +1,13 @@
 #include "bullet/wheel_ray.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "bullet/convert.h"
 
@@ -42,6 +45,36 @@ struct GroundBelow : btCollisionWorld::ClosestRayResultCallback {
     int triangle = -1;
 };
 
+// Where a ray enters a box, as a fraction of its way, and the face; Bullet's own answer is wrong by millimetres on
+// large boxes, and its normal by a hundredth. Nothing when it starts inside.
+struct BoxHit {
+    double fraction;
+    Vector3 normal_W;
+};
+std::optional<BoxHit> enterBox(const btCollisionObject& object, const Vector3& start, const Vector3& way) {
+    if (object.getCollisionShape()->getShapeType() != BOX_SHAPE_PROXYTYPE) return {};
+    const auto& box = static_cast<const btBoxShape&>(*object.getCollisionShape());
+    const btMatrix3x3& basis = object.getWorldTransform().getBasis();
+    const Vector3 half = fromBullet(box.getHalfExtentsWithMargin());
+    const Vector3 from = start - fromBullet(object.getWorldTransform().getOrigin());
+    double enters = -1, leaves = 2;
+    Vector3 normal = Vector3::Zero();
+    for (int k = 0; k < 3; ++k) {
+        const Vector3 axis = fromBullet(basis.getColumn(k)).normalized();
+        const double at = from.dot(axis), goes = way.dot(axis);
+        if (goes == 0) continue;  // Bullet has found that it meets the box: it passes between these faces
+        const double side = goes > 0 ? -1 : 1;
+        const double in = (side * half[k] - at) / goes;
+        if (in > enters) {
+            enters = in;
+            normal = side * axis;
+        }
+        leaves = std::min(leaves, (-side * half[k] - at) / goes);
+    }
+    if (enters < 0 || enters > 1 || enters > leaves) return {};
+    return BoxHit{enters, normal};
+}
+
 // Height of a rough surface: bumps about a metre long, the same whenever one comes there.
 double bump(const Vector3& at, double amplitude) {
     if (amplitude == 0) return 0;
@@ -60,7 +93,7 @@ void describe(WheelGround& ground, const SurfaceQuery& query, const SurfaceAt& s
     ground.place = ground.object->getWorldArrayIndex();
     ground.pose = ground.object->getWorldTransform();
     if (const auto* body = btRigidBody::upcast(ground.object)) {
-        if (body->isStaticObject()) return;
+        if (body->isStaticObject() && !body->isKinematicObject()) return;
         ground.plane.velocity_W =
             fromBullet(body->getVelocityInLocalPoint(query.point - body->getCenterOfMassPosition()));
     }
@@ -105,14 +138,20 @@ WheelGround castIntoWorld(const WheelRay& ray, const RaySource& source) {
     if (!ground.plane.exists) return ground;
     // Depth along the ray in double: the hit point itself is rounded to the world's precision.
     ground.handle = ground.object = const_cast<btCollisionObject*>(hit.m_collisionObject);
-    ground.plane.point_W = start + static_cast<double>(hit.m_closestHitFraction) * way * ray.down_W;
-    ground.plane.normal_W = normal.normalized();
+    const auto box = enterBox(*ground.object, start, way * ray.down_W);
+    const double fraction = box ? box->fraction : static_cast<double>(hit.m_closestHitFraction);
+    ground.plane.point_W = start + fraction * way * ray.down_W;
+    ground.plane.normal_W = box ? box->normal_W : normal.normalized();
     if (ground.plane.normal_W.dot(ray.down_W) > 0) ground.plane.normal_W = -ground.plane.normal_W;
     describe(ground, {ground.object, hit.part, hit.triangle, hit.m_hitPointWorld, ray.wheel}, source.surface);
     return ground;
 }
 
 }  // namespace
+
+btRigidBody* bodyUnder(const WheelGround& ground) {
+    return ground.object ? btRigidBody::upcast(ground.object) : nullptr;
+}
 
 bool isThere(const WheelGround& ground, const btCollisionWorld& world) {
     if (!ground.object) return true;

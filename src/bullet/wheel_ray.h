@@ -25,6 +25,9 @@ struct WheelGround {
 // Whether the object is still in the world and where it was: asked without touching one that may be gone.
 bool isThere(const WheelGround& ground, const btCollisionWorld& world);
 
+// The rigid body that a wheel stands on, or null; within the step that found it.
+btRigidBody* bodyUnder(const WheelGround& ground);
+
 struct WheelRay {
     Vector3 top_W;   // m, top of the strut
     Vector3 down_W;  // unit vector

@@ -59,12 +59,12 @@ public:
 
 struct Setup {
     double friction = 1;
-    double damping = 4.4;          // times mass: N s/m
+    double damping = 4.4;  // times mass: N s/m
     double roll_influence = 0.1;
-    double height = 0.54;          // m, of the centre of gravity at rest
-    double most_force = 1e5;       // N
-    double speed = 0;              // m/s, forward
-    double substep = 0;            // s, tread's; 0: its own
+    double height = 0.54;     // m, of the centre of gravity at rest
+    double most_force = 1e5;  // N
+    double speed = 0;         // m/s, forward
+    double substep = 0;       // s, tread's; 0: its own
     bool sleeps = false;
     btTransform place = btTransform::getIdentity();  // turns and moves car and heading
 };
