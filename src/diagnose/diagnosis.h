@@ -8,7 +8,9 @@
 
 #include "diagnose/diagnosis_file.h"
 #include "diagnose/effect.h"
+#include "diagnose/subject.h"
 #include "log/log.h"
+#include "run/simulate.h"
 
 namespace tread {
 
@@ -94,14 +96,21 @@ struct Diagnosis {
     std::vector<Overlay> overlays;
 };
 
+// Drives a car; replaced in tests by models of two lines.
+using Simulate = std::function<void(const VehicleParams&, const Scenario&, const Recorder&)>;
+
 struct DiagnoseOptions {
-    int threads = 0;                                               // 0: one per core
-    std::filesystem::path cache{};                                 // folder; empty: none
+    Simulate simulate = [](const VehicleParams& vehicle, const Scenario& scenario, const Recorder& recorder) {
+        tread::simulate(vehicle, scenario, recorder);
+    };
+    int threads = 0;                // 0: one per core
+    std::filesystem::path cache{};  // folder; empty: none
     std::function<void(double done, const std::string&)> progress = [](double, const std::string&) {};
 };
 
-// The logs of the recordings, in their order, channels under tread's names in SI units, with time from 0 of the window.
-Diagnosis diagnose(const DiagnosisFile& file, const std::vector<Log>& logs, const std::vector<Effect>& effects,
-                   const DiagnoseOptions& options = {});
+// `nominal` is the car as its file says, with the instruments as far as they are known. `logs` are those of the
+// recordings, in their order: channels under tread's names in SI units, cut to the window, time from 0.
+Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std::vector<Log>& logs,
+                   const std::vector<Effect>& effects, const DiagnoseOptions& options = {});
 
 }  // namespace tread
