@@ -2,6 +2,8 @@
 // struct, so that every number has one path ("mass", "road.grade", "wind.speed", "instruments.yaw_rate.delay").
 #pragma once
 
+#include <string_view>
+
 #include "diagnose/instruments.h"
 #include "scenario/wind.h"
 #include "tread/describe.h"
@@ -24,5 +26,8 @@ struct Subject {
         field(TREAD_FIELD(instruments), About{"", "instruments that observed the car"});
     }
 };
+
+// The number at a path; nullptr when there is none. Valid as long as the subject is neither moved nor resized.
+double* numberAt(Subject& subject, std::string_view path);
 
 }  // namespace tread
