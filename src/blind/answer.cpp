@@ -92,15 +92,13 @@ CaseAnswer answerOf(const std::string& name, const Diagnosis& d) {
     return answer;
 }
 
-double obtainedClosure(const std::vector<Overlay>& overlays, const std::vector<Log>& clean) {
+double obtainedClosure(const std::vector<Overlay>& overlays, const std::map<std::string, Log>& clean) {
     double calibrated = 0, extended = 0;
-    std::size_t which = 0;
     for (const Overlay& overlay : overlays) {
-        if (!overlay.hold_out) continue;
-        if (which == clean.size()) break;
-        calibrated += squaredGap(overlay.calibrated, clean[which]);
-        extended += squaredGap(overlay.extended, clean[which]);
-        ++which;
+        const auto found = clean.find(overlay.recording);
+        if (!overlay.hold_out || found == clean.end()) continue;
+        calibrated += squaredGap(overlay.calibrated, found->second);
+        extended += squaredGap(overlay.extended, found->second);
     }
     return calibrated > 0 ? 1 - extended / calibrated : std::numeric_limits<double>::quiet_NaN();
 }

@@ -29,8 +29,8 @@ struct CaseAnswer {
 CaseAnswer answerOf(const std::string& name, const Diagnosis& diagnosis);
 
 // Share of the squared gap to the car without its noise that the effect closes beyond calibration, over the recordings
-// that were held out; not a number without any. `clean` are their drives without noise, in the order of the overlays.
-double obtainedClosure(const std::vector<Overlay>& overlays, const std::vector<Log>& clean);
+// that were held out; not a number without any. `clean` are their drives without noise, by the names of the recordings.
+double obtainedClosure(const std::vector<Overlay>& overlays, const std::map<std::string, Log>& clean);
 
 std::string answerText(const CaseAnswer& answer);  // JSON
 // Throws LoadError that names the file.

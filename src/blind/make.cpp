@@ -35,8 +35,8 @@ std::vector<CaseKind> kindsOf(const BlindOrder& order) {
     return kinds;
 }
 
-std::uint64_t caseSeed(const BlindOrder& order, int index, Stream stream) {
-    return seedOf(seedOf(order.seed, 16 + static_cast<std::uint64_t>(index)), stream);
+std::uint64_t caseSeed(std::uint64_t seed, int index, Stream stream) {
+    return seedOf(seedOf(seed, 16 + static_cast<std::uint64_t>(index)), stream);
 }
 
 void writeText(const std::filesystem::path& file, const std::string& text) {
@@ -61,21 +61,21 @@ std::string diagnosisYaml(const std::vector<BlindRecording>& recordings) {
 
 }  // namespace
 
-std::vector<BlindRecording> recordingsOf(const std::vector<Drive>& drives, std::uint64_t seed) {
+std::vector<BlindRecording> recordingsOf(const std::vector<Drive>& drives, std::uint64_t seed, int index) {
     std::vector<BlindRecording> recordings;
     for (const Drive& drive : drives) {
         for (int i = 1; i <= drive.repeats; ++i) {
             const std::string name = drive.repeats > 1 ? fmt::format("{}_{}", drive.name, i) : drive.name;
-            recordings.push_back({name, &drive, seedOf(seed, recordings.size())});
+            recordings.push_back({name, &drive, seedOf(caseSeed(seed, index, drives_stream), recordings.size())});
         }
     }
     return recordings;
 }
 
-DrawnCase drawnCase(const BlindOrder& order, const VehicleParams& nominal, const std::vector<Effect>& effects,
-                    int index) {
-    Random random(caseSeed(order, index, truth_stream));
-    DrawnCase drawn = drawCase(nominal, effects, kindsOf(order)[static_cast<std::size_t>(index)], random);
+DrawnCase drawnCase(std::uint64_t seed, int index, CaseKind kind, const VehicleParams& nominal,
+                    const std::vector<Effect>& effects) {
+    Random random(caseSeed(seed, index, truth_stream));
+    DrawnCase drawn = drawCase(nominal, effects, kind, random);
     drawn.key.name = fmt::format("case_{:03}", index + 1);
     return drawn;
 }
@@ -84,11 +84,12 @@ BlindKey makeCases(const BlindOrder& order, const VehicleParams& nominal, const 
                    const std::filesystem::path& folder, const std::function<void(int cases)>& progress) {
     BlindKey key{order.tread_version, order.seed, order.vehicle, {}};
     const std::vector<Drive> drives = blindDrives();
+    const std::vector<CaseKind> kinds = kindsOf(order);
     for (int i = 0; i < order.cases; ++i) {
-        const DrawnCase drawn = drawnCase(order, nominal, effects, i);
+        const DrawnCase drawn = drawnCase(order.seed, i, kinds[static_cast<std::size_t>(i)], nominal, effects);
         const std::filesystem::path place = folder / drawn.key.name;
         std::filesystem::create_directories(place);
-        const std::vector<BlindRecording> recordings = recordingsOf(drives, caseSeed(order, i, drives_stream));
+        const std::vector<BlindRecording> recordings = recordingsOf(drives, order.seed, i);
         for (const BlindRecording& one : recordings)
             writeLog(place / (one.name + ".csv"), measure(drawn.truth, *one.drive, one.seed));
         writeText(place / "vehicle.yaml", vehicleYaml(nominal));

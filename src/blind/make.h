@@ -25,16 +25,16 @@ BlindKey makeCases(
     const BlindOrder& order, const VehicleParams& nominal, const std::vector<Effect>& effects,
     const std::filesystem::path& folder, const std::function<void(int cases)>& progress = [](int) {});
 
-// The car of a case, drawn again from the seed of its check.
-DrawnCase drawnCase(const BlindOrder& order, const VehicleParams& nominal, const std::vector<Effect>& effects,
-                    int index);
+// A case of a check with this seed, `index` from 0: the same whenever it is drawn.
+DrawnCase drawnCase(std::uint64_t seed, int index, CaseKind kind, const VehicleParams& nominal,
+                    const std::vector<Effect>& effects);
 
-// Names of the files of a case, in the order of its recordings.
+// The recordings of a case, each named as its log.
 struct BlindRecording {
     std::string name;
     const Drive* drive;
     std::uint64_t seed;
 };
-std::vector<BlindRecording> recordingsOf(const std::vector<Drive>& drives, std::uint64_t seed);
+std::vector<BlindRecording> recordingsOf(const std::vector<Drive>& drives, std::uint64_t seed, int index);
 
 }  // namespace tread

@@ -136,10 +136,23 @@ TEST(BlindMake, SameSeedMakesTheSameFilesAndAnotherOneOthers) {
     EXPECT_NE(make("a", 1), make("c", 2));
 }
 
+TEST(BlindMake, CaseIsDrawnAgainFromItsSeedAndKind) {
+    const Scratch scratch;
+    BlindOrder order;
+    order.cases = 3;
+    order.seed = 9;
+    const BlindKey key = makeCases(order, reference::compact(), kEffects, scratch.path("cases"));
+    for (int i = 0; i < order.cases; ++i) {
+        const CaseKey& made = key.cases[static_cast<std::size_t>(i)];
+        const BlindKey again{"", 0, "", {drawnCase(9, i, made.kind, reference::compact(), kEffects).key}};
+        EXPECT_EQ(keyText(again), keyText({"", 0, "", {made}}));
+    }
+}
+
 TEST(BlindMake, RepeatsAreNotAlike) {
     const DrawnCase none = drawn(CaseKind::none, 1);
     const std::vector<Drive> drives = blindDrives();
-    const auto recordings = recordingsOf(drives, 1);
+    const auto recordings = recordingsOf(drives, 1, 0);
     ASSERT_EQ(recordings[0].drive, recordings[1].drive);
     const Log first = measure(none.truth, *recordings[0].drive, recordings[0].seed);
     const Log second = measure(none.truth, *recordings[1].drive, recordings[1].seed);

@@ -169,10 +169,11 @@ TEST(BlindScore, ClosureObtainedIsTheShareOfTheSquaredGapToTheCleanDrive) {
     Overlay training, held_out;
     training.extended = training.calibrated = log(9);
     held_out.hold_out = true;
+    training.recording = held_out.recording = "slalom";
     held_out.calibrated = log(0.4);
     held_out.extended = log(0.1);
-    EXPECT_NEAR(obtainedClosure({training, held_out}, {log(0)}), 1 - 1.0 / 16, 1e-12);
-    EXPECT_TRUE(std::isnan(obtainedClosure({training}, {})));
+    EXPECT_NEAR(obtainedClosure({training, held_out}, {{"slalom", log(0)}}), 1 - 1.0 / 16, 1e-12);
+    EXPECT_TRUE(std::isnan(obtainedClosure({training}, {{"slalom", log(0)}})));
 }
 
 }  // namespace
