@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "blind/make.h"
+#include "blind/shown.h"
 #include "log/csv.h"
 #include "tread/load.h"
 
@@ -134,14 +135,16 @@ std::vector<CaseAnswer> judge(const fs::path& cases, const fs::path& answers, co
 
 void lookUp(std::vector<CaseAnswer>& found, const BlindKey& key, const fs::path& cases, const fs::path& answers,
             const std::vector<Effect>& effects) {
+    if (key.cases.empty()) return;
+    const VehicleParams nominal = loadVehicle(cases / key.cases.front().name / "vehicle.yaml");
+    const std::vector<Effect> shown = shownEffects(nominal, effects);
     for (std::size_t i = 0; i < key.cases.size(); ++i) {
         const CaseKey& made = key.cases[i];
         const auto answer =
             std::find_if(found.begin(), found.end(), [&](const CaseAnswer& a) { return a.name == made.name; });
         if (answer == found.end() || made.kind != CaseKind::one) continue;
         const int index = static_cast<int>(i);
-        const DrawnCase drawn =
-            drawnCase(key.seed, index, made.kind, loadVehicle(cases / made.name / "vehicle.yaml"), effects);
+        const DrawnCase drawn = drawnCase(key.seed, index, made.kind, nominal, shown);
         if (keyText({"", 0, "", {drawn.key}}) != keyText({"", 0, "", {made}})) continue;
         const std::map<std::string, Log> clean = cleanDrives(drawn.truth, key.seed, index);
         answer->closure_obtained = obtainedClosure(keptOverlays(answers, made.name, clean), clean);

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "blind/gauges.h"
+#include "blind/shown.h"
 #include "log/csv.h"
 #include "run/simulate.h"
 #include "tread/load.h"
@@ -85,8 +86,9 @@ BlindKey makeCases(const BlindOrder& order, const VehicleParams& nominal, const 
     BlindKey key{order.tread_version, order.seed, order.vehicle, {}};
     const std::vector<Drive> drives = blindDrives();
     const std::vector<CaseKind> kinds = kindsOf(order);
+    const std::vector<Effect> shown = shownEffects(nominal, effects);
     for (int i = 0; i < order.cases; ++i) {
-        const DrawnCase drawn = drawnCase(order.seed, i, kinds[static_cast<std::size_t>(i)], nominal, effects);
+        const DrawnCase drawn = drawnCase(order.seed, i, kinds[static_cast<std::size_t>(i)], nominal, shown);
         const std::filesystem::path place = folder / drawn.key.name;
         std::filesystem::create_directories(place);
         const std::vector<BlindRecording> recordings = recordingsOf(drives, order.seed, i);

@@ -25,9 +25,10 @@ BlindKey makeCases(
     const BlindOrder& order, const VehicleParams& nominal, const std::vector<Effect>& effects,
     const std::filesystem::path& folder, const std::function<void(int cases)>& progress = [](int) {});
 
-// A case of a check with this seed, `index` from 0: the same whenever it is drawn.
+// A case of a check with this seed, `index` from 0: the same whenever it is drawn. `shown` are the effects to choose
+// from (shown.h).
 DrawnCase drawnCase(std::uint64_t seed, int index, CaseKind kind, const VehicleParams& nominal,
-                    const std::vector<Effect>& effects);
+                    const std::vector<Effect>& shown);
 
 // The recordings of a case, each named as its log.
 struct BlindRecording {

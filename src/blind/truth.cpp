@@ -38,19 +38,6 @@ void err(Subject& car, Random& random) {
     }
 }
 
-// The effect can be planted: its numbers are there, and a relative change changes them.
-bool concerns(const Effect& effect, Subject& car) {
-    if (effect.knobs.empty()) return false;
-    for (const Knob& knob : effect.knobs) {
-        if (knob.typical == 0) return false;
-        for (const std::string& path : knob.paths) {
-            const double* number = numberAt(car, path);
-            if (!number || (knob.relative && *number == 0)) return false;
-        }
-    }
-    return true;
-}
-
 bool share(const Effect& a, const Effect& b) {
     for (const Knob& of_a : a.knobs) {
         for (const Knob& of_b : b.knobs) {
@@ -71,13 +58,10 @@ void plant(const Effect& effect, double size, Subject nominal, DrawnCase& drawn,
     drawn.key.effects.push_back(effect.name);
     for (const Knob& knob : effect.knobs) {
         const double change = size * signOf(knob.direction, random);
-        for (const Number& number : numbers(drawn.truth.car)) {
-            if (std::find(knob.paths.begin(), knob.paths.end(), number.path) == knob.paths.end()) continue;
-            double& value = *number.value;
-            const double nominal_value = *numberAt(nominal, number.path);
-            value += change * knob.typical * (knob.relative ? nominal_value : 1);
-            value = within(number.about.limits, value);
-            drawn.key.numbers[number.path] = {nominal_value, value, change};
+        move(drawn.truth.car, knob, change * knob.typical);
+        for (const std::string& path : knob.paths) {
+            const double *known = numberAt(nominal, path), *real = numberAt(drawn.truth.car, path);
+            if (known && real) drawn.key.numbers[path] = {*known, *real, change};
         }
     }
 }
@@ -97,7 +81,7 @@ DrawnCase drawCase(const VehicleParams& nominal, const std::vector<Effect>& effe
     const Subject as_known = car;
     std::vector<const Effect*> choice;
     for (const Effect& effect : effects) {
-        if (concerns(effect, car)) choice.push_back(&effect);
+        if (applies(effect, car)) choice.push_back(&effect);
     }
     err(car, random);
     DrawnCase drawn{{.car = car, .low_pass = {}, .push = {}}, {}};
