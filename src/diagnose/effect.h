@@ -6,15 +6,20 @@
 
 namespace tread {
 
+struct Subject;
+
 enum class Direction { either, up, down };  // of a change that is physically possible
 
 // One free parameter of an effect. It moves its paths together, from the nominal value of each:
-// value = nominal + change, or nominal (1 + change) when `relative`.
+// value = nominal + share change, or nominal (1 + share change) when `relative`.
 struct Knob {
-    std::vector<std::string> paths;  // in Subject: "front.tyre.lambda.Ky", "road.grade", "instruments.yaw_rate.bias"
-    double typical = 0;              // size of the change that one meets in practice: standard deviation of its prior
+    // In Subject: "front.tyre.lambda.Ky", "road.grade", "instruments.yaw_rate.bias". Those of parts that a car does not
+    // have are left out; without any left the effect does not apply to that car.
+    std::vector<std::string> paths;
+    double typical = 0;  // size of the change that one meets in practice: standard deviation of its prior
     bool relative = false;
     Direction direction = Direction::either;
+    std::vector<double> shares = {};  // of each path, -1 against the others; empty: 1 for all
 };
 
 struct Effect {
@@ -23,6 +28,12 @@ struct Effect {
     std::string source;    // of the typical sizes
     std::vector<Knob> knobs;
 };
+
+// Changes the numbers of a knob, within their limits; `subject` has the nominal ones. False when it has none of them.
+bool move(Subject& subject, const Knob& knob, double change);
+
+// Whether the subject has a number that the effect moves.
+bool applies(const Effect& effect, Subject subject);
 
 // The effects that tread knows, in the order of `tread describe effects`.
 const std::vector<Effect>& effectCatalogue();
