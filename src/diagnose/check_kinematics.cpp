@@ -16,7 +16,7 @@ namespace {
 constexpr double kMoving = 3;                          // m/s: below, a car can do anything
 constexpr double kCorrelated = 0.8;                    // from here two channels show the same thing
 constexpr int kFewest = 50;                            // samples
-constexpr double kLongestDelay = 0.5, kDelay = 0.025;  // s: searched, and worth a word
+constexpr double kLongestDelay = 0.2, kDelay = 0.025;  // s: searched (longer, sideslip may be it), and worth a word
 constexpr double kMuchLikelier = 3;                    // by which a delay must explain what is left
 constexpr double kUnlike = 0.02;                       // share of the variance, and is worth a word
 constexpr double kSliding = 4;                         // m/s2: beyond, wheels and yaw rate do as they like
