@@ -5,6 +5,8 @@
 // second. The controller knows the wheel's speed over ground; a real one estimates it.
 #pragma once
 
+#include <algorithm>
+
 #include "tread/describe.h"
 #include "tread/wheels.h"
 
@@ -12,6 +14,7 @@ namespace tread {
 
 struct AntiLockParams {
     bool enabled = false;
+    double authority_offset = 0;
     double period = 0.005;
     double dump_slip = 0.12;
     double build_slip = 0.10;
@@ -22,6 +25,10 @@ struct AntiLockParams {
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(enabled), About{"", "whether the car has it"});
+        field(TREAD_FIELD(authority_offset),
+              About{"-",
+                    "added to the share of its intervention that reaches the brakes: 1 when enabled, else 0",
+                    {-1, 1}});
         field(TREAD_FIELD(period), About{"s", "sample period of the controller", kPositive});
         field(TREAD_FIELD(dump_slip), About{"-", "slip above which pressure is released", {0, 1, true, true}});
         field(TREAD_FIELD(build_slip), About{"-", "slip below which pressure is built up again", {0, 1, true, true}});
@@ -38,6 +45,11 @@ struct AntiLockParams {
     }
 };
 static_assert(describesEveryMember<AntiLockParams>());
+
+// Share of its intervention that reaches the brakes; 0: it does not act.
+inline double authority(const AntiLockParams& params) {
+    return std::clamp((params.enabled ? 1.0 : 0.0) + params.authority_offset, 0.0, 1.0);
+}
 
 struct AntiLockState {
     enum class Phase { idle, dump, hold, build };

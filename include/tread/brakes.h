@@ -23,11 +23,13 @@ struct ProportioningParams {
 static_assert(describesEveryMember<ProportioningParams>());
 
 // One disc as a lump of one temperature: heat_capacity dT/dt = power - (cooling + cooling_by_speed v) (T - ambient).
+// The default capacity is that of 8 kg of iron, a guess.
 struct DiscParams {
-    double heat_capacity = 0;
+    double heat_capacity = 4000;
     double cooling = 0;
     double cooling_by_speed = 0;
     Curve friction{};
+    double fade = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(heat_capacity), About{"J/K", "heat capacity (0: it stays cold)", kNonNegative, 0.2});
@@ -36,6 +38,10 @@ struct DiscParams {
         field(TREAD_FIELD(friction),
               About{"-", "factor on the brake torque over the temperature of the disc (fade); none: 1", kNonNegative,
                     0.1, "K"});
+        field(TREAD_FIELD(fade),
+              About{"1/K",
+                    "relative loss of brake torque over the heating of the disc, besides `friction`: exp(-fade "
+                    "(T - ambient))"});
     }
 };
 static_assert(describesEveryMember<DiscParams>());

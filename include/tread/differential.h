@@ -14,10 +14,16 @@
 
 namespace tread {
 
+// Its gears rub: up to the difference of torques of both outputs of locking * (torque through it).
 struct OpenDifferential {
     static constexpr std::string_view kName = "open";
-    static constexpr void describe(auto&, auto&&) {}
+    double locking = 0;
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(locking),
+              About{"-", "difference of torques that its friction holds over their sum", kFraction});
+    }
 };
+static_assert(describesEveryMember<OpenDifferential>());
 
 // Plates, ramps, torque-sensing gears or a viscous coupling: up to the difference of torques of both outputs of
 // preload + locking * (torque through it), and viscosity * (difference of speeds).

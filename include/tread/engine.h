@@ -32,6 +32,8 @@ struct EngineParams {
     double idle_speed = kRequired;
     double speed_limit = kRequired;
     double response_time = 0;
+    double torque_scale = 1;
+    double drag_scale = 1;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(full_load), About{"N m", "torque at full throttle over engine speed", kAny, 0.05, "rad/s"});
@@ -45,6 +47,8 @@ struct EngineParams {
         field(TREAD_FIELD(speed_limit), About{"rad/s", "speed at which the fuel is cut", kPositive});
         field(TREAD_FIELD(response_time),
               About{"s", "time constant with which the torque follows the pedal", kNonNegative, 0.3});
+        field(TREAD_FIELD(torque_scale), About{"-", "scales what full_load and part_load give", kNonNegative});
+        field(TREAD_FIELD(drag_scale), About{"-", "scales drag, and the drag of part_load", kNonNegative});
     }
 
     static void check(const auto& self, auto&& complain) {

@@ -5,6 +5,8 @@
 // pulled round by its inner rear wheel; the brake torque is proportional to what the error exceeds its threshold.
 #pragma once
 
+#include <algorithm>
+
 #include "tread/describe.h"
 #include "tread/wheels.h"
 
@@ -12,6 +14,7 @@ namespace tread {
 
 struct StabilityControlParams {
     bool enabled = false;
+    double authority_offset = 0;
     double period = 0.01;
     double understeer_gradient = 0.003;
     double lateral_acceleration_limit = 8;
@@ -23,6 +26,10 @@ struct StabilityControlParams {
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(enabled), About{"", "whether the car has it"});
+        field(TREAD_FIELD(authority_offset),
+              About{"-",
+                    "added to the share of its intervention that reaches the brakes: 1 when enabled, else 0",
+                    {-1, 1}});
         field(TREAD_FIELD(period), About{"s", "sample period of the controller", kPositive});
         field(TREAD_FIELD(understeer_gradient),
               About{"rad s2/m", "of the reference, road-wheel angle over lateral acceleration", kNonNegative});
@@ -36,6 +43,11 @@ struct StabilityControlParams {
     }
 };
 static_assert(describesEveryMember<StabilityControlParams>());
+
+// Share of its intervention that reaches the brakes; 0: it does not act.
+inline double authority(const StabilityControlParams& params) {
+    return std::clamp((params.enabled ? 1.0 : 0.0) + params.authority_offset, 0.0, 1.0);
+}
 
 struct StabilityControlState {
     double reference = 0;     // rad/s

@@ -14,14 +14,14 @@ namespace tread {
 
 // With p = (inflation - nominal) / nominal: radial stiffness (1 + radial_stiffness p); slip stiffness
 // (1 + slip_stiffness p); largest cornering stiffness (1 + cornering_stiffness p), reached at a load of
-// (1 + cornering_peak_load p) times the tyre file's.
+// (1 + cornering_peak_load p) times the tyre file's. The defaults are guesses of the order of Besselink et al. (2010).
 struct TyrePressureParams {
     double inflation = 220000;
     double nominal = 220000;
-    double radial_stiffness = 0;
-    double slip_stiffness = 0;
-    double cornering_stiffness = 0;
-    double cornering_peak_load = 0;
+    double radial_stiffness = 0.7;
+    double slip_stiffness = -0.3;
+    double cornering_stiffness = 0.3;
+    double cornering_peak_load = 0.5;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(inflation), About{"Pa", "inflation pressure", kPositive, 0.05});
@@ -49,15 +49,15 @@ struct TyrePressureParams {
 static_assert(describesEveryMember<TyrePressureParams>());
 
 // heat_capacity dT/dt = slip_share (slip power) - (cooling + cooling_by_speed |V|) (T - air); friction and slip
-// stiffnesses are multiplied by polynomials in T - nominal.
+// stiffnesses are multiplied by polynomials in T - nominal. The default capacity is that of 4 kg of rubber, a guess.
 struct TyreTemperatureParams {
     double nominal = 293.15;
     double start = 293.15;
     double air = 293.15;
-    double heat_capacity = 0;
+    double heat_capacity = 8000;
     double slip_share = 1;
-    double cooling = 0;
-    double cooling_by_speed = 0;
+    double cooling = 5;
+    double cooling_by_speed = 1;
     double friction = 0;
     double friction_squared = 0;
     double stiffness = 0;
@@ -84,6 +84,7 @@ struct TyreSurroundingsParams {
     TyreTemperatureParams temperature{};
     double ply_steer = 0;
     double conicity = 0;
+    double grip_difference = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(pressure), About{"", "inflation pressure"});
@@ -96,6 +97,8 @@ struct TyreSurroundingsParams {
                                            "camber to which conicity is equal: positive as if the top leant outwards; "
                                            "its pull changes sides with the tyre",
                                            {-0.1, 0.1}});
+        field(TREAD_FIELD(grip_difference),
+              About{"-", "friction of a left tyre less that of a right one, over their mean", {-1, 1}});
     }
 };
 static_assert(describesEveryMember<TyreSurroundingsParams>());
@@ -105,6 +108,8 @@ TyreParams inflated(TyreParams tyre, const TyrePressureParams& pressure);
 
 // Whether the temperature can be another than the nominal one.
 bool warms(const TyreTemperatureParams& params);
+// Whether that changes the tyre's forces.
+bool feelsWarmth(const TyreTemperatureParams& params);
 
 // `warming` is the temperature less that at the start, K; `slip_power` in W, `speed` in m/s. Returns it after dt.
 double advanceWarming(double warming, const TyreTemperatureParams& params, double slip_power, double speed, double dt);

@@ -85,6 +85,7 @@ struct VehicleParams {
     InertiaParams inertia;
     double wheelbase = kRequired;
     double front_axle_distance = kRequired;
+    double lateral_offset = 0;
     double height = kRequired;
     AxleParams front;
     AxleParams rear;
@@ -100,6 +101,11 @@ struct VehicleParams {
         field(TREAD_FIELD(wheelbase), About{"m", "distance between the axles", kPositive, 0.005});
         field(TREAD_FIELD(front_axle_distance),
               About{"m", "distance from the front axle back to the centre of gravity", kPositive, 0.02});
+        field(TREAD_FIELD(lateral_offset),
+              About{"m",
+                    "distance of the centre of gravity left of the middle of the tracks (uneven load); the car stands "
+                    "level on it",
+                    {-0.3, 0.3}});
         field(TREAD_FIELD(height), About{"m", "height of the centre of gravity above the road", kPositive, 0.05});
         field(TREAD_FIELD(front), About{"", "front axle"});
         field(TREAD_FIELD(rear), About{"", "rear axle"});
@@ -141,6 +147,7 @@ struct Vehicle {
     bool recedes = false;        // some wheel moves along x
     bool tyres_shifted = false;  // some tyre has ply-steer or conicity
     bool tyres_warm = false;     // some tyre's temperature may differ from the nominal one
+    bool warmth_felt = false;    // and that changes its forces
     Eigen::Matrix<double, 6, 6>
         inverse_mass;  // body axes: forces and moments to accelerations, unsprung masses free to move along z
 };

@@ -10,6 +10,7 @@
 #include "base/numbers.h"
 #include "base/pattern.h"
 #include "run/health.h"
+#include "run/pushed.h"
 #include "run/sensors.h"
 #include "run/world.h"
 #include "scenario/driver.h"
@@ -139,13 +140,14 @@ Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const
 
 }  // namespace
 
-void simulate(const VehicleParams& params, const Scenario& scenario, const Recorder& recorder) {
+void simulate(const VehicleParams& params, const Scenario& scenario, const Recorder& recorder, const Pushing& pushing) {
     // World, car and road; the car in equilibrium.
     World world(params);
     const std::unique_ptr<Road> road = makeRoad(scenario.road);
     const Equilibrium rest = startOf(params, scenario, {.road = *road, .wind_W = startingWind(scenario)});
     BulletVehicle car(params, world.chassis(), *road);
     car.restore(rest.motion, rest.state, rest.input);
+    Pushed pushed(pushing, params);
     Driver driver(scenario, rest.input, {params.wheelbase, params.steering.ratio, params.steering.ratio_curve});
 
     checkSensors(scenario.log.sensors);
@@ -167,10 +169,11 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
                 glance(sample.car, car.motion(), car.state(), world.gravity());
             }
             sample.car.chassis.yaw = unwrapped(sample.car.chassis.yaw, yaw_before);
+            pushed.felt(sample.car.chassis);
         };
         look(row_due || sample.isObserved());
         checkHealth(sample.car, sample.time);
-        sample.observe(bodyMotion(car));
+        sample.observe(pushed.felt(bodyMotion(car)));
         driver.look(sample.time, sample.car.chassis, sample.car.steering.angle);
 
         const bool finished = driver.finished(sample.time);
@@ -191,6 +194,7 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
         car.setInput(sample.driver);
         car.setWind(windAt(scenario.wind, sample.time + 0.5 * dt, sample.car.chassis.x));
         car.plan(dt);
+        pushed.push(world.chassis(), sample.time, sample.driver, sample.car);
         world.step(dt);
         car.observe();
     }

@@ -9,6 +9,7 @@
 
 #include "log/csv.h"
 #include "log/log.h"
+#include "run/push.h"
 #include "scenario/scenario.h"
 #include "tread/vehicle.h"
 
@@ -38,8 +39,9 @@ struct Recorder {
 std::vector<Column> recordedColumns(const std::vector<std::string>& patterns);
 
 // Throws SimulationError when a value is not finite or out of bounds, when the car cannot hold the speed at which the
-// scenario starts, or when the manoeuvre does not end.
-void simulate(const VehicleParams& vehicle, const Scenario& scenario, const Recorder& recorder);
+// scenario starts, or when the manoeuvre does not end. `pushing`, when there is one, acts on the body besides.
+void simulate(const VehicleParams& vehicle, const Scenario& scenario, const Recorder& recorder,
+              const Pushing& pushing = {});
 
 // Records into a log in memory, which must outlive the recorder.
 Recorder recorderInto(Log& log);

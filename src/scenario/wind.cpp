@@ -32,7 +32,7 @@ double profile(GustShape shape, double progress) {
 
 Vector3 windAt(const WindParams& wind, double time, double x) {
     const double speed = wind.speed + wind.gust.speed * profile(wind.gust.shape, progress(wind.gust, time, x));
-    return {speed * std::cos(wind.direction), speed * std::sin(wind.direction), 0};
+    return {speed * std::cos(wind.direction) + wind.x, speed * std::sin(wind.direction) + wind.y, 0};
 }
 
 }  // namespace tread

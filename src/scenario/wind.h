@@ -1,4 +1,4 @@
-// Wind over a manoeuvre: a steady part and one gust.
+// Wind over a manoeuvre: a steady part, given by speed and direction or by its components, and one gust.
 #pragma once
 
 #include <array>
@@ -53,12 +53,16 @@ static_assert(describesEveryMember<GustParams>());
 struct WindParams {
     double speed = 0;
     double direction = 0;
+    double x = 0;
+    double y = 0;
     GustParams gust;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(speed), About{"m/s", "speed of the steady wind", kNonNegative});
         field(TREAD_FIELD(direction),
               About{"rad", "to where it blows: 0 along x, a quarter turn (90 deg) to the left of that along y"});
+        field(TREAD_FIELD(x), About{"m/s", "steady wind along x, in addition"});
+        field(TREAD_FIELD(y), About{"m/s", "steady wind along y, in addition"});
         field(TREAD_FIELD(gust), About{"", "gust"});
     }
 };

@@ -61,9 +61,10 @@ Wrench aeroWrench(const Vehicle& vehicle, const BodyFrame& body, const Vector3& 
     const VehicleParams& params = vehicle.params;
     const AeroForces air = forces(params.aero, body.velocity_B - body.to_world.transpose() * wind_W);
     Wrench wrench;
-    wrench.add(air.drag_B, {0, 0, params.aero.height - params.height});
-    wrench.add({0, 0, air.front_lift}, {params.front_axle_distance, 0, 0});
-    wrench.add({0, 0, air.rear_lift}, {params.front_axle_distance - params.wheelbase, 0, 0});
+    const double centre = -params.lateral_offset;
+    wrench.add(air.drag_B, {0, centre, params.aero.height - params.height});
+    wrench.add({0, 0, air.front_lift}, {params.front_axle_distance, centre, 0});
+    wrench.add({0, 0, air.rear_lift}, {params.front_axle_distance - params.wheelbase, centre, 0});
     const double middle = params.front_axle_distance - 0.5 * params.wheelbase;
     wrench.add({0, air.side_force, 0}, {middle, 0, params.aero.height - params.height});
     wrench.moment_B += Vector3(air.roll_moment, 0, air.yaw_moment);

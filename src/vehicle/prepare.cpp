@@ -29,11 +29,15 @@ Vehicle::Corner cornerOf(const VehicleParams& params, std::size_t wheel, double 
     const double rear_axle_distance = params.wheelbase - params.front_axle_distance;
     const bool front = axleOf(wheel) == 0;
     const double share = (front ? rear_axle_distance : params.front_axle_distance) / params.wheelbase;
-    const double load = 0.5 * share * params.mass * gravity;
+    const double offset = sideSign(wheel) * params.lateral_offset;
+    const double load = (0.5 + offset / axle.track) * share * params.mass * gravity;
     const WheelParams& own = isLeft(wheel) ? axle.left : axle.right;
     const TyreSurroundingsParams& surroundings =
         own.tyre_surroundings ? *own.tyre_surroundings : axle.tyre_surroundings;
-    const TyreParams tyre = inflated(mounted(own.tyre ? *own.tyre : axle.tyre, isLeft(wheel)), surroundings.pressure);
+    TyreParams tyre = inflated(mounted(own.tyre ? *own.tyre : axle.tyre, isLeft(wheel)), surroundings.pressure);
+    const double grip = 1 + 0.5 * sideSign(wheel) * surroundings.grip_difference;
+    tyre.lambda.mux *= grip;
+    tyre.lambda.muy *= grip;
     const TyreCoefficients& p = tyre.parameters;
     const double radius = p.Ro - load / (p.pz1 * tyre.lambda.Cz);
 
@@ -42,8 +46,8 @@ Vehicle::Corner cornerOf(const VehicleParams& params, std::size_t wheel, double 
     const double beside = 0.5 * axle.track + radius * std::sin(camber);
 
     Vehicle::Corner corner;
-    corner.hub_B = {front ? params.front_axle_distance : -rear_axle_distance, sideSign(wheel) * beside,
-                    radius * std::cos(camber) - params.height};
+    corner.hub_B = {front ? params.front_axle_distance : -rear_axle_distance,
+                    sideSign(wheel) * beside - params.lateral_offset, radius * std::cos(camber) - params.height};
     corner.static_force = load - axle.unsprung_mass * gravity;
     corner.lateral_slope = sideSign(wheel) * axle.suspension.roll_centre_height / (0.5 * axle.track);
     corner.unsprung_mass = axle.unsprung_mass;
@@ -64,6 +68,7 @@ Vehicle prepare(const VehicleParams& params, double gravity) {
         const Vehicle::Corner& corner = vehicle.corners[i] = cornerOf(params, i, gravity);
         vehicle.tyres_shifted |= !corner.tyre_shift.none();
         vehicle.tyres_warm |= warms(corner.temperature);
+        vehicle.warmth_felt |= feelsWarmth(corner.temperature);
     }
     vehicle.recedes =
         params.front.suspension.longitudinal_compliance > 0 || params.rear.suspension.longitudinal_compliance > 0;

@@ -26,6 +26,10 @@ bool warms(const TyreTemperatureParams& params) {
     return params.heat_capacity > 0 || params.start != params.nominal;
 }
 
+bool feelsWarmth(const TyreTemperatureParams& params) {
+    return warms(params) && (params.friction != 0 || params.friction_squared != 0 || params.stiffness != 0);
+}
+
 double advanceWarming(double warming, const TyreTemperatureParams& params, double slip_power, double speed, double dt) {
     if (params.heat_capacity == 0) return warming;
     // Trapezoidal rule: heat lost with the mean temperature of the step.

@@ -129,7 +129,7 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
         spin[i] = wheel.spin;
     }
     if (vehicle.tyres_shifted) shiftMotions(motion_begin, motion_end, vehicle);
-    if (vehicle.tyres_warm) applyWarmth(factors, state.wheels, vehicle);
+    if (vehicle.warmth_felt) applyWarmth(factors, state.wheels, vehicle);
     const PerWheel<TyreForces> paper =
         advance(tyres, spin, vehicle.tyres, factors, motion_begin, motion_end, torques, dt);
 

@@ -47,6 +47,21 @@ TEST(AtRest, LoadsOnTheLevelFollowFromTheCentreOfGravity) {
     }
 }
 
+TEST(AtRest, LoadBesideTheMiddleLiesOnTheWheelsOfItsSide) {
+    VehicleParams params = reference::compact();
+    params.lateral_offset = 0.05;
+    const PlaneRoad road;
+    const reference::Car car = reference::settled(params, road, {.input = {.brake = 0.3}});
+    const double weight = params.mass * kStandardGravity;
+    const double front = weight * (params.wheelbase - params.front_axle_distance) / params.wheelbase;
+    // Moments about the middle of each track.
+    const auto& w = car.state.wheels;
+    EXPECT_NEAR(w[0].load - w[1].load, front * 2 * 0.05 / params.front.track, 2);
+    EXPECT_NEAR(w[2].load - w[3].load, (weight - front) * 2 * 0.05 / params.rear.track, 2);
+    EXPECT_NEAR(loadOf(car), weight, kForce);
+    EXPECT_NEAR(car.output().chassis.roll, 0, 1e-3) << "stands level";
+}
+
 TEST(AtRest, LoadsScaleWithGravity) {
     VehicleParams params = reference::compact();
     const PlaneRoad road;

@@ -85,6 +85,7 @@ TEST(TyresOfACar, LowPressureLetsTheWheelSinkByTheClosedForm) {
 
 TEST(TyresOfACar, TemperatureInASteadyTurnIsThatOfItsSlipPower) {
     VehicleParams params = symmetric();
+    params.rear.tyre_surroundings.temperature.heat_capacity = 0;
     TyreTemperatureParams& t = params.front.tyre_surroundings.temperature;
     t = {
         .start = 293.15, .air = 288.15, .heat_capacity = 20, .slip_share = 0.6, .cooling = 10, .cooling_by_speed = 0.5};
@@ -107,6 +108,7 @@ TEST(TyresOfACar, TyresThatHeatRobsOfATenthOfTheirGripStopAsOnARoadOfThatFrictio
     const auto distance = [](double start, double friction) {
         VehicleParams params = symmetric();
         for (AxleParams* axle : {&params.front, &params.rear}) {
+            axle->tyre_surroundings.temperature.heat_capacity = 0;
             axle->tyre_surroundings.temperature.start = start;
             axle->tyre_surroundings.temperature.friction = -0.002;
         }
@@ -121,6 +123,21 @@ TEST(TyresOfACar, TyresThatHeatRobsOfATenthOfTheirGripStopAsOnARoadOfThatFrictio
     };
     EXPECT_NEAR(distance(343.15, 1), distance(293.15, 0.9), 1e-6);
     EXPECT_GT(distance(343.15, 1), 1.05 * distance(293.15, 1));
+}
+
+TEST(TyresOfACar, GripDifferencePullsABrakingCarToTheSideOfMoreGrip) {
+    VehicleParams params = symmetric();
+    for (AxleParams* axle : {&params.front, &params.rear}) axle->tyre_surroundings.grip_difference = 0.1;
+    const Vehicle car = prepare(params);
+    EXPECT_DOUBLE_EQ(car.corners[0].tyre.lambda.muy, 1.05);
+    EXPECT_DOUBLE_EQ(car.corners[3].tyre.lambda.mux, 0.95);
+    const PlaneRoad road;
+    reference::Car driven = reference::settled(params, road, {.speed = 20});
+    VehicleInput in = driven.input;
+    in.throttle = 0;
+    in.clutch = in.brake = 1;  // locks the wheels
+    for (double t = 0; t < 1; t += kStep) driven.step(in, kStep);
+    EXPECT_GT(driven.output().chassis.yaw_rate, 0.1) << "to the left";
 }
 
 // ---- Starting straight on ----

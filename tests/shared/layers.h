@@ -17,7 +17,8 @@ using Path = std::filesystem::path;
 // A file may include from its own layer and from those to its left.
 inline const std::vector<std::string> kOrder{"base",     "road",     "tyre",     "vehicle", "bullet",
                                              "log",      "import",   "scenario", "run",     "compare",
-                                             "metrics",  "series",   "identify", "diagnose", "campaign", "report",  "tools"};
+                                             "metrics",  "series",   "identify", "diagnose", "blind",
+                                             "campaign", "report",   "tools"};
 
 // Public headers share one folder; each belongs to a layer.
 inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{
@@ -48,6 +49,7 @@ inline const std::vector<Library> kLibraries{
     {"nlohmann_json", {"nlohmann/"}, kLab},
     {"CLI11", {"CLI/"}, {"tools"}},
     {"matio", {"matio.h"}, {"import"}},
+    {"OpenSSL", {"openssl/"}, {"blind"}},
 };
 
 inline bool contains(const std::vector<std::string>& list, const std::string& value) {

@@ -96,6 +96,7 @@ TEST(Brakes, MotorTakesOverWhatItRecovers) {
 TEST(Brakes, DiscWarmsToWhereItsCoolingTakesTheBrakingPower) {
     BrakeParams p = params();
     p.front_disc = {.heat_capacity = 3000, .cooling = 5, .cooling_by_speed = 0.8};
+    p.rear_disc = {.heat_capacity = 0};
     BrakeState state;
     BrakeInput in{.pedal_begin = 0.1, .pedal_end = 0.1, .spin = {70, 70, 70, 70}};
     in.car.speed = 21;
@@ -137,6 +138,38 @@ TEST(Brakes, HotDiscFades) {
     state.heating.front_left = 500;
     const PerWheel<double> wheel = advance(state, p, {.pedal_begin = 1, .pedal_end = 1}, kStep).end;
     EXPECT_NEAR(wheel.front_left, 0.75 * wheel.front_right, 1e-9) << "800 K lies half-way";
+}
+
+TEST(Brakes, FadeLosesTorqueWithTheHeatingOfTheDisc) {
+    BrakeParams p = params();
+    p.rear_disc.fade = 0.001;
+    BrakeState state;
+    state.heating = {300, 300, 300, 0};
+    const PerWheel<double> wheel = advance(state, p, {.pedal_begin = 1, .pedal_end = 1}, kStep).end;
+    EXPECT_NEAR(wheel.rear_left, std::exp(-0.3) * wheel.rear_right, 1e-9);
+    EXPECT_EQ(wheel.front_left, wheel.front_right) << "the front discs do not fade";
+}
+
+TEST(Brakes, ControllersWithHalfTheAuthorityDoHalf) {
+    // A wheel that has locked at 20 m/s: after the first dump of pressure the torque is between that of none and all.
+    const auto torqueAfter = [](bool enabled, double offset) {
+        BrakeParams p = params();
+        p.anti_lock.enabled = enabled;
+        p.anti_lock.authority_offset = offset;
+        const PerWheel<double> speed{20, 20, 20, 20}, locked{};
+        BrakeState state;
+        BrakeTorques torques{};
+        for (int k = 0; k < 50; ++k) {
+            const BrakeInput in{.pedal_begin = 1, .pedal_end = 1, .speed = speed, .rolling = locked};
+            torques = advance(state, p, in, kStep);
+        }
+        return torques.end.front_left;
+    };
+    const double none = torqueAfter(false, 0), all = torqueAfter(true, 0);
+    EXPECT_LT(all, 0.9 * none);
+    EXPECT_EQ(torqueAfter(false, 1), all);
+    EXPECT_EQ(torqueAfter(true, -1), none);
+    EXPECT_NEAR(torqueAfter(false, 0.5), 0.5 * (none + all), 1e-9);
 }
 
 }  // namespace

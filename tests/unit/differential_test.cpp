@@ -137,6 +137,20 @@ TEST(Differential, TorqueSensingKeepsTheTorqueBiasRatio) {
     EXPECT_NEAR(out.wheel.front_right / out.wheel.front_left, bias, 1e-6);
 }
 
+TEST(Differential, FrictionOfAnOpenOneKeepsItsTorqueBiasRatio) {
+    const double bias = 1.2;
+    DrivelineParams p = params();
+    p.front_differential = OpenDifferential{.locking = (bias - 1) / (bias + 1)};
+    Bench bench(p, 30);
+    DrivelineTorques out{};
+    for (int k = 0; k < 300; ++k) {
+        PerWheel<double> torque = road(bench.spin, {30, 30, 30, 30}, 200);
+        torque.front_left = -5;
+        out = bench.step(0.4, torque);
+    }
+    EXPECT_NEAR(out.wheel.front_right / out.wheel.front_left, bias, 1e-6);
+}
+
 TEST(Differential, LockingOnOverrunIsItsOwn) {
     DrivelineParams p = params();
     p.motor->lift_off_regeneration = 0.5;

@@ -28,6 +28,16 @@ TEST(Engine, GivesFullLoadDragAndBetweenThemALinearTorque) {
     }
 }
 
+TEST(Engine, ScalesTorqueAndDragByThemselves) {
+    EngineParams e = engine();
+    e.torque_scale = 0.9;
+    e.drag_scale = 1.5;
+    EXPECT_DOUBLE_EQ(engineTorque(e, 1, 300), 0.9 * engine().full_load(300));
+    EXPECT_DOUBLE_EQ(engineTorque(e, 0, 300), -1.5 * engine().drag(300));
+    EXPECT_DOUBLE_EQ(engineTorque(e, 1, 690), -1.5 * engine().drag(690)) << "beyond the speed limit";
+    EXPECT_NEAR(throttleFor(e, engineTorque(e, 0.4, 300), 300), 0.4, 1e-12);
+}
+
 TEST(Engine, IdlesWithoutTorqueAtIdleSpeedAndWithoutAJumpBesideIt) {
     const EngineParams e = engine();
     EXPECT_EQ(engineTorque(e, 0, e.idle_speed), 0);

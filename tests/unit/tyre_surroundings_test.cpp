@@ -27,7 +27,8 @@ TEST(TyrePressure, ScalesStiffnessesLinearly) {
                                             .nominal = 220000,
                                             .radial_stiffness = 0.7,
                                             .slip_stiffness = 0.3,
-                                            .cornering_stiffness = 0.5});
+                                            .cornering_stiffness = 0.5,
+                                            .cornering_peak_load = 0});
     EXPECT_NEAR(soft.lambda.Cz, 1 - 0.14, 1e-12);
     const auto Kx = [](const TyreParams& t) { return steadyState(t, {.Fz = 4000, .Vx = 20}).Kx; };
     EXPECT_NEAR(Kx(soft) / Kx(tyre), 1 - 0.06, 1e-12);
@@ -67,9 +68,9 @@ TEST(TyreTemperature, SettlesWhereCoolingEqualsTheSlipPower) {
 }
 
 TEST(TyreTemperature, WithoutHeatCapacityItStays) {
-    EXPECT_EQ(advanceWarming(3, {.cooling = 100}, 1e4, 30, 0.1), 3);
-    EXPECT_FALSE(warms({}));
-    EXPECT_TRUE(warms({.start = 320}));
+    EXPECT_EQ(advanceWarming(3, {.heat_capacity = 0, .cooling = 100}, 1e4, 30, 0.1), 3);
+    EXPECT_FALSE(warms({.heat_capacity = 0}));
+    EXPECT_TRUE(warms({.start = 320, .heat_capacity = 0}));
     EXPECT_TRUE(warms({.heat_capacity = 1}));
 }
 

@@ -17,6 +17,11 @@ TEST(Wind, BlowsTowardsItsDirection) {
     EXPECT_EQ(windAt({}, 5, 5), Vector3::Zero());
 }
 
+TEST(Wind, ComponentsAddToTheDirection) {
+    EXPECT_NEAR((windAt({.speed = 3, .direction = 0, .x = 2, .y = -4, .gust = {}}, 1, 1) - Vector3(5, -4, 0)).norm(), 0,
+                kRounding);
+}
+
 double gustAt(const GustParams& gust, double time, double x) {
     return windAt({.speed = 5, .direction = 0, .gust = gust}, time, x).x() - 5;
 }

@@ -49,7 +49,8 @@ void sample(AntiLockState& state, const AntiLockParams& params, const PerWheel<d
 
 PerWheel<double> advance(AntiLockState& state, const AntiLockParams& params, const PerWheel<double>& demand,
                          const PerWheel<double>& speed, const PerWheel<double>& rolling, double dt) {
-    if (!params.enabled) return demand;
+    const double share = authority(params);
+    if (share == 0) return demand;
     state.since_sample += dt;
     if (state.since_sample >= params.period) {
         state.since_sample = state.since_sample < 2 * params.period ? state.since_sample - params.period : 0;
@@ -61,7 +62,8 @@ PerWheel<double> advance(AntiLockState& state, const AntiLockParams& params, con
         if (wheel.phase == Phase::dump) wheel.pressure -= params.dump_rate * dt;
         if (wheel.phase == Phase::build) wheel.pressure += params.build_rate * dt;
         wheel.pressure = std::clamp(wheel.pressure, 0.0, demand[i]);
-        pressure[i] = wheel.phase == Phase::idle ? demand[i] : wheel.pressure;
+        pressure[i] = demand[i];
+        if (wheel.phase != Phase::idle) pressure[i] = std::lerp(demand[i], wheel.pressure, share);
     }
     return pressure;
 }

@@ -54,8 +54,8 @@ void heat(double& heating, const DiscParams& disc, double power, double speed, d
 
 BrakeTorques advance(BrakeState& state, const BrakeParams& params, const BrakeInput& in, double dt) {
     // Pedal, and the pressures that follow it.
-    const bool follows_at_once =
-        params.delay == 0 && params.lag == 0 && !params.anti_lock.enabled && !params.stability_control.enabled;
+    const bool follows_at_once = params.delay == 0 && params.lag == 0 && authority(params.anti_lock) == 0 &&
+                                 authority(params.stability_control) == 0;
     PerWheel<double> begin, end;
     if (follows_at_once) {
         begin = shares(params, in.pedal_begin);
@@ -72,8 +72,9 @@ BrakeTorques advance(BrakeState& state, const BrakeParams& params, const BrakeIn
     for (std::size_t i = 0; i < kWheels; ++i) {
         const std::size_t axle = axleOf(i);
         const DiscParams& disc = discOf(params, axle);
-        const double friction =
-            disc.friction.empty() ? 1 : disc.friction(params.ambient_temperature + state.heating[i]);
+        const double heating = state.heating[i];
+        double friction = disc.friction.empty() ? 1 : disc.friction(params.ambient_temperature + heating);
+        if (disc.fade != 0) friction *= std::exp(-disc.fade * heating);
         const auto torque = [&](double share, double parking) {
             const double hydraulic = std::max(torqueOf(params, share, axle) - in.recovered[axle], 0.0);
             return friction * (hydraulic + (axle == 0 ? 0 : 0.5 * params.parking_torque * parking));

@@ -7,7 +7,8 @@ namespace tread {
 
 PerWheel<double> advance(StabilityControlState& state, const StabilityControlParams& params,
                          const StabilityControlInput& in, double dt) {
-    if (!params.enabled) return {};
+    const double share = authority(params);
+    if (share == 0) return {};
     state.since_sample += dt;
     if (state.since_sample < params.period) return state.torque;
     const double elapsed = std::min(state.since_sample, 2 * params.period);
@@ -27,7 +28,7 @@ PerWheel<double> advance(StabilityControlState& state, const StabilityControlPar
     if (in.speed < params.lowest_speed || beyond <= 0) return state.torque;
     const bool oversteers = error * in.yaw_rate > 0;
     const std::size_t right = error > 0 ? 1 : 0;
-    state.torque[(oversteers ? 0 : 2) + right] = std::min(params.gain * beyond, params.largest);
+    state.torque[(oversteers ? 0 : 2) + right] = share * std::min(params.gain * beyond, params.largest);
     return state.torque;
 }
 

@@ -18,8 +18,8 @@ struct Outputs {
 };
 
 // Torque moved from the first to the second output. What is described is the difference of torques: twice that.
-double moved(const OpenDifferential&, const Outputs&) {
-    return 0;
+double moved(const OpenDifferential& d, const Outputs& out) {
+    return linkTorque(out.slip, out.per_torque, 0.5 * d.locking * std::abs(out.torque), 0);
 }
 double moved(const LockedDifferential&, const Outputs& out) {
     return linkTorque(out.slip, out.per_torque, kInfinity, 0);
@@ -34,7 +34,8 @@ double moved(const VectoringDifferential& d, const Outputs& out) {
 }
 
 bool open(const auto& differential) {
-    return std::holds_alternative<OpenDifferential>(differential);
+    const auto* kind = std::get_if<OpenDifferential>(&differential);
+    return kind && kind->locking == 0;
 }
 
 double movedBy(const auto& differential, const Outputs& out) {

@@ -14,6 +14,10 @@ double idleControl(const EngineParams& engine, double speed) {
     return std::min(kIdleControl * (engine.idle_speed - speed), kIdleTorque);
 }
 
+double scaled(const EngineParams& engine, double torque) {
+    return torque * (torque > 0 ? engine.torque_scale : engine.drag_scale);
+}
+
 // One stretch of the torque over the throttle.
 struct Stretch {
     double from, to;                // throttle
@@ -23,9 +27,9 @@ struct Stretch {
 // The stretch of the map at a speed on which `fits(end of the stretch)` is first true; the last one if none is.
 template <class Fits>
 Stretch stretchWhere(const EngineParams& engine, double speed, Fits&& fits) {
-    Stretch s{0, 1, -engine.drag(speed), engine.full_load(speed)};
+    Stretch s{0, 1, scaled(engine, -engine.drag(speed)), scaled(engine, engine.full_load(speed))};
     for (const PartLoadParams& row : engine.part_load) {
-        const double torque = row.torque(speed);
+        const double torque = scaled(engine, row.torque(speed));
         if (fits(row.throttle, torque)) return {s.from, row.throttle, s.torque_from, torque};
         s.from = row.throttle;
         s.torque_from = torque;
@@ -36,7 +40,7 @@ Stretch stretchWhere(const EngineParams& engine, double speed, Fits&& fits) {
 }  // namespace
 
 double engineTorque(const EngineParams& engine, double throttle, double speed) {
-    if (speed >= engine.speed_limit) return -engine.drag(speed);
+    if (speed >= engine.speed_limit) return scaled(engine, -engine.drag(speed));
     const Stretch s = stretchWhere(engine, speed, [&](double end, double) { return throttle <= end; });
     const double share = (throttle - s.from) / (s.to - s.from);
     return std::max(share * (s.torque_to - s.torque_from) + s.torque_from, idleControl(engine, speed));

@@ -1,0 +1,160 @@
+#include "blind/answer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "blind/gauges.h"
+#include "log/resample.h"
+#include "tread/problem.h"
+
+namespace tread {
+namespace {
+
+using Json = nlohmann::json;
+constexpr std::array<std::string_view, 5> kVerdicts{"explained", "nothing", "ambiguous", "unknown", "not_testable"};
+
+Json jsonOf(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+double numberOf(const Json& json) {
+    return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+Json jsonOf(const RankedEffect& effect) {
+    Json parameters = Json::object();
+    for (const auto& [path, e] : effect.parameters) {
+        parameters[path] = {{"value", jsonOf(e.value)}, {"sd", jsonOf(e.sd)},           {"low", jsonOf(e.low)},
+                            {"high", jsonOf(e.high)},   {"neutral", jsonOf(e.neutral)}, {"at_bound", e.at_bound}};
+    }
+    return {{"name", effect.name},
+            {"probability", jsonOf(effect.probability)},
+            {"log_evidence", jsonOf(effect.log_evidence)},
+            {"parameters", parameters}};
+}
+
+RankedEffect effectOf(const Json& json) {
+    RankedEffect effect{json.at("name"), numberOf(json.at("probability")), numberOf(json.at("log_evidence")), {}};
+    for (const auto& [path, e] : json.at("parameters").items()) {
+        effect.parameters[path] = {numberOf(e.at("value")), numberOf(e.at("sd")),      numberOf(e.at("low")),
+                                   numberOf(e.at("high")),  numberOf(e.at("neutral")), e.at("at_bound")};
+    }
+    return effect;
+}
+
+Verdict verdictOf(const std::string& word) {
+    const auto found = std::find(kVerdicts.begin(), kVerdicts.end(), word);
+    if (found == kVerdicts.end())
+        throw LoadError({{"", 0, 0, "verdict", "found \"" + word + "\", expected a verdict"}});
+    return static_cast<Verdict>(found - kVerdicts.begin());
+}
+
+// Sum of the squared differences of the measured channels, in units of their noise.
+double squaredGap(const Log& log, const Log& clean) {
+    double sum = 0;
+    for (const Gauge& gauge : gauges()) {
+        const Channel *channel = log.find(gauge.channel), *real = clean.find(gauge.channel);
+        if (!channel || !real || gauge.channel.starts_with("driver.")) continue;
+        for (std::size_t i = 0; i < log.samples(); ++i) {
+            const double gap = channel->values[i] -
+                               valueAt(clean.channels.front().values, real->values, log.channels.front().values[i]);
+            if (std::isfinite(gap)) sum += (gap / gauge.noise) * (gap / gauge.noise);
+        }
+    }
+    return sum;
+}
+
+}  // namespace
+
+std::string_view wordOf(Verdict verdict) {
+    return kVerdicts[static_cast<std::size_t>(verdict)];
+}
+
+CaseAnswer answerOf(const std::string& name, const Diagnosis& d) {
+    CaseAnswer answer;
+    answer.name = name;
+    answer.verdict = d.verdict;
+    answer.causes = d.causes;
+    answer.alternatives = d.alternatives;
+    answer.credible_set = d.credible_set;
+    answer.effects = d.effects;
+    answer.probability_of_nothing = d.probability_of_nothing;
+    answer.probability_of_unknown = d.probability_of_unknown;
+    answer.testable = d.testable;
+    answer.generalised_force = d.unexplained.generalised_force;
+    answer.closure = d.how_far.closure;
+    answer.closure_low = d.how_far.closure_low;
+    answer.closure_high = d.how_far.closure_high;
+    answer.seconds = d.seconds;
+    answer.simulations = d.simulations;
+    return answer;
+}
+
+double obtainedClosure(const std::vector<Overlay>& overlays, const std::map<std::string, Log>& clean) {
+    double calibrated = 0, extended = 0;
+    for (const Overlay& overlay : overlays) {
+        const auto found = clean.find(overlay.recording);
+        if (!overlay.hold_out || found == clean.end()) continue;
+        calibrated += squaredGap(overlay.calibrated, found->second);
+        extended += squaredGap(overlay.extended, found->second);
+    }
+    return calibrated > 0 ? 1 - extended / calibrated : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string answerText(const CaseAnswer& a) {
+    Json effects = Json::array(), testable = Json::object();
+    for (const RankedEffect& effect : a.effects) effects.push_back(jsonOf(effect));
+    for (const auto& [name, nats] : a.testable) testable[name] = jsonOf(nats);
+    const Json json{{"name", a.name},
+                    {"verdict", wordOf(a.verdict)},
+                    {"causes", a.causes},
+                    {"alternatives", a.alternatives},
+                    {"credible_set", a.credible_set},
+                    {"effects", effects},
+                    {"probability_of_nothing", jsonOf(a.probability_of_nothing)},
+                    {"probability_of_unknown", jsonOf(a.probability_of_unknown)},
+                    {"testable", testable},
+                    {"generalised_force", a.generalised_force},
+                    {"closure", jsonOf(a.closure)},
+                    {"closure_low", jsonOf(a.closure_low)},
+                    {"closure_high", jsonOf(a.closure_high)},
+                    {"closure_obtained", jsonOf(a.closure_obtained)},
+                    {"seconds", jsonOf(a.seconds)},
+                    {"simulations", a.simulations},
+                    {"failure", a.failure}};
+    return json.dump(2) + "\n";
+}
+
+CaseAnswer parseAnswer(std::string_view text, const std::string& file) {
+    try {
+        const Json json = Json::parse(text);
+        CaseAnswer a;
+        a.name = json.at("name");
+        a.verdict = verdictOf(json.at("verdict"));
+        a.causes = json.at("causes");
+        a.alternatives = json.at("alternatives");
+        a.credible_set = json.at("credible_set");
+        for (const Json& effect : json.at("effects")) a.effects.push_back(effectOf(effect));
+        a.probability_of_nothing = numberOf(json.at("probability_of_nothing"));
+        a.probability_of_unknown = numberOf(json.at("probability_of_unknown"));
+        for (const auto& [name, nats] : json.at("testable").items()) a.testable[name] = numberOf(nats);
+        a.generalised_force = json.at("generalised_force");
+        a.closure = numberOf(json.at("closure"));
+        a.closure_low = numberOf(json.at("closure_low"));
+        a.closure_high = numberOf(json.at("closure_high"));
+        a.closure_obtained = numberOf(json.at("closure_obtained"));
+        a.seconds = numberOf(json.at("seconds"));
+        a.simulations = json.at("simulations");
+        a.failure = json.at("failure");
+        return a;
+    } catch (const Json::exception& error) {
+        throw LoadError({{file, 0, 0, "",
+                          "found no answer to a blind case, expected one that `tread blind score` wrote (delete it to "
+                          "have the case diagnosed again): " +
+                              std::string(error.what())}});
+    }
+}
+
+}  // namespace tread

@@ -1,0 +1,47 @@
+// What is wrong with the cars of a blind check: the sealed key.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tread {
+
+enum class CaseKind { one, two, none, outside, small };
+constexpr auto enumNames(CaseKind) {
+    return std::array<std::string_view, 5>{"one", "two", "none", "outside", "small"};
+}
+
+struct PlantedNumber {
+    double nominal = 0;
+    double value = 0;   // of the car that was driven, its small error included
+    double change = 0;  // that the effect makes, in units of its typical size
+};
+
+struct CaseKey {
+    std::string name;  // of its folder
+    CaseKind kind = CaseKind::none;
+    std::vector<std::string> effects;              // of the catalogue
+    std::string outsider;                          // of none, in the kind `outside`
+    std::vector<std::string> generalised_forces;   // of these one is where it must be found; none: an instrument
+    std::map<std::string, PlantedNumber> numbers;  // of the effects, by path
+};
+
+struct BlindKey {
+    std::string tread_version;
+    std::uint64_t seed = 0;
+    std::string vehicle;
+    std::vector<CaseKey> cases;
+};
+
+std::string keyText(const BlindKey& key);  // JSON
+// Throws LoadError that names the file.
+BlindKey parseKey(std::string_view text, const std::string& file);
+
+// Throws LoadError with the names that there are.
+CaseKind caseKind(std::string_view name);
+
+}  // namespace tread

@@ -1,0 +1,105 @@
+#include "blind/make.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+
+#include "blind/gauges.h"
+#include "blind/shown.h"
+#include "log/csv.h"
+#include "run/simulate.h"
+#include "tread/load.h"
+
+namespace tread {
+namespace {
+
+// Of twenty cases: eight with one cause, four with two, three without, three from outside, two too small.
+constexpr std::array<CaseKind, 20> kProportions{
+    CaseKind::one,  CaseKind::two, CaseKind::none, CaseKind::outside, CaseKind::one,     CaseKind::small, CaseKind::two,
+    CaseKind::one,  CaseKind::one, CaseKind::none, CaseKind::outside, CaseKind::one,     CaseKind::two,   CaseKind::one,
+    CaseKind::none, CaseKind::one, CaseKind::two,  CaseKind::one,     CaseKind::outside, CaseKind::small};
+enum Stream : std::uint64_t { kinds_stream, truth_stream, drives_stream };
+
+std::vector<CaseKind> kindsOf(const BlindOrder& order) {
+    std::vector<CaseKind> kinds;
+    for (int i = 0; i < order.cases; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        kinds.push_back(order.kinds.empty() ? kProportions[at % kProportions.size()]
+                                            : order.kinds[at % order.kinds.size()]);
+    }
+    // In an order that tells nothing (Fisher and Yates).
+    Random random(seedOf(order.seed, kinds_stream));
+    for (std::size_t i = kinds.size(); i > 1; --i)
+        std::swap(kinds[i - 1], kinds[static_cast<std::size_t>(random.uniform() * static_cast<double>(i))]);
+    return kinds;
+}
+
+std::uint64_t caseSeed(std::uint64_t seed, int index, Stream stream) {
+    return seedOf(seedOf(seed, 16 + static_cast<std::uint64_t>(index)), stream);
+}
+
+void writeText(const std::filesystem::path& file, const std::string& text) {
+    std::ofstream out(file, std::ios::binary);
+    out << text;
+    out.close();
+    if (!out) throw FileError("cannot write " + file.string());
+}
+
+std::string diagnosisYaml(const std::vector<BlindRecording>& recordings) {
+    std::string text = "vehicle: vehicle.yaml\nchannels:\n";
+    for (const Gauge& gauge : gauges())
+        text += fmt::format("  - {{channel: {}, noise: {}}}\n", gauge.channel, gauge.noise);
+    text += "recordings:\n";
+    for (const BlindRecording& one : recordings) {
+        text += fmt::format("  - {{log: {}.csv, name: {}", one.name, one.name);
+        if (one.drive->repeats > 1) text += ", repeat_group: " + one.drive->name;
+        text += one.drive->hold_out ? ", hold_out: true}\n" : "}\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+std::vector<BlindRecording> recordingsOf(const std::vector<Drive>& drives, std::uint64_t seed, int index) {
+    std::vector<BlindRecording> recordings;
+    for (const Drive& drive : drives) {
+        for (int i = 1; i <= drive.repeats; ++i) {
+            const std::string name = drive.repeats > 1 ? fmt::format("{}_{}", drive.name, i) : drive.name;
+            recordings.push_back({name, &drive, seedOf(caseSeed(seed, index, drives_stream), recordings.size())});
+        }
+    }
+    return recordings;
+}
+
+DrawnCase drawnCase(std::uint64_t seed, int index, CaseKind kind, const VehicleParams& nominal,
+                    const std::vector<Effect>& effects) {
+    Random random(caseSeed(seed, index, truth_stream));
+    DrawnCase drawn = drawCase(nominal, effects, kind, random);
+    drawn.key.name = fmt::format("case_{:03}", index + 1);
+    return drawn;
+}
+
+BlindKey makeCases(const BlindOrder& order, const VehicleParams& nominal, const std::vector<Effect>& effects,
+                   const std::filesystem::path& folder, const std::function<void(int cases)>& progress) {
+    BlindKey key{order.tread_version, order.seed, order.vehicle, {}};
+    const std::vector<Drive> drives = blindDrives();
+    const std::vector<CaseKind> kinds = kindsOf(order);
+    const std::vector<Effect> shown = shownEffects(nominal, effects);
+    for (int i = 0; i < order.cases; ++i) {
+        const DrawnCase drawn = drawnCase(order.seed, i, kinds[static_cast<std::size_t>(i)], nominal, shown);
+        const std::filesystem::path place = folder / drawn.key.name;
+        std::filesystem::create_directories(place);
+        const std::vector<BlindRecording> recordings = recordingsOf(drives, order.seed, i);
+        for (const BlindRecording& one : recordings)
+            writeLog(place / (one.name + ".csv"), measure(drawn.truth, *one.drive, one.seed));
+        writeText(place / "vehicle.yaml", vehicleYaml(nominal));
+        writeText(place / "diagnosis.yaml", diagnosisYaml(recordings));
+        key.cases.push_back(drawn.key);
+        progress(i + 1);
+    }
+    return key;
+}
+
+}  // namespace tread

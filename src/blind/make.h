@@ -1,0 +1,41 @@
+// Making the cases of a blind check.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "blind/measure.h"
+
+namespace tread {
+
+struct BlindOrder {
+    int cases = 0;
+    std::uint64_t seed = 0;
+    std::vector<CaseKind> kinds = {};  // none: all, in the proportions of a check
+    std::string vehicle;               // file, for the key
+    std::string tread_version;
+};
+
+// A folder for each case with its logs, its nominal car and diagnosis.yaml; returns what belongs into the sealed key.
+// Throws FileError, LoadError, and SimulationError when a car cannot be driven.
+BlindKey makeCases(
+    const BlindOrder& order, const VehicleParams& nominal, const std::vector<Effect>& effects,
+    const std::filesystem::path& folder, const std::function<void(int cases)>& progress = [](int) {});
+
+// A case of a check with this seed, `index` from 0: the same whenever it is drawn. `shown` are the effects to choose
+// from (shown.h).
+DrawnCase drawnCase(std::uint64_t seed, int index, CaseKind kind, const VehicleParams& nominal,
+                    const std::vector<Effect>& shown);
+
+// The recordings of a case, each named as its log.
+struct BlindRecording {
+    std::string name;
+    const Drive* drive;
+    std::uint64_t seed;
+};
+std::vector<BlindRecording> recordingsOf(const std::vector<Drive>& drives, std::uint64_t seed, int index);
+
+}  // namespace tread

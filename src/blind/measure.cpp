@@ -1,0 +1,98 @@
+#include "blind/measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "blind/gauges.h"
+#include "run/simulate.h"
+
+namespace tread {
+namespace {
+
+constexpr double kStep = 0.001;                           // s; the diagnosis replays with another
+constexpr double kVibration = 8, kVibrationSpread = 0.5;  // 1/s
+constexpr std::string_view kSensor = "sensor.";
+enum Stream : std::uint64_t { start_stream, noise_stream, disturbance_stream, vibration_stream };
+
+bool isAccelerometer(std::string_view channel) {
+    return channel == "chassis.ax" || channel == "chassis.ay";
+}
+
+SensorParams sensorOf(const Gauge& gauge, const Truth& truth, bool noise, int seed) {
+    const Instruments& instruments = truth.car.instruments;
+    const Instrument& read = instruments.*gauge.instrument;
+    const InertialUnit& unit = instruments.inertial_unit;
+    SensorParams sensor;
+    sensor.channel = gauge.channel;
+    sensor.gain = read.gain;
+    sensor.bias = read.bias;
+    sensor.delay = std::max(read.delay, 0.0);
+    sensor.noise = noise ? gauge.noise : 0;
+    sensor.seed = seed;
+    if (const auto slow = truth.low_pass.find(gauge.channel); slow != truth.low_pass.end())
+        sensor.low_pass = slow->second;
+    if (isAccelerometer(gauge.channel)) {
+        sensor.position = {unit.x, unit.y, unit.z};
+        sensor.misalignment = {.roll = unit.roll, .pitch = unit.pitch};
+    }
+    return sensor;
+}
+
+Scenario scenarioOf(const Truth& truth, const Drive& drive, std::uint64_t seed, const Conditions& conditions) {
+    Scenario scenario = drive.scenario;
+    Random start(seedOf(seed, start_stream));
+    scenario.start.speed *= 1 + conditions.speed_scatter * start.normal();
+    scenario.step = kStep;
+    scenario.road = truth.car.road;
+    scenario.wind = truth.car.wind;
+    scenario.log.rate = 100;
+    scenario.log.channels = {"driveline.gear"};
+    const int noise_seed = static_cast<int>(seedOf(seed, noise_stream) >> 34);
+    for (const Gauge& gauge : gauges())
+        scenario.log.sensors.push_back(sensorOf(gauge, truth, conditions.noise, noise_seed));
+    return scenario;
+}
+
+// The disturbance, and what an outsider adds to it.
+Pushing pushing(const Truth& truth, const Conditions& conditions, std::uint64_t seed) {
+    Pushing first = wandering(conditions.disturbance, kStep, seed);
+    if (!truth.push) return first;
+    return [first, second = truth.push()](double time, const VehicleInput& driver, const VehicleOutput& car) {
+        Push sum = first(time, driver, car);
+        const Push more = second(time, driver, car);
+        sum.force += more.force;
+        sum.moment += more.moment;
+        return sum;
+    };
+}
+
+void vibrate(Log& log, std::uint64_t seed) {
+    Random random(seed);
+    const double frequency = kVibration + kVibrationSpread * (2 * random.uniform() - 1);
+    const std::vector<double>& time = log.channels.front().values;
+    for (const Gauge& gauge : gauges()) {
+        const double phase = 2 * std::numbers::pi * random.uniform();
+        const auto shaken = std::find_if(log.channels.begin(), log.channels.end(),
+                                         [&](const Channel& channel) { return channel.name == gauge.channel; });
+        if (shaken == log.channels.end() || gauge.vibration == 0) continue;
+        for (std::size_t i = 0; i < time.size(); ++i)
+            shaken->values[i] += gauge.vibration * std::sin(2 * std::numbers::pi * frequency * time[i] + phase);
+    }
+}
+
+}  // namespace
+
+Log measure(const Truth& truth, const Drive& drive, std::uint64_t seed, const Conditions& conditions) {
+    Log log;
+    simulate(truth.car.vehicle, scenarioOf(truth, drive, seed, conditions), recorderInto(log),
+             pushing(truth, conditions, seedOf(seed, disturbance_stream)));
+    for (Channel& channel : log.channels) {
+        if (channel.name.starts_with(kSensor)) channel.name.erase(0, kSensor.size());
+    }
+    if (conditions.noise) vibrate(log, seedOf(seed, vibration_stream));
+    return log;
+}
+
+}  // namespace tread

@@ -1,0 +1,25 @@
+// Driving the car of a blind case and measuring it.
+#pragma once
+
+#include <cstdint>
+
+#include "blind/disturbance.h"
+#include "blind/drives.h"
+#include "blind/truth.h"
+#include "log/log.h"
+
+namespace tread {
+
+struct Conditions {
+    Disturbance disturbance;
+    double speed_scatter = 0.005;  // -, standard deviation of the speed at the start
+    bool noise = true;             // and vibration
+};
+
+inline constexpr Conditions kIdeal{
+    .disturbance = {.fx = 0, .fy = 0, .yaw_moment = 0, .roll_moment = 0}, .speed_scatter = 0, .noise = false};
+
+// Channels as gauges() has them and `driveline.gear`, 100 rows a second. Throws SimulationError.
+Log measure(const Truth& truth, const Drive& drive, std::uint64_t seed, const Conditions& conditions = {});
+
+}  // namespace tread

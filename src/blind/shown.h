@@ -1,0 +1,14 @@
+// Which effects a car can show at all: a tyre whose file says nothing about pressure does not change with it.
+#pragma once
+
+#include <vector>
+
+#include "diagnose/effect.h"
+#include "tread/vehicle.h"
+
+namespace tread {
+
+// The effects whose typical size changes the readings of the drives of a blind case by more than their noise.
+std::vector<Effect> shownEffects(const VehicleParams& nominal, const std::vector<Effect>& effects);
+
+}  // namespace tread

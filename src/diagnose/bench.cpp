@@ -1,0 +1,157 @@
+#include "diagnose/bench.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "diagnose/replay.h"
+#include "identify/parallel.h"
+
+namespace tread {
+namespace {
+
+// Steps of the differences, in units: small against what bends the response, large against what jumps in a replay.
+constexpr double kCentralStep = 0.3;
+constexpr double kOneSidedStep = 0.6;
+constexpr double kSpeedStep = 0.1;  // m/s
+
+constexpr double kAlikeSpeed = 0.03;  // by which repeats of a drive may differ, as a share
+
+struct Piece {
+    std::size_t drive;
+    Eigen::Index parameter;
+    double above, below;  // steps, in units
+};
+
+// Where the limits of a parameter leave room for a step.
+Piece piece(const Parameter& parameter, double at, Difference difference) {
+    Piece piece{0, 0, kCentralStep, kCentralStep};
+    if (difference == Difference::one_sided) piece.above = kOneSidedStep, piece.below = 0;
+    if (at + piece.above > parameter.highest) piece = {0, 0, 0, kOneSidedStep};
+    if (at - piece.below < parameter.lowest) piece = {0, 0, std::min(kOneSidedStep, parameter.highest - at), 0};
+    return piece;
+}
+
+// One column of one drive, by differences; nothing when it cannot be driven to either side.
+std::optional<Eigen::VectorXd> difference(Bench& bench, const Piece& one, const Subject& subject, const Log& motion,
+                                          const Eigen::VectorXd& here) {
+    const Parameter& parameter = bench.parameters[static_cast<std::size_t>(one.parameter)];
+    const RecordedDrive& drive = bench.drives[one.drive];
+    const auto rows = [&](double by) -> std::optional<Eigen::VectorXd> {
+        if (by == 0) return here;
+        Subject there = subject;
+        move(there, parameter, by);
+        if (parameter.instruments_only) return readings(drive, motion, there.instruments);
+        const std::optional<Log> driven = motionAt(bench, one.drive, there);
+        if (!driven) return std::nullopt;
+        return readings(drive, *driven, there.instruments);
+    };
+    // Where one side cannot be driven the other must do.
+    const auto above = rows(one.above), below = rows(-one.below);
+    if (!above && !below) return std::nullopt;
+    const double step = (above ? one.above : 0) + (below ? one.below : 0);
+    const Eigen::VectorXd column = ((above ? *above : here) - (below ? *below : here)) / step;
+    if (step == 0 || !column.allFinite()) return std::nullopt;
+    return column;
+}
+
+}  // namespace
+
+std::size_t Bench::firstLike(std::size_t drive) const {
+    const RecordedDrive& here = drives[drive];
+    for (std::size_t other = 0; other < drive && !here.recording->repeat_group.empty(); ++other) {
+        const RecordedDrive& there = drives[other];
+        const bool alike = there.recording->repeat_group == here.recording->repeat_group &&
+                           std::abs(there.speed - here.speed) < kAlikeSpeed * here.speed &&
+                           std::equal(here.channels.begin(), here.channels.end(), there.channels.begin(),
+                                      there.channels.end(), [](const ObservedChannel& a, const ObservedChannel& b) {
+                                          return a.name == b.name && a.times == b.times;
+                                      });
+        if (alike) return other;
+    }
+    return drive;
+}
+
+Subject Bench::subjectAt(const Deviation& point) const {
+    Subject subject = nominal;
+    for (Eigen::Index i = 0; i < point.size(); ++i) move(subject, parameters[static_cast<std::size_t>(i)], point(i));
+    return subject;
+}
+
+std::optional<Log> motionAt(Bench& bench, std::size_t index, const Subject& subject, double faster) {
+    ++bench.simulations;
+    try {
+        if (faster == 0) return replayed(bench.drives[index], subject, bench.nominal, bench.step, bench.simulate);
+        RecordedDrive drive = bench.drives[index];
+        drive.speed += faster;
+        return replayed(drive, subject, bench.nominal, bench.step, bench.simulate);
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const SimulationError&) {
+        return std::nullopt;
+    }
+}
+
+std::optional<Rows> rowsAt(Bench& bench, const Deviation& point) {
+    const Subject subject = bench.subjectAt(point);
+    Rows rows(bench.drives.size());
+    std::atomic<bool> failed = false;
+    inParallel(rows.size(), bench.threads, [&](std::size_t i) {
+        const std::optional<Log> motion = motionAt(bench, i, subject);
+        if (motion) rows[i] = readings(bench.drives[i], *motion, subject.instruments);
+        else failed = true;
+    });
+    for (const Eigen::VectorXd& row : rows) failed = failed || !row.allFinite();
+    if (failed) return std::nullopt;
+    return rows;
+}
+
+Linearised linearised(Bench& bench, const Deviation& at, const Wanted& wanted,
+                      const std::function<void(double)>& progress) {
+    const Subject subject = bench.subjectAt(at);
+    const std::size_t drives = bench.drives.size();
+    Linearised result{at, Rows(drives), std::vector<Eigen::MatrixXd>(drives)};
+    std::vector<std::optional<Log>> motions(drives);
+    inParallel(drives, bench.threads, [&](std::size_t d) {
+        motions[d] = motionAt(bench, d, subject);
+        result.columns[d] = Eigen::MatrixXd::Zero(bench.drives[d].rows(), at.size());
+        if (wanted.elsewhere) result.columns[d] = wanted.elsewhere->columns[d];
+        if (motions[d]) result.rows[d] = readings(bench.drives[d], *motions[d], subject.instruments);
+    });
+
+    std::vector<Piece> pieces;
+    for (std::size_t i = 0; i < wanted.parameters.size(); ++i) {
+        const Eigen::Index p = wanted.parameters[i];
+        const Piece one = piece(bench.parameters[static_cast<std::size_t>(p)], at(p), wanted.difference);
+        for (std::size_t d = 0; d < drives; ++d) {
+            const bool worth = wanted.worth.empty() || wanted.worth[i][d];
+            if (motions[d] && worth && bench.firstLike(d) == d) pieces.push_back({d, p, one.above, one.below});
+        }
+    }
+    std::mutex guard;
+    double done = 0;
+    inParallel(pieces.size(), bench.threads, [&](std::size_t i) {
+        const Piece& one = pieces[i];
+        const auto column = difference(bench, one, subject, *motions[one.drive], result.rows[one.drive]);
+        if (column) result.columns[one.drive].col(one.parameter) = *column;
+        const std::scoped_lock lock(guard);
+        progress(++done / static_cast<double>(pieces.size()));
+    });
+    // Repeats of a drive answer alike.
+    for (const Eigen::Index p : wanted.parameters) {
+        for (std::size_t d = 0; d < drives; ++d)
+            if (bench.firstLike(d) != d) result.columns[d].col(p) = result.columns[bench.firstLike(d)].col(p);
+    }
+    return result;
+}
+
+Eigen::VectorXd startSpeedColumn(Bench& bench, std::size_t drive) {
+    const RecordedDrive& here = bench.drives[drive];
+    const auto nominal = motionAt(bench, drive, bench.nominal),
+               faster = motionAt(bench, drive, bench.nominal, kSpeedStep);
+    if (!nominal || !faster) return Eigen::VectorXd::Zero(here.rows());
+    return (readings(here, *faster, bench.nominal.instruments) - readings(here, *nominal, bench.nominal.instruments)) /
+           kSpeedStep;
+}
+
+}  // namespace tread

@@ -1,0 +1,62 @@
+// Where the model is driven: all recordings, with the car at any point of the space of parameters.
+#pragma once
+
+#include <Eigen/Dense>
+#include <atomic>
+#include <optional>
+#include <vector>
+
+#include "diagnose/diagnosis.h"
+#include "diagnose/drive.h"
+#include "diagnose/parameter.h"
+
+namespace tread {
+
+using Deviation = Eigen::VectorXd;  // from the nominal car: one value per parameter, in its units
+
+struct Bench {
+    Subject nominal;
+    double step = 0.002;  // s
+    std::vector<RecordedDrive> drives;
+    std::vector<Parameter> parameters;
+    Simulate simulate;
+    int threads = 0;
+    std::atomic<int> simulations{0};
+
+    Deviation origin() const { return Deviation::Zero(static_cast<Eigen::Index>(parameters.size())); }
+    Subject subjectAt(const Deviation& point) const;
+    // The first drive of which this is a repeat: their sensitivities are the same.
+    std::size_t firstLike(std::size_t drive) const;
+};
+
+// What the car does in a drive; nothing when the simulation breaks down there. `faster`: m/s, added at the start.
+std::optional<Log> motionAt(Bench& bench, std::size_t drive, const Subject& subject, double faster = 0);
+
+// All rows of each drive; nothing when one of them cannot be driven.
+using Rows = std::vector<Eigen::VectorXd>;
+std::optional<Rows> rowsAt(Bench& bench, const Deviation& point);
+
+// The drives about a point: what is observed there, and how it changes with one unit of each parameter. Columns of
+// parameters that were not asked for are zero.
+struct Linearised {
+    Deviation at;
+    Rows rows;
+    std::vector<Eigen::MatrixXd> columns;  // per drive: rows x parameters
+};
+enum class Difference { one_sided, central };
+// Which columns are asked for, and in which drives they are worth driving (empty: in all); the others stay those of
+// `elsewhere`, or zero.
+struct Wanted {
+    std::vector<Eigen::Index> parameters;
+    Difference difference = Difference::central;
+    std::vector<std::vector<bool>> worth = {};  // per parameter asked for, per drive
+    const Linearised* elsewhere = nullptr;
+};
+Linearised linearised(
+    Bench& bench, const Deviation& at, const Wanted& wanted,
+    const std::function<void(double)>& progress = [](double) {});
+
+// How the rows of a drive change with the speed at its start, s.
+Eigen::VectorXd startSpeedColumn(Bench& bench, std::size_t drive);
+
+}  // namespace tread

@@ -1,0 +1,116 @@
+// What a diagnosis answers; `diagnosis.json` is this, name by name.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "diagnose/diagnosis_file.h"
+#include "diagnose/effect.h"
+#include "diagnose/subject.h"
+#include "log/log.h"
+#include "run/simulate.h"
+
+namespace tread {
+
+enum class Verdict { explained, nothing, ambiguous, unknown, not_testable };
+
+struct Estimate {  // of a parameter
+    double value = 0, sd = 0, low = 0, high = 0, neutral = 0;
+    bool at_bound = false;
+};
+
+struct RankedEffect {
+    std::string name;
+    double probability = 0;
+    double log_evidence = 0;                     // nats, over that of no effect
+    std::map<std::string, Estimate> parameters;  // by path
+};
+
+using Shares = std::map<std::string, double>;  // sum to 1
+
+struct WhereItLies {
+    Shares channels, recordings, phases, bands, regimes, generalised_force;
+    std::map<std::string, Shares> channels_of_recording;  // the heat map; all of them sum to 1
+};
+
+// Root mean square of the gap in noise units; 1 is the floor of a perfect model.
+struct GapLevels {
+    double nominal = 0, calibrated = 0, extended = 0, floor = 0;
+};
+
+struct HowFar {
+    GapLevels training, held_out;
+    double closure = 0, closure_low = 0, closure_high = 0;  // share of the nominal car's gap to the true one
+    bool in_sample = false;                                 // no recording was held out
+};
+
+struct NuisanceEstimate {
+    double value = 0, sd = 0, z = 0;
+};
+
+struct ConfusablePair {
+    std::string a, b;
+    double cosine = 0;      // of their signatures, nuisances projected out
+    double separation = 0;  // nats at typical size
+    std::string manoeuvre;  // recording that separates them most
+};
+
+struct NextDrive {
+    std::string scenario, separates;
+    double nats = 0;
+};
+
+struct Unexplained {
+    double share = 0;               // of the gap that the best answer leaves
+    std::string generalised_force;  // longitudinal, lateral, yaw, roll: where it acts
+    std::string when;
+};
+
+// Time histories for the report and the logs: measured, nominal, calibrated and with the effect.
+struct Overlay {
+    std::string recording;
+    bool hold_out = false;
+    Log measured, nominal, calibrated, extended;
+};
+
+struct Diagnosis {
+    Verdict verdict = Verdict::not_testable;
+    std::string answer;  // in words
+    std::vector<std::string> causes, alternatives;
+    std::vector<RankedEffect> effects;  // best first
+    double probability_of_nothing = 0, probability_of_unknown = 0;
+    WhereItLies where;
+    HowFar how_far;
+    std::map<std::string, NuisanceEstimate> nuisance;
+    std::map<std::string, double> testable;  // nats to expect at typical size
+    std::vector<ConfusablePair> confusable;
+    std::vector<NextDrive> next;
+    Unexplained unexplained;
+    std::vector<std::string> credible_set;
+    std::map<std::string, double> constancy;  // p of one value in all drives
+    std::vector<std::string> data_warnings;
+    double seconds = 0;
+    int simulations = 0;
+    std::vector<Overlay> overlays;
+};
+
+// Drives a car; replaced in tests by models of two lines.
+using Simulate = std::function<void(const VehicleParams&, const Scenario&, const Recorder&)>;
+
+struct DiagnoseOptions {
+    Simulate simulate = [](const VehicleParams& vehicle, const Scenario& scenario, const Recorder& recorder) {
+        tread::simulate(vehicle, scenario, recorder);
+    };
+    int threads = 0;                // 0: one per core
+    std::filesystem::path cache{};  // folder; empty: none
+    std::function<void(double done, const std::string&)> progress = [](double, const std::string&) {};
+};
+
+// `nominal` is the car as its file says, with the instruments as far as they are known. `logs` are those of the
+// recordings, in their order: channels under tread's names in SI units, cut to the window, time from 0.
+Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std::vector<Log>& logs,
+                   const std::vector<Effect>& effects, const DiagnoseOptions& options = {});
+
+}  // namespace tread

@@ -1,0 +1,47 @@
+// A recording made ready to be repeated by the model: what was measured, as block means, and the scenario that repeats
+// the driver's inputs.
+#pragma once
+
+#include <Eigen/Dense>
+#include <string>
+#include <vector>
+
+#include "diagnose/diagnosis_file.h"
+#include "diagnose/subject.h"
+#include "log/log.h"
+#include "scenario/scenario.h"
+
+namespace tread {
+
+// One channel of a drive. Its rows are means over blocks of 50 ms: that keeps what a car does, and takes out vibration.
+struct ObservedChannel {
+    std::string name;
+    std::vector<double> measured;  // every sample
+    double noise = 0;              // standard deviation of a block's mean
+    Eigen::Index first_row = 0;
+    std::vector<double> times;  // s, of its blocks: those in which something was measured
+};
+
+struct RecordedDrive {
+    std::string name;
+    const Recording* recording = nullptr;
+    Log log;
+    std::vector<double> time;  // s, of the samples
+    std::vector<ObservedChannel> channels;
+    Eigen::VectorXd measured;  // all rows
+    double speed = 0;          // m/s, at the start, as measured
+
+    Eigen::Index rows() const { return measured.size(); }
+    double duration() const { return time.back(); }
+};
+
+inline constexpr double kBlock = 0.05;  // s
+
+// Channels that a diagnosis can use, of those that the log has.
+RecordedDrive recordedDrive(const Recording& recording, const Log& log, const DiagnosisFile& file);
+
+// Readings over the samples of a drive -> rows of one channel.
+Eigen::VectorXd blockMeans(const ObservedChannel& channel, const std::vector<double>& time,
+                           const std::vector<double>& readings);
+
+}  // namespace tread

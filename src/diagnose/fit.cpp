@@ -1,0 +1,184 @@
+#include "diagnose/fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace tread {
+namespace {
+
+constexpr double kStartSpeed = 0.1;  // m/s, standard deviation of the speed at the start, as measured
+constexpr int kMostIterations = 6;
+constexpr double kEnough = 0.05;  // nats: a step that promises less is not taken
+
+double logDeterminant(const Eigen::LLT<Eigen::MatrixXd>& factor) {
+    return 2 * factor.matrixLLT().diagonal().array().log().sum();
+}
+
+// Step from x of the free parameters that minimises the quadratic model, prior and bounds included.
+Eigen::VectorXd boundedStep(const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient,
+                            const Eigen::VectorXd& x, const Eigen::VectorXd& lowest, const Eigen::VectorXd& highest) {
+    const Eigen::Index n = x.size();
+    const Eigen::MatrixXd hessian = Eigen::MatrixXd::Identity(n, n) + information;
+    Eigen::VectorXd step = Eigen::VectorXd::Zero(n);
+    std::vector<Eigen::Index> open(static_cast<std::size_t>(n));
+    std::iota(open.begin(), open.end(), 0);
+    while (!open.empty()) {
+        Eigen::VectorXd wanted = gradient - x;
+        wanted -= hessian * step;  // what is fixed pulls at the rest
+        const Eigen::VectorXd more = hessian(open, open).llt().solve(wanted(open));
+        std::vector<Eigen::Index> still;
+        Eigen::VectorXd next = step;
+        bool fixed = false;
+        for (std::size_t k = 0; k < open.size(); ++k) {
+            const Eigen::Index i = open[k];
+            const double to = x(i) + step(i) + more(static_cast<Eigen::Index>(k));
+            if (to < lowest(i) || to > highest(i)) {
+                next(i) = std::clamp(to, lowest(i), highest(i)) - x(i);
+                fixed = true;
+            } else {
+                still.push_back(i);
+            }
+        }
+        if (!fixed) {
+            for (std::size_t k = 0; k < open.size(); ++k) step(open[k]) += more(static_cast<Eigen::Index>(k));
+            break;
+        }
+        step = next, open = still;
+    }
+    return step;
+}
+
+struct Model {
+    Bench& bench;
+    const Uncertainty& uncertainty;
+    const Ground& ground;
+    std::vector<Eigen::Index> knobs, free;
+
+    // Products at a point: columns of the nuisances as on the ground, of the knobs as they are there.
+    std::vector<DriveGram> grams(const Rows& rows, const std::vector<Eigen::MatrixXd>& knob_columns) const {
+        std::vector<DriveGram> all(rows.size());
+        for (std::size_t d = 0; d < rows.size(); ++d) {
+            Eigen::MatrixXd further(rows[d].size(), knob_columns[d].cols() + 1);
+            further.leftCols(knob_columns[d].cols()) = knob_columns[d];
+            further.rightCols(1) = residual(bench, uncertainty, rows, d);
+            all[d] = extended(ground.grams[d], ground.columns[d], uncertainty.directions[d], further);
+        }
+        return all;
+    }
+
+    double misfit(const Rows& rows, const Deviation& at) const {
+        double sum = at(free).squaredNorm();
+        for (std::size_t d = 0; d < rows.size(); ++d) {
+            const DriveGram gram = driveGram(residual(bench, uncertainty, rows, d), uncertainty.directions[d]);
+            sum += whitened(gram, uncertainty.sizesOf(d, uncertainty.sizes)).products(0, 0);
+        }
+        return 0.5 * sum;
+    }
+
+    std::vector<Eigen::MatrixXd> knobColumns(const Deviation& at) const {
+        std::vector<Eigen::MatrixXd> columns(bench.drives.size());
+        const Linearised here = linearised(bench, at, {.parameters = knobs, .difference = Difference::one_sided});
+        for (std::size_t d = 0; d < columns.size(); ++d) {
+            columns[d] = here.columns[d](Eigen::all, knobs);
+            columns[d].array().colwise() /= uncertainty.noise[d].array();
+        }
+        return columns;
+    }
+};
+
+}  // namespace
+
+Eigen::VectorXd Uncertainty::sizesOf(std::size_t drive, const std::array<double, kDisturbances>& with) const {
+    const std::vector<Disturbed>& kinds = disturbing[drive].kinds;
+    Eigen::VectorXd all(static_cast<Eigen::Index>(kinds.size()) + 1);
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+        all(static_cast<Eigen::Index>(i)) = with[static_cast<std::size_t>(kinds[i])];
+    all(all.size() - 1) = kStartSpeed;
+    return all;
+}
+
+Ground ground(Linearised about, const std::vector<Eigen::Index>& nuisances, const Uncertainty& uncertainty) {
+    Ground ground{std::move(about), nuisances, {}, {}};
+    for (std::size_t d = 0; d < uncertainty.noise.size(); ++d) {
+        Eigen::MatrixXd columns = ground.about.columns[d](Eigen::all, nuisances);
+        columns.array().colwise() /= uncertainty.noise[d].array();
+        ground.grams.push_back(driveGram(columns, uncertainty.directions[d]));
+        ground.columns.push_back(std::move(columns));
+    }
+    return ground;
+}
+
+Eigen::VectorXd residual(const Bench& bench, const Uncertainty& uncertainty, const Rows& rows, std::size_t drive) {
+    return (bench.drives[drive].measured - rows[drive]).cwiseQuotient(uncertainty.noise[drive]);
+}
+
+Gram total(const std::vector<DriveGram>& grams, const Uncertainty& uncertainty,
+           const std::array<double, kDisturbances>& sizes) {
+    Gram sum;
+    for (std::size_t d = 0; d < grams.size(); ++d) sum = sum + whitened(grams[d], uncertainty.sizesOf(d, sizes));
+    return sum;
+}
+
+double logEvidenceOf(const Fit& fit, const Uncertainty& uncertainty, const std::array<double, kDisturbances>& sizes) {
+    // About the fitted point: the parameters are there, and may move on as far as the evidence with these sizes asks.
+    const Gram gram = total(fit.grams, uncertainty, sizes);
+    const Eigen::Index n = gram.products.cols() - 1;
+    const Eigen::MatrixXd hessian = Eigen::MatrixXd::Identity(n, n) + gram.products.topLeftCorner(n, n);
+    const Eigen::LLT<Eigen::MatrixXd> factor(hessian);
+    const Eigen::VectorXd slope = gram.products.topRightCorner(n, 1) - fit.at(fit.free);
+    const double misfit = gram.products(n, n) + fit.at(fit.free).squaredNorm() - slope.dot(factor.solve(slope));
+    return -0.5 * (misfit + gram.log_determinant + logDeterminant(factor));
+}
+
+std::optional<Fit> fitted(Bench& bench, const Uncertainty& uncertainty, const Ground& ground,
+                          const std::vector<Eigen::Index>& knobs, const Deviation& start) {
+    Model model{bench, uncertainty, ground, knobs, ground.nuisances};
+    model.free.insert(model.free.end(), knobs.begin(), knobs.end());
+    const auto n = static_cast<Eigen::Index>(model.free.size());
+    Eigen::VectorXd lowest(n), highest(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const Parameter& parameter =
+            bench.parameters[static_cast<std::size_t>(model.free[static_cast<std::size_t>(i)])];
+        lowest(i) = parameter.lowest, highest(i) = parameter.highest;
+    }
+
+    Fit fit{
+        .free = model.free, .knobs = knobs, .at = start, .rows = {}, .knob_columns = {}, .grams = {}, .covariance = {}};
+    std::optional<Rows> rows = rowsAt(bench, start);
+    if (!rows) return std::nullopt;
+    double misfit = model.misfit(*rows, start);
+    for (int iteration = 0;; ++iteration) {
+        fit.knob_columns = model.knobColumns(fit.at);
+        fit.grams = model.grams(*rows, fit.knob_columns);
+        const Gram gram = total(fit.grams, uncertainty, uncertainty.sizes);
+        const Eigen::MatrixXd information = gram.products.topLeftCorner(n, n);
+        const Eigen::VectorXd gradient = gram.products.topRightCorner(n, 1), x = fit.at(fit.free);
+        const Eigen::VectorXd step = boundedStep(information, gradient, x, lowest, highest);
+        const double promised = step.dot(gradient - x) - 0.5 * (step.squaredNorm() + step.dot(information * step));
+        fit.converged = promised < kEnough;
+        if (fit.converged || iteration == kMostIterations) break;
+
+        // As far along the step as the misfit falls.
+        bool moved = false;
+        for (const double share : {1.0, 0.5, 0.2, 0.05}) {
+            Deviation next = fit.at;
+            next(fit.free) = x + share * step;
+            std::optional<Rows> there = rowsAt(bench, next);
+            const double now = there ? model.misfit(*there, next) : kInfinity;
+            if (now >= misfit) continue;
+            fit.at = next, rows = std::move(there), misfit = now, moved = true;
+            break;
+        }
+        if (!moved) break;
+    }
+    fit.rows = std::move(*rows);
+    const Gram gram = total(fit.grams, uncertainty, uncertainty.sizes);
+    const Eigen::MatrixXd hessian = Eigen::MatrixXd::Identity(n, n) + gram.products.topLeftCorner(n, n);
+    const Eigen::LLT<Eigen::MatrixXd> factor(hessian);
+    fit.covariance = factor.solve(Eigen::MatrixXd::Identity(n, n));
+    fit.log_evidence = -misfit - 0.5 * (gram.log_determinant + logDeterminant(factor));
+    return fit;
+}
+
+}  // namespace tread

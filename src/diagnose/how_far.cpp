@@ -1,0 +1,198 @@
+#include "diagnose/how_far.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/random.h"
+#include "diagnose/replay.h"
+#include "identify/parallel.h"
+
+namespace tread {
+namespace {
+
+constexpr int kDraws = 12;          // of the posterior, each driven
+constexpr int kResamples = 400;     // of the recordings, spread over the draws
+constexpr double kSignificant = 2;  // standard deviations by which a gap must exceed its floor
+constexpr double kLow = 0.05, kHigh = 0.95;
+
+// A drive and what is off in it, in units of the floor, for each stage of the model.
+struct Gaps {
+    std::vector<double> rows, nominal, calibrated, extended;  // per drive: count, sums of squares
+};
+
+double sum(const std::vector<double>& values) {
+    double all = 0;
+    for (const double value : values) all += value;
+    return all;
+}
+
+GapLevels levels(const Gaps& gaps) {
+    const double rows = sum(gaps.rows);
+    const auto level = [&](const std::vector<double>& squares) {
+        return rows > 0 ? std::sqrt(sum(squares) / rows) : 0;
+    };
+    return {level(gaps.nominal), level(gaps.calibrated), level(gaps.extended), rows > 0 ? 1.0 : 0.0};
+}
+
+// What is off, in the metric of noise and disturbances: as many as there are rows for a perfect model.
+double squares(const Uncertainty& uncertainty, std::size_t drive, const Eigen::VectorXd& off) {
+    const Eigen::VectorXd scaled = off.cwiseQuotient(uncertainty.noise[drive]);
+    const DriveGram gram = driveGram(scaled, uncertainty.directions[drive]);
+    return whitened(gram, uncertainty.sizesOf(drive, uncertainty.sizes)).products(0, 0);
+}
+
+Log overlayOf(const RecordedDrive& drive, const Log* motion, const Instruments& instruments) {
+    Log log;
+    std::set<double> every;
+    for (const ObservedChannel& channel : drive.channels) every.insert(channel.times.begin(), channel.times.end());
+    const std::vector<double> time(every.begin(), every.end());
+    log.channels.push_back({"time", "s", time});
+    if (!motion) return log;
+    const Eigen::VectorXd rows = readings(drive, *motion, instruments);
+    for (const ObservedChannel& channel : drive.channels) {
+        Channel column{channel.name, drive.log.find(channel.name)->unit, std::vector<double>(time.size(), kRequired)};
+        for (std::size_t i = 0; i < channel.times.size(); ++i) {
+            const auto place = std::lower_bound(time.begin(), time.end(), channel.times[i]) - time.begin();
+            column.values[static_cast<std::size_t>(place)] = rows(channel.first_row + static_cast<Eigen::Index>(i));
+        }
+        log.channels.push_back(std::move(column));
+    }
+    return log;
+}
+
+Log measuredOverlay(const RecordedDrive& drive) {
+    Log log{{{"time", "s", drive.time}}};
+    for (const char* input : {"driver.steering_wheel_angle", "driver.throttle", "driver.brake"})
+        if (const Channel* channel = drive.log.find(input)) log.channels.push_back(*channel);
+    for (const ObservedChannel& channel : drive.channels) log.channels.push_back(*drive.log.find(channel.name));
+    return log;
+}
+
+// Drives every stage of the model, and adds what is off.
+Gaps gapsOf(Bench& bench, const Uncertainty& uncertainty, const std::vector<Deviation>& stages, bool hold_out,
+            std::vector<Overlay>& overlays) {
+    const std::size_t n = bench.drives.size();
+    Gaps gaps;
+    for (std::vector<double>* one : {&gaps.rows, &gaps.nominal, &gaps.calibrated, &gaps.extended}) one->assign(n, 0);
+    std::vector<Overlay> here(n);
+    std::vector<Subject> subjects;
+    for (const Deviation& stage : stages) subjects.push_back(bench.subjectAt(stage));
+    inParallel(n, bench.threads, [&](std::size_t d) {
+        const RecordedDrive& drive = bench.drives[d];
+        gaps.rows[d] = static_cast<double>(drive.rows());
+        std::vector<double>* const sums[] = {&gaps.nominal, &gaps.calibrated, &gaps.extended};
+        Log* const logs[] = {&here[d].nominal, &here[d].calibrated, &here[d].extended};
+        here[d].recording = drive.name;
+        here[d].hold_out = hold_out;
+        here[d].measured = measuredOverlay(drive);
+        for (std::size_t stage = 0; stage < stages.size(); ++stage) {
+            const std::optional<Log> motion = motionAt(bench, d, subjects[stage]);
+            *logs[stage] = overlayOf(drive, motion ? &*motion : nullptr, subjects[stage].instruments);
+            const Eigen::VectorXd rows =
+                motion ? readings(drive, *motion, subjects[stage].instruments) : Eigen::VectorXd::Zero(drive.rows());
+            (*sums[stage])[d] = squares(uncertainty, d, drive.measured - rows);
+        }
+    });
+    overlays.insert(overlays.end(), here.begin(), here.end());
+    return gaps;
+}
+
+// A point as likely as the posterior makes it.
+Deviation drawn(const Bench& bench, const Fit& fit, Random& random) {
+    const Eigen::Index n = fit.covariance.rows();
+    Eigen::VectorXd normal(n);
+    for (Eigen::Index i = 0; i < n; ++i) normal(i) = random.normal();
+    Deviation point = fit.at;
+    point(fit.free) += fit.covariance.llt().matrixL() * normal;
+    for (const Eigen::Index i : fit.free) {
+        const Parameter& parameter = bench.parameters[static_cast<std::size_t>(i)];
+        point(i) = std::clamp(point(i), parameter.lowest, parameter.highest);
+    }
+    return point;
+}
+
+// How much of the nominal car's gap to the true one the answer closes. The true car is not known, but the posterior
+// says what it can be: each draw of it is driven and stands for the truth once. A gap that the answer leaves beyond its
+// floor in the recordings themselves is not closed whatever the posterior says.
+void closure(HowFar& how_far, Bench& bench, const Uncertainty& uncertainty, const Gaps& gaps, const Fit& fit) {
+    Random random(1);
+    const std::size_t n = bench.drives.size();
+    const std::optional<Rows> nominal = rowsAt(bench, bench.origin()), answer = rowsAt(bench, fit.at);
+    if (!nominal || !answer) return;
+    std::vector<double> closures;
+    double before_sum = 0, after_sum = 0;
+    for (int draw = 0; draw < kDraws; ++draw) {
+        const std::optional<Rows> truth = rowsAt(bench, drawn(bench, fit, random));
+        if (!truth) continue;
+        std::vector<double> before(n), after(n);
+        for (std::size_t d = 0; d < n; ++d) {
+            const Eigen::VectorXd& noise = uncertainty.noise[d];
+            const double rows = gaps.rows[d], beyond = gaps.extended[d] - rows - kSignificant * std::sqrt(2 * rows);
+            before[d] = ((*nominal)[d] - (*truth)[d]).cwiseQuotient(noise).squaredNorm();
+            after[d] = ((*answer)[d] - (*truth)[d]).cwiseQuotient(noise).squaredNorm() + std::max(0.0, beyond);
+            before_sum += before[d], after_sum += after[d];
+        }
+        for (int again = 0; again < kResamples / kDraws; ++again) {
+            double b = 0, a = 0;
+            for (std::size_t i = 0; i < n; ++i) {
+                const auto d = static_cast<std::size_t>(random.uniform() * static_cast<double>(n));
+                b += before[d], a += after[d];
+            }
+            if (b > 0) closures.push_back(1 - a / b);
+        }
+    }
+    if (closures.empty()) return;
+    std::sort(closures.begin(), closures.end());
+    const auto at = [&](double share) {
+        return closures[static_cast<std::size_t>(share * static_cast<double>(closures.size() - 1))];
+    };
+    how_far.closure = 1 - after_sum / before_sum;
+    how_far.closure_low = std::min(at(kLow), how_far.closure);
+    how_far.closure_high = std::max(at(kHigh), how_far.closure);
+}
+
+const Candidate& answered(const Diagnosis& diagnosis, const Study& study, const Search& found) {
+    for (const Candidate& one : found.candidates) {
+        std::vector<std::string> names;
+        for (const std::size_t e : one.effects) names.push_back(study.effects[e].name);
+        if (one.fitted && names == diagnosis.causes) return one;
+    }
+    return found.none();
+}
+
+Uncertainty uncertaintyOfHeldOut(Bench& bench, const Study& study, const Rows& nominal) {
+    Uncertainty uncertainty = uncertaintyOf(bench, nominal);
+    uncertainty.sizes = study.uncertainty.sizes;
+    return uncertainty;
+}
+
+}  // namespace
+
+void howFar(Diagnosis& diagnosis, Study& study, const Search& found, std::vector<RecordedDrive> held_out) {
+    const Candidate& answer = answered(diagnosis, study, found);
+    const std::vector<Deviation> stages{study.bench.origin(), found.none().fit.at, answer.fit.at};
+    HowFar& how_far = diagnosis.how_far;
+    const Gaps training = gapsOf(study.bench, study.uncertainty, stages, false, diagnosis.overlays);
+    how_far.training = levels(training);
+    how_far.in_sample = held_out.empty();
+    const double rows = sum(training.rows);
+    const double nominal = sum(training.nominal) - rows, left = sum(training.extended) - rows;
+    diagnosis.unexplained.share = nominal > 0 ? std::clamp(left / nominal, 0.0, 1.0) : 0;
+    if (held_out.empty()) {
+        closure(how_far, study.bench, study.uncertainty, training, answer.fit);
+        return;
+    }
+    std::vector<RecordedDrive> trained = std::move(study.bench.drives);
+    study.bench.drives = std::move(held_out);
+    const std::optional<Rows> before = rowsAt(study.bench, study.bench.origin());
+    if (before) {
+        const Uncertainty uncertainty = uncertaintyOfHeldOut(study.bench, study, *before);
+        const Gaps gaps = gapsOf(study.bench, uncertainty, stages, true, diagnosis.overlays);
+        how_far.held_out = levels(gaps);
+        closure(how_far, study.bench, uncertainty, gaps, answer.fit);
+    }
+    study.bench.drives = std::move(trained);
+}
+
+}  // namespace tread

@@ -1,0 +1,36 @@
+// What the fit may move: the uncertain numbers of car and instruments, and the knobs of the effects. Each is a
+// direction in the space of the subject's numbers, in units of its prior standard deviation.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnose/diagnosis_file.h"
+#include "diagnose/effect.h"
+#include "diagnose/subject.h"
+
+namespace tread {
+
+struct Parameter {
+    struct Move {
+        std::string path;
+        double nominal;
+        double by;  // change for one unit of the parameter
+    };
+    std::vector<Move> moves;
+    double lowest = -4;  // in units: what is physically possible, and not more than four standard deviations
+    double highest = 4;
+    bool instruments_only = false;  // changes readings, not the drive
+
+    const std::string& name() const { return moves.front().path; }
+};
+
+void move(Subject& subject, const Parameter& parameter, double units);
+
+// A tolerance t is taken as the standard deviation t / sqrt(3) of a uniform distribution.
+std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<KnownWithin>& tolerances);
+
+// One per knob that moves something: the car may lack the part, or a share of nothing may be asked for.
+std::vector<Parameter> knobsOf(const Effect& effect, const Subject& nominal);
+
+}  // namespace tread

@@ -1,0 +1,162 @@
+#include "diagnose/replay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/numbers.h"
+#include "diagnose/observation.h"
+
+namespace tread {
+namespace {
+
+constexpr double kRunIn = 3;            // s, in which a drive that begins in a turn is brought there
+constexpr double kRunInSteering = 1.5;  // s of these, in which the hand wheel is turned
+constexpr double kInTurn = 0.03;        // rad/s
+constexpr double kStanding = 0.3;       // m/s
+constexpr double kParked = 0.3;         // brake pedal of a standing car whose log has none
+constexpr HoldSpeed kFollow{.proportional = 0.8, .integral = 0.5, .brake = 0.5};
+
+// What is changed on the subject against the nominal one, done to a road or wind that is known for this drive.
+template <class T>
+T changed(T known, const T& subject, const T& nominal) {
+    T now = subject, before = nominal;
+    const std::vector<Number> news = numbers(now), olds = numbers(before);
+    for (const Number& number : numbers(known)) {
+        for (std::size_t i = 0; i < news.size() && i < olds.size(); ++i) {
+            if (news[i].path == number.path && *news[i].value != *olds[i].value)
+                *number.value += *news[i].value - *olds[i].value;
+        }
+    }
+    return known;
+}
+
+// What the driver did, from what the instrument showed of it.
+Curve done(const RecordedDrive& drive, const std::string& channel, const Instrument& instrument, const Limits& limits) {
+    Curve curve;
+    const Channel* shown = drive.log.find(channel);
+    if (!shown) return curve;
+    for (std::size_t i = 0; i < drive.time.size(); ++i) {
+        if (!std::isfinite(shown->values[i])) continue;
+        const double value = (shown->values[i] - instrument.bias) / instrument.gain;
+        curve.points.push_back({drive.time[i] - instrument.delay, std::clamp(value, limits.lowest, limits.highest)});
+    }
+    return curve;
+}
+
+double runIn(const RecordedDrive& drive) {
+    const Channel* yaw_rate = drive.log.find("chassis.yaw_rate");
+    if (!yaw_rate || drive.speed < kStanding) return 0;
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < drive.time.size() && drive.time[i] < 2 * kBlock; ++i) {
+        if (std::isfinite(yaw_rate->values[i])) sum += yaw_rate->values[i], count += 1;
+    }
+    return count > 0 && std::abs(sum / count) > kInTurn ? kRunIn : 0;
+}
+
+Curve speedProfile(const RecordedDrive& drive) {
+    Curve curve;
+    for (const ObservedChannel& channel : drive.channels) {
+        if (channel.name != "chassis.vx") continue;
+        for (std::size_t i = 0; i < channel.times.size(); ++i)
+            curve.points.push_back(
+                {channel.times[i], std::max(0.0, drive.measured(channel.first_row + static_cast<Eigen::Index>(i)))});
+    }
+    return curve;
+}
+
+Phase driven(const RecordedDrive& drive, const Instruments& instruments) {
+    Phase phase;
+    phase.name = "the drive";
+    const Curve steering = done(drive, "driver.steering_wheel_angle", instruments.steering_wheel_angle, Angle::kLimits);
+    if (!steering.empty()) phase.steering = Table<Angle>{steering};
+    if (drive.recording->speed == SpeedReplay::followed) {
+        HoldSpeed follow = kFollow;
+        follow.profile = speedProfile(drive);
+        phase.throttle = follow;
+    } else {
+        const Curve throttle = done(drive, "driver.throttle", instruments.throttle, Pedal::kLimits);
+        const Curve brake = done(drive, "driver.brake", instruments.brake, Pedal::kLimits);
+        if (!throttle.empty()) phase.throttle = Table<Pedal>{throttle};
+        if (!brake.empty()) phase.brake = Table<Pedal>{brake};
+    }
+    const Curve clutch = done(drive, "driver.clutch", {}, Pedal::kLimits);
+    if (!clutch.empty()) phase.clutch = Table<Pedal>{clutch};
+    phase.until.duration = drive.duration();
+    return phase;
+}
+
+// The gear that a drive holds, as the only one: the model must not shift at another time.
+void holdGear(VehicleParams& vehicle, const RecordedDrive& drive) {
+    const Channel* gear = drive.log.find("driveline.gear");
+    auto& gearbox = vehicle.driveline.gearbox;
+    if (!gear || gear->values.empty()) return;
+    const double held = std::round(gear->values.front());
+    const bool constant = std::all_of(gear->values.begin(), gear->values.end(),
+                                      [&](double g) { return !std::isfinite(g) || std::round(g) == held; });
+    if (!constant || held < 1 || held > static_cast<double>(gearbox.ratios.size())) return;
+    gearbox.ratios = {gearbox.ratios[static_cast<std::size_t>(held) - 1]};
+}
+
+}  // namespace
+
+Scenario replayOf(const RecordedDrive& drive, const Subject& subject, const Subject& nominal, double step) {
+    Scenario scenario;
+    scenario.title = drive.name;
+    scenario.step = step;
+    scenario.road = changed(drive.recording->road, subject.road, nominal.road);
+    scenario.wind = changed(drive.recording->wind, subject.wind, nominal.wind);
+    scenario.start.speed = drive.speed < kStanding ? 0 : drive.speed;
+    const Phase drive_phase = driven(drive, subject.instruments);
+    const double run_in = runIn(drive);
+    if (run_in > 0) {
+        Phase phase;
+        phase.name = "into the turn";
+        const auto* steering = std::get_if<Table<Angle>>(&drive_phase.steering);
+        if (steering) phase.steering = Table<Angle>{Curve{{{0, 0}, {kRunInSteering, steering->points(0)}}}};
+        phase.throttle = HoldSpeed{.brake = 0.5};
+        phase.until.duration = run_in;
+        scenario.phases.push_back(std::move(phase));
+    }
+    if (scenario.start.speed == 0) {
+        const auto* brake = std::get_if<Table<Pedal>>(&drive_phase.brake);
+        scenario.start.brake = brake ? brake->points(0) : kParked;
+    }
+    scenario.phases.push_back(drive_phase);
+    scenario.time_limit = run_in + drive.duration() + 1;
+    scenario.log.rate = 1 / step;
+    scenario.log.channels = {"chassis.pitch_rate"};
+    for (const ObservedQuantity& quantity : observedQuantities()) scenario.log.channels.push_back(quantity.channel);
+    return scenario;
+}
+
+Log replayed(const RecordedDrive& drive, const Subject& subject, const Subject& nominal, double step,
+             const Simulate& simulate) {
+    VehicleParams vehicle = subject.vehicle;
+    holdGear(vehicle, drive);
+    Log motion;
+    simulate(vehicle, replayOf(drive, subject, nominal, step), recorderInto(motion));
+    const double run_in = runIn(drive);
+    if (run_in == 0) return motion;
+    const auto skipped = static_cast<std::ptrdiff_t>(std::lround(run_in / step));
+    for (Channel& channel : motion.channels) {
+        if (channel.values.size() <= static_cast<std::size_t>(skipped)) continue;
+        channel.values.erase(channel.values.begin(), channel.values.begin() + skipped);
+    }
+    for (double& t : motion.channels.front().values) t -= run_in;
+    return motion;
+}
+
+Eigen::VectorXd readings(const RecordedDrive& drive, const Log& motion, const Instruments& instruments) {
+    Eigen::VectorXd rows(drive.rows());
+    for (const ObservedChannel& channel : drive.channels) {
+        for (const ObservedQuantity& quantity : observedQuantities()) {
+            if (quantity.channel != channel.name) continue;
+            rows.segment(channel.first_row, static_cast<Eigen::Index>(channel.times.size())) =
+                blockMeans(channel, drive.time, readings(motion, instruments, quantity, drive.time));
+        }
+    }
+    return rows;
+}
+
+}  // namespace tread

@@ -1,0 +1,130 @@
+#include "diagnose/screen.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "diagnose/thresholds.h"
+
+namespace tread {
+namespace {
+
+constexpr double kAlike = 0.9;  // cosine from which a pair is worth naming, when it is also not separable
+constexpr std::size_t kMostPairs = 30;
+
+// Places of an effect's knobs among all knobs.
+std::vector<Eigen::Index> placesOf(const Study& study, std::size_t effect) {
+    Eigen::Index first = 0;
+    for (std::size_t e = 0; e < effect; ++e) first += static_cast<Eigen::Index>(study.knobs[e].size());
+    std::vector<Eigen::Index> places(study.knobs[effect].size());
+    std::iota(places.begin(), places.end(), first);
+    return places;
+}
+
+// Linear evidence of knobs with these products; what lies beyond a bound counts only up to it.
+double gain(const Study& study, const Eigen::MatrixXd& products, std::size_t effect,
+            const std::vector<Eigen::Index>& places, const Deviation& at) {
+    const Eigen::Index n = static_cast<Eigen::Index>(places.size()), last = products.cols() - 1;
+    const Eigen::MatrixXd information = products(places, places);
+    const Eigen::VectorXd gradient = products(places, last);
+    const Eigen::LLT<Eigen::MatrixXd> factor(Eigen::MatrixXd::Identity(n, n) + information);
+    Eigen::VectorXd best = factor.solve(gradient);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const Eigen::Index p = study.knobs[effect][static_cast<std::size_t>(i)];
+        const Parameter& parameter = study.bench.parameters[static_cast<std::size_t>(p)];
+        best(i) = std::clamp(best(i), parameter.lowest - at(p), parameter.highest - at(p));
+    }
+    const double explained = gradient.dot(best) - 0.5 * (best.dot(information * best) + best.squaredNorm());
+    return explained - factor.matrixLLT().diagonal().array().log().sum();
+}
+
+Eigen::MatrixXd withoutNuisances(const Gram& gram, std::size_t nuisances) {
+    std::vector<Eigen::Index> out(nuisances);
+    std::iota(out.begin(), out.end(), 0);
+    const auto left = gram.products.cols() - static_cast<Eigen::Index>(nuisances);
+    return marginalised(gram, out).products.bottomRightCorner(left, left);
+}
+
+}  // namespace
+
+Screen screen(const Study& study, const std::vector<DriveGram>& grams) {
+    Screen result;
+    const Gram gram = total(grams, study.uncertainty, study.uncertainty.sizes);
+    result.products = withoutNuisances(gram, study.nominal.nuisances.size());
+    for (std::size_t e = 0; e < study.effects.size(); ++e) {
+        const std::vector<Eigen::Index> places = placesOf(study, e);
+        double most = 0;
+        for (const Eigen::Index i : places) most = std::max(most, 0.5 * result.products(i, i));
+        result.detectability.push_back(most);
+        result.gain.push_back(gain(study, result.products, e, places, study.bench.origin()));
+    }
+    return result;
+}
+
+std::vector<double> gainsOver(const Study& study, const Ground& ground, const Fit& fit) {
+    // The fit's own knobs move along with the nuisances.
+    std::vector<DriveGram> grams;
+    const std::vector<Eigen::Index> knobs = study.allKnobs();
+    for (std::size_t d = 0; d < fit.rows.size(); ++d) {
+        const Eigen::Index own = fit.knob_columns[d].cols(), all = static_cast<Eigen::Index>(knobs.size());
+        Eigen::MatrixXd further(fit.rows[d].size(), own + all + 1);
+        further.leftCols(own) = fit.knob_columns[d];
+        Eigen::MatrixXd columns = ground.about.columns[d](Eigen::all, knobs);
+        columns.array().colwise() /= study.uncertainty.noise[d].array();
+        further.middleCols(own, all) = columns;
+        further.rightCols(1) = residual(study.bench, study.uncertainty, fit.rows, d);
+        grams.push_back(extended(ground.grams[d], ground.columns[d], study.uncertainty.directions[d], further));
+    }
+    Gram gram = total(grams, study.uncertainty, study.uncertainty.sizes);
+    // The prior pulls the fitted parameters back: that is a gradient, too.
+    const auto free = static_cast<Eigen::Index>(fit.free.size());
+    gram.products.topRightCorner(free, 1) -= fit.at(fit.free);
+    gram.products.bottomLeftCorner(1, free) = gram.products.topRightCorner(free, 1).transpose();
+    const Eigen::MatrixXd products = withoutNuisances(gram, fit.free.size());
+    std::vector<double> gains;
+    for (std::size_t e = 0; e < study.effects.size(); ++e)
+        gains.push_back(gain(study, products, e, placesOf(study, e), fit.at));
+    return gains;
+}
+
+double cosine(const Study& study, const Eigen::MatrixXd& products, std::size_t a, std::size_t b) {
+    double largest = 0;
+    for (const Eigen::Index i : placesOf(study, a)) {
+        for (const Eigen::Index j : placesOf(study, b)) {
+            const double size = std::sqrt(products(i, i) * products(j, j));
+            if (size > 0) largest = std::max(largest, std::abs(products(i, j)) / size);
+        }
+    }
+    return largest;
+}
+
+std::vector<ConfusablePair> confusablePairs(const Study& study, const Screen& screen,
+                                            const std::vector<DriveGram>& grams) {
+    std::vector<ConfusablePair> pairs;
+    for (std::size_t a = 0; a < study.effects.size(); ++a) {
+        for (std::size_t b = a + 1; b < study.effects.size(); ++b) {
+            const double least = std::min(screen.detectability[a], screen.detectability[b]);
+            if (least < kThresholds.testable) continue;
+            const double alike = cosine(study, screen.products, a, b), apart = least * (1 - alike * alike);
+            if (apart >= kThresholds.separable && alike < kAlike) continue;
+            // The recording with the largest part of what the first leaves of the second.
+            std::string manoeuvre;
+            double most = -1;
+            const Eigen::Index i = placesOf(study, a).front(), j = placesOf(study, b).front();
+            const double slope = screen.products(i, j) / screen.products(i, i);
+            const auto offset = static_cast<Eigen::Index>(study.nominal.nuisances.size());
+            for (std::size_t d = 0; d < grams.size(); ++d) {
+                const Gram one = whitened(grams[d], study.uncertainty.sizesOf(d, study.uncertainty.sizes));
+                const auto at = [&](Eigen::Index r, Eigen::Index c) { return one.products(offset + r, offset + c); };
+                const double energy = at(j, j) - 2 * slope * at(i, j) + slope * slope * at(i, i);
+                if (energy > most) most = energy, manoeuvre = study.bench.drives[d].name;
+            }
+            pairs.push_back({study.effects[a].name, study.effects[b].name, alike, apart, manoeuvre});
+        }
+    }
+    std::sort(pairs.begin(), pairs.end(), [](const auto& x, const auto& y) { return x.separation < y.separation; });
+    if (pairs.size() > kMostPairs) pairs.resize(kMostPairs);
+    return pairs;
+}
+
+}  // namespace tread

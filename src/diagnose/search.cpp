@@ -1,0 +1,184 @@
+#include "diagnose/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "diagnose/thresholds.h"
+
+namespace tread {
+namespace {
+
+constexpr std::size_t kFewestRefits = 4, kMostRefits = 8;
+constexpr double kHopeless = 25;           // nats behind the best of the screen: not refitted beyond the fewest
+constexpr std::size_t kRelinearised = 2;   // best singles about which the nuisances are linearised anew
+constexpr std::size_t kFurtherRefits = 3;  // effects tried beside each of these
+constexpr std::size_t kMostEffects = 3;
+constexpr double kWorthDriving = 0.1;  // squared signal over noise of a nuisance of usual size
+constexpr double kStuck = 0.02;        // units: a knob that the fit left where it was
+
+using Progress = std::function<void(double, const std::string&)>;
+
+std::vector<Eigen::Index> knobsOf(const Study& study, const std::vector<std::size_t>& effects) {
+    std::vector<Eigen::Index> knobs;
+    for (const std::size_t e : effects) knobs.insert(knobs.end(), study.knobs[e].begin(), study.knobs[e].end());
+    return knobs;
+}
+
+std::vector<std::size_t> bestFirst(const std::vector<double>& values) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] > values[b]; });
+    return order;
+}
+
+void sort(std::vector<Candidate>& candidates) {
+    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+        if (a.fitted != b.fitted) return a.fitted;
+        return a.log_evidence > b.log_evidence;
+    });
+}
+
+// Starts of a knob: where the linear screen sees it, and, where it may only grow, also from well inside.
+std::vector<Deviation> starts(const Study& study, const std::vector<Eigen::Index>& knobs, const Deviation& from) {
+    std::vector<Deviation> points{from};
+    Deviation inside = from;
+    bool one_sided = false;
+    for (const Eigen::Index k : knobs) {
+        const Parameter& parameter = study.bench.parameters[static_cast<std::size_t>(k)];
+        if (from(k) != 0 || (parameter.lowest < 0 && parameter.highest > 0)) continue;
+        inside(k) = parameter.lowest == 0 ? std::min(1.0, parameter.highest) : std::max(-1.0, parameter.lowest);
+        one_sided = true;
+    }
+    if (one_sided) points.push_back(inside);
+    return points;
+}
+
+std::optional<Candidate> refit(Study& study, const Ground& ground, const std::vector<std::size_t>& effects,
+                               const Deviation& from, double none) {
+    std::optional<Candidate> best;
+    const std::vector<Eigen::Index> knobs = knobsOf(study, effects);
+    for (const Deviation& start : starts(study, knobs, from)) {
+        // A second start is for knobs that did not get off their limit.
+        if (best && (best->fit.at(knobs) - from(knobs)).cwiseAbs().minCoeff() > kStuck) break;
+        std::optional<Fit> fit = fitted(study.bench, study.uncertainty, ground, knobs, start);
+        if (!fit || (best && fit->log_evidence <= best->fit.log_evidence)) continue;
+        best = Candidate{effects, fit->log_evidence - none, std::move(*fit), true};
+    }
+    return best;
+}
+
+// Drives in which a nuisance makes a difference: only there is it worth a new look.
+std::vector<std::vector<bool>> worthDriving(const Study& study) {
+    const Ground& nominal = study.nominal;
+    std::vector<std::vector<bool>> worth(nominal.nuisances.size(), std::vector<bool>(nominal.grams.size()));
+    for (std::size_t d = 0; d < nominal.grams.size(); ++d) {
+        const Gram gram = whitened(nominal.grams[d], study.uncertainty.sizesOf(d, study.uncertainty.sizes));
+        for (std::size_t i = 0; i < worth.size(); ++i)
+            worth[i][d] = gram.products(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) > kWorthDriving;
+    }
+    return worth;
+}
+
+// Nuisances linearised about a fit; the knobs keep their nominal columns.
+Ground groundAt(Study& study, const Fit& fit, const std::function<void(double)>& progress) {
+    Linearised about = linearised(study.bench, fit.at,
+                                  {.parameters = study.nominal.nuisances,
+                                   .difference = Difference::one_sided,
+                                   .worth = worthDriving(study),
+                                   .elsewhere = &study.nominal.about},
+                                  progress);
+    return ground(std::move(about), study.nominal.nuisances, study.uncertainty);
+}
+
+bool contains(const std::vector<std::size_t>& list, std::size_t value) {
+    return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+bool tried(const std::vector<Candidate>& candidates, std::vector<std::size_t> effects) {
+    std::sort(effects.begin(), effects.end());
+    return std::any_of(candidates.begin(), candidates.end(), [&](Candidate one) {
+        std::sort(one.effects.begin(), one.effects.end());
+        return one.effects == effects;
+    });
+}
+
+// Adds effects to a candidate as long as they gain enough.
+void grow(Study& study, const Ground& ground, Candidate from, double none, std::vector<Candidate>& found) {
+    while (from.effects.size() < kMostEffects) {
+        const std::vector<double> gains = gainsOver(study, ground, from.fit);
+        std::optional<Candidate> best;
+        std::size_t refits = 0;
+        for (const std::size_t e : bestFirst(gains)) {
+            if (contains(from.effects, e)) continue;
+            if (gains[e] < 0.5 * kThresholds.further_effect || refits++ == kFurtherRefits) break;
+            std::vector<std::size_t> effects = from.effects;
+            effects.push_back(e);
+            if (tried(found, effects)) continue;
+            std::optional<Candidate> more = refit(study, ground, effects, from.fit.at, none);
+            if (!more) continue;
+            found.push_back(*more);
+            if (!best || more->log_evidence > best->log_evidence) best = more;
+        }
+        if (!best || best->log_evidence < from.log_evidence + kThresholds.further_effect) return;
+        from = std::move(*best);
+    }
+}
+
+}  // namespace
+
+const Candidate& Search::none() const {
+    return *std::find_if(candidates.begin(), candidates.end(), [](const Candidate& c) { return c.effects.empty(); });
+}
+
+Search search(Study& study, const Screen& screen, const Progress& progress) {
+    const Deviation origin = study.bench.origin();
+    progress(0, "fitting tolerances");
+    std::optional<Fit> none = fitted(study.bench, study.uncertainty, study.nominal, {}, origin);
+    if (!none) throw SimulationError("the nominal car cannot be driven in the recordings", 0);
+    double zero = none->log_evidence;
+
+    // Every effect as the linearisation sees it, the most promising refitted.
+    Search result;
+    std::vector<Candidate> singles;
+    const std::vector<std::size_t> order = bestFirst(screen.gain);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const std::size_t e = order[i];
+        const bool hopeless = screen.gain[e] < screen.gain[order.front()] - kHopeless || screen.gain[e] < -1;
+        std::optional<Candidate> one;
+        if (i < kFewestRefits || (i < kMostRefits && !hopeless)) one = refit(study, study.nominal, {e}, origin, zero);
+        progress(0.3 * static_cast<double>(std::min(i, kMostRefits)) / kMostRefits, "fitting " + study.effects[e].name);
+        if (!one) one = Candidate{{e}, screen.gain[e], {}, false};
+        singles.push_back(std::move(*one));
+    }
+    sort(singles);
+
+    // The best again, nuisances linearised where they are; then what could be beside them.
+    std::vector<Candidate> grown;
+    for (std::size_t i = 0; i < singles.size() && i < kRelinearised; ++i) {
+        if (!singles[i].fitted) break;
+        if (i > 0 && singles[i].log_evidence < singles[0].log_evidence - kHopeless) break;
+        progress(0.3 + 0.3 * static_cast<double>(i), "linearising at " + study.effects[singles[i].effects[0]].name);
+        Ground here = groundAt(study, singles[i].fit, [](double) {});
+        if (i == 0) {
+            const std::optional<Fit> again = fitted(study.bench, study.uncertainty, here, {}, none->at);
+            if (again && again->log_evidence > none->log_evidence) none = again, zero = none->log_evidence;
+        }
+        const double before = singles[i].log_evidence;
+        std::optional<Candidate> again = refit(study, here, singles[i].effects, singles[i].fit.at, zero);
+        if (again) singles[i] = std::move(*again);
+        else singles[i].log_evidence = before;
+        if (singles[i].log_evidence > kThresholds.effect) grow(study, here, singles[i], zero, grown);
+        if (i == 0) result.ground = std::move(here);
+    }
+    result.candidates = std::move(singles);
+    result.candidates.insert(result.candidates.end(), grown.begin(), grown.end());
+    result.candidates.push_back({{}, 0, std::move(*none), true});
+    for (Candidate& one : result.candidates) {
+        if (one.fitted) one.log_evidence = one.fit.log_evidence - zero;
+    }
+    sort(result.candidates);
+    return result;
+}
+
+}  // namespace tread

@@ -1,0 +1,26 @@
+// Which effects explain the recordings: fits of the most promising ones, alone and together.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnose/screen.h"
+
+namespace tread {
+
+struct Candidate {
+    std::vector<std::size_t> effects;  // none: only nuisances
+    double log_evidence = 0;           // nats over none
+    Fit fit;                           // empty when it was judged by the linearisation alone
+    bool fitted = false;
+};
+
+struct Search {
+    std::vector<Candidate> candidates;  // best first; with and without effects
+    Ground ground;                      // linearised at the best candidate
+    const Candidate& best() const { return candidates.front(); }
+    const Candidate& none() const;
+};
+Search search(Study& study, const Screen& screen, const std::function<void(double, const std::string&)>& progress);
+
+}  // namespace tread

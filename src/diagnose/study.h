@@ -1,0 +1,39 @@
+// A diagnosis while it is made: the recordings on the bench, the effects in question, and the linearisation at the
+// nominal car from which everything starts.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "diagnose/fit.h"
+
+namespace tread {
+
+struct Study {
+    Bench bench;
+    std::vector<Effect> effects;                   // those that the car can show at all
+    std::vector<std::vector<Eigen::Index>> knobs;  // of each effect: indices of parameters
+    std::vector<Eigen::Index> nuisances;           // all, indices of parameters
+    Uncertainty uncertainty;
+    Ground nominal;
+
+    std::vector<Eigen::Index> allKnobs() const {
+        std::vector<Eigen::Index> all;
+        for (const auto& of_effect : knobs) all.insert(all.end(), of_effect.begin(), of_effect.end());
+        return all;
+    }
+};
+
+// Of the drives on a bench, with disturbances of the usual sizes.
+Uncertainty uncertaintyOf(Bench& bench, const Rows& nominal);
+
+// Products of the nuisances, all knobs and the residual about a ground that knows the knobs' columns.
+std::vector<DriveGram> everything(const Study& study, const Ground& ground);
+
+// Sizes of the disturbances under which the recordings are most likely, whatever mixture of nuisances and effects is
+// true; near the usual ones unless the recordings say otherwise.
+std::array<double, kDisturbances> disturbanceSizes(const std::vector<DriveGram>& grams, const Uncertainty& uncertainty);
+
+}  // namespace tread

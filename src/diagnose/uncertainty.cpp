@@ -1,0 +1,25 @@
+#include "diagnose/noise.h"
+#include "diagnose/study.h"
+#include "identify/parallel.h"
+
+namespace tread {
+
+Uncertainty uncertaintyOf(Bench& bench, const Rows& nominal) {
+    Uncertainty uncertainty;
+    uncertainty.sizes.fill(1);
+    uncertainty.noise = rowNoise(bench.drives, nominal);
+    uncertainty.disturbing.resize(bench.drives.size());
+    uncertainty.directions.resize(bench.drives.size());
+    inParallel(bench.drives.size(), bench.threads, [&](std::size_t d) {
+        const Eigen::VectorXd by_start_speed = startSpeedColumn(bench, d);
+        uncertainty.disturbing[d] = disturbances(bench, d, by_start_speed);
+        const Eigen::MatrixXd& columns = uncertainty.disturbing[d].columns;
+        Eigen::MatrixXd& all = uncertainty.directions[d];
+        all.resize(columns.rows(), columns.cols() + 1);
+        all << columns, by_start_speed;
+        all.array().colwise() /= uncertainty.noise[d].array();
+    });
+    return uncertainty;
+}
+
+}  // namespace tread

@@ -1,0 +1,150 @@
+#include "diagnose/unknown.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace tread {
+namespace {
+
+constexpr std::array<double, 6> kAllLarger{1.6, 2.5, 4, 8, 16, 50};
+constexpr std::array<double, 3> kOneLarger{4, 15, 50};
+constexpr double kLeastShare = 0.02;  // of the information, that a drive must carry to have a say
+constexpr double kReading = 15;       // times the usual size: with these the missing force is read off
+
+}  // namespace
+
+Inflation inflation(const Study& study, const Fit& fit) {
+    const auto usual = study.uncertainty.sizes;
+    const double now = logEvidenceOf(fit, study.uncertainty, usual);
+    Inflation best{-kInfinity, usual};
+    const auto look = [&](const std::array<double, kDisturbances>& sizes) {
+        const double gain = logEvidenceOf(fit, study.uncertainty, sizes) - now;
+        if (gain > best.gain) best = {gain, sizes};
+    };
+    for (const double factor : kAllLarger) {
+        std::array<double, kDisturbances> sizes = usual;
+        for (double& size : sizes) size *= factor;
+        look(sizes);
+    }
+    for (std::size_t kind = 0; kind < kDisturbances; ++kind) {
+        for (const double factor : kOneLarger) {
+            std::array<double, kDisturbances> sizes = usual;
+            sizes[kind] *= factor;
+            look(sizes);
+        }
+    }
+    return best;
+}
+
+Constancy constancy(const Study& study, const Fit& fit) {
+    const Eigen::Index knobs = static_cast<Eigen::Index>(fit.knobs.size());
+    if (knobs == 0) return {};
+    // One column per drive: the fitted direction there, and nothing elsewhere.
+    const auto n = static_cast<Eigen::Index>(fit.free.size()), nuisances = n - knobs;
+    const auto drives = static_cast<Eigen::Index>(fit.grams.size());
+    Eigen::VectorXd direction = Eigen::VectorXd::Zero(n);
+    direction.tail(knobs) = fit.at(fit.knobs).normalized();
+    if (direction.isZero(0)) direction(nuisances) = 1;
+    Eigen::MatrixXd products = Eigen::MatrixXd::Zero(nuisances + drives + 1, nuisances + drives + 1);
+    const Eigen::Index last = nuisances + drives;
+    for (Eigen::Index d = 0; d < drives; ++d) {
+        const auto index = static_cast<std::size_t>(d);
+        const Eigen::MatrixXd one =
+            whitened(fit.grams[index], study.uncertainty.sizesOf(index, study.uncertainty.sizes)).products;
+        Eigen::MatrixXd pick = Eigen::MatrixXd::Zero(n + 1, nuisances + 2);
+        pick.topLeftCorner(nuisances, nuisances).setIdentity();
+        pick.block(0, nuisances, n, 1) = direction;
+        pick(n, nuisances + 1) = 1;
+        const Eigen::MatrixXd here = pick.transpose() * one * pick;
+        std::vector<Eigen::Index> places(static_cast<std::size_t>(nuisances));
+        std::iota(places.begin(), places.end(), 0);
+        places.push_back(nuisances + d), places.push_back(last);
+        products(places, places) += here;
+    }
+    // The prior pulls the nuisances back.
+    for (Eigen::Index i = 0; i < nuisances; ++i) {
+        products(i, last) -= fit.at(fit.free[static_cast<std::size_t>(i)]);
+        products(last, i) = products(i, last);
+    }
+    std::vector<Eigen::Index> out(static_cast<std::size_t>(nuisances));
+    std::iota(out.begin(), out.end(), 0);
+    const Eigen::MatrixXd left = marginalised({products, 0}, out).products;
+
+    std::vector<Eigen::Index> informed;
+    double information = 0;
+    for (Eigen::Index d = 0; d < drives; ++d) information += left(nuisances + d, nuisances + d);
+    for (Eigen::Index d = 0; d < drives; ++d)
+        if (left(nuisances + d, nuisances + d) > kLeastShare * information) informed.push_back(nuisances + d);
+    if (informed.size() < 2) return {};
+    // Each drive its own value, against one for all.
+    const Eigen::MatrixXd each = left(informed, informed);
+    const Eigen::VectorXd gradient = left(informed, last);
+    const double apart = gradient.dot(each.ldlt().solve(gradient));
+    const double together = gradient.sum() * gradient.sum() / each.sum();
+    Constancy result{std::max(0.0, apart - together), static_cast<double>(informed.size() - 1), 1};
+    result.p = chiSquaredTail(result.q, result.degrees_of_freedom);
+    return result;
+}
+
+double chiSquaredTail(double x, double degrees_of_freedom) {
+    // Regularised upper incomplete gamma function Q(a, z): series below a + 1, continued fraction (Lentz) above.
+    const double a = 0.5 * degrees_of_freedom, z = 0.5 * x;
+    if (z <= 0) return 1;
+    const double front = std::exp(-z + a * std::log(z) - std::lgamma(a));
+    constexpr int kMost = 500;
+    constexpr double kSmall = 1e-15, kTiny = 1e-300;
+    if (z < a + 1) {
+        double term = 1 / a, sum = term;
+        for (int n = 1; n < kMost && std::abs(term) > kSmall * std::abs(sum); ++n) sum += term *= z / (a + n);
+        return 1 - front * sum;
+    }
+    double b = z + 1 - a, c = 1 / kTiny, d = 1 / b, h = d;
+    for (int n = 1; n < kMost; ++n) {
+        const double an = -n * (n - a);
+        b += 2;
+        d = an * d + b, c = b + an / c;
+        d = 1 / (std::abs(d) < kTiny ? kTiny : d);
+        if (std::abs(c) < kTiny) c = kTiny;
+        h *= d * c;
+        if (std::abs(d * c - 1) < kSmall) break;
+    }
+    return front * h;
+}
+
+MissingForce missingForce(const Study& study, const Fit& fit) {
+    std::array<double, kDisturbances> sizes = study.uncertainty.sizes;
+    for (double& size : sizes) size *= kReading;
+    // Steering is no force: what it would explain shows as lateral force and yaw moment of the front axle.
+    sizes[static_cast<std::size_t>(Disturbed::steering)] = 0;
+    std::array<double, kDisturbances> energy{};
+    double most = 0;
+    MissingForce result;
+    for (std::size_t d = 0; d < fit.rows.size(); ++d) {
+        const Disturbances& disturbing = study.uncertainty.disturbing[d];
+        const Eigen::VectorXd size = study.uncertainty.sizesOf(d, sizes);
+        const Eigen::MatrixXd scaled = study.uncertainty.directions[d] * size.asDiagonal();
+        const Eigen::Index n = scaled.cols();
+        const Eigen::VectorXd force =
+            (Eigen::MatrixXd::Identity(n, n) + scaled.transpose() * scaled)
+                .llt()
+                .solve(scaled.transpose() * residual(study.bench, study.uncertainty, fit.rows, d));
+        for (std::size_t i = 0; i < disturbing.kinds.size(); ++i) {
+            const double here = force(static_cast<Eigen::Index>(i)) * force(static_cast<Eigen::Index>(i));
+            energy[static_cast<std::size_t>(disturbing.kinds[i])] += here;
+            if (here <= most) continue;
+            most = here;
+            result.when = fmt::format("{}, about {:.1f} s", study.bench.drives[d].name, disturbing.times[i]);
+        }
+    }
+    const double sum = std::accumulate(energy.begin(), energy.end(), 0.0);
+    for (std::size_t kind = 0; kind < kDisturbances; ++kind) {
+        if (static_cast<Disturbed>(kind) == Disturbed::steering) continue;
+        result.shares[std::string(kDisturbedNames[kind])] = sum > 0 ? energy[kind] / sum : 0.25;
+    }
+    return result;
+}
+
+}  // namespace tread

@@ -1,0 +1,36 @@
+// Does something act that no effect of the catalogue explains?
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "diagnose/search.h"
+
+namespace tread {
+
+// Nats that larger disturbances gain on top of a model, and which of them.
+struct Inflation {
+    double gain = 0;
+    std::array<double, kDisturbances> sizes{};
+};
+Inflation inflation(const Study& study, const Fit& fit);
+
+// Is one value of the model's effects right for all drives? Cochran's Q of what each drive alone asks for.
+struct Constancy {
+    double q = 0;
+    double degrees_of_freedom = 0;
+    double p = 1;
+};
+Constancy constancy(const Study& study, const Fit& fit);
+
+// P(X > x) of the chi-squared distribution.
+double chiSquaredTail(double x, double degrees_of_freedom);
+
+// The force that, by the disturbances' posterior, the model lacks: share of each kind, and when it acts most.
+struct MissingForce {
+    std::map<std::string, double> shares;
+    std::string when;
+};
+MissingForce missingForce(const Study& study, const Fit& fit);
+
+}  // namespace tread

@@ -1,0 +1,197 @@
+#include "diagnose/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "diagnose/thresholds.h"
+
+namespace tread {
+namespace {
+
+// Prior probabilities of what can be the case, each split evenly over its members.
+constexpr double kPriorNone = 0.25, kPriorOne = 0.45, kPriorMore = 0.2, kPriorUnknown = 0.1;
+constexpr double kNinety = 1.645;  // standard deviations of a 90 % interval
+
+std::string key(const Study& study, const std::vector<std::size_t>& effects) {
+    std::string name;
+    for (const std::size_t e : effects) name += (name.empty() ? "" : " and ") + study.effects[e].name;
+    return name.empty() ? "none" : name;
+}
+
+struct Hypothesis {
+    const Candidate* candidate;  // nullptr: unknown
+    double probability;
+};
+
+std::vector<Hypothesis> posterior(const Study& study, const Search& found, const Inflation& inflation) {
+    const auto n = static_cast<double>(std::max<std::size_t>(study.effects.size(), 1));
+    std::vector<Hypothesis> all;
+    std::vector<double> logs;
+    const double t = kThresholds.temperature;
+    for (const Candidate& one : found.candidates) {
+        const double members = one.effects.size() == 1 ? n : n * std::max(1.0, n - 1) / 2;
+        const double prior = one.effects.empty()       ? kPriorNone
+                             : one.effects.size() == 1 ? kPriorOne / members
+                                                       : kPriorMore / members;
+        logs.push_back(std::log(prior) + one.log_evidence / t);
+        all.push_back({&one, 0});
+    }
+    logs.push_back(std::log(kPriorUnknown) + (found.best().log_evidence + inflation.gain - kThresholds.unknown) / t);
+    all.push_back({nullptr, 0});
+    const double most = *std::max_element(logs.begin(), logs.end());
+    double sum = 0;
+    for (double& one : logs) sum += one = std::exp(one - most);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].probability = logs[i] / sum;
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Hypothesis& a, const Hypothesis& b) { return a.probability > b.probability; });
+    return all;
+}
+
+std::map<std::string, Estimate> estimates(const Study& study, const Fit& fit, const std::vector<Eigen::Index>& knobs) {
+    std::map<std::string, Estimate> result;
+    for (std::size_t i = 0; i < fit.free.size(); ++i) {
+        const Eigen::Index p = fit.free[i];
+        if (std::find(knobs.begin(), knobs.end(), p) == knobs.end()) continue;
+        const Parameter& parameter = study.bench.parameters[static_cast<std::size_t>(p)];
+        const double units = fit.at(p);
+        const double sd = std::sqrt(kThresholds.temperature *
+                                    fit.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)));
+        constexpr double kNear = 1e-6;
+        for (const Parameter::Move& move : parameter.moves) {
+            Estimate one{.value = move.nominal + units * move.by,
+                         .sd = sd * std::abs(move.by),
+                         .neutral = move.nominal,
+                         .at_bound = units < parameter.lowest + kNear || units > parameter.highest - kNear};
+            const double a = move.nominal + std::max(parameter.lowest, units - kNinety * sd) * move.by;
+            const double b = move.nominal + std::min(parameter.highest, units + kNinety * sd) * move.by;
+            one.low = std::min(a, b), one.high = std::max(a, b);
+            result[move.path] = one;
+        }
+    }
+    return result;
+}
+
+void rankEffects(Diagnosis& diagnosis, const Study& study, const Search& found, const std::vector<Hypothesis>& all) {
+    for (std::size_t e = 0; e < study.effects.size(); ++e) {
+        RankedEffect ranked{.name = study.effects[e].name, .parameters = {}};
+        const Candidate* best = nullptr;
+        for (const Hypothesis& one : all) {
+            if (!one.candidate) continue;
+            const auto& effects = one.candidate->effects;
+            if (std::find(effects.begin(), effects.end(), e) == effects.end()) continue;
+            ranked.probability += one.probability;
+            if (!best) best = one.candidate;
+        }
+        for (const Candidate& one : found.candidates)
+            if (one.effects == std::vector<std::size_t>{e}) ranked.log_evidence = one.log_evidence;
+        if (best && best->fitted) {
+            ranked.parameters = estimates(study, best->fit, study.knobs[e]);
+            const Constancy same = constancy(study, best->fit);
+            if (same.degrees_of_freedom > 0) diagnosis.constancy[ranked.name] = same.p;
+        }
+        diagnosis.effects.push_back(std::move(ranked));
+    }
+    std::stable_sort(diagnosis.effects.begin(), diagnosis.effects.end(), [](const auto& a, const auto& b) {
+        return a.probability != b.probability ? a.probability > b.probability : a.log_evidence > b.log_evidence;
+    });
+}
+
+// The fewest hypotheses that hold 90 % of what is left of them.
+std::set<std::string> credible(const Study& study, const std::vector<Hypothesis>& all) {
+    std::set<std::string> names;
+    double held = 0;
+    for (const Hypothesis& one : all) {
+        if (held >= kThresholds.credible) break;
+        held += one.probability;
+        if (!one.candidate) names.insert("unknown");
+        else if (one.candidate->effects.empty()) names.insert("none");
+        else
+            for (const std::size_t e : one.candidate->effects) names.insert(study.effects[e].name);
+    }
+    return names;
+}
+
+std::string inWords(const Diagnosis& d) {
+    const auto listed = [](const std::vector<std::string>& names, const char* between) {
+        std::string list;
+        for (const std::string& name : names) list += (list.empty() ? "" : between) + name;
+        return list;
+    };
+    const double p = d.effects.empty() ? 0 : d.effects.front().probability;
+    switch (d.verdict) {
+        case Verdict::explained:
+            return fmt::format("The gap is caused by {} (p = {:.2f})", listed(d.causes, " and "), p);
+        case Verdict::ambiguous:
+            return fmt::format("The gap is caused by {} or {}: these drives cannot tell them apart",
+                               listed(d.causes, " and "), listed(d.alternatives, " or "));
+        case Verdict::nothing:
+            return "Nothing beyond tolerance: the model explains the recordings with its parameters as known";
+        case Verdict::unknown:
+            return fmt::format("The cause is unknown: a {} force acts that no effect of the catalogue explains",
+                               d.unexplained.generalised_force);
+        case Verdict::not_testable:
+            return "Not testable: none of the effects could be seen in these drives";
+    }
+    return {};
+}
+
+}  // namespace
+
+void judge(Diagnosis& diagnosis, const Study& study, const Screen& screen, const Search& found,
+           const Inflation& inflation) {
+    const std::vector<Hypothesis> all = posterior(study, found, inflation);
+    for (const Hypothesis& one : all) {
+        if (!one.candidate) diagnosis.probability_of_unknown = one.probability;
+        else if (one.candidate->effects.empty()) diagnosis.probability_of_nothing = one.probability;
+    }
+    rankEffects(diagnosis, study, found, all);
+    for (std::size_t e = 0; e < study.effects.size(); ++e)
+        diagnosis.testable[study.effects[e].name] = screen.detectability[e];
+    const std::set<std::string> names = credible(study, all);
+    diagnosis.credible_set.assign(names.begin(), names.end());
+    const MissingForce force = missingForce(study, found.best().fit);
+    diagnosis.unexplained.generalised_force =
+        std::max_element(force.shares.begin(), force.shares.end(), [](const auto& a, const auto& b) {
+            return a.second < b.second;
+        })->first;
+    diagnosis.unexplained.when = force.when;
+
+    // The answer.
+    const Candidate& best = found.best();
+    const bool seen = std::any_of(screen.detectability.begin(), screen.detectability.end(),
+                                  [](double d) { return d >= kThresholds.testable; });
+    const Constancy same = constancy(study, best.fit);
+    const bool varies = same.degrees_of_freedom > 0 && same.q > kThresholds.constancy * same.degrees_of_freedom &&
+                        same.p < kThresholds.constancy_p;
+    if (inflation.gain > kThresholds.unknown || (varies && !best.effects.empty())) {
+        diagnosis.verdict = Verdict::unknown;
+    } else if (best.log_evidence < kThresholds.effect || best.effects.empty()) {
+        diagnosis.verdict = seen ? Verdict::nothing : Verdict::not_testable;
+    } else {
+        // The simplest explanation that nothing beats by enough.
+        const Candidate* chosen = &best;
+        for (const Candidate& one : found.candidates) {
+            if (!one.fitted || one.effects.empty() || one.effects.size() >= chosen->effects.size()) continue;
+            const auto more = static_cast<double>(chosen->effects.size() - one.effects.size());
+            if (one.log_evidence > chosen->log_evidence - more * kThresholds.further_effect) chosen = &one;
+        }
+        for (const std::size_t e : chosen->effects) diagnosis.causes.push_back(study.effects[e].name);
+        double own = 0, rivals = 0;
+        std::set<std::string> alternatives;
+        for (const Hypothesis& one : all) {
+            if (!one.candidate || one.candidate->effects.size() != chosen->effects.size()) continue;
+            (one.candidate == chosen ? own : rivals) += one.probability;
+            if (one.candidate == chosen || one.probability < 0.5 * (1 - kThresholds.sure)) continue;
+            alternatives.insert(key(study, one.candidate->effects));
+        }
+        diagnosis.alternatives.assign(alternatives.begin(), alternatives.end());
+        const bool sure = own >= kThresholds.sure * (own + rivals) || alternatives.empty();
+        diagnosis.verdict = sure ? Verdict::explained : Verdict::ambiguous;
+    }
+    diagnosis.answer = inWords(diagnosis);
+}
+
+}  // namespace tread

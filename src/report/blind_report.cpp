@@ -1,0 +1,88 @@
+#include "report/blind_report.h"
+
+#include <fmt/format.h>
+
+#include "report/html.h"
+#include "report/text.h"
+
+namespace tread {
+namespace {
+
+std::string percent(double share) {
+    return fmt::format("{:.1f} %", 100 * share);
+}
+
+bool missed(const Figure& figure) {
+    return figure.target > 0 && figure.of > 0 &&
+           (figure.at_least ? figure.share() < figure.target : figure.share() > figure.target);
+}
+
+std::vector<std::vector<Cell>> figureRows(const BlindScore& score) {
+    std::vector<std::vector<Cell>> rows;
+    for (const Figure& figure : score.figures) {
+        const Interval interval = figure.interval();
+        const bool tried = figure.of > 0;
+        rows.push_back({{.text = figure.what},
+                        {.text = fmt::format("{} of {}", figure.hits, figure.of), .number = true},
+                        {.text = tried ? percent(figure.share()) : "–", .number = true, .alarm = missed(figure)},
+                        {.text = tried ? fmt::format("{} to {}", percent(interval.low), percent(interval.high)) : "–",
+                         .number = true},
+                        {.text = figure.target > 0 ? fmt::format("{} {}", figure.at_least ? "at least" : "at most",
+                                                                 percent(figure.target))
+                                                   : "",
+                         .number = true}});
+    }
+    return rows;
+}
+
+Chart reliabilityChart(const BlindScore& score) {
+    Series stated{.name = "claims", .x = {}, .y = {}, .markers = true};
+    for (const ReliabilityBin& bin : score.reliability) {
+        if (bin.claims == 0) continue;
+        stated.x.push_back(100 * bin.stated);
+        stated.y.push_back(100.0 * bin.right / bin.claims);
+    }
+    Series ideal{.name = "as stated", .x = {0, 100}, .y = {0, 100}, .colour = Colour::grey, .dashed = true};
+    return {.title = "Are the stated probabilities true?",
+            .x = {.label = "stated probability", .unit = "%", .lowest = 0, .highest = 100},
+            .y = {.label = "claims that were right", .unit = "%", .lowest = 0, .highest = 100},
+            .series = {ideal, stated},
+            .note = fmt::format("Expected calibration error {:.3f}.", score.calibration_error)};
+}
+
+std::vector<std::vector<Cell>> confusionRows(const BlindScore& score) {
+    std::vector<std::vector<Cell>> rows;
+    for (const auto& [truth, answers] : score.confusion) {
+        for (const auto& [answer, count] : answers) {
+            rows.push_back({{.text = truth},
+                            {.text = answer, .alarm = truth != answer && truth.find(':') == std::string::npos},
+                            {.text = std::to_string(count), .number = true}});
+        }
+    }
+    return rows;
+}
+
+}  // namespace
+
+std::string blindReport(const BlindReport& report) {
+    const BlindScore& score = report.score;
+    HtmlPage page("Blind check of the diagnosis");
+    const std::string text = scoreText(score);
+    page.answer(text.substr(0, text.find('\n')));
+    page.cards({{"Single cause named first", percent(score.figure("named_first").share()), ""},
+                {"False alarms", percent(score.figure("false_alarm").share()), ""},
+                {"Unknown causes recognised", percent(score.figure("unknown").share()), ""},
+                {"Calibration error", formatNumber(score.calibration_error, 2), ""},
+                {"Time of a diagnosis", formatNumber(score.median_seconds, 3), "s"}});
+    page.keyValues(
+        {{"Cases", report.made_of}, {"SHA-256 of the key", report.key_sha256}, {"Made by", "tread " + report.version}});
+    page.section("Figures");
+    page.table({"What", "Cases", "Share", "Wilson 95 %", "Asked for"}, figureRows(score));
+    page.section("Probabilities");
+    page.figures({reliabilityChart(score)});
+    page.section("Confusion");
+    page.table({"What was so", "What was answered", "Cases"}, confusionRows(score));
+    return page.finish();
+}
+
+}  // namespace tread

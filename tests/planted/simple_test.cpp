@@ -1,0 +1,73 @@
+// Effects planted into the shipped compact car, and found again from the noisy recordings of a few drives.
+#include <gtest/gtest.h>
+
+#include "planted.h"
+
+namespace tread {
+namespace {
+
+using namespace planted;
+
+std::vector<Effect> someEffects() {
+    const auto one = [](const char* name, std::vector<std::string> paths, double typical, bool relative,
+                        Direction direction = Direction::either) {
+        return Effect{name, "", "", {{std::move(paths), typical, relative, direction}}};
+    };
+    return {
+        one("drag", {"aero.drag_area"}, 0.3, true),
+        one("mass", {"mass"}, 0.1, true),
+        one("front_cornering_stiffness", {"front.tyre.lambda.Ky"}, 0.15, true),
+        one("rear_cornering_stiffness", {"rear.tyre.lambda.Ky"}, 0.15, true),
+        one("steering_delay", {"steering.delay"}, 0.02, false, Direction::up),
+        one("steering_ratio", {"steering.ratio"}, 0.08, true),
+        one("brake_gain", {"brakes.full_pedal_torque"}, 0.2, true),
+        one("yaw_inertia", {"inertia.yaw"}, 0.1, true),
+        one("grade", {"road.grade"}, 0.01, false),
+    };
+}
+
+std::vector<std::pair<std::string, Scenario>> someDrives() {
+    return {{"step steer", stepSteer(22, 45 * kDegree)},
+            {"sweep", sweep(25)},
+            {"braking", braking(27, 0.3)},
+            {"coasting", coasting(33)},
+            {"step steer at 30 m/s", stepSteer(30, -28 * kDegree)}};
+}
+
+Diagnosis diagnosed(const Subject& truth) {
+    const Case made = recorded(truth, someDrives(), 1);
+    return diagnose(made.nominal, made.file, made.logs, someEffects());
+}
+
+std::vector<std::string> only(const char* name) {
+    return {name};
+}
+
+TEST(Planted, SteeringDelayIsFoundWithItsSize) {
+    Subject truth{.vehicle = nominalCar(), .road = {}, .wind = {}, .instruments = {}};
+    truth.vehicle.steering.delay = 0.02;
+    const Diagnosis d = diagnosed(truth);
+    EXPECT_EQ(d.verdict, Verdict::explained) << d.answer;
+    EXPECT_EQ(d.causes, only("steering_delay"));
+    const Estimate delay = d.effects.front().parameters.at("steering.delay");
+    EXPECT_LT(std::abs(delay.value - 0.02), 3 * delay.sd);
+    EXPECT_GT(d.how_far.closure, 0.8);
+}
+
+TEST(Planted, BrakesThatPullLessAreFound) {
+    Subject truth{.vehicle = nominalCar(), .road = {}, .wind = {}, .instruments = {}};
+    truth.vehicle.brakes.full_pedal_torque *= 0.75;
+    const Diagnosis d = diagnosed(truth);
+    EXPECT_EQ(d.verdict, Verdict::explained) << d.answer;
+    EXPECT_EQ(d.causes, only("brake_gain"));
+}
+
+TEST(Planted, NominalCarHasNothingBeyondTolerance) {
+    const Subject truth{.vehicle = nominalCar(), .road = {}, .wind = {}, .instruments = {}};
+    const Diagnosis d = diagnosed(truth);
+    EXPECT_EQ(d.verdict, Verdict::nothing) << d.answer;
+    EXPECT_TRUE(d.causes.empty());
+}
+
+}  // namespace
+}  // namespace tread
