@@ -113,13 +113,12 @@ std::vector<Parameter> knobsOf(const Effect& effect, const Subject& nominal) {
     for (const Knob& knob : effect.knobs) {
         Parameter parameter;
         parameter.instruments_only = true;
-        for (const std::string& path : knob.paths) {
+        for (std::size_t i = 0; i < knob.paths.size(); ++i) {
+            const std::string& path = knob.paths[i];
             const auto number = std::find_if(all.begin(), all.end(), [&](const Number& n) { return n.path == path; });
-            if (number == all.end()) {
-                throw std::invalid_argument(fmt::format(
-                    "effect {}: the car has no number {} (`tread describe vehicle` lists all)", effect.name, path));
-            }
-            const double by = knob.relative ? knob.typical * *number->value : knob.typical;
+            if (number == all.end()) continue;  // a part that this car does not have
+            const double share = knob.shares.empty() ? 1 : knob.shares[i];
+            const double by = share * knob.typical * (knob.relative ? *number->value : 1);
             if (by == 0) continue;
             parameter.moves.push_back({path, *number->value, by});
             limit(parameter, number->about.limits, *number->value, by);
