@@ -1,9 +1,12 @@
 #include "diagnose/catalogue.h"
 
-namespace tread {
+#include <utility>
 
-const std::vector<Effect>& effectCatalogue() {
-    static const std::vector<Effect> all = [] {
+namespace tread {
+namespace {
+
+std::vector<Effect>& catalogue() {
+    static std::vector<Effect> all = [] {
         std::vector<Effect> effects;
         for (const auto& part : {tyreEffects(), steeringEffects(), suspensionEffects(), drivelineEffects(),
                                  brakeEffects(), bodyEffects(), surroundingsEffects(), instrumentEffects()})
@@ -11,6 +14,17 @@ const std::vector<Effect>& effectCatalogue() {
         return effects;
     }();
     return all;
+}
+
+}  // namespace
+
+const std::vector<Effect>& effectCatalogue() {
+    return catalogue();
+}
+
+bool addEffect(Effect effect) {
+    catalogue().push_back(std::move(effect));
+    return true;
 }
 
 }  // namespace tread

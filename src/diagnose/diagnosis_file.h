@@ -6,7 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "diagnose/effect.h"
 #include "diagnose/instruments.h"
+#include "diagnose/subject.h"
+#include "log/log.h"
 #include "scenario/wind.h"
 #include "tread/describe.h"
 #include "tread/road_params.h"
@@ -16,8 +19,8 @@ namespace tread {
 // One measured channel: under which name the log has it, and how noisy it is.
 struct MeasuredChannel {
     std::string channel;
-    std::string column;
-    std::string unit;
+    std::string column = {};
+    std::string unit = {};
     double noise = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
@@ -38,14 +41,14 @@ constexpr auto enumNames(SpeedReplay) {
 
 struct Recording {
     std::string log;
-    std::string name;
+    std::string name = {};
     SpeedReplay speed = SpeedReplay::pedals;
     double from = 0;
     double to = kInfinity;
-    std::string repeat_group;
+    std::string repeat_group = {};
     bool hold_out = false;
-    RoadParams road;
-    WindParams wind;
+    RoadParams road = {};
+    WindParams wind = {};
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(log), About{"", "log of the real car (CSV), relative to this file"});
@@ -88,6 +91,7 @@ static_assert(describesEveryMember<KnownWithin>());
 struct DiagnosisFile {
     std::string vehicle;
     std::vector<std::string> vehicle_settings = {};
+    std::string import = {};
     std::vector<MeasuredChannel> channels = {};
     std::vector<Recording> recordings;
     std::vector<KnownWithin> tolerances = {};
@@ -99,6 +103,8 @@ struct DiagnosisFile {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(vehicle), About{"", "nominal car, relative to this file"});
         field(TREAD_FIELD(vehicle_settings), About{"", "what is changed on it, each path=value"});
+        field(TREAD_FIELD(import),
+              About{"", "mapping of foreign logs (see tread import), relative to this file; none: guessed from names"});
         field(TREAD_FIELD(channels), About{"", "measured channels; none: every channel of the logs that is known"});
         field(TREAD_FIELD(recordings), About{"", "drives of the real car"});
         field(TREAD_FIELD(tolerances), About{"", "how well numbers of the car are known"});
@@ -116,7 +122,26 @@ struct DiagnosisFile {
 };
 static_assert(describesEveryMember<DiagnosisFile>());
 
-// Throws LoadError. File names in it are made relative to its folder.
-DiagnosisFile loadDiagnosis(const std::filesystem::path& file);
+// Throws LoadError. File names in it are made relative to its folder; those of the logs to `data`, when it is given.
+DiagnosisFile loadDiagnosis(const std::filesystem::path& file, const std::filesystem::path& data = {});
+
+// The same, without looking whether the logs are there.
+DiagnosisFile checkedDiagnosis(const std::filesystem::path& file);
+
+// ---- What it names, read; each throws LoadError with every fault ----
+
+// The nominal car with its settings, and the instruments.
+Subject nominalSubject(const DiagnosisFile& file);
+
+// The effects to consider: those of the catalogue and the user's own that the file asks for.
+std::vector<Effect> effectsToConsider(const DiagnosisFile& file);
+
+// The recordings in their order: channels under tread's names in SI units, cut to the window, time from 0. `notes` say
+// what was changed or guessed, one sentence each.
+struct Recorded {
+    std::vector<Log> logs;
+    std::vector<std::string> notes;
+};
+Recorded readRecordings(const DiagnosisFile& file);
 
 }  // namespace tread

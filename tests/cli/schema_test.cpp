@@ -32,6 +32,8 @@ TEST(SchemaCommand, ShippedSchemasAreFresh) {
     expectFresh("tyre", "vehicles/tyres/tyre.schema.json");
     expectFresh("scenario", "scenarios/scenario.schema.json");
     expectFresh("import", "tools/import/import.schema.json");
+    expectFresh("diagnosis", "scenarios/diagnose/diagnosis.schema.json");
+    expectFresh("own_effects", "scenarios/diagnose/own_effects.schema.json");
 }
 
 // An editor finds the schema by the first line of the file.

@@ -9,6 +9,8 @@
 #include "compare/cross_plots.h"
 #include "compare/score.h"
 #include "compare/tolerances.h"
+#include "diagnose/diagnosis_file.h"
+#include "diagnose/subject_paths.h"
 #include "import/import_map.h"
 #include "log/log_columns.h"
 #include "metrics/metrics.h"
@@ -53,6 +55,53 @@ std::vector<ReferenceRow> metricRows() {
     return rows;
 }
 
+std::vector<TopField> effectFields() {
+    std::vector<TopField> fields;
+    for (const Effect& effect : effectCatalogue())
+        fields.push_back({effect.name, effect.question + " (sizes: " + effect.source + ")"});
+    return fields;
+}
+
+// What the knob does to a number, as typically as it happens.
+std::string movement(const Knob& knob, std::size_t path, const ReferenceRow& number) {
+    const double share = knob.shares.empty() ? 1 : knob.shares[path];
+    const std::string_view sign = knob.direction == Direction::either                ? (share < 0 ? "-/+" : "+/-")
+                                  : (knob.direction == Direction::up) == (share > 0) ? "+"
+                                                                                     : "-";
+    const double size = std::abs(share) * knob.typical;
+    const std::string amount = knob.relative ? numberText(100 * size) + " %"
+                               : number.unit.empty() || number.unit == "-"
+                                   ? numberText(size)
+                                   : concat({numberText(size), " ", number.unit});
+    return concat({sign, " ", amount});
+}
+
+std::vector<ReferenceRow> effectRows() {
+    std::vector<ReferenceRow> rows;
+    for (const Effect& effect : effectCatalogue()) {
+        for (const Knob& knob : effect.knobs) {
+            for (std::size_t i = 0; i < knob.paths.size(); ++i) {
+                const ReferenceRow* known = subjectNumber(knob.paths[i]);
+                const ReferenceRow number = known ? *known : ReferenceRow{};
+                rows.push_back({joinPath(effect.name, knob.paths[i]), number.unit,
+                                concat({"typically ", movement(knob, i, number), ": ", number.meaning}), "", ""});
+            }
+        }
+    }
+    return rows;
+}
+
+std::vector<std::string> readOwnEffectsFile(const Path& file) {
+    loadOwnEffects(file);
+    return {};
+}
+
+// Logs may lie in a folder that only the diagnosis is told; whether they are there is not asked.
+std::vector<std::string> readDiagnosisFile(const Path& file) {
+    effectsToConsider(checkedDiagnosis(file));
+    return {};
+}
+
 std::vector<std::string> readVehicleFile(const Path& file) {
     const VehicleParams car = loadVehicle(file);
     std::vector<std::string> notes;
@@ -92,6 +141,11 @@ const std::vector<Describable>& describables() {
          [] { return jsonSchema<CrossPlots>("Envelope", "envelope.schema.json"); }, readDescribed<CrossPlots>},
         {"score", "how the likeness of curves is rated", topOf<ScoreParams>, referenceTable<ScoreParams>,
          [] { return jsonSchema<ScoreParams>("Score", "score.schema.json"); }, readDescribed<ScoreParams>},
+        {"diagnosis", "what a diagnosis is asked", topOf<DiagnosisFile>, referenceTable<DiagnosisFile>,
+         [] { return jsonSchema<DiagnosisFile>("Diagnosis", "diagnosis.schema.json"); }, readDiagnosisFile},
+        {"own_effects", "effects of your own, for a diagnosis", topOf<OwnEffects>, referenceTable<OwnEffects>,
+         [] { return jsonSchema<OwnEffects>("Effects", "own_effects.schema.json"); }, readOwnEffectsFile},
+        {"effects", "causes of a gap between model and car that a diagnosis considers", effectFields, effectRows},
         {"metrics", "the metrics of each manoeuvre, undefined when a log lacks what they need", manoeuvreFields,
          metricRows},
     };

@@ -88,7 +88,9 @@ nlohmann::json json(const Describable& what) {
                           {"default", row.default_text},
                           {"tolerance", row.tolerance > 0 ? nlohmann::json(row.tolerance) : nlohmann::json(nullptr)}});
     }
-    return {{"what", what.name}, {"meaning", what.meaning}, {"fields", fields}};
+    nlohmann::json groups = nlohmann::json::object();
+    for (const TopField& top : what.top()) groups[top.name] = top.meaning;
+    return {{"what", what.name}, {"meaning", what.meaning}, {"groups", groups}, {"fields", fields}};
 }
 
 }  // namespace
