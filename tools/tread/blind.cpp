@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "base/read_yaml.h"
 #include "blind/judge.h"
 #include "blind/make.h"
 #include "blind/score.h"
@@ -34,15 +33,10 @@ std::string madeOf(const BlindKey& key) {
 
 // A case as `tread blind make` wrote it.
 Diagnosis diagnosed(const Path& file, int threads) {
-    const DiagnosisFile asked = readYaml<DiagnosisFile>(file);
-    Subject nominal;
-    nominal.vehicle = loadVehicle(file.parent_path() / asked.vehicle);
-    nominal.instruments = asked.instruments;
-    std::vector<Log> logs;
-    for (const Recording& recording : asked.recordings) logs.push_back(readLog(file.parent_path() / recording.log));
+    const DiagnosisFile asked = loadDiagnosis(file);
     DiagnoseOptions options;
     options.threads = threads;
-    return diagnose(nominal, asked, logs, effectCatalogue(), options);
+    return diagnose(nominalSubject(asked), asked, readRecordings(asked).logs, effectsToConsider(asked), options);
 }
 
 }  // namespace
@@ -88,9 +82,7 @@ int blindScore(const BlindScoreOptions& options) {
     judging.threads = std::max(1, cores / judging.jobs);
     Progress progress(0, "cases");
     judging.progress = [&](int done, int) { progress.at(done); };
-    std::vector<CaseAnswer> answers = judge(
-        options.cases, answers_folder, diagnosed,
-        judging);
+    std::vector<CaseAnswer> answers = judge(options.cases, answers_folder, diagnosed, judging);
 
     const BlindKey key = parseKey(sealed, options.key);
     lookUp(answers, key, options.cases, answers_folder, effectCatalogue());
