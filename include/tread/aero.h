@@ -22,9 +22,9 @@ struct AeroParams {
               About{"kg/m3", "density of the air (default: 20 degC, 1013 hPa)", kNonNegative, 0.03});
         field(TREAD_FIELD(drag_area), About{"m2", "drag coefficient times frontal area", kNonNegative, 0.05});
         field(TREAD_FIELD(front_lift_area),
-              About{"m2", "lift coefficient of the front axle times frontal area, positive up"});
+              About{"m2", "lift coefficient of the front axle times frontal area, positive up", kAny, 0.2});
         field(TREAD_FIELD(rear_lift_area),
-              About{"m2", "lift coefficient of the rear axle times frontal area, positive up"});
+              About{"m2", "lift coefficient of the rear axle times frontal area, positive up", kAny, 0.2});
         field(TREAD_FIELD(height), About{"m", "height above the road where drag and side force act", kNonNegative});
         field(
             TREAD_FIELD(side_force_area),

@@ -38,7 +38,8 @@ struct SteeringParams {
               About{"-", "that ratio over the hand-wheel angle to either side, in place of ratio", kPositive, 0.02,
                     "rad"});
         field(TREAD_FIELD(ackermann),
-              About{"-", "0: wheels parallel, 1: both wheels tangent to circles about the rear axle's extension"});
+              About{"-", "0: wheels parallel, 1: both wheels tangent to circles about the rear axle's extension", kAny,
+                    0.2});
         field(TREAD_FIELD(delay),
               About{"s", "time by which the hand wheel follows the driver's angle late", {0, kLongestDelay}});
         field(TREAD_FIELD(lag),

@@ -96,15 +96,17 @@ struct SuspensionParams {
         field(TREAD_FIELD(roll_centre_height), About{"m", "height of the roll centre above the road", kAny, 0.2});
         field(TREAD_FIELD(side_view_slope_braking), About{"-",
                                                           "forward movement of the contact point over compression, "
-                                                          "brake locked to the hub (anti-dive, anti-lift)"});
+                                                          "brake locked to the hub (anti-dive, anti-lift)",
+                                                          kAny, 0.3});
         field(TREAD_FIELD(side_view_slope_driving),
-              About{"-", "forward movement of the wheel centre over compression (anti-squat)"});
+              About{"-", "forward movement of the wheel centre over compression (anti-squat)", kAny, 0.3});
         field(TREAD_FIELD(camber), About{"rad", "static camber, positive when the top leans outwards"});
-        field(TREAD_FIELD(camber_by_travel), About{"rad/m", "change of camber over compression"});
+        field(TREAD_FIELD(camber_by_travel), About{"rad/m", "change of camber over compression", kAny, 0.2});
         field(TREAD_FIELD(toe), About{"rad", "static toe of each wheel, positive toe-in"});
-        field(TREAD_FIELD(toe_by_travel), About{"rad/m", "change of toe over compression"});
+        field(TREAD_FIELD(toe_by_travel), About{"rad/m", "change of toe over compression", kAny, 0.2});
         field(TREAD_FIELD(steer_by_lateral_force),
-              About{"rad/N", "compliance steer of a wheel by its lateral force; negative understeers in front"});
+              About{"rad/N", "compliance steer of a wheel by its lateral force; negative understeers in front", kAny,
+                    0.2});
         field(TREAD_FIELD(steer_by_aligning_moment),
               About{"rad/(N m)", "compliance steer of a wheel by its aligning moment", kNonNegative});
         field(TREAD_FIELD(steer_by_longitudinal_force),

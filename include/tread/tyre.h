@@ -132,7 +132,7 @@ struct BasicTyreCoefficients {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(Fzo), About{"N", "nominal load (29)", kPositive});
         field(TREAD_FIELD(Ro), About{"m", "unloaded radius", kPositive});
-        field(TREAD_FIELD(Re), About{"m", "effective rolling radius", kPositive});
+        field(TREAD_FIELD(Re), About{"m", "effective rolling radius", kPositive, 0.003});
         field(TREAD_FIELD(pCx1), About{"-", "shape factor Cx (38)", kPositive});
         field(TREAD_FIELD(pDx1), About{"-", "peak friction mux at nominal load (40)", kPositive});
         field(TREAD_FIELD(pDx2), About{"-", "variation of mux with load (40)"});
@@ -221,8 +221,8 @@ struct BasicTyreCoefficients {
         field(TREAD_FIELD(mc), About{"kg", "contact-patch mass (17), (18)", kPositive});
         field(TREAD_FIELD(kFx), About{"N s/m", "longitudinal carcass damping (17)", kNonNegative});
         field(TREAD_FIELD(kFy), About{"N s/m", "lateral carcass damping (18)", kNonNegative});
-        field(TREAD_FIELD(cFx), About{"N/m", "longitudinal carcass stiffness (17)", kPositive});
-        field(TREAD_FIELD(cFy), About{"N/m", "lateral carcass stiffness (18)", kPositive});
+        field(TREAD_FIELD(cFx), About{"N/m", "longitudinal carcass stiffness (17)", kPositive, 0.1});
+        field(TREAD_FIELD(cFy), About{"N/m", "lateral carcass stiffness (18)", kPositive, 0.1});
         field(TREAD_FIELD(mt), About{"kg", "tyre mass (25)", kNonNegative});
         field(TREAD_FIELD(czgyr), About{"-", "gyroscopic couple about the vertical (25)"});
         field(TREAD_FIELD(cygyr), About{"-", "gyroscopic lateral force (26)"});
@@ -264,28 +264,28 @@ struct BasicTyreScaling {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(Fzo), About{"-", "scales the nominal load (29)", kPositive});
         field(TREAD_FIELD(Cx), About{"-", "scales the shape of Fx (38)", kPositive});
-        field(TREAD_FIELD(mux), About{"-", "scales the longitudinal friction (40)", kNonNegative});
-        field(TREAD_FIELD(Ex), About{"-", "scales the curvature of Fx (41)"});
-        field(TREAD_FIELD(Kx), About{"-", "scales the longitudinal slip stiffness (42)", kNonNegative});
+        field(TREAD_FIELD(mux), About{"-", "scales the longitudinal friction (40)", kNonNegative, 0.03});
+        field(TREAD_FIELD(Ex), About{"-", "scales the curvature of Fx (41)", kAny, 0.2});
+        field(TREAD_FIELD(Kx), About{"-", "scales the longitudinal slip stiffness (42)", kNonNegative, 0.08});
         field(TREAD_FIELD(Hx), About{"-", "scales the horizontal shift of Fx (44)"});
         field(TREAD_FIELD(Vx), About{"-", "scales the vertical shift of Fx (45)"});
-        field(TREAD_FIELD(gy), About{"-", "scales the camber in Fy (48)"});
+        field(TREAD_FIELD(gy), About{"-", "scales the camber in Fy (48)", kAny, 0.2});
         field(TREAD_FIELD(Cy), About{"-", "scales the shape of Fy (49)", kPositive});
-        field(TREAD_FIELD(muy), About{"-", "scales the lateral friction (51)", kNonNegative});
-        field(TREAD_FIELD(Ey), About{"-", "scales the curvature of Fy (52)"});
-        field(TREAD_FIELD(Ky), About{"-", "scales the cornering stiffness (53)", kNonNegative});
+        field(TREAD_FIELD(muy), About{"-", "scales the lateral friction (51)", kNonNegative, 0.03});
+        field(TREAD_FIELD(Ey), About{"-", "scales the curvature of Fy (52)", kAny, 0.2});
+        field(TREAD_FIELD(Ky), About{"-", "scales the cornering stiffness (53)", kNonNegative, 0.03});
         field(TREAD_FIELD(Hy), About{"-", "scales the horizontal shift of Fy (55)"});
         field(TREAD_FIELD(Vy), About{"-", "scales the vertical shift of Fy (56)"});
         field(TREAD_FIELD(gz), About{"-", "scales the camber in Mz (63)"});
-        field(TREAD_FIELD(t), About{"-", "scales the pneumatic trail (66)"});
-        field(TREAD_FIELD(Mr), About{"-", "scales the residual torque (70)"});
-        field(TREAD_FIELD(xa), About{"-", "scales the influence of lateral slip on Fx (72)"});
-        field(TREAD_FIELD(yk), About{"-", "scales the influence of longitudinal slip on Fy (77)"});
+        field(TREAD_FIELD(t), About{"-", "scales the pneumatic trail (66)", kAny, 0.2});
+        field(TREAD_FIELD(Mr), About{"-", "scales the residual torque (70)", kAny, 0.3});
+        field(TREAD_FIELD(xa), About{"-", "scales the influence of lateral slip on Fx (72)", kAny, 0.1});
+        field(TREAD_FIELD(yk), About{"-", "scales the influence of longitudinal slip on Fy (77)", kAny, 0.1});
         field(TREAD_FIELD(Vyk), About{"-", "scales the slip-induced ply-steer (81)"});
-        field(TREAD_FIELD(Cz), About{"-", "scales the radial stiffness (83)", kNonNegative});
-        field(TREAD_FIELD(Kz), About{"-", "scales the radial damping (83)", kNonNegative});
+        field(TREAD_FIELD(Cz), About{"-", "scales the radial stiffness (83)", kNonNegative, 0.1});
+        field(TREAD_FIELD(Kz), About{"-", "scales the radial damping (83)", kNonNegative, 0.3});
         field(TREAD_FIELD(Mx), About{"-", "scales the overturning couple (84)"});
-        field(TREAD_FIELD(My), About{"-", "scales the rolling resistance (85)"});
+        field(TREAD_FIELD(My), About{"-", "scales the rolling resistance (85)", kAny, 0.1});
         field(TREAD_FIELD(s), About{"-", "scales the moment arm of Fx (90)"});
     }
 };

@@ -1,11 +1,7 @@
 #include "diagnose/parameter.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <stdexcept>
 
 #include "base/numbers.h"
 #include "base/pattern.h"
@@ -25,7 +21,6 @@ const std::vector<KnownWithin>& usualTolerances() {
         {"*.suspension.toe", 0, 0.0009},
         {"*.suspension.camber", 0, 0.006},
         {"inertia.roll_yaw", 0, 20},
-        {"aero.*_lift_area", 0, 0.03},
         {"road.grade", 0, 0.001},
         {"road.bank", 0, 0.001},
         {"instruments.ax.bias", 0, 0.03},
@@ -116,9 +111,9 @@ std::vector<Parameter> knobsOf(const Effect& effect, const Subject& nominal) {
         for (std::size_t i = 0; i < knob.paths.size(); ++i) {
             const std::string& path = knob.paths[i];
             const auto number = std::find_if(all.begin(), all.end(), [&](const Number& n) { return n.path == path; });
-            if (number == all.end()) continue;  // a part that this car does not have
+            if (number == all.end()) continue;
             const double share = knob.shares.empty() ? 1 : knob.shares[i];
-            const double by = share * knob.typical * (knob.relative ? *number->value : 1);
+            const double by = share * (knob.relative ? knob.typical * *number->value : knob.typical);
             if (by == 0) continue;
             parameter.moves.push_back({path, *number->value, by});
             limit(parameter, number->about.limits, *number->value, by);

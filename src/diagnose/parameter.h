@@ -30,7 +30,7 @@ void move(Subject& subject, const Parameter& parameter, double units);
 // A tolerance t is taken as the standard deviation t / sqrt(3) of a uniform distribution.
 std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<KnownWithin>& tolerances);
 
-// One per knob. Throws std::invalid_argument naming the effect when a path does not exist.
+// One per knob that moves something: the car may lack the part, or a share of nothing may be asked for.
 std::vector<Parameter> knobsOf(const Effect& effect, const Subject& nominal);
 
 }  // namespace tread

@@ -1,0 +1,24 @@
+// What looks wrong with the recordings, before anything is concluded from them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnose/diagnosis_file.h"
+
+namespace tread {
+
+struct DataWarning {
+    std::string where;  // recording, and channel if it concerns one
+    std::string what;   // was found
+    std::string why;    // it matters
+    std::string advice;
+};
+
+// "step_1, chassis.ay: what. Why. Advice."
+std::string toText(const DataWarning& warning);
+
+// All that looks wrong, in the order of the recordings; `logs` as readRecordings gives them.
+std::vector<DataWarning> dataWarnings(const DiagnosisFile& file, const std::vector<Log>& logs, const Subject& nominal);
+
+}  // namespace tread

@@ -1,0 +1,198 @@
+// Checks of recordings: a right one gives no warning, and each fault that people make gives the one that names it.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "base/random.h"
+#include "diagnose/data_checks.h"
+#include "shared/vehicle_run.h"
+
+namespace tread {
+namespace {
+
+std::vector<double>& of(Log& log, std::string_view name) {
+    for (Channel& channel : log.channels) {
+        if (channel.name == name) return channel.values;
+    }
+    throw std::runtime_error("no channel " + std::string(name));
+}
+
+// Three drives of the compact car at 100 Hz, with the noise of usual instruments: a turn under brakes, a slalom, and a
+// step steer, held out.
+struct Case {
+    DiagnosisFile file;
+    std::vector<Log> logs;
+    Subject nominal;
+
+    std::vector<DataWarning> warnings() const { return dataWarnings(file, logs, nominal); }
+};
+
+Log measured(const std::string& scenario, double speed) {
+    Scenario driven = shared::scenario(scenario);
+    driven.start.speed = speed;
+    driven.step = 0.002;
+    driven.log = {.rate = 100,
+                  .channels = {"driver.steering_wheel_angle", "driver.throttle", "driver.brake", "chassis.vx",
+                               "chassis.ax", "chassis.ay", "chassis.yaw_rate", "chassis.roll", "chassis.roll_rate",
+                               "wheel.*.spin", "driveline.gear"}};
+    Log log = simulate(shared::compact(), driven);
+    Random random(7);
+    for (Channel& channel : log.channels) {
+        const double noise = channel.name.starts_with("chassis.a")             ? 0.05
+                             : channel.name == "chassis.vx"                    ? 0.02
+                             : channel.name.starts_with("chassis.")            ? 0.002
+                             : channel.name.find(".spin") != std::string::npos ? 0.05
+                                                                               : 0;
+        if (noise == 0) continue;
+        for (double& value : channel.values) value += noise * random.normal();
+    }
+    return log;
+}
+
+const Case& right() {
+    static const Case made = [] {
+        Case c;
+        c.nominal.vehicle = shared::compact();
+        c.file.recordings = {{.log = "brake.csv", .name = "brake"},
+                             {.log = "sine.csv", .name = "sine"},
+                             {.log = "step.csv", .name = "step", .hold_out = true}};
+        c.logs = {measured("braking_in_turn", 25), measured("sine_steer", 16), measured("step_steer_80", 22)};
+        return c;
+    }();
+    return made;
+}
+
+void expectOnly(const Case& wrong, const std::string& where, const std::string& what) {
+    const auto warnings = wrong.warnings();
+    bool found = false;
+    for (const DataWarning& warning : warnings)
+        found = found || (warning.where == where && warning.what.find(what) != std::string::npos);
+    EXPECT_TRUE(found) << where << ": " << what;
+    for (const DataWarning& warning : warnings) {
+        EXPECT_FALSE(warning.why.empty() || warning.advice.empty()) << toText(warning);
+        if (!found) std::printf("  %s\n", toText(warning).c_str());
+    }
+    EXPECT_LE(warnings.size(), 6u) << "a single fault is not drowned in others";
+}
+
+TEST(DataChecks, RightRecordingsGiveNoWarning) {
+    for (const DataWarning& warning : right().warnings()) ADD_FAILURE() << toText(warning);
+}
+
+TEST(DataChecks, WrongSignsAreNamed) {
+    for (const std::string channel : {"chassis.ay", "chassis.ax", "chassis.roll", "driver.steering_wheel_angle"}) {
+        Case wrong = right();
+        const std::size_t log = channel == "chassis.ax" ? 0 : 1;  // where it does something
+        for (double& value : of(wrong.logs[log], channel)) value = -value;
+        expectOnly(wrong, wrong.file.recordings[log].name + ", " + channel, "has the opposite sign of");
+    }
+}
+
+TEST(DataChecks, WrongUnitsAreNamed) {
+    const auto scaled = [](const std::string& channel, double factor) {
+        Case wrong = right();
+        for (Log& log : wrong.logs) {
+            for (double& value : of(log, channel)) value *= factor;
+        }
+        return wrong;
+    };
+    expectOnly(scaled("chassis.ay", 1 / 9.80665), "brake, chassis.ay", "as if one of them were in g");
+    expectOnly(scaled("chassis.yaw_rate", 57.29578), "brake, chassis.ay", "as if one of them were in degrees");
+    expectOnly(scaled("wheel.front_left.spin", 3.6), "brake, wheel.front_left.spin", "as if one of them were in km/h");
+}
+
+TEST(DataChecks, SwappedChannelsAreNamed) {
+    Case wheels = right();
+    for (Log& log : wheels.logs) std::swap(of(log, "wheel.rear_left.spin"), of(log, "wheel.rear_right.spin"));
+    expectOnly(wheels, "sine, wheel.rear_left.spin and wheel.rear_right.spin", "swapped");
+    Case accelerations = right();
+    for (Log& log : accelerations.logs) std::swap(of(log, "chassis.ax"), of(log, "chassis.ay"));
+    expectOnly(accelerations, "sine, chassis.ax and chassis.ay", "swapped");
+}
+
+TEST(DataChecks, DelayBetweenChannelsIsMeasured) {
+    Case wrong = right();
+    auto& ay = of(wrong.logs[1], "chassis.ay");
+    std::rotate(ay.rbegin(), ay.rbegin() + 8, ay.rend());
+    std::fill(ay.begin(), ay.begin() + 8, ay[8]);
+    expectOnly(wrong, "sine, chassis.ay", "is late by 1");  // 80 ms and what sideslip adds, about 20
+}
+
+TEST(DataChecks, GapsSpikesStuckHeldAndSaturatedSensorsAreNamed) {
+    const auto changed = [](const std::function<void(std::vector<double>&)>& change) {
+        Case wrong = right();
+        change(of(wrong.logs[1], "chassis.yaw_rate"));
+        return wrong;
+    };
+    const std::string where = "sine, chassis.yaw_rate";
+    expectOnly(changed([](auto& r) { r[300] = r[301] = std::nan(""); }), where, "2 of ");
+    expectOnly(changed([](auto& r) { r[300] += 2; }), where, "1 value is a spike");
+    expectOnly(changed([](auto& r) { std::fill(r.begin(), r.end(), 0.01); }), where, "all the time");
+    expectOnly(
+        changed([](auto& r) { std::fill(r.begin() + 100, r.begin() + 100 + static_cast<int>(r.size() / 2), r[100]); }),
+        where, "stays at");
+    expectOnly(changed([](auto& r) {
+                   const double top = 0.7 * *std::max_element(r.begin(), r.end());
+                   for (double& value : r) value = std::min(value, top);
+               }),
+               where, "stays at its largest value");
+    expectOnly(changed([](auto& r) {
+                   for (std::size_t i = 0; i < r.size(); ++i) r[i] = r[i - i % 5];
+               }),
+               where, "changes only at about 20");
+}
+
+TEST(DataChecks, HolesInTimeAndSlowLoggingAreNamed) {
+    Case hole = right();
+    auto& time = hole.logs[1].channels.front().values;
+    for (std::size_t i = 400; i < time.size(); ++i) time[i] += 0.5;
+    expectOnly(hole, "sine, time", "step of 0.51 s");
+    Case slow = right();
+    for (Channel& channel : slow.logs[1].channels) {
+        std::vector<double> few;
+        for (std::size_t i = 0; i < channel.values.size(); i += 10) few.push_back(channel.values[i]);
+        channel.values = few;
+    }
+    expectOnly(slow, "sine, time", "10 samples per second");
+}
+
+TEST(DataChecks, MissingChannelsSayWhichVerdictsRemain) {
+    Case wrong = right();
+    for (Log& log : wrong.logs)
+        std::erase_if(log.channels,
+                      [](const Channel& c) { return c.name == "chassis.yaw_rate" || c.name == "chassis.ay"; });
+    expectOnly(wrong, "all recordings", "neither yaw rate nor lateral acceleration");
+    Case inputs = right();
+    std::erase_if(inputs.logs[0].channels, [](const Channel& c) { return c.name.starts_with("driver."); });
+    expectOnly(inputs, "brake, driver.steering_wheel_angle", "is missing");
+    expectOnly(inputs, "brake, driver.throttle, driver.brake", "are missing");
+}
+
+TEST(DataChecks, FileOfAnotherCarIsNamed) {
+    Case wrong = right();
+    wrong.nominal.vehicle.steering.ratio = 40;
+    expectOnly(wrong, "sine, chassis.yaw_rate", "steering ratio and wheelbase");
+}
+
+TEST(DataChecks, SetsThatTellLittleAreNamed) {
+    Case one = right();
+    one.logs.resize(1);
+    one.file.recordings.resize(1);
+    expectOnly(one, "all recordings", "only one recording");
+    expectOnly(one, "all recordings", "no recording is held out");
+    Case same = right();
+    same.logs[0] = same.logs[2] = same.logs[1];
+    expectOnly(same, "all recordings", "the same manoeuvre");
+    Case gentle = right();
+    for (Log& log : gentle.logs) {
+        for (const char* channel : {"chassis.ay", "chassis.yaw_rate", "chassis.roll", "driver.steering_wheel_angle"})
+            for (double& value : of(log, channel)) value *= 0.05;
+    }
+    expectOnly(gentle, "all recordings", "lateral acceleration never exceeds");
+}
+
+}  // namespace
+}  // namespace tread
