@@ -93,14 +93,14 @@ CaseAnswer answerOf(const std::string& name, const Diagnosis& d) {
 }
 
 double obtainedClosure(const std::vector<Overlay>& overlays, const std::map<std::string, Log>& clean) {
-    double calibrated = 0, extended = 0;
+    double nominal = 0, extended = 0;
     for (const Overlay& overlay : overlays) {
         const auto found = clean.find(overlay.recording);
         if (!overlay.hold_out || found == clean.end()) continue;
-        calibrated += squaredGap(overlay.calibrated, found->second);
+        nominal += squaredGap(overlay.nominal, found->second);
         extended += squaredGap(overlay.extended, found->second);
     }
-    return calibrated > 0 ? 1 - extended / calibrated : std::numeric_limits<double>::quiet_NaN();
+    return nominal > 0 ? 1 - extended / nominal : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::string answerText(const CaseAnswer& a) {

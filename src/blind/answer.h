@@ -28,7 +28,7 @@ struct CaseAnswer {
 
 CaseAnswer answerOf(const std::string& name, const Diagnosis& diagnosis);
 
-// Share of the squared gap to the car without its noise that the effect closes beyond calibration, over the recordings
+// Share of the squared gap between the nominal model and the car without its noise that is closed, over the recordings
 // that were held out; not a number without any. `clean` are their drives without noise, by the names of the recordings.
 double obtainedClosure(const std::vector<Overlay>& overlays, const std::map<std::string, Log>& clean);
 

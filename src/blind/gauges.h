@@ -13,8 +13,6 @@ struct Gauge {
     Instrument Instruments::*instrument;
     double noise;      // standard deviation of one reading, in the SI unit of the channel
     double vibration;  // amplitude of what engine and road shake it with, at about 8 Hz
-    double bias;       // largest that its specification allows
-    double gain;       // the same, from 1
 };
 
 const std::vector<Gauge>& gauges();

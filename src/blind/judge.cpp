@@ -44,7 +44,7 @@ void keep(const fs::path& answers, const CaseAnswer& answer, const std::vector<O
     fs::create_directories(answers / answer.name);
     for (const Overlay& overlay : overlays) {
         if (!overlay.hold_out) continue;
-        writeLog(driveFile(answers, answer.name, overlay.recording, "calibrated"), overlay.calibrated);
+        writeLog(driveFile(answers, answer.name, overlay.recording, "nominal"), overlay.nominal);
         writeLog(driveFile(answers, answer.name, overlay.recording, "extended"), overlay.extended);
     }
     const fs::path file = answerFile(answers, answer.name), part = file.string() + ".part";
@@ -89,12 +89,12 @@ std::vector<Overlay> keptOverlays(const fs::path& answers, const std::string& na
                                   const std::map<std::string, Log>& clean) {
     std::vector<Overlay> overlays;
     for (const auto& [recording, log] : clean) {
-        const fs::path calibrated = driveFile(answers, name, recording, "calibrated");
-        if (!fs::exists(calibrated)) continue;
+        const fs::path nominal = driveFile(answers, name, recording, "nominal");
+        if (!fs::exists(nominal)) continue;
         Overlay overlay;
         overlay.recording = recording;
         overlay.hold_out = true;
-        overlay.calibrated = readLog(calibrated);
+        overlay.nominal = readLog(nominal);
         overlay.extended = readLog(driveFile(answers, name, recording, "extended"));
         overlays.push_back(std::move(overlay));
     }

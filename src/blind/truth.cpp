@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/numbers.h"
-#include "blind/gauges.h"
+#include "diagnose/parameter.h"
 #include "tread/problem.h"
 
 namespace tread {
@@ -13,29 +12,15 @@ namespace {
 constexpr double kSmallest = 0.6, kLargest = 1.6;           // of the typical size
 constexpr double kFaintest = 0.05, kStrongestFaint = 0.15;  // that no drive can show
 
-double within(const Limits& limits, double value) {
-    return std::clamp(value, limits.lowest, limits.highest);
-}
-
 double between(Random& random, double low, double high) {
     return low + (high - low) * random.uniform();
 }
 
-// Every number that is known within a tolerance is a little wrong, and so is every instrument.
+// Every number that is known within a tolerance is a little wrong, those of the instruments, too.
 void err(Subject& car, Random& random) {
-    for (const Number& number : numbers(car)) {
-        if (number.about.tolerance == 0 || !std::isfinite(*number.value)) continue;
-        *number.value *= 1 + number.about.tolerance * between(random, -1, 1);
-        *number.value = within(number.about.limits, *number.value);
-    }
-    const Instrument* last = nullptr;
-    for (const Gauge& gauge : gauges()) {
-        Instrument& instrument = car.instruments.*gauge.instrument;
-        if (&instrument == last) continue;  // the four wheel speeds are one instrument
-        last = &instrument;
-        instrument.bias += gauge.bias * between(random, -1, 1);
-        instrument.gain *= 1 + gauge.gain * between(random, -1, 1);
-    }
+    const double most = std::sqrt(3.0);  // of the uniform distribution, in its standard deviations
+    for (const Parameter& uncertain : nuisances(car, {}))
+        move(car, uncertain, std::clamp(between(random, -most, most), uncertain.lowest, uncertain.highest));
 }
 
 bool share(const Effect& a, const Effect& b) {

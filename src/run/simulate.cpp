@@ -22,6 +22,7 @@ namespace tread {
 namespace {
 
 constexpr double kNoEquilibrium = 0.01;  // m/s2 or rad/s2 left after settling
+constexpr double kPullsAside = 0.5;      // the same of a rolling car: play in its steering may leave it a pull
 constexpr double kThrottleRounding = 1e-3;
 constexpr double kMostStepsPerRow = 1e9;  // a row at the beginning and one at the end is the least
 
@@ -119,7 +120,7 @@ Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const
                         rest.acceleration),
             0);
     }
-    if (rest.acceleration >= kNoEquilibrium) {
+    if (rest.acceleration >= (start.speed > 0 ? kPullsAside : kNoEquilibrium)) {
         throw SimulationError(
             fmt::format(
                 "the car finds no equilibrium to start from: {:.3g} m/s2 are left after settling (does it stand "

@@ -167,10 +167,10 @@ TEST(BlindScore, ClosureObtainedIsTheShareOfTheSquaredGapToTheCleanDrive) {
         return Log{{{"time", "s", {0, 1, 2}}, {"chassis.yaw_rate", "rad/s", {value, value, value}}}};
     };
     Overlay training, held_out;
-    training.extended = training.calibrated = log(9);
+    training.extended = training.nominal = log(9);
     held_out.hold_out = true;
     training.recording = held_out.recording = "slalom";
-    held_out.calibrated = log(0.4);
+    held_out.nominal = log(0.4);
     held_out.extended = log(0.1);
     EXPECT_NEAR(obtainedClosure({training, held_out}, {{"slalom", log(0)}}), 1 - 1.0 / 16, 1e-12);
     EXPECT_TRUE(std::isnan(obtainedClosure({training}, {{"slalom", log(0)}})));

@@ -2,6 +2,7 @@
 // words; progress and warnings go to standard error.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -89,5 +90,25 @@ struct SchemaOptions {
     std::string output;  // file; empty: standard output
 };
 int schema(const SchemaOptions& options);
+
+struct BlindMakeOptions {
+    int cases = 0;
+    std::uint64_t seed = 0;
+    std::string output;
+    std::string key;  // file; empty: beside the folder, <folder>.key.json
+    std::string vehicle = "vehicles/compact.yaml";
+    std::vector<std::string> kinds;  // none: all
+    bool json = false;
+};
+int blindMake(const BlindMakeOptions& options);
+
+struct BlindScoreOptions {
+    std::string cases;  // folder
+    std::string key;    // file
+    std::string output;
+    int jobs = 0;  // cases at a time; 0: one per core
+    bool json = false;
+};
+int blindScore(const BlindScoreOptions& options);
 
 }  // namespace tread::program

@@ -100,6 +100,25 @@ void addSchema(CLI::App& app, SchemaOptions& o) {
     app.add_option("-o,--output", o.output, "file to write (default: standard output)");
 }
 
+void addBlindMake(CLI::App& app, BlindMakeOptions& o) {
+    app.add_option("--cases", o.cases, "number of cases")->required()->check(CLI::Range(1, 999));
+    app.add_option("--seed", o.seed, "another number, other cases")->required();
+    app.add_option("-o,--output", o.output, "folder for the cases, new or empty")->required();
+    app.add_option("--key", o.key, "file for the sealed key (default: <folder>.key.json)");
+    app.add_option("--vehicle", o.vehicle, "nominal car (default: vehicles/compact.yaml)");
+    app.add_option("--kinds", o.kinds, "kinds of cases: one, two, none, outside, small (default: all)")->delimiter(',');
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addBlindScore(CLI::App& app, BlindScoreOptions& o) {
+    app.add_option("cases", o.cases, "folder of the cases")->required();
+    app.add_option("key", o.key, "sealed key (JSON), opened when all cases are diagnosed")->required();
+    app.add_option("-o,--output", o.output, "folder for answers, score.json and report.html; goes on where it stopped")
+        ->required();
+    app.add_option("--jobs", o.jobs, "cases at a time (default: one per core)")->check(CLI::Range(1, 256));
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
 // Once the command line is read, a command that it names runs and leaves its status.
 template <class Options>
 void addCommand(CLI::App& app, const std::string& name, const std::string& meaning,
@@ -117,6 +136,12 @@ void addCommands(CLI::App& app, int& status) {
     addCommand(app, "import", "make a log of a VBOX, MATLAB or text file, a tyre of a .tir file", addImport, import,
                status);
     addCommand(app, "tyre", "forces of a tyre at given points, transients, curves", addTyre, tyre, status);
+    CLI::App* const blind = app.add_subcommand("blind", "how good is the diagnosis? cars whose fault is sealed");
+    blind->require_subcommand(1);
+    addCommand(*blind, "make", "make cases: logs of cars with sealed faults, and the key", addBlindMake, blindMake,
+               status);
+    addCommand(*blind, "score", "diagnose the cases, then open the key and score the answers", addBlindScore,
+               blindScore, status);
     addCommand(app, "describe", "all fields with units, meaning, limits and defaults", addDescribe, describe, status);
     addCommand(app, "check",
                "check files: vehicles, tyres, scenarios, mappings, tolerances, logs; status 2 when one has faults",

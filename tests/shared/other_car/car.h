@@ -17,12 +17,12 @@ namespace other_car {
 inline constexpr double kGravity = 9.80665;  // m/s2
 
 struct Tyre {
-    double friction = 0.95;         // at the nominal load
+    double friction = 0.95;          // at the nominal load
     double friction_by_load = -0.1;  // relative change over relative load
-    double stiffness = 0;           // N/rad, cornering stiffness at the nominal load
+    double stiffness = 0;            // N/rad, cornering stiffness at the nominal load
     double stiffness_by_load = 0.6;  // its relative change over relative load
-    double slip_stiffness = 1.0;    // longitudinal over cornering stiffness
-    double nominal_load = 3300;     // N
+    double slip_stiffness = 1.0;     // longitudinal over cornering stiffness
+    double nominal_load = 3300;      // N
     double shape = 1.4;
     double relaxation = 0.45;  // m, lateral
     double relaxation_x = 0.1;
@@ -32,10 +32,10 @@ struct Tyre {
 struct Axle {
     Tyre tyre;
     double track = 1.5;
-    double roll_stiffness = 0;  // N m/rad
-    double roll_damping = 0;    // N m s/rad
-    double roll_axis = 0.08;    // m, height
-    double wheel_inertia = 1;   // kg m2, of each, with what turns with it
+    double roll_stiffness = 0;    // N m/rad
+    double roll_damping = 0;      // N m s/rad
+    double roll_axis = 0.08;      // m, height
+    double wheel_inertia = 1;     // kg m2, of each, with what turns with it
     double compliance_steer = 0;  // rad/N of the axle's side force
 };
 
@@ -47,7 +47,7 @@ struct Params {
     double steering_ratio = 16.5;
     double steering_delay = 0;  // s, first-order lag
     double brake_torque = 5000, brake_front_share = 0.82;
-    double drive_ratio = 0.78 * 3.94;  // one gear
+    double drive_ratio = 0.78 * 3.94;          // one gear
     double drive_full = 146, drive_drag = 22;  // N m at the engine
     double drive_efficiency = 0.94;
     double drag_area = 0.66, air_density = 1.2041;
@@ -58,8 +58,21 @@ struct Input {
 };
 
 // x, y, yaw, vx, vy, yaw rate, roll, roll rate; spins; lateral and longitudinal slips as relaxed; steering.
-enum State { kX, kY, kYaw, kVx, kVy, kYawRate, kRoll, kRollRate, kSpin, kAlpha = kSpin + 4, kKappa = kAlpha + 4,
-             kSteer = kKappa + 4, kStates };
+enum State {
+    kX,
+    kY,
+    kYaw,
+    kVx,
+    kVy,
+    kYawRate,
+    kRoll,
+    kRollRate,
+    kSpin,
+    kAlpha = kSpin + 4,
+    kKappa = kAlpha + 4,
+    kSteer = kKappa + 4,
+    kStates
+};
 using Vector = std::array<double, kStates>;
 
 struct Forces {
@@ -140,10 +153,11 @@ private:
         const double pitch = p_.mass * f.ax * p_.height / p_.wheelbase;
         for (int axle = 0; axle < 2; ++axle) {
             const Axle& a = axle == 0 ? p_.front : p_.rear;
-            const double weight = p_.mass * kGravity * (axle == 0 ? lr : lf) / p_.wheelbase - (axle == 0 ? pitch : -pitch);
+            const double weight =
+                p_.mass * kGravity * (axle == 0 ? lr : lf) / p_.wheelbase - (axle == 0 ? pitch : -pitch);
             const double geometric = p_.mass * f.ay * (axle == 0 ? lr : lf) / p_.wheelbase * a.roll_axis;
             const double shift = (a.roll_stiffness * s[kRoll] + a.roll_damping * s[kRollRate] + geometric) / a.track;
-            f.load[2 * axle] = std::max(0.0, weight / 2 - shift);      // a turn to the left rolls to the right
+            f.load[2 * axle] = std::max(0.0, weight / 2 - shift);  // a turn to the left rolls to the right
             f.load[2 * axle + 1] = std::max(0.0, weight / 2 + shift);
         }
     }
@@ -197,13 +211,15 @@ private:
         f.rate[kVy] = f.ay - s[kYawRate] * s[kVx];
         f.rate[kYawRate] = moment / p_.yaw_inertia;
         // Roll about the roll axis; positive with the right side down.
-        const double axis = (p_.front.roll_axis * rearDistance() + p_.rear.roll_axis * p_.front_distance) / p_.wheelbase;
+        const double axis =
+            (p_.front.roll_axis * rearDistance() + p_.rear.roll_axis * p_.front_distance) / p_.wheelbase;
         const double arm = p_.height - axis;
         const double stiffness = p_.front.roll_stiffness + p_.rear.roll_stiffness;
         const double damping = p_.front.roll_damping + p_.rear.roll_damping;
         f.rate[kRoll] = s[kRollRate];
-        f.rate[kRollRate] = (p_.mass * arm * (f.ay + kGravity * s[kRoll]) - stiffness * s[kRoll] - damping * s[kRollRate]) /
-                            (p_.roll_inertia + p_.mass * arm * arm);
+        f.rate[kRollRate] =
+            (p_.mass * arm * (f.ay + kGravity * s[kRoll]) - stiffness * s[kRoll] - damping * s[kRollRate]) /
+            (p_.roll_inertia + p_.mass * arm * arm);
     }
 
     Params p_;

@@ -1,0 +1,120 @@
+// Every row of the catalogue, planted into a car that has the parts for it and recovered from three drives, against the
+// rows beside it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "blind/gauges.h"
+#include "blind/measure.h"
+#include "diagnose/diagnosis.h"
+#include "places/places.h"
+#include "tread/load.h"
+
+namespace tread {
+namespace {
+
+constexpr double kSize = 1.5;  // of the typical size: what a test of a few drives can ask
+constexpr std::size_t kDrives = 3;
+constexpr std::size_t kRivals = 2;  // rows of the catalogue on either side
+constexpr double kShown = 2000;     // squares of the change over the noise: less cannot be told from tolerances
+
+// The compact car with what its file leaves out, so that every row has something to move.
+VehicleParams completeCar() {
+    VehicleParams car = loadVehicle(sourceFile("vehicles/compact.yaml"));
+    for (DiscParams* disc : {&car.brakes.front_disc, &car.brakes.rear_disc}) disc->heat_capacity = 2500;
+    for (AxleParams* axle : {&car.front, &car.rear}) {
+        TyreTemperatureParams& temperature = axle->tyre_surroundings.temperature;
+        temperature.heat_capacity = 4000;
+        temperature.cooling = 40;
+        TyrePressureParams& pressure = axle->tyre_surroundings.pressure;
+        pressure.radial_stiffness = 0.8;
+        pressure.cornering_stiffness = 0.3;
+        pressure.cornering_peak_load = 0.5;
+    }
+    return car;
+}
+
+// The drives in which an effect changes the readings most, best first, and by how much (squares over noise).
+struct Telling {
+    std::vector<std::size_t> drives;
+    double change = 0;
+};
+Telling telling(const Truth& truth, const Truth& nominal, const std::vector<Drive>& drives) {
+    std::vector<double> changes;
+    for (const Drive& drive : drives) {
+        const Log with = measure(truth, drive, 1, kIdeal), without = measure(nominal, drive, 1, kIdeal);
+        double sum = 0;
+        for (const Gauge& gauge : gauges()) {
+            const auto &x = with.find(gauge.channel)->values, &y = without.find(gauge.channel)->values;
+            for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i)
+                sum += (x[i] - y[i]) * (x[i] - y[i]) / (gauge.noise * gauge.noise);
+        }
+        changes.push_back(sum);
+    }
+    Telling best;
+    best.drives.resize(drives.size());
+    std::iota(best.drives.begin(), best.drives.end(), 0u);
+    std::sort(best.drives.begin(), best.drives.end(), [&](auto a, auto b) { return changes[a] > changes[b]; });
+    best.drives.resize(kDrives);
+    for (const std::size_t d : best.drives) best.change += changes[d];
+    return best;
+}
+
+Diagnosis diagnosed(const Truth& truth, const VehicleParams& car, const std::vector<Effect>& effects,
+                    const std::vector<std::size_t>& chosen) {
+    const std::vector<Drive> drives = blindDrives();
+    DiagnosisFile file;
+    file.vehicle = "car";
+    for (const Gauge& gauge : gauges()) {
+        MeasuredChannel channel;
+        channel.channel = gauge.channel;
+        channel.noise = gauge.noise;
+        file.channels.push_back(channel);
+    }
+    std::vector<Log> logs;
+    for (const std::size_t d : chosen) {
+        Recording recording;
+        recording.log = recording.name = drives[d].name;
+        file.recordings.push_back(recording);
+        logs.push_back(measure(truth, drives[d], 100 + d));
+    }
+    Subject nominal;
+    nominal.vehicle = car;
+    return diagnose(nominal, file, logs, effects);
+}
+
+class CatalogueRow : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(CatalogueRow, IsNamedFirstWhereItsDrivesShowIt) {
+    const std::vector<Effect>& all = effectCatalogue();
+    const Effect& effect = all[GetParam()];
+    const VehicleParams car = completeCar();
+    Truth nominal, truth;
+    nominal.car.vehicle = truth.car.vehicle = car;
+    ASSERT_TRUE(applies(effect, nominal.car)) << effect.name << " moves no number of a car that has every part";
+    for (const Knob& knob : effect.knobs)
+        move(truth.car, knob, (knob.direction == Direction::down ? -kSize : kSize) * knob.typical);
+    const Telling drives = telling(truth, nominal, blindDrives());
+    if (drives.change < kShown) GTEST_SKIP() << effect.name << " does not show in these drives: " << drives.change;
+
+    const std::size_t first = GetParam() > kRivals ? GetParam() - kRivals : 0;
+    const std::size_t last = std::min(all.size(), GetParam() + kRivals + 1);
+    const std::vector<Effect> considered(all.begin() + static_cast<long>(first), all.begin() + static_cast<long>(last));
+    const Diagnosis d = diagnosed(truth, car, considered, drives.drives);
+    ASSERT_FALSE(d.effects.empty());
+    if (d.testable.at(effect.name) < 6) GTEST_SKIP() << effect.name << " is not testable with these drives";
+    EXPECT_EQ(d.effects.front().name, effect.name) << d.answer << " (shown " << drives.change << ")";
+}
+
+std::vector<std::size_t> rows() {
+    std::vector<std::size_t> indices(effectCatalogue().size());
+    std::iota(indices.begin(), indices.end(), 0u);
+    return indices;
+}
+
+INSTANTIATE_TEST_SUITE_P(Planted, CatalogueRow, testing::ValuesIn(rows()),
+                         [](const auto& row) { return effectCatalogue()[row.param].name; });
+
+}  // namespace
+}  // namespace tread

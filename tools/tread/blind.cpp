@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "blind/judge.h"
+#include "blind/make.h"
+#include "blind/score.h"
+#include "blind/sha256.h"
+#include "commands.h"
+#include "log/csv.h"
+#include "output.h"
+#include "progress.h"
+#include "report/blind_report.h"
+#include "tread/load.h"
+
+namespace tread::program {
+namespace {
+
+[[noreturn]] void refuse(const std::string& file, const std::string& text) {
+    throw LoadError({{file, 0, 0, "", text}});
+}
+
+std::string withoutSlash(std::string folder) {
+    while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
+    return folder;
+}
+
+std::string madeOf(const BlindKey& key) {
+    return fmt::format("{} cases of seed {}, {}", key.cases.size(), key.seed, key.vehicle);
+}
+
+// A case as `tread blind make` wrote it.
+Diagnosis diagnosed(const Path& file, int threads) {
+    const DiagnosisFile asked = loadDiagnosis(file);
+    DiagnoseOptions options;
+    options.threads = threads;
+    return diagnose(nominalSubject(asked), asked, readRecordings(asked).logs, effectsToConsider(asked), options);
+}
+
+}  // namespace
+
+int blindMake(const BlindMakeOptions& options) {
+    const Path folder = options.output;
+    const Path key_file = options.key.empty() ? Path(withoutSlash(options.output) + ".key.json") : Path(options.key);
+    std::error_code error;
+    if (std::filesystem::exists(folder) && !std::filesystem::is_empty(folder, error))
+        refuse(options.output, "found a folder that is not empty, expected a new one for the cases");
+    if (std::filesystem::exists(key_file))
+        refuse(key_file.string(), "found a key, expected none: it may be sealed; name another file with --key");
+
+    BlindOrder order;
+    order.cases = options.cases;
+    order.seed = options.seed;
+    for (const std::string& kind : options.kinds) order.kinds.push_back(caseKind(kind));
+    order.vehicle = options.vehicle;
+    order.tread_version = TREAD_VERSION;
+    Progress progress(options.cases, "cases");
+    const BlindKey key =
+        makeCases(order, loadVehicle(options.vehicle), effectCatalogue(), folder, [&](int done) { progress.at(done); });
+    const std::string sealed = keyText(key), hash = sha256(sealed);
+    writeFile(key_file, sealed);
+    if (options.json) {
+        printJson(
+            {{"cases", options.cases}, {"folder", folder.string()}, {"key", key_file.string()}, {"key_sha256", hash}});
+    } else {
+        print(
+            fmt::format("{} cases of seed {} in {}; what is wrong with them is sealed in {}\nSHA-256 of the key: {}\n",
+                        options.cases, options.seed, folder.string(), key_file.string(), hash));
+    }
+    return kYes;
+}
+
+int blindScore(const BlindScoreOptions& options) {
+    // The hash is of the key as it lies there; its words are read when all is answered.
+    const std::string sealed = readBytes(options.key);
+    const Path output = options.output, answers_folder = output / "answers";
+    const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    JudgeOptions judging;
+    judging.jobs = options.jobs > 0 ? options.jobs : cores;
+    judging.threads = std::max(1, cores / judging.jobs);
+    Progress progress(0, "cases");
+    judging.progress = [&](int done, int) { progress.at(done); };
+    std::vector<CaseAnswer> answers = judge(options.cases, answers_folder, diagnosed, judging);
+
+    const BlindKey key = parseKey(sealed, options.key);
+    lookUp(answers, key, options.cases, answers_folder, effectCatalogue());
+    const BlindScore scored = score(key.cases, answers);
+    writeFile(output / "score.json", scoreJson(scored));
+    writeFile(
+        output / "report.html",
+        blindReport({.made_of = madeOf(key), .key_sha256 = sha256(sealed), .version = TREAD_VERSION, .score = scored}));
+    if (options.json) {
+        printJson(nlohmann::json::parse(scoreJson(scored)));
+    } else {
+        print(scoreText(scored));
+    }
+    std::fprintf(stderr, "report: %s\n", (output / "report.html").c_str());
+    return scored.failed > 0 ? kRunFailed : kYes;
+}
+
+}  // namespace tread::program
