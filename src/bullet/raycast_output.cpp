@@ -32,7 +32,7 @@ SlipShown slipOf(const BodyWheelState& wheel, const TyreParams& tyre) {
 
 // 1 while the tyre grips, falling towards 0 the farther its slip is beyond that of its greatest force.
 double gripShown(const SlipShown& slip, double peak_ratio, double peak_angle) {
-    const double beyond = std::hypot(slip.ratio / peak_ratio, slip.angle / peak_angle);
+    const double beyond = std::sqrt(std::pow(slip.ratio / peak_ratio, 2) + std::pow(slip.angle / peak_angle, 2));
     return beyond > 1 ? 1 / beyond : 1;
 }
 

@@ -70,8 +70,9 @@ struct TyreForce {
         const double rate = push.closing - push.lift * (x - start) / dt;
         Force f{stiffness * deflected + damping * rate, -push.lift * (stiffness + damping / dt)};  // (83)
         if (f.value <= 0) f = {0, 0};
-        const double radius = tyre.parameters.Ro;
-        const Force rim = onset(deflected - kRimDeflection * radius, kRimStiffness * stiffness, kRimOnset * radius);
+        const double beyond = deflected - kRimDeflection * tyre.parameters.Ro;
+        if (beyond <= 0) return f;
+        const Force rim = onset(beyond, kRimStiffness * stiffness, kRimOnset * tyre.parameters.Ro);
         const double loss = 1 + kRimLoss * std::tanh(push.closing / kRimLossSpeed);
         return {f.value + loss * rim.value, f.slope - push.lift * loss * rim.slope};
     }

@@ -7,6 +7,7 @@
 
 #include "vehicle/body.h"
 #include "vehicle/strut.h"
+#include "vehicle/touch.h"
 
 namespace tread {
 namespace {
@@ -20,71 +21,24 @@ constexpr double kCarcassExcess = 1.02;
 // brings beyond this many times the nominal load carries, but does not grip.
 constexpr double kMostGripLoad = 4;
 
+double length(double x, double y) {
+    return std::sqrt(x * x + y * y);
+}
+
 std::array<double, 3> toArray(const Vector3& v) {
     return {v.x(), v.y(), v.z()};
-}
-
-// A wheel on the plane of the road, body axes.
-struct Touch {
-    Vector3 hub_B;
-    Vector3 point_B;    // m, contact centre
-    Vector3 side_B;     // m, where the side force acts
-    Vector3 forward_B;  // unit vectors of the ISO 8855 wheel axes at the contact
-    Vector3 left_B;
-    Vector3 normal_B;
-    Vector3 axis_B;
-    Vector3 ground_velocity_B;
-    double radius;
-    double camber;
-    double friction;
-};
-
-struct Frame {
-    Eigen::Matrix3d to_world;
-    Vector3 position_W, velocity_B, angular_velocity_B;
-};
-Frame frameOf(const ChassisMotion& motion) {
-    const Eigen::Matrix3d to_world = motion.orientation.toRotationMatrix();
-    return {to_world, motion.position_W, to_world.transpose() * motion.velocity_W,
-            to_world.transpose() * motion.angular_velocity_W};
-}
-
-Touch touch(const BodyWheel& wheel, const Frame& frame, const RoadContact& ground, double steer, double compression) {
-    Touch t;
-    t.hub_B = wheel.top_B + (wheel.strut.length - compression) * wheel.down_B;
-    t.axis_B = Eigen::AngleAxisd(steer, -wheel.down_B) * wheel.left_B;
-    t.normal_B = frame.to_world.transpose() * ground.normal_W;
-    const Vector3 plane_B = frame.to_world.transpose() * (ground.point_W - frame.position_W);
-    const double sine = t.axis_B.dot(t.normal_B);
-    const double cosine = std::sqrt(std::max(1 - sine * sine, 1e-12));
-
-    // Contact centre: down the wheel plane, onto the road.
-    t.radius = (t.hub_B - plane_B).dot(t.normal_B) / cosine;
-    t.point_B = t.hub_B + t.radius * (sine * t.axis_B - t.normal_B) / cosine;
-    t.forward_B = t.axis_B.cross(t.normal_B) / cosine;
-    t.left_B = t.normal_B.cross(t.forward_B);
-    t.camber = std::asin(std::clamp(sine, -1.0, 1.0));
-    t.friction = ground.friction;
-    t.ground_velocity_B = frame.to_world.transpose() * ground.velocity_W;
-    t.side_B = t.point_B - (1 - wheel.roll_share) * t.point_B.dot(wheel.down_B) * wheel.down_B;
-    return t;
-}
-
-Vector3 velocityAt(const Frame& frame, const Vector3& point_B) {
-    return frame.velocity_B + frame.angular_velocity_B.cross(point_B);
 }
 
 // Compression of the strut and load of the tyre at the end of the step; the touch there.
 Touch stand(BodyWheelState& state, const BodyWheel& wheel, const Frame& frame, const RoadContact& ground, double steer,
             double partner, double dt) {
-    const Touch extended = touch(wheel, frame, ground, steer, 0);
-    StrutPush push{.deflection = -1, .closing = 0, .lift = 1, .share = -wheel.down_B.dot(extended.normal_B)};
+    Touch t = touch(wheel, frame, ground, steer, 0);
+    StrutPush push{.deflection = -1, .closing = 0, .lift = 1, .share = -wheel.down_B.dot(t.normal_B)};
     if (ground.exists && push.share > kLeastShare) {
-        const double cosine = std::cos(extended.camber);
-        const Vector3 hub_B = extended.hub_B - state.compression * wheel.down_B;
-        push.deflection = wheel.tyre.parameters.Ro - extended.radius;
-        push.closing = -(velocityAt(frame, hub_B) - extended.ground_velocity_B).dot(extended.normal_B) / cosine;
-        push.lift = push.share / cosine;
+        const Vector3 hub_B = t.hub_B - state.compression * wheel.down_B;
+        push.deflection = wheel.tyre.parameters.Ro - t.radius;
+        push.closing = -(velocityAt(frame, hub_B) - t.ground_velocity_B).dot(t.normal_B) / t.cosine;
+        push.lift = push.share / t.cosine;
     }
     const StrutYield end = yield(wheel.strut, wheel.tyre, push, state.compression, partner, dt);
     state.compression = end.compression;
@@ -94,7 +48,8 @@ Touch stand(BodyWheelState& state, const BodyWheel& wheel, const Frame& frame, c
     state.load = end.load;
     state.touches = end.load > 0;
     state.steer = steer;
-    return touch(wheel, frame, ground, steer, end.compression);
+    compress(t, wheel, end.compression);
+    return t;
 }
 
 TyreMotion motionOf(const Touch& t, const BodyWheel& wheel, const Frame& frame, double steer_rate, double load) {
@@ -118,12 +73,12 @@ double gripOf(const TyreParams& tyre, double load, double friction) {
 // Lets go of what the carcass stores beyond the grip, and of the forces that come of it.
 void limit(TyreState& tyre, TyreForces& forces, const TyreCoefficients& p, double grip) {
     const double most = kCarcassExcess * grip;
-    const double stored = std::hypot(p.cFx * tyre.u, p.cFy * tyre.v);
+    const double stored = length(p.cFx * tyre.u, p.cFy * tyre.v);
     if (stored > most) {
         tyre.u *= most / stored;
         tyre.v *= most / stored;
     }
-    const double force = std::hypot(forces.Fx, forces.Fy);
+    const double force = length(forces.Fx, forces.Fy);
     if (force > most) {
         const double share = most / force;
         forces.Fx *= share;
