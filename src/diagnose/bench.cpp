@@ -15,6 +15,8 @@ constexpr double kCentralStep = 0.3;
 constexpr double kOneSidedStep = 0.6;
 constexpr double kSpeedStep = 0.1;  // m/s
 
+constexpr double kAlikeSpeed = 0.03;  // by which repeats of a drive may differ, as a share
+
 struct Piece {
     std::size_t drive;
     Eigen::Index parameter;
@@ -30,7 +32,45 @@ Piece piece(const Parameter& parameter, double at, Difference difference) {
     return piece;
 }
 
+// One column of one drive, by differences; nothing when it cannot be driven to either side.
+std::optional<Eigen::VectorXd> difference(Bench& bench, const Piece& one, const Subject& subject, const Log& motion,
+                                          const Eigen::VectorXd& here) {
+    const Parameter& parameter = bench.parameters[static_cast<std::size_t>(one.parameter)];
+    const RecordedDrive& drive = bench.drives[one.drive];
+    const auto rows = [&](double by) -> std::optional<Eigen::VectorXd> {
+        if (by == 0) return here;
+        Subject there = subject;
+        move(there, parameter, by);
+        if (parameter.instruments_only) return readings(drive, motion, there.instruments);
+        const std::optional<Log> driven = motionAt(bench, one.drive, there);
+        if (!driven) return std::nullopt;
+        return readings(drive, *driven, there.instruments);
+    };
+    // Where one side cannot be driven the other must do.
+    const auto above = rows(one.above), below = rows(-one.below);
+    if (!above && !below) return std::nullopt;
+    const double step = (above ? one.above : 0) + (below ? one.below : 0);
+    const Eigen::VectorXd column = ((above ? *above : here) - (below ? *below : here)) / step;
+    if (step == 0 || !column.allFinite()) return std::nullopt;
+    return column;
+}
+
 }  // namespace
+
+std::size_t Bench::firstLike(std::size_t drive) const {
+    const RecordedDrive& here = drives[drive];
+    for (std::size_t other = 0; other < drive && !here.recording->repeat_group.empty(); ++other) {
+        const RecordedDrive& there = drives[other];
+        const bool alike = there.recording->repeat_group == here.recording->repeat_group &&
+                           std::abs(there.speed - here.speed) < kAlikeSpeed * here.speed &&
+                           std::equal(here.channels.begin(), here.channels.end(), there.channels.begin(),
+                                      there.channels.end(), [](const ObservedChannel& a, const ObservedChannel& b) {
+                                          return a.name == b.name && a.times == b.times;
+                                      });
+        if (alike) return other;
+    }
+    return drive;
+}
 
 Subject Bench::subjectAt(const Deviation& point) const {
     Subject subject = nominal;
@@ -66,48 +106,42 @@ std::optional<Rows> rowsAt(Bench& bench, const Deviation& point) {
     return rows;
 }
 
-Linearised linearised(Bench& bench, const Deviation& at, const std::vector<Eigen::Index>& parameters,
-                      Difference difference, const std::function<void(double)>& progress) {
+Linearised linearised(Bench& bench, const Deviation& at, const Wanted& wanted,
+                      const std::function<void(double)>& progress) {
     const Subject subject = bench.subjectAt(at);
-    Linearised result{at, Rows(bench.drives.size()), std::vector<Eigen::MatrixXd>(bench.drives.size())};
-    std::vector<std::optional<Log>> motions(bench.drives.size());
-    inParallel(bench.drives.size(), bench.threads, [&](std::size_t i) {
-        motions[i] = motionAt(bench, i, subject);
-        result.columns[i] = Eigen::MatrixXd::Zero(bench.drives[i].rows(), at.size());
-        if (motions[i]) result.rows[i] = readings(bench.drives[i], *motions[i], subject.instruments);
+    const std::size_t drives = bench.drives.size();
+    Linearised result{at, Rows(drives), std::vector<Eigen::MatrixXd>(drives)};
+    std::vector<std::optional<Log>> motions(drives);
+    inParallel(drives, bench.threads, [&](std::size_t d) {
+        motions[d] = motionAt(bench, d, subject);
+        result.columns[d] = Eigen::MatrixXd::Zero(bench.drives[d].rows(), at.size());
+        if (wanted.elsewhere) result.columns[d] = wanted.elsewhere->columns[d];
+        if (motions[d]) result.rows[d] = readings(bench.drives[d], *motions[d], subject.instruments);
     });
 
     std::vector<Piece> pieces;
-    for (const Eigen::Index p : parameters) {
-        const Piece one = piece(bench.parameters[static_cast<std::size_t>(p)], at(p), difference);
-        for (std::size_t drive = 0; drive < bench.drives.size(); ++drive)
-            if (motions[drive]) pieces.push_back({drive, p, one.above, one.below});
+    for (std::size_t i = 0; i < wanted.parameters.size(); ++i) {
+        const Eigen::Index p = wanted.parameters[i];
+        const Piece one = piece(bench.parameters[static_cast<std::size_t>(p)], at(p), wanted.difference);
+        for (std::size_t d = 0; d < drives; ++d) {
+            const bool worth = wanted.worth.empty() || wanted.worth[i][d];
+            if (motions[d] && worth && bench.firstLike(d) == d) pieces.push_back({d, p, one.above, one.below});
+        }
     }
     std::mutex guard;
     double done = 0;
     inParallel(pieces.size(), bench.threads, [&](std::size_t i) {
         const Piece& one = pieces[i];
-        const Parameter& parameter = bench.parameters[static_cast<std::size_t>(one.parameter)];
-        const RecordedDrive& drive = bench.drives[one.drive];
-        const auto rows = [&](double by) -> std::optional<Eigen::VectorXd> {
-            if (by == 0) return result.rows[one.drive];
-            Subject there = subject;
-            move(there, parameter, by);
-            if (parameter.instruments_only) return readings(drive, *motions[one.drive], there.instruments);
-            const std::optional<Log> motion = motionAt(bench, one.drive, there);
-            if (!motion) return std::nullopt;
-            return readings(drive, *motion, there.instruments);
-        };
-        const auto above = rows(one.above), below = rows(-one.below);
-        // Where one side cannot be driven the other must do.
-        if (above && below) result.columns[one.drive].col(one.parameter) = (*above - *below) / (one.above + one.below);
-        else if (above) result.columns[one.drive].col(one.parameter) = (*above - result.rows[one.drive]) / one.above;
-        else if (below) result.columns[one.drive].col(one.parameter) = (result.rows[one.drive] - *below) / one.below;
-        if (!result.columns[one.drive].col(one.parameter).allFinite())
-            result.columns[one.drive].col(one.parameter).setZero();
+        const auto column = difference(bench, one, subject, *motions[one.drive], result.rows[one.drive]);
+        if (column) result.columns[one.drive].col(one.parameter) = *column;
         const std::scoped_lock lock(guard);
         progress(++done / static_cast<double>(pieces.size()));
     });
+    // Repeats of a drive answer alike.
+    for (const Eigen::Index p : wanted.parameters) {
+        for (std::size_t d = 0; d < drives; ++d)
+            if (bench.firstLike(d) != d) result.columns[d].col(p) = result.columns[bench.firstLike(d)].col(p);
+    }
     return result;
 }
 

@@ -25,6 +25,8 @@ struct Bench {
 
     Deviation origin() const { return Deviation::Zero(static_cast<Eigen::Index>(parameters.size())); }
     Subject subjectAt(const Deviation& point) const;
+    // The first drive of which this is a repeat: their sensitivities are the same.
+    std::size_t firstLike(std::size_t drive) const;
 };
 
 // What the car does in a drive; nothing when the simulation breaks down there. `faster`: m/s, added at the start.
@@ -42,8 +44,16 @@ struct Linearised {
     std::vector<Eigen::MatrixXd> columns;  // per drive: rows x parameters
 };
 enum class Difference { one_sided, central };
+// Which columns are asked for, and in which drives they are worth driving (empty: in all); the others stay those of
+// `elsewhere`, or zero.
+struct Wanted {
+    std::vector<Eigen::Index> parameters;
+    Difference difference = Difference::central;
+    std::vector<std::vector<bool>> worth = {};  // per parameter asked for, per drive
+    const Linearised* elsewhere = nullptr;
+};
 Linearised linearised(
-    Bench& bench, const Deviation& at, const std::vector<Eigen::Index>& parameters, Difference difference,
+    Bench& bench, const Deviation& at, const Wanted& wanted,
     const std::function<void(double)>& progress = [](double) {});
 
 // How the rows of a drive change with the speed at its start, s.

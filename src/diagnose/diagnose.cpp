@@ -96,11 +96,13 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std:
     addParameters(study, file, effects);
 
     // The model about the nominal car: sensitivities, noise, disturbances.
-    std::vector<Eigen::Index> all(study.bench.parameters.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Eigen::Index>(i);
     const auto sensitivities = progress(0, 0.4);
-    Linearised about = linearised(study.bench, study.bench.origin(), all, Difference::central,
-                                  [&](double share) { sensitivities(share, "sensitivities"); });
+    const Linearised to_tolerances = linearised(
+        study.bench, study.bench.origin(), {.parameters = study.nuisances, .difference = Difference::one_sided},
+        [&](double share) { sensitivities(0.5 * share, "sensitivities to tolerances"); });
+    Linearised about =
+        linearised(study.bench, study.bench.origin(), {.parameters = study.allKnobs(), .elsewhere = &to_tolerances},
+                   [&](double share) { sensitivities(0.5 + 0.5 * share, "sensitivities to effects"); });
     for (std::size_t d = 0; d < about.rows.size(); ++d) {
         if (about.rows[d].size() == 0)
             throw std::invalid_argument(

@@ -42,7 +42,7 @@ struct GapLevels {
 
 struct HowFar {
     GapLevels training, held_out;
-    double closure = 0, closure_low = 0, closure_high = 0;  // share of what can be closed that the effect adds
+    double closure = 0, closure_low = 0, closure_high = 0;  // share of the nominal car's gap to the true one
     bool in_sample = false;                                 // no recording was held out
 };
 

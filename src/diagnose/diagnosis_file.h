@@ -98,7 +98,7 @@ struct DiagnosisFile {
     Instruments instruments;
     std::vector<std::string> effects = {};
     std::string own_effects;
-    double step = 0.002;
+    double step = 0.004;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(vehicle), About{"", "nominal car, relative to this file"});

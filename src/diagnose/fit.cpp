@@ -78,7 +78,7 @@ struct Model {
 
     std::vector<Eigen::MatrixXd> knobColumns(const Deviation& at) const {
         std::vector<Eigen::MatrixXd> columns(bench.drives.size());
-        const Linearised here = linearised(bench, at, knobs, Difference::one_sided);
+        const Linearised here = linearised(bench, at, {.parameters = knobs, .difference = Difference::one_sided});
         for (std::size_t d = 0; d < columns.size(); ++d) {
             columns[d] = here.columns[d](Eigen::all, knobs);
             columns[d].array().colwise() /= uncertainty.noise[d].array();

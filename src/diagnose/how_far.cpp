@@ -5,21 +5,20 @@
 #include <set>
 
 #include "base/random.h"
-#include "diagnose/noise.h"
 #include "diagnose/replay.h"
-#include "diagnose/where.h"
 #include "identify/parallel.h"
 
 namespace tread {
 namespace {
 
-constexpr int kDraws = 12;       // of the posterior, each driven
-constexpr int kResamples = 400;  // of the recordings, spread over the draws
+constexpr int kDraws = 12;          // of the posterior, each driven
+constexpr int kResamples = 400;     // of the recordings, spread over the draws
+constexpr double kSignificant = 2;  // standard deviations by which a gap must exceed its floor
 constexpr double kLow = 0.05, kHigh = 0.95;
 
 // A drive and what is off in it, in units of the floor, for each stage of the model.
 struct Gaps {
-    std::vector<double> rows, nominal, calibrated, extended, drawn;  // per drive: count, sums of squares
+    std::vector<double> rows, nominal, calibrated, extended;  // per drive: count, sums of squares
 };
 
 double sum(const std::vector<double>& values) {
@@ -36,15 +35,11 @@ GapLevels levels(const Gaps& gaps) {
     return {level(gaps.nominal), level(gaps.calibrated), level(gaps.extended), rows > 0 ? 1.0 : 0.0};
 }
 
-// Of what lies above the floor in the nominal car's gap.
-double closureOf(double nominal, double extended, double rows) {
-    const double closable = nominal - rows;
-    return closable > 0 ? 1 - (extended - rows) / closable : 0;
-}
-
-// Rows off by the floor, as one: the speed at the start is known no better than measured, so it is taken out.
+// What is off, in the metric of noise and disturbances: as many as there are rows for a perfect model.
 double squares(const Uncertainty& uncertainty, std::size_t drive, const Eigen::VectorXd& off) {
-    return off.cwiseQuotient(floorOf(uncertainty, drive)).squaredNorm();
+    const Eigen::VectorXd scaled = off.cwiseQuotient(uncertainty.noise[drive]);
+    const DriveGram gram = driveGram(scaled, uncertainty.directions[drive]);
+    return whitened(gram, uncertainty.sizesOf(drive, uncertainty.sizes)).products(0, 0);
 }
 
 Log overlayOf(const RecordedDrive& drive, const Log* motion, const Instruments& instruments) {
@@ -117,24 +112,34 @@ Deviation drawn(const Bench& bench, const Fit& fit, Random& random) {
     return point;
 }
 
-// Closure between what the posterior and other recordings of the same kind could have given.
-void interval(HowFar& how_far, Bench& bench, const Uncertainty& uncertainty, const Gaps& gaps, const Fit& fit) {
+// How much of the nominal car's gap to the true one the answer closes. The true car is not known, but the posterior
+// says what it can be: each draw of it is driven and stands for the truth once. A gap that the answer leaves beyond its
+// floor in the recordings themselves is not closed whatever the posterior says.
+void closure(HowFar& how_far, Bench& bench, const Uncertainty& uncertainty, const Gaps& gaps, const Fit& fit) {
     Random random(1);
-    std::vector<double> closures;
     const std::size_t n = bench.drives.size();
+    const std::optional<Rows> nominal = rowsAt(bench, bench.origin()), answer = rowsAt(bench, fit.at);
+    if (!nominal || !answer) return;
+    std::vector<double> closures;
+    double before_sum = 0, after_sum = 0;
     for (int draw = 0; draw < kDraws; ++draw) {
-        const std::optional<Rows> rows = rowsAt(bench, drawn(bench, fit, random));
-        if (!rows) continue;
-        std::vector<double> extended(n);
-        for (std::size_t d = 0; d < n; ++d)
-            extended[d] = squares(uncertainty, d, bench.drives[d].measured - (*rows)[d]);
+        const std::optional<Rows> truth = rowsAt(bench, drawn(bench, fit, random));
+        if (!truth) continue;
+        std::vector<double> before(n), after(n);
+        for (std::size_t d = 0; d < n; ++d) {
+            const Eigen::VectorXd& noise = uncertainty.noise[d];
+            const double rows = gaps.rows[d], beyond = gaps.extended[d] - rows - kSignificant * std::sqrt(2 * rows);
+            before[d] = ((*nominal)[d] - (*truth)[d]).cwiseQuotient(noise).squaredNorm();
+            after[d] = ((*answer)[d] - (*truth)[d]).cwiseQuotient(noise).squaredNorm() + std::max(0.0, beyond);
+            before_sum += before[d], after_sum += after[d];
+        }
         for (int again = 0; again < kResamples / kDraws; ++again) {
-            double nominal = 0, left = 0, count = 0;
+            double b = 0, a = 0;
             for (std::size_t i = 0; i < n; ++i) {
                 const auto d = static_cast<std::size_t>(random.uniform() * static_cast<double>(n));
-                nominal += gaps.nominal[d], left += extended[d], count += gaps.rows[d];
+                b += before[d], a += after[d];
             }
-            closures.push_back(closureOf(nominal, left, count));
+            if (b > 0) closures.push_back(1 - a / b);
         }
     }
     if (closures.empty()) return;
@@ -142,6 +147,7 @@ void interval(HowFar& how_far, Bench& bench, const Uncertainty& uncertainty, con
     const auto at = [&](double share) {
         return closures[static_cast<std::size_t>(share * static_cast<double>(closures.size() - 1))];
     };
+    how_far.closure = 1 - after_sum / before_sum;
     how_far.closure_low = std::min(at(kLow), how_far.closure);
     how_far.closure_high = std::max(at(kHigh), how_far.closure);
 }
@@ -171,11 +177,10 @@ void howFar(Diagnosis& diagnosis, Study& study, const Search& found, std::vector
     how_far.training = levels(training);
     how_far.in_sample = held_out.empty();
     const double rows = sum(training.rows);
-    const double nominal = std::max(sum(training.nominal) - rows, 1e-9);
-    diagnosis.unexplained.share = std::clamp((sum(training.extended) - rows) / nominal, 0.0, 1.0);
+    const double nominal = sum(training.nominal) - rows, left = sum(training.extended) - rows;
+    diagnosis.unexplained.share = nominal > 0 ? std::clamp(left / nominal, 0.0, 1.0) : 0;
     if (held_out.empty()) {
-        how_far.closure = closureOf(sum(training.nominal), sum(training.extended), rows);
-        interval(how_far, study.bench, study.uncertainty, training, answer.fit);
+        closure(how_far, study.bench, study.uncertainty, training, answer.fit);
         return;
     }
     std::vector<RecordedDrive> trained = std::move(study.bench.drives);
@@ -185,8 +190,7 @@ void howFar(Diagnosis& diagnosis, Study& study, const Search& found, std::vector
         const Uncertainty uncertainty = uncertaintyOfHeldOut(study.bench, study, *before);
         const Gaps gaps = gapsOf(study.bench, uncertainty, stages, true, diagnosis.overlays);
         how_far.held_out = levels(gaps);
-        how_far.closure = closureOf(sum(gaps.nominal), sum(gaps.extended), sum(gaps.rows));
-        interval(how_far, study.bench, uncertainty, gaps, answer.fit);
+        closure(how_far, study.bench, uncertainty, gaps, answer.fit);
     }
     study.bench.drives = std::move(trained);
 }

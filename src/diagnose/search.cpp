@@ -14,6 +14,8 @@ constexpr double kHopeless = 25;           // nats behind the best of the screen
 constexpr std::size_t kRelinearised = 2;   // best singles about which the nuisances are linearised anew
 constexpr std::size_t kFurtherRefits = 3;  // effects tried beside each of these
 constexpr std::size_t kMostEffects = 3;
+constexpr double kWorthDriving = 0.1;  // squared signal over noise of a nuisance of usual size
+constexpr double kStuck = 0.02;        // units: a knob that the fit left where it was
 
 using Progress = std::function<void(double, const std::string&)>;
 
@@ -57,6 +59,8 @@ std::optional<Candidate> refit(Study& study, const Ground& ground, const std::ve
     std::optional<Candidate> best;
     const std::vector<Eigen::Index> knobs = knobsOf(study, effects);
     for (const Deviation& start : starts(study, knobs, from)) {
+        // A second start is for knobs that did not get off their limit.
+        if (best && (best->fit.at(knobs) - from(knobs)).cwiseAbs().minCoeff() > kStuck) break;
         std::optional<Fit> fit = fitted(study.bench, study.uncertainty, ground, knobs, start);
         if (!fit || (best && fit->log_evidence <= best->fit.log_evidence)) continue;
         best = Candidate{effects, fit->log_evidence - none, std::move(*fit), true};
@@ -64,12 +68,26 @@ std::optional<Candidate> refit(Study& study, const Ground& ground, const std::ve
     return best;
 }
 
-// Nuisances linearised about a fit; the knobs keep their nominal columns where they are not the fit's own.
-Ground groundAt(Study& study, const Fit& fit, const std::function<void(double)>& progress) {
-    Linearised about = linearised(study.bench, fit.at, study.nominal.nuisances, Difference::one_sided, progress);
-    for (std::size_t d = 0; d < about.columns.size(); ++d) {
-        for (const Eigen::Index k : study.allKnobs()) about.columns[d].col(k) = study.nominal.about.columns[d].col(k);
+// Drives in which a nuisance makes a difference: only there is it worth a new look.
+std::vector<std::vector<bool>> worthDriving(const Study& study) {
+    const Ground& nominal = study.nominal;
+    std::vector<std::vector<bool>> worth(nominal.nuisances.size(), std::vector<bool>(nominal.grams.size()));
+    for (std::size_t d = 0; d < nominal.grams.size(); ++d) {
+        const Gram gram = whitened(nominal.grams[d], study.uncertainty.sizesOf(d, study.uncertainty.sizes));
+        for (std::size_t i = 0; i < worth.size(); ++i)
+            worth[i][d] = gram.products(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) > kWorthDriving;
     }
+    return worth;
+}
+
+// Nuisances linearised about a fit; the knobs keep their nominal columns.
+Ground groundAt(Study& study, const Fit& fit, const std::function<void(double)>& progress) {
+    Linearised about = linearised(study.bench, fit.at,
+                                  {.parameters = study.nominal.nuisances,
+                                   .difference = Difference::one_sided,
+                                   .worth = worthDriving(study),
+                                   .elsewhere = &study.nominal.about},
+                                  progress);
     return ground(std::move(about), study.nominal.nuisances, study.uncertainty);
 }
 
