@@ -78,7 +78,7 @@ void checkRuns(const LogChecks& checks, const Channel& channel) {
                     "A sensor that hangs is taken for a car that does not move",
                     "Choose a window without that time, or leave the channel out");
     } else if (const double value = values[runs.begin];
-               (value == *lowest || value == *highest) && seconds > kSaturated) {
+               value != 0 && (value == *lowest || value == *highest) && seconds > kSaturated) {
         checks.warn(channel.name,
                     fmt::format("stays at its largest value, {:.4g} {}, for {:.2f} s from {:.2f} s on", value,
                                 channel.unit, seconds, at),

@@ -13,15 +13,18 @@
 namespace tread {
 namespace {
 
-constexpr double kMoving = 3;                          // m/s: below, a car can do anything
-constexpr double kCorrelated = 0.8;                    // from here two channels show the same thing
-constexpr int kFewest = 50;                            // samples
-constexpr double kLongestDelay = 0.2, kDelay = 0.025;  // s: searched (longer, sideslip may be it), and worth a word
-constexpr double kMuchLikelier = 3;                    // by which a delay must explain what is left
-constexpr double kUnlike = 0.02;                       // share of the variance, and is worth a word
-constexpr double kBraking = 1.5;                       // m/s2
-constexpr double kSliding = 4;                         // m/s2: beyond, wheels and yaw rate do as they like
-constexpr double kFactor = 0.25;                       // relative difference that no slip explains
+constexpr double kMoving = 3;             // m/s: below, a car can do anything
+constexpr double kCorrelated = 0.8;       // from here two channels show the same thing
+constexpr int kFewest = 50;               // samples
+constexpr double kLongestDelay = 0.2;     // s, that is searched for
+constexpr double kDelay = 0.025;          // s, worth a word
+constexpr double kDelayOfSideslip = 0.1;  // s, that sideslip can make of lateral acceleration
+constexpr double kMuchLikelier = 3;       // by which a delay must explain what is left
+constexpr double kUnlike = 0.02;          // share of the variance, and is worth a word
+constexpr double kBraking = 1.5;          // m/s2
+constexpr double kSliding = 4;            // m/s2: beyond, wheels and yaw rate do as they like
+constexpr double kFactor = 0.25;          // relative difference that no slip of a wheel explains
+constexpr double kMuch = 1.5;             // and that no car explains
 
 using Values = std::vector<double>;
 
@@ -30,9 +33,9 @@ struct Pair {
     std::string says;     // what it is compared with
     const Values* measured;
     Values expected;
-    double least;  // spread of the expected values below which nothing can be said
-    bool size_too = true;
-    bool delay_too = false;
+    double least;              // spread of the expected values below which nothing can be said
+    double tolerance = kMuch;  // relative difference in size that says nothing; 0: any
+    double delay = 0;          // s, that says nothing; 0: any
 };
 
 Values derivative(const Values& time, const Values& values) {
@@ -87,7 +90,7 @@ void checkDelay(const LogChecks& checks, Pair pair) {
     const Log expected{{{"time", "s", checks.time()}, {"x", "", pair.expected}}};
     const Log measured{{{"time", "s", checks.time()}, {"x", "", *pair.measured}}};
     const auto shift = estimateTimeShift(expected, measured, "x", kLongestDelay);
-    if (!shift || std::abs(*shift) < kDelay) return;
+    if (!shift || std::abs(*shift) < pair.delay) return;
     const double now = unlikeness(pair, 0), shifted = unlikeness(pair, std::lround(*shift * checks.rate()));
     if (now < kUnlike || now < kMuchLikelier * shifted) return;
     checks.warn(pair.channel,
@@ -110,11 +113,13 @@ void check(const LogChecks& checks, const Pair& pair) {
         return;
     }
     if (r.correlation < kCorrelated) return;
-    if (pair.size_too && std::abs(std::log(r.slope)) > std::log1p(kFactor)) {
-        checks.warn(pair.channel, fmt::format("is {:.3g} times {}{}", r.slope, pair.says, lookOf(r.slope)),
+    const double factor = std::abs(r.factor);
+    const std::string look = lookOf(factor);
+    if (pair.tolerance > 0 && (!look.empty() || std::abs(std::log(factor)) > std::log1p(pair.tolerance))) {
+        checks.warn(pair.channel, fmt::format("is {:.3g} times {}{}", factor, pair.says, look),
                     "A wrong unit or scale is taken for a wrong car", "Check the units of both (channels, import)");
     }
-    if (pair.delay_too) checkDelay(checks, pair);
+    if (pair.delay > 0) checkDelay(checks, pair);
 }
 
 std::vector<Pair> pairsOf(const LogChecks& checks) {
@@ -124,20 +129,27 @@ std::vector<Pair> pairsOf(const LogChecks& checks) {
     const VehicleParams& car = checks.nominal.vehicle;
     std::vector<Pair> pairs;
     const auto add = [&](Pair pair) { pairs.push_back(std::move(pair)); };
-    if (vx && yaw_rate && ay) add({"chassis.ay", "vx times yaw rate", ay, product(*vx, *yaw_rate), 0.4, true, true});
-    if (vx && ax) add({"chassis.ax", "the change of vx", ax, derivative(checks.time(), *vx), 0.4, true, true});
+    if (vx && yaw_rate && ay) {
+        Values expected = product(*vx, *yaw_rate);
+        const Values* vy = get("chassis.vy");
+        const Values sideways = vy ? derivative(checks.time(), *vy) : Values(expected.size(), 0);
+        for (std::size_t i = 0; i < expected.size(); ++i) expected[i] += sideways[i];
+        add({"chassis.ay", vy ? "vx times yaw rate and the change of vy" : "vx times yaw rate", ay, expected, 0.4,
+             kMuch, vy ? kDelay : kDelayOfSideslip});
+    }
+    if (vx && ax) add({"chassis.ax", "the change of vx", ax, derivative(checks.time(), *vx), 0.4, kMuch, kDelay});
     if (yaw_rate && get("chassis.yaw"))
         add({"chassis.yaw_rate", "the change of the heading", yaw_rate, derivative(checks.time(), *get("chassis.yaw")),
-             0.05, true, true});
-    if (ay && get("chassis.roll")) add({"chassis.roll", "ay", get("chassis.roll"), *ay, 0.5, false, false});
+             0.05, kMuch, kDelay});
+    if (ay && get("chassis.roll")) add({"chassis.roll", "ay", get("chassis.roll"), *ay, 0.5, 0});
     if (get("chassis.roll") && get("chassis.roll_rate"))
         add({"chassis.roll_rate", "the change of the roll angle", get("chassis.roll_rate"),
-             derivative(checks.time(), *get("chassis.roll")), 0.02, true, true});
+             derivative(checks.time(), *get("chassis.roll")), 0.02, kMuch, kDelay});
     if (vx && get("chassis.vy") && get("chassis.sideslip")) {
         Values expected = *get("chassis.vy");
         for (std::size_t i = 0; i < expected.size(); ++i)
             expected[i] = std::atan2(expected[i], std::max((*vx)[i], 0.1));
-        add({"chassis.sideslip", "vy over vx", get("chassis.sideslip"), std::move(expected), 0.005, true, false});
+        add({"chassis.sideslip", "vy over vx", get("chassis.sideslip"), std::move(expected), 0.005});
     }
     for (const char* wheel : {"front_left", "front_right", "rear_left", "rear_right"}) {
         const std::string channel = std::string("wheel.") + wheel + ".spin";
@@ -146,12 +158,12 @@ std::vector<Pair> pairsOf(const LogChecks& checks) {
         if (vx && spin) {
             Values expected = *vx;
             for (double& value : expected) value /= radius;
-            add({channel, "vx over the rolling radius", spin, std::move(expected), 0.5, true, false});
+            add({channel, "vx over the rolling radius", spin, std::move(expected), 0.5, kFactor});
         }
     }
     if (steer && (yaw_rate || ay))
         add({"driver.steering_wheel_angle", yaw_rate ? "the yaw rate" : "ay", steer, yaw_rate ? *yaw_rate : *ay,
-             yaw_rate ? 0.03 : 0.5, false, false});
+             yaw_rate ? 0.03 : 0.5, 0});
     return pairs;
 }
 
@@ -233,8 +245,9 @@ Relation relation(const Values& x, const Values& y, const std::function<bool(std
     }
     if (n < 2) return {};
     const double vx = sxx / n - sx * sx / (n * n), vy = syy / n - sy * sy / (n * n), c = sxy / n - sx * sy / (n * n);
-    if (!(vx > 0) || !(vy > 0)) return {0, 0, std::sqrt(std::max(vx, 0.0)), static_cast<int>(n)};
-    return {c / std::sqrt(vx * vy), c / vx, std::sqrt(vx), static_cast<int>(n)};
+    const double factor = sxx > 0 ? sxy / sxx : 0;
+    if (!(vx > 0) || !(vy > 0)) return {0, 0, factor, std::sqrt(std::max(vx, 0.0)), static_cast<int>(n)};
+    return {c / std::sqrt(vx * vy), c / vx, factor, std::sqrt(vx), static_cast<int>(n)};
 }
 
 void checkKinematics(const LogChecks& checks) {

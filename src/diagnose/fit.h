@@ -14,6 +14,7 @@ namespace tread {
 // What all models share: how noisy the rows are, and what disturbs the drives. Disturbances are divided by the noise.
 struct Uncertainty {
     std::vector<Eigen::VectorXd> noise;         // per drive, standard deviation of each row
+    std::vector<double> expected;               // per drive: squared deviations that a perfect model leaves
     std::vector<Disturbances> disturbing;       // per drive
     std::vector<Eigen::MatrixXd> directions;    // per drive: disturbances, then the speed at the start; over the noise
     std::array<double, kDisturbances> sizes{};  // of the usual ones

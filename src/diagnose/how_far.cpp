@@ -18,7 +18,7 @@ constexpr double kLow = 0.05, kHigh = 0.95;
 
 // A drive and what is off in it, in units of the floor, for each stage of the model.
 struct Gaps {
-    std::vector<double> rows, nominal, calibrated, extended;  // per drive: count, sums of squares
+    std::vector<double> rows, floor, nominal, calibrated, extended;  // per drive: count, sums of squares
 };
 
 double sum(const std::vector<double>& values) {
@@ -32,7 +32,7 @@ GapLevels levels(const Gaps& gaps) {
     const auto level = [&](const std::vector<double>& squares) {
         return rows > 0 ? std::sqrt(sum(squares) / rows) : 0;
     };
-    return {level(gaps.nominal), level(gaps.calibrated), level(gaps.extended), rows > 0 ? 1.0 : 0.0};
+    return {level(gaps.nominal), level(gaps.calibrated), level(gaps.extended), level(gaps.floor)};
 }
 
 // What is off, in the metric of noise and disturbances: as many as there are rows for a perfect model.
@@ -74,13 +74,15 @@ Gaps gapsOf(Bench& bench, const Uncertainty& uncertainty, const std::vector<Devi
             std::vector<Overlay>& overlays) {
     const std::size_t n = bench.drives.size();
     Gaps gaps;
-    for (std::vector<double>* one : {&gaps.rows, &gaps.nominal, &gaps.calibrated, &gaps.extended}) one->assign(n, 0);
+    for (std::vector<double>* one : {&gaps.rows, &gaps.floor, &gaps.nominal, &gaps.calibrated, &gaps.extended})
+        one->assign(n, 0);
     std::vector<Overlay> here(n);
     std::vector<Subject> subjects;
     for (const Deviation& stage : stages) subjects.push_back(bench.subjectAt(stage));
     inParallel(n, bench.threads, [&](std::size_t d) {
         const RecordedDrive& drive = bench.drives[d];
         gaps.rows[d] = static_cast<double>(drive.rows());
+        gaps.floor[d] = uncertainty.expected[d];
         std::vector<double>* const sums[] = {&gaps.nominal, &gaps.calibrated, &gaps.extended};
         Log* const logs[] = {&here[d].nominal, &here[d].calibrated, &here[d].extended};
         here[d].recording = drive.name;
@@ -128,7 +130,7 @@ void closure(HowFar& how_far, Bench& bench, const Uncertainty& uncertainty, cons
         std::vector<double> before(n), after(n);
         for (std::size_t d = 0; d < n; ++d) {
             const Eigen::VectorXd& noise = uncertainty.noise[d];
-            const double rows = gaps.rows[d], beyond = gaps.extended[d] - rows - kSignificant * std::sqrt(2 * rows);
+            const double floor = gaps.floor[d], beyond = gaps.extended[d] - floor - kSignificant * std::sqrt(2 * floor);
             before[d] = ((*nominal)[d] - (*truth)[d]).cwiseQuotient(noise).squaredNorm();
             after[d] = ((*answer)[d] - (*truth)[d]).cwiseQuotient(noise).squaredNorm() + std::max(0.0, beyond);
             before_sum += before[d], after_sum += after[d];
@@ -176,8 +178,8 @@ void howFar(Diagnosis& diagnosis, Study& study, const Search& found, std::vector
     const Gaps training = gapsOf(study.bench, study.uncertainty, stages, false, diagnosis.overlays);
     how_far.training = levels(training);
     how_far.in_sample = held_out.empty();
-    const double rows = sum(training.rows);
-    const double nominal = sum(training.nominal) - rows, left = sum(training.extended) - rows;
+    const double floor = sum(training.floor);
+    const double nominal = sum(training.nominal) - floor, left = sum(training.extended) - floor;
     diagnosis.unexplained.share = nominal > 0 ? std::clamp(left / nominal, 0.0, 1.0) : 0;
     if (held_out.empty()) {
         closure(how_far, study.bench, study.uncertainty, training, answer.fit);

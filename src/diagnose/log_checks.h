@@ -32,6 +32,7 @@ void checkKinematics(const LogChecks& checks);
 struct Relation {
     double correlation = 0;
     double slope = 0;
+    double factor = 0;  // of y over x, through the origin
     double spread = 0;  // standard deviation of x
     int samples = 0;
 };

@@ -9,45 +9,67 @@ namespace {
 
 constexpr double kMedianOfNormal = 0.6745;
 constexpr double kModelError = 1e-3;  // of a channel's size: two step widths differ by about that
-constexpr Eigen::Index kFewRows = 8;
+constexpr Eigen::Index kFewRows = 12;
 
-// White noise from third differences (their variance is 20 times the noise's), by the median: what happens now and then
-// is not noise.
-double roughness(const Eigen::VectorXd& rows) {
+// Filters of the rows, and what they make of white noise. The first passes 2 to 7 Hz, the second what is faster.
+using Filter = std::vector<double>;
+const Filter kBand{1, 1, -2, -2, 1, 1};
+const Filter kFast{1, -3, 3, -1};
+constexpr double kVibrationInFast = 2.3;  // of its variance at 8 Hz, against that of white noise
+
+// Standard deviation of the white noise that would leave this behind the filter, by the median: what happens now and
+// then is not noise.
+double shown(const Eigen::VectorXd& rows, const Filter& filter) {
+    const auto width = static_cast<Eigen::Index>(filter.size());
     if (rows.size() < kFewRows) return kInfinity;
-    std::vector<double> differences;
-    for (Eigen::Index i = 3; i < rows.size(); ++i)
-        differences.push_back(std::abs(rows(i) - 3 * rows(i - 1) + 3 * rows(i - 2) - rows(i - 3)));
-    const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-    std::nth_element(differences.begin(), middle, differences.end());
-    return *middle / (kMedianOfNormal * std::sqrt(20.0));
+    const Eigen::Map<const Eigen::VectorXd> weights(filter.data(), width);
+    std::vector<double> left;
+    for (Eigen::Index i = 0; i + width <= rows.size(); ++i)
+        left.push_back(std::abs(weights.dot(rows.segment(i, width))));
+    const auto middle = left.begin() + static_cast<std::ptrdiff_t>(left.size() / 2);
+    std::nth_element(left.begin(), middle, left.end());
+    return *middle / (kMedianOfNormal * weights.norm());
 }
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const double middle = values[values.size() / 2];
+    return std::isfinite(middle) ? middle : 0;
+}
+
+// Of one channel in all drives.
+struct Seen {
+    std::vector<double> band, fast;
+    double size = 0;
+};
 
 }  // namespace
 
-std::vector<Eigen::VectorXd> rowNoise(const std::vector<RecordedDrive>& drives, const Rows& nominal) {
-    std::map<std::string, std::vector<double>> seen;
-    std::map<std::string, double> size;
+std::vector<RowNoise> rowNoise(const std::vector<RecordedDrive>& drives, const Rows& nominal) {
+    std::map<std::string, Seen> channels;
     for (std::size_t d = 0; d < drives.size(); ++d) {
         for (const ObservedChannel& channel : drives[d].channels) {
             const auto count = static_cast<Eigen::Index>(channel.times.size());
             const Eigen::VectorXd measured = drives[d].measured.segment(channel.first_row, count);
             const Eigen::VectorXd left = measured - nominal[d].segment(channel.first_row, count);
-            seen[channel.name].push_back(std::min(roughness(measured), roughness(left)));
-            size[channel.name] =
-                std::max(size[channel.name], std::sqrt(measured.squaredNorm() / static_cast<double>(count)));
+            Seen& seen = channels[channel.name];
+            seen.band.push_back(std::min(shown(measured, kBand), shown(left, kBand)));
+            seen.fast.push_back(std::min(shown(measured, kFast), shown(left, kFast)));
+            seen.size = std::max(seen.size, std::sqrt(measured.squaredNorm() / static_cast<double>(count)));
         }
     }
-    std::vector<Eigen::VectorXd> noise;
+    std::vector<RowNoise> noise;
     for (const RecordedDrive& drive : drives) {
-        noise.push_back(Eigen::VectorXd(drive.rows()));
+        RowNoise& here = noise.emplace_back(RowNoise{Eigen::VectorXd(drive.rows())});
         for (const ObservedChannel& channel : drive.channels) {
-            std::vector<double>& all = seen[channel.name];
-            std::sort(all.begin(), all.end());
-            const double shown = std::isfinite(all[all.size() / 2]) ? all[all.size() / 2] : 0;
-            double sd = std::max({channel.noise, shown, kModelError * size[channel.name]});
-            if (sd == 0) sd = 1;  // a channel that is zero throughout says nothing
-            noise.back().segment(channel.first_row, static_cast<Eigen::Index>(channel.times.size())).setConstant(sd);
+            const Seen& seen = channels[channel.name];
+            const double white = median(seen.band), fast = median(seen.fast);
+            double deviation = std::max({channel.noise, white, kModelError * seen.size});
+            if (deviation == 0) deviation = 1;  // a channel that is zero throughout says nothing
+            const double vibration = std::max(0.0, fast * fast - white * white) / kVibrationInFast;
+            const auto rows = static_cast<Eigen::Index>(channel.times.size());
+            here.deviation.segment(channel.first_row, rows).setConstant(deviation);
+            here.expected += static_cast<double>(rows) * (1 + vibration / (deviation * deviation));
         }
     }
     return noise;

@@ -40,6 +40,13 @@ void takeColumn(Log& log, const MeasuredChannel& wanted, const std::string& file
     log.channels.push_back(std::move(taken));
 }
 
+// What the mapping asked for is no news; what the file needed is. Doubts are those of the data checks.
+bool concernsTheData(const Change& change) {
+    static constexpr std::string_view kKinds[] = {"duplicates", "backwards", "gaps",     "jump",
+                                                  "uneven",     "spikes",    "wild_time"};
+    return std::find(std::begin(kKinds), std::end(kKinds), change.kind) != std::end(kKinds);
+}
+
 ImportMap mapOf(const DiagnosisFile& file, const ForeignTable& table, std::vector<std::string>& guesses) {
     ImportMap map = file.import.empty() ? guessMap(table, guesses) : readYaml<ImportMap>(file.import);
     for (const MeasuredChannel& wanted : file.channels) {
@@ -68,8 +75,7 @@ Log readLogOf(const Recording& recording, const DiagnosisFile& file, std::vector
     const Imported imported = importLog(table, map);
     for (const std::string& guess : guesses) note(guess + "; give a mapping (import) to say it");
     for (const Change& change : imported.changes) {
-        if (change.kind == "unit" || change.kind == "sign" || change.kind == "constant" || change.kind == "doubt")
-            continue;
+        if (!concernsTheData(change)) continue;
         note(change.channel.empty() ? change.text : change.channel + ": " + change.text);
     }
     return imported.logs.front();

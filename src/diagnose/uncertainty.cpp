@@ -7,7 +7,10 @@ namespace tread {
 Uncertainty uncertaintyOf(Bench& bench, const Rows& nominal) {
     Uncertainty uncertainty;
     uncertainty.sizes.fill(1);
-    uncertainty.noise = rowNoise(bench.drives, nominal);
+    for (RowNoise& noise : rowNoise(bench.drives, nominal)) {
+        uncertainty.noise.push_back(std::move(noise.deviation));
+        uncertainty.expected.push_back(noise.expected);
+    }
     uncertainty.disturbing.resize(bench.drives.size());
     uncertainty.directions.resize(bench.drives.size());
     inParallel(bench.drives.size(), bench.threads, [&](std::size_t d) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "report/chart_data.h"
@@ -29,6 +30,18 @@ std::string_view withoutSourceMap(std::string_view script) {
 
 std::string_view withoutStyleMap(std::string_view style) {
     return style.substr(0, style.find("/*# sourceMappingURL="));
+}
+
+// The colours are those of the style sheet.
+std::string shading(const Cell& cell) {
+    if (cell.bar > 0)
+        return fmt::format(
+            " style=\"min-width:{1}em;background:linear-gradient(to right,var(--bar) {0:.1f}%,transparent {0:.1f}%)\"",
+            100 * std::min(cell.bar, 1.0), cell.number ? 7 : 15);
+    if (cell.heat > 0)
+        return fmt::format(" style=\"background:color-mix(in srgb,var(--heat) {:.0f}%,transparent)\"",
+                           100 * std::min(cell.heat, 1.0));
+    return {};
 }
 
 bool drawable(const TimeChart& chart) {
@@ -103,7 +116,7 @@ void HtmlPage::table(const std::vector<std::string>& header, const std::vector<s
         for (const Cell& cell : row) {
             const std::string text = escapeMarkup(cell.text);
             place() += fmt::format(
-                "<td class=\"{}{}\">{}</td>", cell.number ? "number " : "", cell.alarm ? "alarm" : "",
+                "<td class=\"{}{}\"{}>{}</td>", cell.number ? "number " : "", cell.alarm ? "alarm" : "", shading(cell),
                 cell.link.empty() ? text : fmt::format("<a href=\"{}\">{}</a>", escapeMarkup(cell.link), text));
         }
         place() += "</tr>\n";

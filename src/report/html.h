@@ -41,6 +41,8 @@ struct Cell {
     bool number = false;    // aligned to the right
     bool alarm = false;     // drawn as bad news
     std::string link = {};  // address, relative to the page
+    double heat = 0;        // 0 to 1: strength of the cell's colour, in a heat map
+    double bar = 0;         // 0 to 1: length of a bar behind the text
 };
 
 class HtmlPage {

@@ -7,6 +7,7 @@
 #include "base/reference_table.h"
 #include "cli/program.h"
 #include "compare/tolerances.h"
+#include "diagnose/diagnosis_file.h"
 #include "metrics/metrics.h"
 #include "scenario/scenario.h"
 #include "tread/vehicle.h"
@@ -58,6 +59,8 @@ TEST(Describe, ListsEveryFieldOfEveryFile) {
     expectEveryFieldOnce<TyreParams>("tyre");
     expectEveryFieldOnce<Scenario>("scenario");
     expectEveryFieldOnce<Tolerances>("tolerances");
+    expectEveryFieldOnce<DiagnosisFile>("diagnosis");
+    expectEveryFieldOnce<OwnEffects>("own_effects");
 }
 
 TEST(Describe, FieldHasUnitMeaningLimitsDefaultAndTolerance) {
@@ -122,6 +125,27 @@ TEST(Describe, MetricsHaveUnitAndDefinition) {
     EXPECT_EQ(field(json, "step_steer.tb")["unit"], "s deg");
     EXPECT_EQ(field(json, "coast_down.time_<v>_to_<v-20>_kmh")["meaning"],
               "time while the speed falls from <v> to <v-20> km/h");
+}
+
+TEST(Describe, EffectsAskAQuestionAndNameTheNumbersThatTheyMove) {
+    const std::string text = runProgram({"describe", "effects"}).out;
+    EXPECT_EQ(text.find("default"), std::string::npos);
+    const Json json = described("effects");
+    for (const Effect& effect : effectCatalogue()) {
+        EXPECT_NE(text.find(concat({"\n", effect.name, ": ", effect.question})), std::string::npos) << effect.name;
+        for (const Knob& knob : effect.knobs) {
+            for (const std::string& path : knob.paths)
+                EXPECT_EQ(linesWith(text, concat({effect.name, ".", path})), 1u) << effect.name << " " << path;
+        }
+    }
+    EXPECT_EQ(field(json, "steering_delay.steering.delay")["unit"], "s");
+    EXPECT_EQ(field(json, "steering_delay.steering.delay")["meaning"].get<std::string>().find("typically + 0.03 s: "),
+              0u);
+    EXPECT_EQ(
+        field(json, "roll_stiffness_distribution.rear.suspension.anti_roll_bar")["meaning"].get<std::string>().find(
+            "typically -/+ 6000 N/m: "),
+        0u)
+        << "against the front one";
 }
 
 TEST(Describe, UnknownNameIsAnsweredWithASuggestionAndTheList) {

@@ -113,12 +113,23 @@ TEST(DataChecks, SwappedChannelsAreNamed) {
     expectOnly(accelerations, "sine, chassis.ax and chassis.ay", "swapped");
 }
 
+Log withSideslip() {
+    Scenario driven = shared::scenario("sine_steer");
+    driven.start.speed = 16;
+    driven.step = 0.002;
+    driven.log = {.rate = 100, .channels = {"chassis.vy"}};
+    return simulate(shared::compact(), driven);
+}
+
 TEST(DataChecks, DelayBetweenChannelsIsMeasured) {
     Case wrong = right();
     auto& ay = of(wrong.logs[1], "chassis.ay");
     std::rotate(ay.rbegin(), ay.rbegin() + 8, ay.rend());
     std::fill(ay.begin(), ay.begin() + 8, ay[8]);
     expectOnly(wrong, "sine, chassis.ay", "is late by 1");  // 80 ms and what sideslip adds, about 20
+    // With the lateral velocity sideslip is known.
+    wrong.logs[1].channels.push_back(withSideslip().channels.at(1));
+    expectOnly(wrong, "sine, chassis.ay", "is late by 8");
 }
 
 TEST(DataChecks, GapsSpikesStuckHeldAndSaturatedSensorsAreNamed) {

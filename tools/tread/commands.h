@@ -73,6 +73,15 @@ struct TyreOptions {
 };
 int tyre(const TyreOptions& options);
 
+struct DiagnoseRequest {
+    std::string file;    // diagnosis.yaml
+    std::string data;    // folder of its logs; empty: that of the file
+    std::string output;  // folder
+    int threads = 0;     // 0: one per core
+    bool json = false;
+};
+int diagnose(const DiagnoseRequest& request);
+
 struct DescribeOptions {
     std::string what;  // of describables()
     bool json = false;

@@ -85,6 +85,14 @@ void addTyre(CLI::App& app, TyreOptions& o) {
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
+void addDiagnose(CLI::App& app, DiagnoseRequest& o) {
+    app.add_option("file", o.file, "what is asked: nominal car, recordings, tolerances (YAML)")->required();
+    app.add_option("--data", o.data, "folder of the logs (default: that of the file)");
+    app.add_option("-o,--output", o.output, "folder for the answer and the simulated drives (default: out)");
+    app.add_option("--threads", o.threads, "threads (default: one per core)")->check(CLI::Range(0, 1000));
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
 void addDescribe(CLI::App& app, DescribeOptions& o) {
     app.add_option("what", o.what, listed(describableNames(false)))->required();
     app.add_flag("--json", o.json, "print the result as JSON");
@@ -136,6 +144,8 @@ void addCommands(CLI::App& app, int& status) {
     addCommand(app, "import", "make a log of a VBOX, MATLAB or text file, a tyre of a .tir file", addImport, import,
                status);
     addCommand(app, "tyre", "forces of a tyre at given points, transients, curves", addTyre, tyre, status);
+    addCommand(app, "diagnose", "where a car and its model differ, which effect causes it, how far it closes the gap",
+               addDiagnose, diagnose, status);
     CLI::App* const blind = app.add_subcommand("blind", "how good is the diagnosis? cars whose fault is sealed");
     blind->require_subcommand(1);
     addCommand(*blind, "make", "make cases: logs of cars with sealed faults, and the key", addBlindMake, blindMake,

@@ -1,0 +1,100 @@
+#include "diagnose/diagnosis_json.h"
+
+#include <array>
+
+namespace tread {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json parametersOf(const RankedEffect& effect) {
+    Json json = Json::object();
+    for (const auto& [path, e] : effect.parameters) {
+        json[path] = {{"value", e.value}, {"sd", e.sd},           {"low", e.low},
+                      {"high", e.high},   {"neutral", e.neutral}, {"at_bound", e.at_bound}};
+    }
+    return json;
+}
+
+Json levelsOf(const GapLevels& levels) {
+    return {{"nominal", levels.nominal},
+            {"calibrated", levels.calibrated},
+            {"extended", levels.extended},
+            {"floor", levels.floor}};
+}
+
+Json whereOf(const WhereItLies& where) {
+    return {{"channels", where.channels},
+            {"recordings", where.recordings},
+            {"phases", where.phases},
+            {"bands", where.bands},
+            {"regimes", where.regimes},
+            {"generalised_force", where.generalised_force},
+            {"channels_of_recording", where.channels_of_recording}};
+}
+
+// Of a list, each element as an object.
+template <class T, class ToJson>
+Json listOf(const std::vector<T>& values, ToJson to_json) {
+    Json list = Json::array();
+    for (const T& value : values) list.push_back(to_json(value));
+    return list;
+}
+
+}  // namespace
+
+std::string_view nameOf(Verdict verdict) {
+    constexpr std::array<std::string_view, 5> kNames{"explained", "nothing", "ambiguous", "unknown", "not_testable"};
+    return kNames[static_cast<std::size_t>(verdict)];
+}
+
+Json diagnosisJson(const Diagnosis& d) {
+    Json nuisance = Json::object();
+    for (const auto& [path, n] : d.nuisance) nuisance[path] = {{"value", n.value}, {"sd", n.sd}, {"z", n.z}};
+    return {{"answer", d.answer},
+            {"verdict", nameOf(d.verdict)},
+            {"causes", d.causes},
+            {"alternatives", d.alternatives},
+            {"effects", listOf(d.effects,
+                               [](const RankedEffect& e) {
+                                   return Json{{"name", e.name},
+                                               {"probability", e.probability},
+                                               {"log_evidence", e.log_evidence},
+                                               {"parameters", parametersOf(e)}};
+                               })},
+            {"probability_of_nothing", d.probability_of_nothing},
+            {"probability_of_unknown", d.probability_of_unknown},
+            {"where", whereOf(d.where)},
+            {"how_far",
+             {{"training", levelsOf(d.how_far.training)},
+              {"held_out", levelsOf(d.how_far.held_out)},
+              {"closure", d.how_far.closure},
+              {"closure_low", d.how_far.closure_low},
+              {"closure_high", d.how_far.closure_high},
+              {"in_sample", d.how_far.in_sample}}},
+            {"nuisance", nuisance},
+            {"testable", d.testable},
+            {"confusable", listOf(d.confusable,
+                                  [](const ConfusablePair& p) {
+                                      return Json{{"a", p.a},
+                                                  {"b", p.b},
+                                                  {"cosine", p.cosine},
+                                                  {"separation", p.separation},
+                                                  {"manoeuvre", p.manoeuvre}};
+                                  })},
+            {"next", listOf(d.next,
+                            [](const NextDrive& n) {
+                                return Json{{"scenario", n.scenario}, {"separates", n.separates}, {"nats", n.nats}};
+                            })},
+            {"unexplained",
+             {{"share", d.unexplained.share},
+              {"generalised_force", d.unexplained.generalised_force},
+              {"when", d.unexplained.when}}},
+            {"credible_set", d.credible_set},
+            {"constancy", d.constancy},
+            {"data_warnings", d.data_warnings},
+            {"seconds", d.seconds},
+            {"simulations", d.simulations}};
+}
+
+}  // namespace tread

@@ -1,0 +1,14 @@
+// diagnosis.json: the answer of a diagnosis, name by name.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "diagnose/diagnosis.h"
+
+namespace tread {
+
+std::string_view nameOf(Verdict verdict);
+
+nlohmann::ordered_json diagnosisJson(const Diagnosis& diagnosis);
+
+}  // namespace tread

@@ -1,0 +1,88 @@
+#include "diagnose/diagnosis_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diagnose/observation.h"
+#include "diagnose/thresholds.h"
+
+namespace tread {
+namespace {
+
+constexpr double kWorthNaming = 0.05;  // share, or probability of an effect
+constexpr std::size_t kMostShares = 3, kMostEffects = 5;
+
+std::string wordsOf(const std::string& channel) {
+    for (const ObservedQuantity& quantity : observedQuantities())
+        if (quantity.channel == channel) return quantity.subsystem;
+    return channel;
+}
+
+// "yaw rate 62 %, lateral acceleration 30 %"
+std::string largest(const Shares& shares, bool channels = false) {
+    std::vector<std::pair<double, std::string>> sorted;
+    for (const auto& [name, share] : shares) sorted.push_back({-share, name});
+    std::sort(sorted.begin(), sorted.end());
+    std::string list;
+    for (std::size_t i = 0; i < sorted.size() && i < kMostShares; ++i) {
+        if (-sorted[i].first < kWorthNaming) break;
+        list += fmt::format("{}{} {:.0f} %", i > 0 ? ", " : "", channels ? wordsOf(sorted[i].second) : sorted[i].second,
+                            -100 * sorted[i].first);
+    }
+    return list.empty() ? "nowhere" : list;
+}
+
+std::string parametersOf(const RankedEffect& effect) {
+    std::string list;
+    for (const auto& [path, e] : effect.parameters)
+        list += fmt::format("{}{} {:.4g} +- {:.2g} (nominal {:.4g})", list.empty() ? "" : ", ", path, e.value, e.sd,
+                            e.neutral);
+    return list;
+}
+
+std::string whichOf(const Diagnosis& d) {
+    std::string text;
+    std::size_t rank = 0;
+    for (const RankedEffect& effect : d.effects) {
+        const bool named = std::find(d.causes.begin(), d.causes.end(), effect.name) != d.causes.end();
+        if (!named && (rank >= kMostEffects || effect.probability < kWorthNaming)) continue;
+        text += fmt::format("{}{}. {:<28} p = {:.2f}   {}\n", rank == 0 ? "WHICH     " : "          ", rank + 1,
+                            effect.name, effect.probability, parametersOf(effect));
+        ++rank;
+    }
+    return text.empty() ? "WHICH     no effect of the catalogue\n" : text;
+}
+
+std::string howFarOf(const Diagnosis& d) {
+    const GapLevels& level = d.how_far.in_sample ? d.how_far.training : d.how_far.held_out;
+    std::string text = fmt::format("HOW FAR   gap {:.2f} -> {:.2f} (tolerances alone {:.2f}, noise floor {:.2f})",
+                                   level.nominal, level.extended, level.calibrated, level.floor);
+    text += d.how_far.in_sample ? "; in-sample, for no recording is held out:" : "; on held-out drives";
+    text += fmt::format(" {:.0f} % of the gap closed [{:.0f}, {:.0f}]\n", 100 * d.how_far.closure,
+                        100 * d.how_far.closure_low, 100 * d.how_far.closure_high);
+    return text;
+}
+
+std::string testableOf(const Diagnosis& d) {
+    std::string list;
+    for (const auto& [name, nats] : d.testable)
+        if (nats < kThresholds.testable) list += (list.empty() ? "" : ", ") + name;
+    return list.empty() ? "" : "NOT SEEN  too little in these drives to see " + list + "\n";
+}
+
+}  // namespace
+
+std::string diagnosisText(const Diagnosis& d) {
+    std::string text = d.answer + "\n";
+    text += fmt::format("WHERE     {} of the gap; {}; {}; force: {}\n", largest(d.where.channels, true),
+                        largest(d.where.phases), largest(d.where.bands), largest(d.where.generalised_force));
+    text += whichOf(d) + howFarOf(d);
+    for (std::size_t i = 0; i < d.next.size(); ++i) {
+        text += fmt::format("{}{} would separate {} by {:.0f} nats\n", i == 0 ? "NEXT      " : "          ",
+                            d.next[i].scenario, d.next[i].separates, d.next[i].nats);
+    }
+    return text + testableOf(d);
+}
+
+}  // namespace tread

@@ -1,0 +1,16 @@
+// The nominal car with the numbers that a diagnosis found, ready to run.
+#pragma once
+
+#include <string>
+
+#include "diagnose/diagnosis.h"
+
+namespace tread {
+
+// The subject with the fitted parameters of the causes; without a cause the nominal one.
+Subject withCauses(Subject nominal, const Diagnosis& diagnosis);
+
+// vehicle_with_effect.yaml: the car, headed by what was changed and by what is not the car's (road, wind, instruments).
+std::string vehicleWithEffectYaml(const Subject& nominal, const Diagnosis& diagnosis);
+
+}  // namespace tread

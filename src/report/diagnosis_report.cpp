@@ -1,0 +1,111 @@
+#include "report/diagnosis_report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "report/diagnosis_charts.h"
+#include "report/diagnosis_tables.h"
+#include "report/html.h"
+#include "report/text.h"
+
+namespace tread {
+namespace {
+
+std::string badge(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::explained:
+            return "explained";
+        case Verdict::nothing:
+            return "nothing found";
+        case Verdict::ambiguous:
+            return "ambiguous";
+        case Verdict::unknown:
+            return "cause unknown";
+        case Verdict::not_testable:
+            return "not testable";
+    }
+    return {};
+}
+
+std::string percent(double share) {
+    return fmt::format("{:.0f}", 100 * share);
+}
+
+// The largest of some shares, "yaw_rate 62 %".
+std::string largest(const Shares& shares) {
+    const auto most = std::max_element(shares.begin(), shares.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most == shares.end() ? "" : fmt::format("{} {} %", shownName(most->first), percent(most->second));
+}
+
+void addHead(HtmlPage& page, const DiagnosisReport& content) {
+    const Diagnosis& d = content.diagnosis;
+    const bool good = d.verdict == Verdict::explained || d.verdict == Verdict::nothing;
+    page.answer(d.answer + ".", badge(d.verdict), good);
+    const GapLevels& judged = d.how_far.in_sample ? d.how_far.training : d.how_far.held_out;
+    std::vector<Card> cards;
+    if (!d.effects.empty() && !d.causes.empty())
+        cards.push_back({"probability of " + shownName(d.causes.front()),
+                         formatNumber(100 * d.effects.front().probability, 3), "%"});
+    const std::string where = d.how_far.in_sample ? "in the same drives" : "in held-out drives";
+    cards.push_back({"gap " + where + ", in noise units: nominal", formatNumber(judged.nominal, 3), ""});
+    cards.push_back({"after the known uncertainties", formatNumber(judged.calibrated, 3), ""});
+    cards.push_back({"and with the effect (1 is the floor)", formatNumber(judged.extended, 3), ""});
+    cards.push_back({"of what can be closed is closed", percent(d.how_far.closure),
+                     fmt::format("% [{}, {}]", percent(d.how_far.closure_low), percent(d.how_far.closure_high))});
+    page.cards(cards);
+    page.keyValues(
+        {{"Where", fmt::format("{} of the gap; force: {}; band: {}; when: {}", largest(d.where.channels),
+                               largest(d.where.generalised_force), largest(d.where.bands), largest(d.where.phases))},
+         {"Could also be", fmt::format("{}", fmt::join(shownNames(d.alternatives), ", "))},
+         {"90 % sure it is among", fmt::format("{}", fmt::join(shownNames(d.credible_set), ", "))},
+         {"Drive next", d.next.empty() ? "" : d.next.front().scenario + ": " + d.next.front().separates},
+         {"Car", content.vehicle},
+         {"Made by", fmt::format("tread {}, {} simulations in {:.0f} s", content.version, d.simulations, d.seconds)}});
+    page.warnings(d.data_warnings);
+}
+
+void addUnexplained(HtmlPage& page, const Unexplained& rest) {
+    if (rest.share < 0.005) return;
+    page.text(fmt::format("The best answer leaves {} % of the gap{}{}.", percent(rest.share),
+                          rest.generalised_force.empty() ? "" : "; what acts there: " + rest.generalised_force,
+                          rest.when.empty() ? "" : ", " + rest.when));
+}
+
+}  // namespace
+
+std::string diagnosisReport(const DiagnosisReport& content) {
+    const Diagnosis& d = content.diagnosis;
+    HtmlPage page(content.title);
+    addHead(page, content);
+
+    page.section("Which effect");
+    addEffects(page, d);
+
+    page.section("How far the gap shrinks");
+    page.text(
+        "Root mean square of measured less simulated, in units of the noise: 1 is what a perfect model leaves. "
+        "Nominal: the car as its file says. Calibrated: its numbers moved within their tolerances. With the effect: "
+        "the cause added. The effect is credited with what it adds to the calibrated car.");
+    addLevels(page, d.how_far);
+    addUnexplained(page, d.unexplained);
+
+    page.section("Where it lies");
+    addWhere(page, d.where);
+
+    if (!d.overlays.empty()) {
+        page.section("Measured and simulated");
+        addOverlays(page, d);
+    }
+
+    page.section("What these drives cannot tell");
+    addLimits(page, d);
+
+    page.section("The car within its tolerances");
+    addNuisances(page, d);
+    return page.finish();
+}
+
+}  // namespace tread

@@ -1,0 +1,22 @@
+// The tables of a diagnosis.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnose/diagnosis.h"
+#include "report/html.h"
+
+namespace tread {
+
+// Names as people write them: "tyre relaxation", "yaw rate".
+std::string shownName(std::string_view name);
+std::vector<std::string> shownNames(const std::vector<std::string>& names);
+
+void addEffects(HtmlPage& page, const Diagnosis& diagnosis);
+void addLevels(HtmlPage& page, const HowFar& how_far);
+void addWhere(HtmlPage& page, const WhereItLies& where);
+void addLimits(HtmlPage& page, const Diagnosis& diagnosis);
+void addNuisances(HtmlPage& page, const Diagnosis& diagnosis);
+
+}  // namespace tread

@@ -1,0 +1,85 @@
+// A diagnosis as it could come out, filled in by hand.
+#pragma once
+
+#include <cmath>
+
+#include "diagnose/diagnosis.h"
+
+namespace tread::shared {
+
+// Yaw rate and lateral acceleration of a slalom; `late` s behind, `size` times.
+inline Log slalom(double late, double size) {
+    Log log{{{"time", "s", {}}, {"chassis.yaw_rate", "rad/s", {}}, {"chassis.ay", "m/s2", {}}}};
+    for (int i = 0; i <= 800; ++i) {
+        const double t = 0.01 * i, r = size * 0.25 * std::sin(1.2 * (t - late) * (1 + 0.25 * t)) * std::min(t, 1.0);
+        log.channels[0].values.push_back(t);
+        log.channels[1].values.push_back(r);
+        log.channels[2].values.push_back(22 * r);
+    }
+    return log;
+}
+
+inline Diagnosis sampleDiagnosis() {
+    Diagnosis d;
+    d.verdict = Verdict::explained;
+    d.answer = "The gap is caused by tyre_relaxation (p = 0.97)";
+    d.causes = {"tyre_relaxation"};
+    d.effects = {
+        {"tyre_relaxation",
+         0.97,
+         212,
+         {{"front.tyre.parameters.cFy", {105000, 6000, 95100, 114900, 141800, false}},
+          {"rear.tyre.parameters.cFy", {105000, 6000, 95100, 114900, 141800, false}}}},
+        {"steering_delay",
+         0.02,
+         205,
+         {{"steering.delay", {0.008, 0.003, 0.003, 0.013, 0, false}}, {"steering.lag", {0, 0.002, 0, 0.003, 0, true}}}},
+        {"damping", 0.004, 12, {}},
+        {"roll_steer_rear", 0.001, 6, {}},
+        {"compliance_steer_rear", 0.0002, 4.5, {}}};
+    d.probability_of_nothing = 1e-9;
+    d.probability_of_unknown = 0.005;
+    d.where.channels = {
+        {"chassis.yaw_rate", 0.62}, {"chassis.ay", 0.3}, {"chassis.roll_rate", 0.05}, {"chassis.vx", 0.03}};
+    d.where.recordings = {
+        {"sine_sweep", 0.55}, {"step_steer_80", 0.3}, {"double_lane_change", 0.13}, {"coast_down", 0.02}};
+    d.where.phases = {{"transient steering", 0.8}, {"steady turning", 0.12}, {"straight", 0.08}};
+    d.where.bands = {{"below 0.3 Hz", 0.05}, {"0.3-1 Hz", 0.25}, {"1-3 Hz", 0.6}, {"above 3 Hz", 0.1}};
+    d.where.regimes = {{"20-30 m/s", 0.7}, {"10-20 m/s", 0.3}};
+    d.where.generalised_force = {
+        {"yaw moment", 0.5}, {"lateral force", 0.4}, {"roll moment", 0.07}, {"longitudinal force", 0.03}};
+    for (const auto& [recording, share] : d.where.recordings) {
+        for (const auto& [channel, part] : d.where.channels)
+            d.where.channels_of_recording[recording][channel] = share * part;
+    }
+    d.how_far = {{4.1, 2.9, 1.08, 1}, {3.6, 2.7, 1.12, 1}, 0.92, 0.88, 0.95, false};
+    d.nuisance = {{"mass", {1362, 14, 0.8}},
+                  {"inertia.yaw", {2010, 30, 1.8}},
+                  {"brakes.front_share", {0.82, 0.02, 0.1}},
+                  {"front.suspension.spring", {23900, 700, 2.4}}};
+    d.testable = {
+        {"tyre_relaxation", 180}, {"steering_delay", 96}, {"damping", 40}, {"brake_fade", 0.2}, {"brake_gain", 1.1}};
+    d.confusable = {{"tyre_relaxation", "steering_delay", 0.86, 34, "sine_sweep"},
+                    {"roll_steer_rear", "compliance_steer_rear", 0.97, 2.1, "double_lane_change"}};
+    d.next = {{"scenarios/sine_sweep.yaml", "tyre relaxation from steering delay", 34},
+              {"scenarios/straight_braking_100.yaml", "brake gain, brake fade: not testable now", 120}};
+    d.unexplained = {0.02, "lateral", "above 3 Hz"};
+    d.credible_set = {"tyre_relaxation"};
+    d.constancy = {{"tyre_relaxation", 0.44}, {"steering_delay", 0.002}};
+    d.data_warnings = {
+        "coast_down, chassis.roll: changes only at about 20 Hz: a slower source, held between its values."};
+    d.seconds = 41;
+    d.simulations = 2310;
+    for (const char* name : {"double_lane_change", "sine_sweep"}) {
+        Overlay overlay{.recording = name,
+                        .measured = slalom(0.06, 1),
+                        .nominal = slalom(0, 1.05),
+                        .calibrated = slalom(0.015, 1.01),
+                        .extended = slalom(0.058, 1)};
+        overlay.hold_out = overlay.recording == "double_lane_change";
+        d.overlays.push_back(overlay);
+    }
+    return d;
+}
+
+}  // namespace tread::shared

@@ -1,0 +1,84 @@
+// What users get of a diagnosis: the page, and the car with the effect.
+
+#include <gtest/gtest.h>
+
+#include "diagnose/vehicle_with_effect.h"
+#include "report/diagnosis_report.h"
+#include "shared/diagnosis_sample.h"
+#include "shared/scratch.h"
+#include "shared/vehicle_run.h"
+
+namespace tread {
+namespace {
+
+std::string page(const Diagnosis& diagnosis) {
+    return diagnosisReport({.title = "Diagnosis", .vehicle = "compact", .version = "0.1", .diagnosis = diagnosis});
+}
+
+bool contains(const std::string& text, const std::string& what) {
+    return text.find(what) != std::string::npos;
+}
+
+TEST(DiagnosisPage, SaysTheAnswerFirstAndWhatItRestsOn) {
+    const std::string html = page(shared::sampleDiagnosis());
+    for (const char* said :
+         {"The gap is caused by tyre_relaxation (p = 0.97).", "▶ tyre relaxation", "an unknown cause",
+          "front.tyre.parameters.cFy = 105000 ± 6000 N/m (90 %: 95100 to 114900; nominal 141800)",
+          "92 % of what can be closed is closed", "Held-out drives", "(held out): yaw rate", "sine_sweep",
+          "scenarios/straight_braking_100.yaml", "brake fade, brake gain", "a slower source, held",
+          "2310 simulations in 41 s"})
+        EXPECT_TRUE(contains(html, said)) << said;
+    EXPECT_LT(html.find("The gap is caused by"), html.find("Which effect"));
+}
+
+TEST(DiagnosisPage, BlamesAndAlarmsOnlyWhatDeservesIt) {
+    Diagnosis d = shared::sampleDiagnosis();
+    d.causes.clear();
+    d.verdict = Verdict::nothing;
+    d.how_far.in_sample = true;
+    const std::string html = page(d);
+    EXPECT_FALSE(contains(html, "▶"));
+    EXPECT_TRUE(contains(html, "nothing found"));
+    EXPECT_TRUE(contains(html, "because none was held out"));
+    EXPECT_FALSE(contains(html, "Held-out drives"));
+}
+
+TEST(DiagnosisPage, IsMadeOfAnEmptyDiagnosisToo) {
+    const std::string html = page(Diagnosis{});
+    EXPECT_TRUE(contains(html, "not testable"));
+    EXPECT_TRUE(contains(html, "</html>"));
+}
+
+TEST(DiagnosisPage, NamesOfTheUserCannotBreakIt) {
+    Diagnosis d = shared::sampleDiagnosis();
+    d.effects[1].name = "<script>alert(1)</script>";
+    d.where.recordings = {{"<b>", 1}};
+    d.where.channels_of_recording = {{"<b>", {{"chassis.ay", 1}}}};
+    d.overlays[0].recording = "</figure>";
+    const std::string html = page(d);
+    EXPECT_FALSE(contains(html, "<script>alert"));
+    EXPECT_FALSE(contains(html, "<td class=\"\"><b>"));
+    EXPECT_TRUE(contains(html, "&lt;/figure&gt; (held out)"));
+}
+
+TEST(CarWithEffect, HasTheFittedNumbersOfTheCausesAndReadsBack) {
+    Subject nominal;
+    nominal.vehicle = shared::compact();
+    Diagnosis d = shared::sampleDiagnosis();
+    const Scratch scratch;
+    const std::string yaml = vehicleWithEffectYaml(nominal, d);
+    const VehicleParams car = loadVehicle(scratch.file("car.yaml", yaml));
+    EXPECT_EQ(car.front.tyre.parameters.cFy, 105000);
+    EXPECT_EQ(car.rear.tyre.parameters.cFy, 105000);
+    EXPECT_EQ(car.steering.delay, 0) << "is not blamed";
+    EXPECT_TRUE(
+        contains(yaml, "#   tyre_relaxation: front.tyre.parameters.cFy = 1.05e+05 N/m (+- 6e+03), nominal 1.418e+05"));
+    d.causes = {"grade"};
+    d.effects = {{"grade", 1, 50, {{"road.grade", {0.01, 0.001, 0.008, 0.012, 0, false}}}}};
+    EXPECT_TRUE(contains(vehicleWithEffectYaml(nominal, d),
+                         "# Not of the car, and therefore not in this file:\n#   grade: road.grade"));
+    EXPECT_EQ(withCauses(nominal, d).road.grade, 0.01);
+}
+
+}  // namespace
+}  // namespace tread

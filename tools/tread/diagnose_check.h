@@ -1,0 +1,29 @@
+// `tread diagnose FILE --check` and `tread diagnose --init FOLDER`: before a diagnosis.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "diagnose/data_checks.h"
+#include "diagnose/diagnosis_file.h"
+
+namespace tread::program {
+
+// A diagnosis and all that it names, read. Throws LoadError with every fault.
+struct DiagnosisInputs {
+    DiagnosisFile file;
+    Subject nominal;
+    std::vector<Effect> effects;
+    std::vector<Log> logs;
+    std::vector<std::string> warnings;  // of reading and of the data checks, one sentence or two each
+};
+DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data);
+
+// Prints what the data checks found and which of the effects apply to the car; kNo when there are warnings.
+int checkData(const DiagnosisInputs& inputs, bool json);
+
+// Writes a first diagnosis.yaml for the logs of a folder, and says what is left to fill in.
+int initDiagnosis(const Path& folder, const std::string& vehicle);
+
+}  // namespace tread::program

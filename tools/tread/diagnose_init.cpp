@@ -1,0 +1,92 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "base/number_text.h"
+#include "diagnose_check.h"
+#include "output.h"
+
+namespace tread::program {
+namespace {
+
+bool isLog(const Path& file) {
+    const std::string extension = file.extension().string();
+    return extension == ".csv" || extension == ".CSV" || extension == ".vbo" || extension == ".VBO" ||
+           extension == ".mat";
+}
+
+std::vector<std::string> logsOf(const Path& folder) {
+    if (!std::filesystem::is_directory(folder)) {
+        throw LoadError({{folder.string(), 0, 0, "", "is no folder, expected the folder of the logs"}});
+    }
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.is_regular_file() && isLog(entry.path())) names.push_back(entry.path().filename().string());
+    }
+    if (names.empty()) {
+        throw LoadError({{folder.string(), 0, 0, "", "holds no log, expected .csv, .vbo or .mat files"}});
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+// What a log tells about how it can be repeated.
+struct Recognised {
+    std::vector<std::string> channels;
+    bool pedals = false;
+    std::string fault;  // why it cannot be read
+};
+Recognised recognise(const Path& folder, const std::string& name) {
+    DiagnosisFile file;
+    file.recordings = {{.log = (folder / name).string(), .name = name}};
+    Recognised found;
+    try {
+        const Log log = readRecordings(file).logs.front();
+        for (const Channel& channel : log.channels) found.channels.push_back(channel.name);
+        found.pedals = (log.find("driver.throttle") || log.find("driver.brake")) && log.find("driveline.gear");
+    } catch (const LoadError& error) {
+        found.fault = error.problems().front().text;
+    }
+    return found;
+}
+
+std::string recordingText(const std::string& name, const Recognised& log, bool hold_out) {
+    if (!log.fault.empty()) return fmt::format("  # {}: {}\n", name, log.fault);
+    std::string text = fmt::format("  - log: {}\n    speed: {}\n", quote(name), log.pedals ? "pedals" : "followed");
+    if (hold_out) text += "    hold_out: true  # judges how far the gap shrinks\n";
+    return text + fmt::format("    # channels: {}\n", fmt::join(log.channels, ", "));
+}
+
+}  // namespace
+
+int initDiagnosis(const Path& folder, const std::string& vehicle) {
+    const std::vector<std::string> names = logsOf(folder);
+    const Path file = folder / "diagnosis.yaml";
+    if (std::filesystem::exists(file))
+        throw LoadError({{file.string(), 0, 0, "", "exists already, expected none; move it away to begin anew"}});
+
+    std::string recordings;
+    std::size_t usable = 0;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const Recognised log = recognise(folder, names[i]);
+        usable += log.fault.empty();
+        recordings += recordingText(names[i], log, names.size() > 2 && i + 1 == names.size());
+    }
+    const std::string car = vehicle.empty() ? "vehicle.yaml  # fill in: the file of the nominal car"
+                                            : std::filesystem::absolute(vehicle).lexically_normal().string();
+    writeFile(
+        file.string(),
+        fmt::format(
+            "# A first diagnosis of the logs in this folder; `tread describe diagnosis` tells all that can be said.\n"
+            "vehicle: {}\n"
+            "recordings:\n{}"
+            "# tolerances:  # how well numbers of the car are known, where not as usual\n"
+            "#   - {{path: mass, relative: 0.01}}\n",
+            car, recordings));
+    print(fmt::format("{} of {} logs can be read; wrote {}{}\n", usable, names.size(), file.string(),
+                      vehicle.empty() ? ", which still needs the vehicle" : ""));
+    return usable > 0 ? kYes : kBadInput;
+}
+
+}  // namespace tread::program
