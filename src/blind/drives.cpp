@@ -74,13 +74,13 @@ std::vector<Drive> blindDrives() {
         repeated(drive("step_steer_80", 80, {steering(3.5, turnTo(45)), steering(2, turnTo(0))}), 2),
         repeated(drive("step_steer_110", 110, {steering(3, turnTo(-28)), steering(2, turnTo(0))}), 2),
         drive("sine_sweep_90", 90, {steering(10, sweep), during(0.5)}),
-        drive("straight_braking_100", 100, {braking(2.8, 0.35)}),
+        drive("straight_braking_110", 110, {braking(2.5, 0.35)}),
         drive("braking_in_turn_90", 90, {steering(2, turnTo(35)), braking(2.2, 0.25)}),
         drive("coast_down_120", 120, {throttle(9, 0)}),
         drive("acceleration_50", 50, {throttle(7, 1)}),
         drive("slow_ramp_80", 80, {slowRamp()}),
         heldOut(drive("sine_with_dwell_80", 80, {steering(4.5, dwell)})),
-        heldOut(drive("power_on_in_turn_60", 60, {steering(2, turnTo(-60)), throttle(4, 1), braking(1.5, 0.2)})),
+        heldOut(drive("power_on_in_turn_75", 75, {steering(2, turnTo(-45)), throttle(4, 1)})),
     };
 }
 

@@ -144,7 +144,7 @@ void lookUp(std::vector<CaseAnswer>& found, const BlindKey& key, const fs::path&
             std::find_if(found.begin(), found.end(), [&](const CaseAnswer& a) { return a.name == made.name; });
         if (answer == found.end() || made.kind != CaseKind::one) continue;
         const int index = static_cast<int>(i);
-        const DrawnCase drawn = drawnCase(key.seed, index, made.kind, nominal, shown);
+        const DrawnCase drawn = drawnCase(key.seed, index, made.kind, nominal, shown, made.draw);
         if (keyText({"", 0, "", {drawn.key}}) != keyText({"", 0, "", {made}})) continue;
         const std::map<std::string, Log> clean = cleanDrives(drawn.truth, key.seed, index);
         answer->closure_obtained = obtainedClosure(keptOverlays(answers, made.name, clean), clean);

@@ -16,14 +16,19 @@ Json jsonOf(const CaseKey& one) {
     for (const auto& [path, number] : one.numbers) {
         numbers[path] = {{"nominal", number.nominal}, {"value", number.value}, {"change", number.change}};
     }
-    return {{"name", one.name},       {"kind", enumNames(one.kind)[static_cast<std::size_t>(one.kind)]},
-            {"effects", one.effects}, {"outsider", one.outsider},
-            {"numbers", numbers},     {"generalised_forces", one.generalised_forces}};
+    return {{"name", one.name},
+            {"kind", enumNames(one.kind)[static_cast<std::size_t>(one.kind)]},
+            {"draw", one.draw},
+            {"effects", one.effects},
+            {"outsider", one.outsider},
+            {"numbers", numbers},
+            {"generalised_forces", one.generalised_forces}};
 }
 
 CaseKey caseOf(const Json& json) {
     CaseKey one{.name = json.at("name"),
                 .kind = caseKind(json.at("kind").get<std::string>()),
+                .draw = json.at("draw"),
                 .effects = json.at("effects"),
                 .outsider = json.at("outsider"),
                 .generalised_forces = json.at("generalised_forces"),

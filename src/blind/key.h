@@ -24,8 +24,9 @@ struct PlantedNumber {
 struct CaseKey {
     std::string name;  // of its folder
     CaseKind kind = CaseKind::none;
-    std::vector<std::string> effects;              // of the catalogue
-    std::string outsider;                          // of none, in the kind `outside`
+    int draw = 0;                      // the how manieth car that was drawn: those before could not be driven
+    std::vector<std::string> effects;  // of the catalogue
+    std::string outsider;              // of none, in the kind `outside`
     std::vector<std::string> generalised_forces;   // of these one is where it must be found; none: an instrument
     std::map<std::string, PlantedNumber> numbers;  // of the effects, by path
 };

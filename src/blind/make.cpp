@@ -20,6 +20,7 @@ constexpr std::array<CaseKind, 20> kProportions{
     CaseKind::one,  CaseKind::two, CaseKind::none, CaseKind::outside, CaseKind::one,     CaseKind::small, CaseKind::two,
     CaseKind::one,  CaseKind::one, CaseKind::none, CaseKind::outside, CaseKind::one,     CaseKind::two,   CaseKind::one,
     CaseKind::none, CaseKind::one, CaseKind::two,  CaseKind::one,     CaseKind::outside, CaseKind::small};
+constexpr int kMostDraws = 20;
 enum Stream : std::uint64_t { kinds_stream, truth_stream, drives_stream };
 
 std::vector<CaseKind> kindsOf(const BlindOrder& order) {
@@ -60,6 +61,15 @@ std::string diagnosisYaml(const std::vector<BlindRecording>& recordings) {
     return text;
 }
 
+void writeCase(const DrawnCase& drawn, const VehicleParams& nominal, const std::filesystem::path& place,
+               const std::vector<BlindRecording>& recordings) {
+    std::filesystem::create_directories(place);
+    for (const BlindRecording& one : recordings)
+        writeLog(place / (one.name + ".csv"), measure(drawn.truth, *one.drive, one.seed));
+    writeText(place / "vehicle.yaml", vehicleYaml(nominal));
+    writeText(place / "diagnosis.yaml", diagnosisYaml(recordings));
+}
+
 }  // namespace
 
 std::vector<BlindRecording> recordingsOf(const std::vector<Drive>& drives, std::uint64_t seed, int index) {
@@ -74,10 +84,11 @@ std::vector<BlindRecording> recordingsOf(const std::vector<Drive>& drives, std::
 }
 
 DrawnCase drawnCase(std::uint64_t seed, int index, CaseKind kind, const VehicleParams& nominal,
-                    const std::vector<Effect>& effects) {
-    Random random(caseSeed(seed, index, truth_stream));
+                    const std::vector<Effect>& effects, int draw) {
+    Random random(seedOf(caseSeed(seed, index, truth_stream), static_cast<std::uint64_t>(draw)));
     DrawnCase drawn = drawCase(nominal, effects, kind, random);
     drawn.key.name = fmt::format("case_{:03}", index + 1);
+    drawn.key.draw = draw;
     return drawn;
 }
 
@@ -88,15 +99,17 @@ BlindKey makeCases(const BlindOrder& order, const VehicleParams& nominal, const 
     const std::vector<CaseKind> kinds = kindsOf(order);
     const std::vector<Effect> shown = shownEffects(nominal, effects);
     for (int i = 0; i < order.cases; ++i) {
-        const DrawnCase drawn = drawnCase(order.seed, i, kinds[static_cast<std::size_t>(i)], nominal, shown);
-        const std::filesystem::path place = folder / drawn.key.name;
-        std::filesystem::create_directories(place);
-        const std::vector<BlindRecording> recordings = recordingsOf(drives, order.seed, i);
-        for (const BlindRecording& one : recordings)
-            writeLog(place / (one.name + ".csv"), measure(drawn.truth, *one.drive, one.seed));
-        writeText(place / "vehicle.yaml", vehicleYaml(nominal));
-        writeText(place / "diagnosis.yaml", diagnosisYaml(recordings));
-        key.cases.push_back(drawn.key);
+        const CaseKind kind = kinds[static_cast<std::size_t>(i)];
+        for (int draw = 0;; ++draw) {
+            const DrawnCase drawn = drawnCase(order.seed, i, kind, nominal, shown, draw);
+            try {
+                writeCase(drawn, nominal, folder / drawn.key.name, recordingsOf(drives, order.seed, i));
+                key.cases.push_back(drawn.key);
+                break;
+            } catch (const SimulationError&) {  // a car that nobody would drive
+                if (draw == kMostDraws) throw;
+            }
+        }
         progress(i + 1);
     }
     return key;

@@ -26,9 +26,9 @@ BlindKey makeCases(
     const std::filesystem::path& folder, const std::function<void(int cases)>& progress = [](int) {});
 
 // A case of a check with this seed, `index` from 0: the same whenever it is drawn. `shown` are the effects to choose
-// from (shown.h).
+// from (shown.h), `draw` says the how manieth car for it this is.
 DrawnCase drawnCase(std::uint64_t seed, int index, CaseKind kind, const VehicleParams& nominal,
-                    const std::vector<Effect>& shown);
+                    const std::vector<Effect>& shown, int draw = 0);
 
 // The recordings of a case, each named as its log.
 struct BlindRecording {
