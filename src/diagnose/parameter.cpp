@@ -21,6 +21,7 @@ const std::vector<KnownWithin>& usualTolerances() {
         {"*.suspension.toe", 0, 0.0009},
         {"*.suspension.camber", 0, 0.006},
         {"inertia.roll_yaw", 0, 20},
+        {"lateral_offset", 0, 0.01},
         {"road.grade", 0, 0.001},
         {"road.bank", 0, 0.001},
         {"instruments.ax.bias", 0, 0.03},
