@@ -47,6 +47,12 @@ bool wanted(const DiagnosisFile& file, const std::string& channel) {
                        [&](const MeasuredChannel& told) { return told.channel == channel; });
 }
 
+// A driver who follows the measured speed makes it, and the acceleration along the car, his own: what is left there is
+// his error, not the car's.
+bool isOfTheDriver(const Recording& recording, const std::string& channel) {
+    return recording.speed == SpeedReplay::followed && (channel == "chassis.vx" || channel == "chassis.ax");
+}
+
 }  // namespace
 
 Eigen::VectorXd blockMeans(const ObservedChannel& channel, const std::vector<double>& time,
@@ -78,7 +84,7 @@ RecordedDrive recordedDrive(const Recording& recording, const Log& log, const Di
     Eigen::Index rows = 0;
     for (const ObservedQuantity& quantity : observedQuantities()) {
         const Channel* measured = log.find(quantity.channel);
-        if (!measured || !wanted(file, measured->name)) continue;
+        if (!measured || !wanted(file, measured->name) || isOfTheDriver(recording, measured->name)) continue;
         ObservedChannel channel{.name = measured->name, .measured = measured->values, .times = {}};
         double last = -1;
         for (std::size_t i = 0; i < drive.time.size(); ++i) {

@@ -52,7 +52,10 @@ void addHead(HtmlPage& page, const DiagnosisReport& content) {
     const std::string where = d.how_far.in_sample ? "in the same drives" : "in held-out drives";
     cards.push_back({"gap " + where + ", in noise units: nominal", formatNumber(judged.nominal, 3), ""});
     cards.push_back({"after the known uncertainties", formatNumber(judged.calibrated, 3), ""});
-    cards.push_back({"and with the effect (1 is the floor)", formatNumber(judged.extended, 3), ""});
+    cards.push_back({d.causes.empty() ? "noise floor" : "and with the effect (1 is the floor)",
+                     formatNumber(d.causes.empty() ? judged.floor : judged.extended, 3), ""});
+    if (d.verdict == Verdict::unknown)
+        cards.push_back({"probability of an unknown cause", formatNumber(100 * d.probability_of_unknown, 3), "%"});
     cards.push_back({"of what can be closed is closed", percent(d.how_far.closure),
                      fmt::format("% [{}, {}]", percent(d.how_far.closure_low), percent(d.how_far.closure_high))});
     page.cards(cards);

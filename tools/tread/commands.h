@@ -74,10 +74,13 @@ struct TyreOptions {
 int tyre(const TyreOptions& options);
 
 struct DiagnoseRequest {
-    std::string file;    // diagnosis.yaml
-    std::string data;    // folder of its logs; empty: that of the file
-    std::string output;  // folder
-    int threads = 0;     // 0: one per core
+    std::string file;     // diagnosis.yaml
+    std::string data;     // folder of its logs; empty: that of the file
+    std::string output;   // folder
+    std::string init;     // folder of logs for which a first diagnosis.yaml is written; empty: none
+    std::string vehicle;  // that it names
+    int threads = 0;      // 0: one per core
+    bool check = false;   // the data only
     bool json = false;
 };
 int diagnose(const DiagnoseRequest& request);

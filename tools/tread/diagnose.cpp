@@ -3,12 +3,14 @@
 #include <algorithm>
 
 #include "commands.h"
-#include "diagnose/data_checks.h"
 #include "diagnose/diagnosis_json.h"
 #include "diagnose/diagnosis_text.h"
+#include "diagnose/vehicle_with_effect.h"
+#include "diagnose_check.h"
 #include "log/csv.h"
 #include "output.h"
 #include "progress.h"
+#include "report/diagnosis_report.h"
 
 namespace tread::program {
 namespace {
@@ -31,12 +33,12 @@ int statusOf(const Diagnosis& diagnosis) {
 }  // namespace
 
 int diagnose(const DiagnoseRequest& request) {
-    const DiagnosisFile file = loadDiagnosis(request.file, request.data);
-    const Subject nominal = nominalSubject(file);
-    const Recorded recorded = readRecordings(file);
-    std::vector<std::string> warnings = recorded.notes;
-    for (const DataWarning& warning : dataWarnings(file, recorded.logs, nominal)) warnings.push_back(toText(warning));
-    for (const std::string& warning : warnings) fmt::print(stderr, "tread diagnose: {}\n", warning);
+    if (!request.init.empty()) return initDiagnosis(request.init, request.vehicle);
+    if (request.file.empty())
+        throw LoadError({{"tread diagnose", 0, 0, "", "found no file, expected diagnosis.yaml, or --init FOLDER"}});
+    const DiagnosisInputs inputs = readDiagnosisInputs(request.file, request.data);
+    if (request.check) return checkData(inputs, request.json);
+    for (const std::string& warning : inputs.warnings) fmt::print(stderr, "tread diagnose: {}\n", warning);
 
     Diagnosis diagnosis;
     {
@@ -44,15 +46,20 @@ int diagnose(const DiagnoseRequest& request) {
         DiagnoseOptions options;
         options.threads = request.threads;
         options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
-        diagnosis = tread::diagnose(nominal, file, recorded.logs, effectsToConsider(file), options);
+        diagnosis = tread::diagnose(inputs.nominal, inputs.file, inputs.logs, inputs.effects, options);
     }
-    diagnosis.data_warnings = std::move(warnings);
+    diagnosis.data_warnings = inputs.warnings;
 
     const Path out = request.output.empty() ? Path("out") : Path(request.output);
     std::filesystem::create_directories(out);
     writeLogs(diagnosis, out);
     const nlohmann::json json = diagnosisJson(diagnosis);
     writeFile(out / "diagnosis.json", jsonText(json));
+    writeFile(out / "vehicle_with_effect.yaml", vehicleWithEffectYaml(inputs.nominal, diagnosis));
+    const std::string& car = inputs.nominal.vehicle.name;
+    writeFile(out / "report.html",
+              diagnosisReport(
+                  {.title = "Diagnosis of " + car, .vehicle = car, .version = TREAD_VERSION, .diagnosis = diagnosis}));
     if (request.json) printJson(json);
     else print(diagnosisText(diagnosis));
     return statusOf(diagnosis);

@@ -86,7 +86,10 @@ void addTyre(CLI::App& app, TyreOptions& o) {
 }
 
 void addDiagnose(CLI::App& app, DiagnoseRequest& o) {
-    app.add_option("file", o.file, "what is asked: nominal car, recordings, tolerances (YAML)")->required();
+    app.add_option("file", o.file, "what is asked: nominal car, recordings, tolerances (YAML)");
+    app.add_flag("--check", o.check, "look only whether the recordings are fit for it; status 1 with warnings");
+    CLI::Option* init = app.add_option("--init", o.init, "write a first diagnosis.yaml for the logs of this folder");
+    app.add_option("--vehicle", o.vehicle, "nominal car for --init (YAML)")->needs(init);
     app.add_option("--data", o.data, "folder of the logs (default: that of the file)");
     app.add_option("-o,--output", o.output, "folder for the answer and the simulated drives (default: out)");
     app.add_option("--threads", o.threads, "threads (default: one per core)")->check(CLI::Range(0, 1000));
