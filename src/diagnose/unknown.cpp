@@ -84,7 +84,9 @@ Constancy constancy(const Study& study, const Fit& fit) {
     const Eigen::VectorXd gradient = left(informed, last);
     const double apart = gradient.dot(each.ldlt().solve(gradient));
     const double together = gradient.sum() * gradient.sum() / each.sum();
-    Constancy result{std::max(0.0, apart - together), static_cast<double>(informed.size() - 1), 1};
+    Constancy result{std::max(0.0, apart - together), static_cast<double>(informed.size() - 1), 1, 0};
+    const double told = fit.at(fit.knobs).squaredNorm() * each.sum();  // squared value over its variance
+    result.spread = std::sqrt(result.q / result.degrees_of_freedom / std::max(told, 1e-12));
     result.p = chiSquaredTail(result.q, result.degrees_of_freedom);
     return result;
 }

@@ -20,6 +20,7 @@ struct Constancy {
     double q = 0;
     double degrees_of_freedom = 0;
     double p = 1;
+    double spread = 0;  // of the value from drive to drive, beyond chance and as a share of it
 };
 Constancy constancy(const Study& study, const Fit& fit);
 

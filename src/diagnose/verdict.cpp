@@ -165,7 +165,7 @@ void judge(Diagnosis& diagnosis, const Study& study, const Screen& screen, const
                                   [](double d) { return d >= kThresholds.testable; });
     const Constancy same = constancy(study, best.fit);
     const bool varies = same.degrees_of_freedom > 0 && same.q > kThresholds.constancy * same.degrees_of_freedom &&
-                        same.p < kThresholds.constancy_p;
+                        same.p < kThresholds.constancy_p && same.spread > kThresholds.constancy_spread;
     if (inflation.gain > kThresholds.unknown || (varies && !best.effects.empty())) {
         diagnosis.verdict = Verdict::unknown;
     } else if (best.log_evidence < kThresholds.effect || best.effects.empty()) {

@@ -28,13 +28,13 @@ bool isChannelName(std::string_view name) {
 }
 
 // The samples of a recording that the mapping asks for and that every delayed channel reaches.
-Recording cut(const Recording& recording, const ImportMap& map, std::vector<Change>& changes) {
+Stretch cut(const Stretch& recording, const ImportMap& map, std::vector<Change>& changes) {
     double begin = map.time.begin, end = map.time.end.value_or(kInfinity);
     for (const ImportChannel& channel : map.map) {
         begin = std::max(begin, -channel.delay);
         if (channel.delay > 0) end = std::min(end, recording.duration() - channel.delay);
     }
-    Recording kept{{}, {}, recording.begin};
+    Stretch kept{{}, {}, recording.begin};
     for (std::size_t i = 0; i < recording.rows.size(); ++i) {
         if (recording.time[i] < begin || recording.time[i] > end) continue;
         kept.rows.push_back(i);  // index within the recording
@@ -45,9 +45,9 @@ Recording cut(const Recording& recording, const ImportMap& map, std::vector<Chan
     return kept;
 }
 
-Log logOf(const Recording& recording, const std::vector<WholeChannel>& channels, const ForeignTable& table,
+Log logOf(const Stretch& recording, const std::vector<WholeChannel>& channels, const ForeignTable& table,
           const ImportMap& map, std::vector<Change>& changes) {
-    const Recording kept = cut(recording, map, changes);
+    const Stretch kept = cut(recording, map, changes);
     if (kept.rows.size() < 2) {
         throw LoadError({{table.file, 0, 0, "", "has fewer than two samples left, expected a recording"}});
     }
@@ -132,7 +132,7 @@ Imported importLog(const ForeignTable& table, const ImportMap& map) {
     }
     if (!problems.empty()) throw LoadError(std::move(problems));
 
-    for (const Recording& recording : recordingsOf(time, table, map.repairs, result.changes)) {
+    for (const Stretch& recording : recordingsOf(time, table, map.repairs, result.changes)) {
         if (recording.rows.size() < 2 && map.repairs.at_jump == AtJump::split) continue;
         result.logs.push_back(logOf(recording, channels, table, map, result.changes));
     }

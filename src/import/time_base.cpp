@@ -44,7 +44,7 @@ public:
         } else if (t < last_) {
             note(backwards, first_backwards, row);
         } else {
-            Recording& open = recordings.back();
+            Stretch& open = recordings.back();
             open.rows.push_back(row);
             open.time.push_back(t - open.begin);
             last_ = t;
@@ -55,7 +55,7 @@ public:
     void rejoin() {
         constexpr std::size_t kWild = 2;
         for (std::size_t i = 1; i + 1 < recordings.size();) {
-            Recording &before = recordings[i - 1], &behind = recordings[i + 1];
+            Stretch &before = recordings[i - 1], &behind = recordings[i + 1];
             const double step = behind.begin - (before.begin + before.duration());
             if (recordings[i].rows.size() > kWild || !(step > 0) || step > max_jump_) {
                 ++i;
@@ -72,7 +72,7 @@ public:
         }
     }
 
-    std::vector<Recording> recordings;
+    std::vector<Stretch> recordings;
     std::vector<std::string> jumps;
     std::size_t wild = 0;
     std::size_t without_time = 0, duplicates = 0, backwards = 0;
@@ -92,7 +92,7 @@ std::string many(std::size_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-void reportSteps(const Recording& recording, std::vector<Change>& changes) {
+void reportSteps(const Stretch& recording, std::vector<Change>& changes) {
     const double usual = medianStep(recording.time);
     std::size_t gaps = 0, uneven = 0, missing = 0;
     double longest = 0;
@@ -162,12 +162,12 @@ std::vector<double> timeOfRows(const ForeignTable& table, const ImportTime& how,
     return time;
 }
 
-std::vector<Recording> recordingsOf(const std::vector<double>& time, const ForeignTable& table,
-                                    const ImportRepairs& repairs, std::vector<Change>& changes) {
+std::vector<Stretch> recordingsOf(const std::vector<double>& time, const ForeignTable& table,
+                                  const ImportRepairs& repairs, std::vector<Change>& changes) {
     Sorter sorter(table, repairs.max_jump);
     for (std::size_t row = 0; row < time.size(); ++row) sorter.take(row, time[row]);
     sorter.rejoin();
-    std::vector<Recording> recordings = std::move(sorter.recordings);
+    std::vector<Stretch> recordings = std::move(sorter.recordings);
     if (recordings.empty()) {
         throw LoadError({{table.file, 0, 0, "", "the time column holds no numbers, expected increasing seconds"}});
     }
@@ -202,10 +202,10 @@ std::vector<Recording> recordingsOf(const std::vector<double>& time, const Forei
             changes.push_back({"jump", "", sorter.jumps.size(),
                                fmt::format("{}; split into {} recordings", where, recordings.size())});
         } else {
-            const auto shorter = [](const Recording& a, const Recording& b) { return a.rows.size() < b.rows.size(); };
-            const Recording longest = *std::max_element(recordings.begin(), recordings.end(), shorter);
+            const auto shorter = [](const Stretch& a, const Stretch& b) { return a.rows.size() < b.rows.size(); };
+            const Stretch longest = *std::max_element(recordings.begin(), recordings.end(), shorter);
             std::size_t rows = 0;
-            for (const Recording& recording : recordings) rows += recording.rows.size();
+            for (const Stretch& recording : recordings) rows += recording.rows.size();
             changes.push_back(
                 {"jump", "", rows - longest.rows.size(),
                  fmt::format("{}; {} cut off, the longest recording kept ({:.4g} s from {:.6g} s)", where,
@@ -213,7 +213,7 @@ std::vector<Recording> recordingsOf(const std::vector<double>& time, const Forei
             recordings = {longest};
         }
     }
-    for (const Recording& recording : recordings) {
+    for (const Stretch& recording : recordings) {
         if (recording.begin != 0) {
             changes.push_back(
                 {"time", "", 1, fmt::format("time begins at 0 (in the file at {:.9g} s)", recording.begin)});

@@ -9,7 +9,7 @@
 namespace tread {
 
 // Rows of one uninterrupted recording, with their time in s from its first.
-struct Recording {
+struct Stretch {
     std::vector<std::size_t> rows;
     std::vector<double> time;
     double begin = 0;  // s, on the clock of the file
@@ -21,7 +21,7 @@ struct Recording {
 std::vector<double> timeOfRows(const ForeignTable& table, const ImportTime& how, std::vector<Change>& changes);
 
 // Rows without time and repeated stamps dropped, split where time jumps. Strictly increasing within each.
-std::vector<Recording> recordingsOf(const std::vector<double>& time, const ForeignTable& table,
+std::vector<Stretch> recordingsOf(const std::vector<double>& time, const ForeignTable& table,
                                     const ImportRepairs& repairs, std::vector<Change>& changes);
 
 double medianStep(const std::vector<double>& time);

@@ -18,7 +18,7 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 struct Sorted {
-    std::vector<Recording> recordings;
+    std::vector<Stretch> recordings;
     std::vector<Change> changes;
 
     std::size_t count(const std::string& kind) const {
