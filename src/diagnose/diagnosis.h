@@ -35,7 +35,7 @@ struct WhereItLies {
     std::map<std::string, Shares> channels_of_recording;  // the heat map; all of them sum to 1
 };
 
-// Root mean square of the gap in noise units; 1 is the floor of a perfect model.
+// Root mean square of the gap in noise units; `floor` is what a perfect model would leave.
 struct GapLevels {
     double nominal = 0, calibrated = 0, extended = 0, floor = 0;
 };

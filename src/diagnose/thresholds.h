@@ -14,8 +14,9 @@ struct Thresholds {
     double constancy = 5;        // Cochran's Q over its degrees of freedom: the same effect in every drive
     double constancy_p = 1e-3;
     double constancy_spread = 0.25;  // large effects differ by a tenth from drive to drive: the fit is linear there
-    double temperature = 1.5;  // evidence counts as if this many times as much data were needed
-    double sure = 0.9;         // probability of the causes together, below which alternatives are named
+    double look_alike = 12;          // nats of the best effects, below which their constancy says nothing
+    double temperature = 1.5;        // evidence counts as if this many times as much data were needed
+    double sure = 0.9;               // probability of the causes together, below which alternatives are named
     double credible = 0.9;
 };
 

@@ -166,8 +166,15 @@ void judge(Diagnosis& diagnosis, const Study& study, const Screen& screen, const
     const Constancy same = constancy(study, best.fit);
     const bool varies = same.degrees_of_freedom > 0 && same.q > kThresholds.constancy * same.degrees_of_freedom &&
                         same.p < kThresholds.constancy_p && same.spread > kThresholds.constancy_spread;
-    if (inflation.gain > kThresholds.unknown || (varies && !best.effects.empty())) {
+    const bool looks_alike = varies && best.log_evidence >= kThresholds.look_alike;
+    if (inflation.gain > kThresholds.unknown || looks_alike) {
         diagnosis.verdict = Verdict::unknown;
+        // An effect whose value changes from drive to drive is what it is called only as far as that is chance.
+        if (looks_alike) {
+            for (RankedEffect& effect : diagnosis.effects) effect.probability *= same.p;
+            diagnosis.probability_of_nothing *= same.p;
+            diagnosis.probability_of_unknown = 1 - same.p * (1 - diagnosis.probability_of_unknown);
+        }
     } else if (best.log_evidence < kThresholds.effect || best.effects.empty()) {
         diagnosis.verdict = seen ? Verdict::nothing : Verdict::not_testable;
     } else {
