@@ -1,11 +1,11 @@
 #include "blind/answer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "blind/gauges.h"
+#include "diagnose/diagnosis_json.h"
 #include "log/resample.h"
 #include "tread/problem.h"
 
@@ -13,7 +13,6 @@ namespace tread {
 namespace {
 
 using Json = nlohmann::json;
-constexpr std::array<std::string_view, 5> kVerdicts{"explained", "nothing", "ambiguous", "unknown", "not_testable"};
 
 Json jsonOf(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
@@ -21,18 +20,6 @@ Json jsonOf(double value) {
 
 double numberOf(const Json& json) {
     return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
-}
-
-Json jsonOf(const RankedEffect& effect) {
-    Json parameters = Json::object();
-    for (const auto& [path, e] : effect.parameters) {
-        parameters[path] = {{"value", jsonOf(e.value)}, {"sd", jsonOf(e.sd)},           {"low", jsonOf(e.low)},
-                            {"high", jsonOf(e.high)},   {"neutral", jsonOf(e.neutral)}, {"at_bound", e.at_bound}};
-    }
-    return {{"name", effect.name},
-            {"probability", jsonOf(effect.probability)},
-            {"log_evidence", jsonOf(effect.log_evidence)},
-            {"parameters", parameters}};
 }
 
 RankedEffect effectOf(const Json& json) {
@@ -45,10 +32,8 @@ RankedEffect effectOf(const Json& json) {
 }
 
 Verdict verdictOf(const std::string& word) {
-    const auto found = std::find(kVerdicts.begin(), kVerdicts.end(), word);
-    if (found == kVerdicts.end())
-        throw LoadError({{"", 0, 0, "verdict", "found \"" + word + "\", expected a verdict"}});
-    return static_cast<Verdict>(found - kVerdicts.begin());
+    if (const auto verdict = verdictNamed(word)) return *verdict;
+    throw LoadError({{"", 0, 0, "verdict", "found \"" + word + "\", expected a verdict"}});
 }
 
 // Sum of the squared differences of the measured channels, in units of their noise.
@@ -67,10 +52,6 @@ double squaredGap(const Log& log, const Log& clean) {
 }
 
 }  // namespace
-
-std::string_view wordOf(Verdict verdict) {
-    return kVerdicts[static_cast<std::size_t>(verdict)];
-}
 
 CaseAnswer answerOf(const std::string& name, const Diagnosis& d) {
     CaseAnswer answer;
@@ -105,10 +86,10 @@ double obtainedClosure(const std::vector<Overlay>& overlays, const std::map<std:
 
 std::string answerText(const CaseAnswer& a) {
     Json effects = Json::array(), testable = Json::object();
-    for (const RankedEffect& effect : a.effects) effects.push_back(jsonOf(effect));
+    for (const RankedEffect& effect : a.effects) effects.push_back(Json(effectJson(effect)));
     for (const auto& [name, nats] : a.testable) testable[name] = jsonOf(nats);
     const Json json{{"name", a.name},
-                    {"verdict", wordOf(a.verdict)},
+                    {"verdict", nameOf(a.verdict)},
                     {"causes", a.causes},
                     {"alternatives", a.alternatives},
                     {"credible_set", a.credible_set},

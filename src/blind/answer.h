@@ -36,6 +36,4 @@ std::string answerText(const CaseAnswer& answer);  // JSON
 // Throws LoadError that names the file.
 CaseAnswer parseAnswer(std::string_view text, const std::string& file);
 
-std::string_view wordOf(Verdict verdict);
-
 }  // namespace tread

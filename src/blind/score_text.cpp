@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "blind/score.h"
+#include "diagnose/diagnosis_json.h"
 
 namespace tread {
 namespace {
@@ -104,7 +105,7 @@ std::string wordsOf(const CaseKey& key) {
 
 std::string wordsOf(const CaseAnswer& answer) {
     if (answer.verdict == Verdict::explained) return joined(answer.causes);
-    if (answer.verdict != Verdict::ambiguous) return std::string(wordOf(answer.verdict));
+    if (answer.verdict != Verdict::ambiguous) return std::string(nameOf(answer.verdict));
     std::vector<std::string> names = answer.causes;
     for (const std::string& other : answer.alternatives) {
         if (std::find(names.begin(), names.end(), other) == names.end()) names.push_back(other);

@@ -1,11 +1,14 @@
 #include "diagnose/diagnosis_json.h"
 
+#include <algorithm>
 #include <array>
 
 namespace tread {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 5> kNames{"explained", "nothing", "ambiguous", "unknown", "not_testable"};
 
 Json parametersOf(const RankedEffect& effect) {
     Json json = Json::object();
@@ -44,8 +47,20 @@ Json listOf(const std::vector<T>& values, ToJson to_json) {
 }  // namespace
 
 std::string_view nameOf(Verdict verdict) {
-    constexpr std::array<std::string_view, 5> kNames{"explained", "nothing", "ambiguous", "unknown", "not_testable"};
     return kNames[static_cast<std::size_t>(verdict)];
+}
+
+std::optional<Verdict> verdictNamed(std::string_view name) {
+    const auto found = std::find(kNames.begin(), kNames.end(), name);
+    if (found == kNames.end()) return std::nullopt;
+    return static_cast<Verdict>(found - kNames.begin());
+}
+
+Json effectJson(const RankedEffect& effect) {
+    return {{"name", effect.name},
+            {"probability", effect.probability},
+            {"log_evidence", effect.log_evidence},
+            {"parameters", parametersOf(effect)}};
 }
 
 Json diagnosisJson(const Diagnosis& d) {
@@ -55,13 +70,7 @@ Json diagnosisJson(const Diagnosis& d) {
             {"verdict", nameOf(d.verdict)},
             {"causes", d.causes},
             {"alternatives", d.alternatives},
-            {"effects", listOf(d.effects,
-                               [](const RankedEffect& e) {
-                                   return Json{{"name", e.name},
-                                               {"probability", e.probability},
-                                               {"log_evidence", e.log_evidence},
-                                               {"parameters", parametersOf(e)}};
-                               })},
+            {"effects", listOf(d.effects, effectJson)},
             {"probability_of_nothing", d.probability_of_nothing},
             {"probability_of_unknown", d.probability_of_unknown},
             {"where", whereOf(d.where)},

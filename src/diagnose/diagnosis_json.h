@@ -2,12 +2,17 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "diagnose/diagnosis.h"
 
 namespace tread {
 
 std::string_view nameOf(Verdict verdict);
+// Nothing when no verdict has that name.
+std::optional<Verdict> verdictNamed(std::string_view name);
+
+nlohmann::ordered_json effectJson(const RankedEffect& effect);
 
 nlohmann::ordered_json diagnosisJson(const Diagnosis& diagnosis);
 

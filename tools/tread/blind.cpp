@@ -87,12 +87,13 @@ int blindScore(const BlindScoreOptions& options) {
     const BlindKey key = parseKey(sealed, options.key);
     lookUp(answers, key, options.cases, answers_folder, effectCatalogue());
     const BlindScore scored = score(key.cases, answers);
-    writeFile(output / "score.json", scoreJson(scored));
+    const std::string json = scoreJson(scored);
+    writeFile(output / "score.json", json);
     writeFile(
         output / "report.html",
         blindReport({.made_of = madeOf(key), .key_sha256 = sha256(sealed), .version = TREAD_VERSION, .score = scored}));
     if (options.json) {
-        printJson(nlohmann::json::parse(scoreJson(scored)));
+        printJson(nlohmann::json::parse(json));
     } else {
         print(scoreText(scored));
     }
