@@ -48,6 +48,8 @@ void addParameters(Study& study, const DiagnosisFile& file, const std::vector<Ef
     }
 }
 
+using Progress = std::function<void(double, const std::string&)>;
+
 // Nuisances without which the answer is the same are left out.
 std::vector<Eigen::Index> thatMatter(const Study& study, const Linearised& about) {
     std::vector<double> matter(study.nuisances.size(), 0);
@@ -66,13 +68,33 @@ std::vector<Eigen::Index> thatMatter(const Study& study, const Linearised& about
 }
 
 void tellNuisances(Diagnosis& diagnosis, const Study& study, const Fit& fit) {
-    for (std::size_t i = 0; i < study.nominal.nuisances.size(); ++i) {
+    for (std::size_t i = 0; i < study.calibrated.nuisances.size(); ++i) {
         const Eigen::Index p = fit.free[i];
         const Parameter& parameter = study.bench.parameters[static_cast<std::size_t>(p)];
         const Parameter::Move& one = parameter.moves.front();
         const double sd = std::sqrt(fit.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)));
         diagnosis.nuisance[one.path] = {one.nominal + fit.at(p) * one.by, sd * std::abs(one.by), fit.at(p)};
     }
+}
+
+// Fits the tolerances, linearises everything where they are, and fits them again.
+std::vector<DriveGram> calibrate(Study& study, Ground nominal, const Progress& progress) {
+    const auto fit = [&](const Ground& ground, const Deviation& from) {
+        std::optional<Fit> found = fitted(study.bench, study.uncertainty, ground, {}, from);
+        if (!found) throw SimulationError("the nominal car cannot be driven in the recordings", 0);
+        return std::move(*found);
+    };
+    progress(0, "fitting tolerances");
+    study.calibration = fit(nominal, study.bench.origin());
+    std::vector<Eigen::Index> all = nominal.nuisances;
+    for (const Eigen::Index knob : study.allKnobs()) all.push_back(knob);
+    Linearised about = linearised(study.bench, study.calibration.at,
+                                  {.parameters = all, .difference = Difference::one_sided},
+                                  [&](double share) { progress(share, "sensitivities to effects"); });
+    study.calibrated = ground(std::move(about), nominal.nuisances, study.uncertainty);
+    study.uncertainty.sizes = disturbanceSizes(everything(study, study.calibrated), study.uncertainty);
+    study.calibration = fit(study.calibrated, study.calibration.at);
+    return everything(study, study.calibrated);
 }
 
 }  // namespace
@@ -95,24 +117,23 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std:
         throw std::invalid_argument("every recording is held out, expected at least one from which to learn");
     addParameters(study, file, effects);
 
-    // The model about the nominal car: sensitivities, noise, disturbances.
-    const auto sensitivities = progress(0, 0.4);
-    const Linearised to_tolerances = linearised(
-        study.bench, study.bench.origin(), {.parameters = study.nuisances, .difference = Difference::one_sided},
-        [&](double share) { sensitivities(0.5 * share, "sensitivities to tolerances"); });
-    Linearised about =
-        linearised(study.bench, study.bench.origin(), {.parameters = study.allKnobs(), .elsewhere = &to_tolerances},
-                   [&](double share) { sensitivities(0.5 + 0.5 * share, "sensitivities to effects"); });
-    for (std::size_t d = 0; d < about.rows.size(); ++d) {
-        if (about.rows[d].size() == 0)
+    // The nominal car: what its tolerances do, noise, disturbances.
+    const auto start = progress(0, 0.1);
+    Linearised nominal = linearised(study.bench, study.bench.origin(),
+                                    {.parameters = study.nuisances, .difference = Difference::one_sided},
+                                    [&](double share) { start(share, "sensitivities to tolerances"); });
+    for (std::size_t d = 0; d < nominal.rows.size(); ++d) {
+        if (nominal.rows[d].size() == 0)
             throw std::invalid_argument(
                 fmt::format("recording {}: the nominal car cannot be driven so", study.bench.drives[d].name));
     }
-    study.uncertainty = uncertaintyOf(study.bench, about.rows);
-    const std::vector<Eigen::Index> matter = thatMatter(study, about);
-    study.nominal = ground(std::move(about), matter, study.uncertainty);
-    const std::vector<DriveGram> grams = everything(study, study.nominal);
-    study.uncertainty.sizes = disturbanceSizes(grams, study.uncertainty);
+    study.nominal = nominal.rows;
+    study.uncertainty = uncertaintyOf(study.bench, study.nominal);
+    const std::vector<Eigen::Index> matter = thatMatter(study, nominal);
+
+    // The calibrated one, from which effects are sought.
+    const std::vector<DriveGram> grams = calibrate(study, ground(std::move(nominal), matter, study.uncertainty),
+                                                   progress(0.1, 0.4));
 
     // Which effect.
     const Screen screened = screen(study, grams);

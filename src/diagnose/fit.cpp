@@ -4,22 +4,27 @@
 #include <cmath>
 #include <numeric>
 
+#include "identify/parallel.h"
+
 namespace tread {
 namespace {
 
 constexpr double kStartSpeed = 0.1;  // m/s, standard deviation of the speed at the start, as measured
-constexpr int kMostIterations = 6;
-constexpr double kEnough = 0.05;  // nats: a step that promises less is not taken
+constexpr int kMostTrials = 14, kTrialsBeforeRenewal = 6;
+constexpr double kEnough = 0.05;     // nats: a step that promises less is not taken
+constexpr double kFirstDamping = 1;  // of a step that did not help, as so many times the prior's information
+constexpr double kDamped = 5, kEased = 0.2;
+constexpr double kTooShort = 1e-6;  // squared units, of a step from which nothing is learnt
 
 double logDeterminant(const Eigen::LLT<Eigen::MatrixXd>& factor) {
     return 2 * factor.matrixLLT().diagonal().array().log().sum();
 }
 
-// Step from x of the free parameters that minimises the quadratic model, prior and bounds included.
+// Step from x of the free parameters that minimises the quadratic model, prior, damping and bounds included.
 Eigen::VectorXd boundedStep(const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient,
-                            const Eigen::VectorXd& x, const Eigen::VectorXd& lowest, const Eigen::VectorXd& highest) {
+                            const Eigen::VectorXd& x, double damping, const Eigen::VectorXd& lowest, const Eigen::VectorXd& highest) {
     const Eigen::Index n = x.size();
-    const Eigen::MatrixXd hessian = Eigen::MatrixXd::Identity(n, n) + information;
+    const Eigen::MatrixXd hessian = (1 + damping) * Eigen::MatrixXd::Identity(n, n) + information;
     Eigen::VectorXd step = Eigen::VectorXd::Zero(n);
     std::vector<Eigen::Index> open(static_cast<std::size_t>(n));
     std::iota(open.begin(), open.end(), 0);
@@ -49,41 +54,54 @@ Eigen::VectorXd boundedStep(const Eigen::MatrixXd& information, const Eigen::Vec
     return step;
 }
 
+DriveGram withColumns(const Uncertainty& uncertainty, std::size_t drive, const Eigen::MatrixXd& columns) {
+    return extended(uncertainty.bare[drive], Eigen::MatrixXd(columns.rows(), 0), uncertainty.directions[drive], columns);
+}
+
 struct Model {
     Bench& bench;
     const Uncertainty& uncertainty;
-    const Ground& ground;
     std::vector<Eigen::Index> knobs, free;
 
-    // Products at a point: columns of the nuisances as on the ground, of the knobs as they are there.
-    std::vector<DriveGram> grams(const Rows& rows, const std::vector<Eigen::MatrixXd>& knob_columns) const {
+    // Products at a point: the columns of the free parameters, then the residual.
+    std::vector<DriveGram> grams(const Rows& rows, const std::vector<Eigen::MatrixXd>& columns) const {
         std::vector<DriveGram> all(rows.size());
-        for (std::size_t d = 0; d < rows.size(); ++d) {
-            Eigen::MatrixXd further(rows[d].size(), knob_columns[d].cols() + 1);
-            further.leftCols(knob_columns[d].cols()) = knob_columns[d];
+        inParallel(rows.size(), bench.threads, [&](std::size_t d) {
+            Eigen::MatrixXd further(rows[d].size(), columns[d].cols() + 1);
+            further.leftCols(columns[d].cols()) = columns[d];
             further.rightCols(1) = residual(bench, uncertainty, rows, d);
-            all[d] = extended(ground.grams[d], ground.columns[d], uncertainty.directions[d], further);
-        }
+            all[d] = withColumns(uncertainty, d, further);
+        });
         return all;
     }
 
     double misfit(const Rows& rows, const Deviation& at) const {
         double sum = at(free).squaredNorm();
         for (std::size_t d = 0; d < rows.size(); ++d) {
-            const DriveGram gram = driveGram(residual(bench, uncertainty, rows, d), uncertainty.directions[d]);
+            const DriveGram gram = withColumns(uncertainty, d, residual(bench, uncertainty, rows, d));
             sum += whitened(gram, uncertainty.sizesOf(d, uncertainty.sizes)).products(0, 0);
         }
         return 0.5 * sum;
     }
 
-    std::vector<Eigen::MatrixXd> knobColumns(const Deviation& at) const {
-        std::vector<Eigen::MatrixXd> columns(bench.drives.size());
+    // The knobs' columns anew, by differences.
+    void renewKnobs(std::vector<Eigen::MatrixXd>& columns, const Deviation& at) const {
         const Linearised here = linearised(bench, at, {.parameters = knobs, .difference = Difference::one_sided});
         for (std::size_t d = 0; d < columns.size(); ++d) {
-            columns[d] = here.columns[d](Eigen::all, knobs);
-            columns[d].array().colwise() /= uncertainty.noise[d].array();
+            auto last = columns[d].rightCols(static_cast<Eigen::Index>(knobs.size()));
+            last = here.columns[d](Eigen::all, knobs);
+            last.array().colwise() /= uncertainty.noise[d].array();
         }
-        return columns;
+    }
+
+    // What a step really changed corrects the columns along it.
+    void learn(std::vector<Eigen::MatrixXd>& columns, const Rows& before, const Rows& after,
+               const Eigen::VectorXd& step) const {
+        if (step.squaredNorm() < kTooShort) return;
+        for (std::size_t d = 0; d < columns.size(); ++d) {
+            const Eigen::VectorXd change = (after[d] - before[d]).cwiseQuotient(uncertainty.noise[d]);
+            columns[d] += (change - columns[d] * step) * step.transpose() / step.squaredNorm();
+        }
     }
 };
 
@@ -133,7 +151,7 @@ double logEvidenceOf(const Fit& fit, const Uncertainty& uncertainty, const std::
 
 std::optional<Fit> fitted(Bench& bench, const Uncertainty& uncertainty, const Ground& ground,
                           const std::vector<Eigen::Index>& knobs, const Deviation& start) {
-    Model model{bench, uncertainty, ground, knobs, ground.nuisances};
+    Model model{bench, uncertainty, knobs, ground.nuisances};
     model.free.insert(model.free.end(), knobs.begin(), knobs.end());
     const auto n = static_cast<Eigen::Index>(model.free.size());
     Eigen::VectorXd lowest(n), highest(n);
@@ -143,34 +161,42 @@ std::optional<Fit> fitted(Bench& bench, const Uncertainty& uncertainty, const Gr
         lowest(i) = parameter.lowest, highest(i) = parameter.highest;
     }
 
-    Fit fit{
-        .free = model.free, .knobs = knobs, .at = start, .rows = {}, .knob_columns = {}, .grams = {}, .covariance = {}};
+    Fit fit{.free = model.free, .knobs = knobs, .at = start, .rows = {}, .columns = {}, .grams = {}, .covariance = {}};
     std::optional<Rows> rows = rowsAt(bench, start);
     if (!rows) return std::nullopt;
-    double misfit = model.misfit(*rows, start);
-    for (int iteration = 0;; ++iteration) {
-        fit.knob_columns = model.knobColumns(fit.at);
-        fit.grams = model.grams(*rows, fit.knob_columns);
+    for (std::size_t d = 0; d < rows->size(); ++d) {
+        Eigen::MatrixXd& columns = fit.columns.emplace_back((*rows)[d].size(), n);
+        columns = ground.about.columns[d](Eigen::all, model.free);
+        columns.array().colwise() /= uncertainty.noise[d].array();
+    }
+    double misfit = model.misfit(*rows, start), damping = 0;
+    bool renewed = knobs.empty();
+    for (int trial = 0;; ++trial) {
+        fit.grams = model.grams(*rows, fit.columns);
         const Gram gram = total(fit.grams, uncertainty, uncertainty.sizes);
         const Eigen::MatrixXd information = gram.products.topLeftCorner(n, n);
         const Eigen::VectorXd gradient = gram.products.topRightCorner(n, 1), x = fit.at(fit.free);
-        const Eigen::VectorXd step = boundedStep(information, gradient, x, lowest, highest);
+        const Eigen::VectorXd step = boundedStep(information, gradient, x, damping, lowest, highest);
         const double promised = step.dot(gradient - x) - 0.5 * (step.squaredNorm() + step.dot(information * step));
         fit.converged = promised < kEnough;
-        if (fit.converged || iteration == kMostIterations) break;
-
-        // As far along the step as the misfit falls.
-        bool moved = false;
-        for (const double share : {1.0, 0.5, 0.2, 0.05}) {
-            Deviation next = fit.at;
-            next(fit.free) = x + share * step;
-            std::optional<Rows> there = rowsAt(bench, next);
-            const double now = there ? model.misfit(*there, next) : kInfinity;
-            if (now >= misfit) continue;
-            fit.at = next, rows = std::move(there), misfit = now, moved = true;
-            break;
+        const bool settled = fit.converged || trial >= kMostTrials;
+        if (settled && renewed) break;
+        if (settled || (!renewed && trial == kTrialsBeforeRenewal)) {
+            model.renewKnobs(fit.columns, fit.at);
+            renewed = true, damping = 0;
+            continue;
         }
-        if (!moved) break;
+        Deviation next = fit.at;
+        next(fit.free) = x + step;
+        std::optional<Rows> there = rowsAt(bench, next);
+        if (there) model.learn(fit.columns, *rows, *there, step);
+        const double now = there ? model.misfit(*there, next) : kInfinity;
+        if (now < misfit) {
+            fit.at = next, rows = std::move(there), misfit = now;
+            damping *= kEased;
+        } else {
+            damping = std::max(kFirstDamping, kDamped * damping);
+        }
     }
     fit.rows = std::move(*rows);
     const Gram gram = total(fit.grams, uncertainty, uncertainty.sizes);

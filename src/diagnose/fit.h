@@ -17,6 +17,7 @@ struct Uncertainty {
     std::vector<double> expected;               // per drive: squared deviations that a perfect model leaves
     std::vector<Disturbances> disturbing;       // per drive
     std::vector<Eigen::MatrixXd> directions;    // per drive: disturbances, then the speed at the start; over the noise
+    std::vector<DriveGram> bare;                // per drive: products of the directions alone
     std::array<double, kDisturbances> sizes{};  // of the usual ones
 
     // Of each direction of a drive, with sizes other than those.
@@ -37,8 +38,8 @@ struct Fit {
     std::vector<Eigen::Index> knobs;
     Deviation at;
     Rows rows;
-    std::vector<Eigen::MatrixXd> knob_columns;  // per drive, over the noise
-    std::vector<DriveGram> grams;               // per drive: columns of `free`, then the residual
+    std::vector<Eigen::MatrixXd> columns;  // per drive: of `free`, over the noise
+    std::vector<DriveGram> grams;          // per drive: columns of `free`, then the residual
     double log_evidence = 0;
     Eigen::MatrixXd covariance;  // of `free`
     bool converged = false;
@@ -54,7 +55,9 @@ Gram total(const std::vector<DriveGram>& grams, const Uncertainty& uncertainty,
 // Evidence of a fit (Laplace) with disturbances of other sizes.
 double logEvidenceOf(const Fit& fit, const Uncertainty& uncertainty, const std::array<double, kDisturbances>& sizes);
 
-// Gauss-Newton with bounds and step halving from a point; nothing when the model cannot be driven there.
+// Gauss-Newton with bounds and damping (Levenberg) from a point. The columns are those of the ground at first; every point
+// that is driven corrects them (Broyden), and the knobs' are taken anew once the fit has settled. Nothing when the model
+// cannot be driven at the start.
 std::optional<Fit> fitted(Bench& bench, const Uncertainty& uncertainty, const Ground& ground,
                           const std::vector<Eigen::Index>& knobs, const Deviation& start);
 

@@ -50,30 +50,27 @@ Eigen::MatrixXd withoutNuisances(const Gram& gram, std::size_t nuisances) {
 Screen screen(const Study& study, const std::vector<DriveGram>& grams) {
     Screen result;
     const Gram gram = total(grams, study.uncertainty, study.uncertainty.sizes);
-    result.products = withoutNuisances(gram, study.nominal.nuisances.size());
+    result.products = withoutNuisances(gram, study.calibrated.nuisances.size());
     for (std::size_t e = 0; e < study.effects.size(); ++e) {
         const std::vector<Eigen::Index> places = placesOf(study, e);
         double most = 0;
         for (const Eigen::Index i : places) most = std::max(most, 0.5 * result.products(i, i));
         result.detectability.push_back(most);
-        result.gain.push_back(gain(study, result.products, e, places, study.bench.origin()));
     }
+    result.gain = gainsOver(study, study.calibrated, study.calibration);
     return result;
 }
 
 std::vector<double> gainsOver(const Study& study, const Ground& ground, const Fit& fit) {
-    // The fit's own knobs move along with the nuisances.
     std::vector<DriveGram> grams;
     const std::vector<Eigen::Index> knobs = study.allKnobs();
     for (std::size_t d = 0; d < fit.rows.size(); ++d) {
-        const Eigen::Index own = fit.knob_columns[d].cols(), all = static_cast<Eigen::Index>(knobs.size());
-        Eigen::MatrixXd further(fit.rows[d].size(), own + all + 1);
-        further.leftCols(own) = fit.knob_columns[d];
-        Eigen::MatrixXd columns = ground.about.columns[d](Eigen::all, knobs);
-        columns.array().colwise() /= study.uncertainty.noise[d].array();
-        further.middleCols(own, all) = columns;
+        Eigen::MatrixXd further(fit.rows[d].size(), static_cast<Eigen::Index>(knobs.size()) + 1);
+        further.leftCols(further.cols() - 1) = ground.about.columns[d](Eigen::all, knobs);
+        further.leftCols(further.cols() - 1).array().colwise() /= study.uncertainty.noise[d].array();
         further.rightCols(1) = residual(study.bench, study.uncertainty, fit.rows, d);
-        grams.push_back(extended(ground.grams[d], ground.columns[d], study.uncertainty.directions[d], further));
+        const DriveGram free = driveGram(fit.columns[d], study.uncertainty.directions[d]);
+        grams.push_back(extended(free, fit.columns[d], study.uncertainty.directions[d], further));
     }
     Gram gram = total(grams, study.uncertainty, study.uncertainty.sizes);
     // The prior pulls the fitted parameters back: that is a gradient, too.
@@ -112,7 +109,7 @@ std::vector<ConfusablePair> confusablePairs(const Study& study, const Screen& sc
             double most = -1;
             const Eigen::Index i = placesOf(study, a).front(), j = placesOf(study, b).front();
             const double slope = screen.products(i, j) / screen.products(i, i);
-            const auto offset = static_cast<Eigen::Index>(study.nominal.nuisances.size());
+            const auto offset = static_cast<Eigen::Index>(study.calibrated.nuisances.size());
             for (std::size_t d = 0; d < grams.size(); ++d) {
                 const Gram one = whitened(grams[d], study.uncertainty.sizesOf(d, study.uncertainty.sizes));
                 const auto at = [&](Eigen::Index r, Eigen::Index c) { return one.products(offset + r, offset + c); };

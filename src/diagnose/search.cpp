@@ -70,25 +70,25 @@ std::optional<Candidate> refit(Study& study, const Ground& ground, const std::ve
 
 // Drives in which a nuisance makes a difference: only there is it worth a new look.
 std::vector<std::vector<bool>> worthDriving(const Study& study) {
-    const Ground& nominal = study.nominal;
-    std::vector<std::vector<bool>> worth(nominal.nuisances.size(), std::vector<bool>(nominal.grams.size()));
-    for (std::size_t d = 0; d < nominal.grams.size(); ++d) {
-        const Gram gram = whitened(nominal.grams[d], study.uncertainty.sizesOf(d, study.uncertainty.sizes));
+    const Ground& about = study.calibrated;
+    std::vector<std::vector<bool>> worth(about.nuisances.size(), std::vector<bool>(about.grams.size()));
+    for (std::size_t d = 0; d < about.grams.size(); ++d) {
+        const Gram gram = whitened(about.grams[d], study.uncertainty.sizesOf(d, study.uncertainty.sizes));
         for (std::size_t i = 0; i < worth.size(); ++i)
             worth[i][d] = gram.products(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) > kWorthDriving;
     }
     return worth;
 }
 
-// Nuisances linearised about a fit; the knobs keep their nominal columns.
+// Nuisances linearised about a fit; the knobs keep their columns.
 Ground groundAt(Study& study, const Fit& fit, const std::function<void(double)>& progress) {
     Linearised about = linearised(study.bench, fit.at,
-                                  {.parameters = study.nominal.nuisances,
+                                  {.parameters = study.calibrated.nuisances,
                                    .difference = Difference::one_sided,
                                    .worth = worthDriving(study),
-                                   .elsewhere = &study.nominal.about},
+                                   .elsewhere = &study.calibrated.about},
                                   progress);
-    return ground(std::move(about), study.nominal.nuisances, study.uncertainty);
+    return ground(std::move(about), study.calibrated.nuisances, study.uncertainty);
 }
 
 bool contains(const std::vector<std::size_t>& list, std::size_t value) {
@@ -132,10 +132,8 @@ const Candidate& Search::none() const {
 }
 
 Search search(Study& study, const Screen& screen, const Progress& progress) {
-    const Deviation origin = study.bench.origin();
-    progress(0, "fitting tolerances");
-    std::optional<Fit> none = fitted(study.bench, study.uncertainty, study.nominal, {}, origin);
-    if (!none) throw SimulationError("the nominal car cannot be driven in the recordings", 0);
+    const Deviation& origin = study.calibration.at;
+    std::optional<Fit> none = study.calibration;
     double zero = none->log_evidence;
 
     // Every effect as the linearisation sees it, the most promising refitted.
@@ -146,7 +144,7 @@ Search search(Study& study, const Screen& screen, const Progress& progress) {
         const std::size_t e = order[i];
         const bool hopeless = screen.gain[e] < screen.gain[order.front()] - kHopeless || screen.gain[e] < -1;
         std::optional<Candidate> one;
-        if (i < kFewestRefits || (i < kMostRefits && !hopeless)) one = refit(study, study.nominal, {e}, origin, zero);
+        if (i < kFewestRefits || (i < kMostRefits && !hopeless)) one = refit(study, study.calibrated, {e}, origin, zero);
         progress(0.3 * static_cast<double>(std::min(i, kMostRefits)) / kMostRefits, "fitting " + study.effects[e].name);
         if (!one) one = Candidate{{e}, screen.gain[e], {}, false};
         singles.push_back(std::move(*one));

@@ -1,5 +1,5 @@
 // A diagnosis while it is made: the recordings on the bench, the effects in question, and the linearisation at the
-// nominal car from which everything starts.
+// calibrated car from which every effect starts.
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,9 @@ struct Study {
     std::vector<std::vector<Eigen::Index>> knobs;  // of each effect: indices of parameters
     std::vector<Eigen::Index> nuisances;           // all, indices of parameters
     Uncertainty uncertainty;
-    Ground nominal;
+    Rows nominal;                                  // what the nominal car does
+    Ground calibrated;  // about the nominal car with its parameters where the recordings want them, within tolerances
+    Fit calibration;    // that brought it there
 
     std::vector<Eigen::Index> allKnobs() const {
         std::vector<Eigen::Index> all;

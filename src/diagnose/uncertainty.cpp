@@ -13,6 +13,7 @@ Uncertainty uncertaintyOf(Bench& bench, const Rows& nominal) {
     }
     uncertainty.disturbing.resize(bench.drives.size());
     uncertainty.directions.resize(bench.drives.size());
+    uncertainty.bare.resize(bench.drives.size());
     inParallel(bench.drives.size(), bench.threads, [&](std::size_t d) {
         const Eigen::VectorXd by_start_speed = startSpeedColumn(bench, d);
         uncertainty.disturbing[d] = disturbances(bench, d, by_start_speed);
@@ -21,6 +22,7 @@ Uncertainty uncertaintyOf(Bench& bench, const Rows& nominal) {
         all.resize(columns.rows(), columns.cols() + 1);
         all << columns, by_start_speed;
         all.array().colwise() /= uncertainty.noise[d].array();
+        uncertainty.bare[d] = driveGram(Eigen::MatrixXd(all.rows(), 0), all);
     });
     return uncertainty;
 }
