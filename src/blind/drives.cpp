@@ -73,7 +73,7 @@ std::vector<Drive> blindDrives() {
     return {
         repeated(drive("step_steer_80", 80, {steering(3.5, turnTo(45)), steering(2, turnTo(0))}), 2),
         repeated(drive("step_steer_110", 110, {steering(3, turnTo(-28)), steering(2, turnTo(0))}), 2),
-        drive("sine_sweep_90", 90, {steering(10, sweep), during(0.5)}),
+        drive("sine_sweep_90", 90, {steering(10, sweep), steering(0.5, turnTo(0))}),
         drive("straight_braking_110", 110, {braking(2.5, 0.35)}),
         drive("braking_in_turn_90", 90, {steering(2, turnTo(35)), braking(2.2, 0.25)}),
         drive("coast_down_120", 120, {throttle(9, 0)}),

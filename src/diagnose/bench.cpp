@@ -78,13 +78,17 @@ Subject Bench::subjectAt(const Deviation& point) const {
     return subject;
 }
 
-std::optional<Log> motionAt(Bench& bench, std::size_t index, const Subject& subject, double faster) {
+std::optional<Log> motionAt(Bench& bench, std::size_t index, const Subject& subject, const Otherwise& otherwise) {
     ++bench.simulations;
     try {
-        if (faster == 0) return replayed(bench.drives[index], subject, bench.nominal, bench.step, bench.simulate);
-        RecordedDrive drive = bench.drives[index];
-        drive.speed += faster;
-        return replayed(drive, subject, bench.nominal, bench.step, bench.simulate);
+        const auto simulate = [&](const VehicleParams& vehicle, const Scenario& scenario, const Recorder& recorder,
+                                  const Pushing& pushing) {
+            if (otherwise.faster == 0) return bench.simulate(vehicle, scenario, recorder, pushing);
+            Scenario other = scenario;
+            other.start.speed += otherwise.faster;
+            bench.simulate(vehicle, other, recorder, pushing);
+        };
+        return replayed(bench.drives[index], subject, bench.nominal, bench.step, simulate, otherwise.pushing);
     } catch (const Interrupted&) {
         throw;
     } catch (const SimulationError&) {
@@ -148,7 +152,7 @@ Linearised linearised(Bench& bench, const Deviation& at, const Wanted& wanted,
 Eigen::VectorXd startSpeedColumn(Bench& bench, std::size_t drive) {
     const RecordedDrive& here = bench.drives[drive];
     const auto nominal = motionAt(bench, drive, bench.nominal),
-               faster = motionAt(bench, drive, bench.nominal, kSpeedStep);
+               faster = motionAt(bench, drive, bench.nominal, {.faster = kSpeedStep});
     if (!nominal || !faster) return Eigen::VectorXd::Zero(here.rows());
     return (readings(here, *faster, bench.nominal.instruments) - readings(here, *nominal, bench.nominal.instruments)) /
            kSpeedStep;

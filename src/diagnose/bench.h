@@ -29,8 +29,12 @@ struct Bench {
     std::size_t firstLike(std::size_t drive) const;
 };
 
-// What the car does in a drive; nothing when the simulation breaks down there. `faster`: m/s, added at the start.
-std::optional<Log> motionAt(Bench& bench, std::size_t drive, const Subject& subject, double faster = 0);
+// What the car does in a drive, perhaps a little otherwise than it was driven; nothing when the simulation breaks down.
+struct Otherwise {
+    double faster = 0;     // m/s, at the start
+    Pushing pushing = {};  // over the time of the drive
+};
+std::optional<Log> motionAt(Bench& bench, std::size_t drive, const Subject& subject, const Otherwise& otherwise = {});
 
 // All rows of each drive; nothing when one of them cannot be driven.
 using Rows = std::vector<Eigen::VectorXd>;

@@ -88,9 +88,9 @@ std::vector<DriveGram> calibrate(Study& study, Ground nominal, const Progress& p
     study.calibration = fit(nominal, study.bench.origin());
     std::vector<Eigen::Index> all = nominal.nuisances;
     for (const Eigen::Index knob : study.allKnobs()) all.push_back(knob);
-    Linearised about = linearised(study.bench, study.calibration.at,
-                                  {.parameters = all, .difference = Difference::one_sided},
-                                  [&](double share) { progress(share, "sensitivities to effects"); });
+    Linearised about =
+        linearised(study.bench, study.calibration.at, {.parameters = all, .difference = Difference::one_sided},
+                   [&](double share) { progress(share, "sensitivities to effects"); });
     study.calibrated = ground(std::move(about), nominal.nuisances, study.uncertainty);
     study.uncertainty.sizes = disturbanceSizes(everything(study, study.calibrated), study.uncertainty);
     study.calibration = fit(study.calibrated, study.calibration.at);
@@ -119,21 +119,21 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std:
 
     // The nominal car: what its tolerances do, noise, disturbances.
     const auto start = progress(0, 0.1);
-    Linearised nominal = linearised(study.bench, study.bench.origin(),
-                                    {.parameters = study.nuisances, .difference = Difference::one_sided},
-                                    [&](double share) { start(share, "sensitivities to tolerances"); });
-    for (std::size_t d = 0; d < nominal.rows.size(); ++d) {
-        if (nominal.rows[d].size() == 0)
+    Linearised about = linearised(study.bench, study.bench.origin(),
+                                  {.parameters = study.nuisances, .difference = Difference::one_sided},
+                                  [&](double share) { start(share, "sensitivities to tolerances"); });
+    for (std::size_t d = 0; d < about.rows.size(); ++d) {
+        if (about.rows[d].size() == 0)
             throw std::invalid_argument(
                 fmt::format("recording {}: the nominal car cannot be driven so", study.bench.drives[d].name));
     }
-    study.nominal = nominal.rows;
+    study.nominal = about.rows;
     study.uncertainty = uncertaintyOf(study.bench, study.nominal);
-    const std::vector<Eigen::Index> matter = thatMatter(study, nominal);
+    const std::vector<Eigen::Index> matter = thatMatter(study, about);
 
     // The calibrated one, from which effects are sought.
-    const std::vector<DriveGram> grams = calibrate(study, ground(std::move(nominal), matter, study.uncertainty),
-                                                   progress(0.1, 0.4));
+    const std::vector<DriveGram> grams =
+        calibrate(study, ground(std::move(about), matter, study.uncertainty), progress(0.1, 0.4));
 
     // Which effect.
     const Screen screened = screen(study, grams);

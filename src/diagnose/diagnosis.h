@@ -97,12 +97,11 @@ struct Diagnosis {
 };
 
 // Drives a car; replaced in tests by models of two lines.
-using Simulate = std::function<void(const VehicleParams&, const Scenario&, const Recorder&)>;
+using Simulate = std::function<void(const VehicleParams&, const Scenario&, const Recorder&, const Pushing&)>;
 
 struct DiagnoseOptions {
-    Simulate simulate = [](const VehicleParams& vehicle, const Scenario& scenario, const Recorder& recorder) {
-        tread::simulate(vehicle, scenario, recorder);
-    };
+    Simulate simulate = [](const VehicleParams& vehicle, const Scenario& scenario, const Recorder& recorder,
+                           const Pushing& pushing) { tread::simulate(vehicle, scenario, recorder, pushing); };
     int threads = 0;                // 0: one per core
     std::filesystem::path cache{};  // folder; empty: none
     std::function<void(double done, const std::string&)> progress = [](double, const std::string&) {};

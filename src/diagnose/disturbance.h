@@ -1,7 +1,6 @@
 // What disturbs every real drive and no model: wind, unevenness, a hand that trembles. As generalised forces on the
 // car, piecewise linear over time (hats of half a second), so that what they do to the motion is as correlated in time
-// and across channels as it really is. Their effect comes from a linear car with the tyres' present slopes (single
-// track, roll and speed), not from replays: it only shapes a covariance.
+// and across channels as it really is: what pushes aside is replayed with the nominal car.
 #pragma once
 
 #include <Eigen/Dense>

@@ -22,7 +22,8 @@ double logDeterminant(const Eigen::LLT<Eigen::MatrixXd>& factor) {
 
 // Step from x of the free parameters that minimises the quadratic model, prior, damping and bounds included.
 Eigen::VectorXd boundedStep(const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient,
-                            const Eigen::VectorXd& x, double damping, const Eigen::VectorXd& lowest, const Eigen::VectorXd& highest) {
+                            const Eigen::VectorXd& x, double damping, const Eigen::VectorXd& lowest,
+                            const Eigen::VectorXd& highest) {
     const Eigen::Index n = x.size();
     const Eigen::MatrixXd hessian = (1 + damping) * Eigen::MatrixXd::Identity(n, n) + information;
     Eigen::VectorXd step = Eigen::VectorXd::Zero(n);
@@ -55,7 +56,8 @@ Eigen::VectorXd boundedStep(const Eigen::MatrixXd& information, const Eigen::Vec
 }
 
 DriveGram withColumns(const Uncertainty& uncertainty, std::size_t drive, const Eigen::MatrixXd& columns) {
-    return extended(uncertainty.bare[drive], Eigen::MatrixXd(columns.rows(), 0), uncertainty.directions[drive], columns);
+    return extended(uncertainty.bare[drive], Eigen::MatrixXd(columns.rows(), 0), uncertainty.directions[drive],
+                    columns);
 }
 
 struct Model {

@@ -55,9 +55,9 @@ Gram total(const std::vector<DriveGram>& grams, const Uncertainty& uncertainty,
 // Evidence of a fit (Laplace) with disturbances of other sizes.
 double logEvidenceOf(const Fit& fit, const Uncertainty& uncertainty, const std::array<double, kDisturbances>& sizes);
 
-// Gauss-Newton with bounds and damping (Levenberg) from a point. The columns are those of the ground at first; every point
-// that is driven corrects them (Broyden), and the knobs' are taken anew once the fit has settled. Nothing when the model
-// cannot be driven at the start.
+// Gauss-Newton with bounds and damping (Levenberg) from a point. The columns are those of the ground at first; every
+// point that is driven corrects them (Broyden), and the knobs' are taken anew once the fit has settled. Nothing when
+// the model cannot be driven at the start.
 std::optional<Fit> fitted(Bench& bench, const Uncertainty& uncertainty, const Ground& ground,
                           const std::vector<Eigen::Index>& knobs, const Deviation& start);
 

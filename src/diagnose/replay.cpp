@@ -131,12 +131,18 @@ Scenario replayOf(const RecordedDrive& drive, const Subject& subject, const Subj
 }
 
 Log replayed(const RecordedDrive& drive, const Subject& subject, const Subject& nominal, double step,
-             const Simulate& simulate) {
+             const Simulate& simulate, const Pushing& pushing) {
     VehicleParams vehicle = subject.vehicle;
     holdGear(vehicle, drive);
     Log motion;
-    simulate(vehicle, replayOf(drive, subject, nominal, step), recorderInto(motion));
     const double run_in = runIn(drive);
+    Pushing later = pushing;
+    if (pushing && run_in > 0) {
+        later = [&](double time, const VehicleInput& input, const VehicleOutput& car) {
+            return pushing(time - run_in, input, car);
+        };
+    }
+    simulate(vehicle, replayOf(drive, subject, nominal, step), recorderInto(motion), later);
     if (run_in == 0) return motion;
     const auto skipped = static_cast<std::ptrdiff_t>(std::lround(run_in / step));
     for (Channel& channel : motion.channels) {

@@ -10,9 +10,10 @@ namespace tread {
 Scenario replayOf(const RecordedDrive& drive, const Subject& subject, const Subject& nominal, double step);
 
 // What the model does, at every step: the channels that instruments observe, time from 0 at the drive's beginning.
+// `pushing`, when there is one, acts on the car in the time of the drive.
 // Throws SimulationError.
 Log replayed(const RecordedDrive& drive, const Subject& subject, const Subject& nominal, double step,
-             const Simulate& simulate);
+             const Simulate& simulate, const Pushing& pushing = {});
 
 // What the instruments would have shown: all rows of the drive.
 Eigen::VectorXd readings(const RecordedDrive& drive, const Log& motion, const Instruments& instruments);

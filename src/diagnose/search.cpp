@@ -144,7 +144,8 @@ Search search(Study& study, const Screen& screen, const Progress& progress) {
         const std::size_t e = order[i];
         const bool hopeless = screen.gain[e] < screen.gain[order.front()] - kHopeless || screen.gain[e] < -1;
         std::optional<Candidate> one;
-        if (i < kFewestRefits || (i < kMostRefits && !hopeless)) one = refit(study, study.calibrated, {e}, origin, zero);
+        if (i < kFewestRefits || (i < kMostRefits && !hopeless))
+            one = refit(study, study.calibrated, {e}, origin, zero);
         progress(0.3 * static_cast<double>(std::min(i, kMostRefits)) / kMostRefits, "fitting " + study.effects[e].name);
         if (!one) one = Candidate{{e}, screen.gain[e], {}, false};
         singles.push_back(std::move(*one));

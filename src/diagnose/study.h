@@ -17,7 +17,7 @@ struct Study {
     std::vector<std::vector<Eigen::Index>> knobs;  // of each effect: indices of parameters
     std::vector<Eigen::Index> nuisances;           // all, indices of parameters
     Uncertainty uncertainty;
-    Rows nominal;                                  // what the nominal car does
+    Rows nominal;       // what the nominal car does
     Ground calibrated;  // about the nominal car with its parameters where the recordings want them, within tolerances
     Fit calibration;    // that brought it there
 

@@ -12,7 +12,7 @@ namespace tread {
 namespace {
 
 // Yaw rate by steering ratio and wheelbase, speed by drag; nothing else.
-void simpleCar(const VehicleParams& car, const Scenario& scenario, const Recorder& recorder) {
+void simpleCar(const VehicleParams& car, const Scenario& scenario, const Recorder& recorder, const Pushing&) {
     const std::vector<Column> columns = recordedColumns(scenario.log.channels);
     recorder.begin(columns);
     const Phase& phase = scenario.phases.back();
