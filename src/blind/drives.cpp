@@ -8,6 +8,7 @@ namespace {
 constexpr double kKmh = 1 / 3.6;                    // m/s
 constexpr double kDegree = std::numbers::pi / 180;  // rad
 constexpr double kStepRate = 500 * kDegree;         // rad/s, of a steering machine (ISO 7401)
+constexpr double kSweepTo = 2.8604;                 // 1/s: after ten seconds from 0.2 on, ten periods are over
 constexpr double kPedalRate = 5;                    // 1/s
 
 Phase during(double seconds) {
@@ -67,13 +68,13 @@ Phase slowRamp() {
 }  // namespace
 
 std::vector<Drive> blindDrives() {
-    const SteeringSignal sweep =
-        Sweep<Angle>{.amplitude = 20 * kDegree, .from = 0.2, .to = 3, .duration = 10, .law = SweepLaw::logarithmic};
+    const SteeringSignal sweep = Sweep<Angle>{
+        .amplitude = 20 * kDegree, .from = 0.2, .to = kSweepTo, .duration = 10, .law = SweepLaw::logarithmic};
     const SteeringSignal dwell = SineWithDwell<Angle>{.amplitude = 70 * kDegree, .frequency = 0.7, .dwell = 0.5};
     return {
         repeated(drive("step_steer_80", 80, {steering(3.5, turnTo(45)), steering(2, turnTo(0))}), 2),
         repeated(drive("step_steer_110", 110, {steering(3, turnTo(-28)), steering(2, turnTo(0))}), 2),
-        drive("sine_sweep_90", 90, {steering(10, sweep), steering(0.5, turnTo(0))}),
+        drive("sine_sweep_90", 90, {steering(10, sweep), during(0.5)}),
         drive("straight_braking_110", 110, {braking(2.5, 0.35)}),
         drive("braking_in_turn_90", 90, {steering(2, turnTo(35)), braking(2.2, 0.25)}),
         drive("coast_down_120", 120, {throttle(9, 0)}),

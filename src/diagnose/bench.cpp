@@ -149,13 +149,11 @@ Linearised linearised(Bench& bench, const Deviation& at, const Wanted& wanted,
     return result;
 }
 
-Eigen::VectorXd startSpeedColumn(Bench& bench, std::size_t drive) {
+Eigen::VectorXd startSpeedColumn(Bench& bench, std::size_t drive, const Subject& subject) {
     const RecordedDrive& here = bench.drives[drive];
-    const auto nominal = motionAt(bench, drive, bench.nominal),
-               faster = motionAt(bench, drive, bench.nominal, {.faster = kSpeedStep});
-    if (!nominal || !faster) return Eigen::VectorXd::Zero(here.rows());
-    return (readings(here, *faster, bench.nominal.instruments) - readings(here, *nominal, bench.nominal.instruments)) /
-           kSpeedStep;
+    const auto now = motionAt(bench, drive, subject), faster = motionAt(bench, drive, subject, {.faster = kSpeedStep});
+    if (!now || !faster) return Eigen::VectorXd::Zero(here.rows());
+    return (readings(here, *faster, subject.instruments) - readings(here, *now, subject.instruments)) / kSpeedStep;
 }
 
 }  // namespace tread

@@ -61,6 +61,6 @@ Linearised linearised(
     const std::function<void(double)>& progress = [](double) {});
 
 // How the rows of a drive change with the speed at its start, s.
-Eigen::VectorXd startSpeedColumn(Bench& bench, std::size_t drive);
+Eigen::VectorXd startSpeedColumn(Bench& bench, std::size_t drive, const Subject& subject);
 
 }  // namespace tread

@@ -91,6 +91,7 @@ std::vector<DriveGram> calibrate(Study& study, Ground nominal, const Progress& p
     Linearised about =
         linearised(study.bench, study.calibration.at, {.parameters = all, .difference = Difference::one_sided},
                    [&](double share) { progress(share, "sensitivities to effects"); });
+    study.uncertainty = uncertaintyOf(study.bench, about.at, about.rows);
     study.calibrated = ground(std::move(about), nominal.nuisances, study.uncertainty);
     study.uncertainty.sizes = disturbanceSizes(everything(study, study.calibrated), study.uncertainty);
     study.calibration = fit(study.calibrated, study.calibration.at);
@@ -128,7 +129,7 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std:
                 fmt::format("recording {}: the nominal car cannot be driven so", study.bench.drives[d].name));
     }
     study.nominal = about.rows;
-    study.uncertainty = uncertaintyOf(study.bench, study.nominal);
+    study.uncertainty = uncertaintyOf(study.bench, study.bench.origin(), study.nominal);
     const std::vector<Eigen::Index> matter = thatMatter(study, about);
 
     // The calibrated one, from which effects are sought.

@@ -60,13 +60,13 @@ struct Course {
 };
 
 // What pushes of one kind do: a few replays answer for all hats, since each is forgotten before the next comes.
-Eigen::MatrixXd aside(Bench& bench, std::size_t index, const Course& course, Disturbed kind) {
+Eigen::MatrixXd aside(Bench& bench, std::size_t index, const Subject& subject, const Course& course, Disturbed kind) {
     Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(course.rows.size(), static_cast<Eigen::Index>(course.hats));
     for (std::size_t first = 0; first < std::min(kApart, course.hats); ++first) {
         const std::optional<Log> pushed =
-            motionAt(bench, index, bench.nominal, {.pushing = pushes(bench.nominal.vehicle, kind, first)});
+            motionAt(bench, index, subject, {.pushing = pushes(subject.vehicle, kind, first)});
         if (!pushed) continue;
-        const Eigen::VectorXd change = readings(course.drive, *pushed, bench.nominal.instruments) - course.rows;
+        const Eigen::VectorXd change = readings(course.drive, *pushed, subject.instruments) - course.rows;
         for (const ObservedChannel& channel : course.drive.channels) {
             for (std::size_t i = 0; i < channel.times.size(); ++i) {
                 const double since = channel.times[i] + kHat - peakOf(first);  // the first push's beginning
@@ -146,10 +146,11 @@ Eigen::MatrixXd trembling(const Course& course, const VehicleParams& car, const 
 
 }  // namespace
 
-Disturbances disturbances(Bench& bench, std::size_t index, const Eigen::VectorXd& by_start_speed) {
+Disturbances disturbances(Bench& bench, std::size_t index, const Subject& subject,
+                          const Eigen::VectorXd& by_start_speed) {
     const RecordedDrive& drive = bench.drives[index];
-    const VehicleParams& car = bench.nominal.vehicle;
-    std::optional<Log> motion = motionAt(bench, index, bench.nominal);
+    const VehicleParams& car = subject.vehicle;
+    std::optional<Log> motion = motionAt(bench, index, subject);
     Course course{.drive = drive,
                   .motion = motion ? std::move(*motion) : Log{},
                   .rows = Eigen::VectorXd::Zero(drive.rows()),
@@ -165,7 +166,7 @@ Disturbances disturbances(Bench& bench, std::size_t index, const Eigen::VectorXd
         }
     }
     if (!motion) return result;
-    course.rows = readings(drive, course.motion, bench.nominal.instruments);
+    course.rows = readings(drive, course.motion, subject.instruments);
     const auto of = [&](Disturbed kind) {
         return result.columns.middleCols(static_cast<Eigen::Index>(kind) * hats, hats);
     };
@@ -173,7 +174,7 @@ Disturbances disturbances(Bench& bench, std::size_t index, const Eigen::VectorXd
     for (Eigen::Index i = 0; i < hats; ++i)
         of(Disturbed::longitudinal).col(i) = along(course, car, peakOf(static_cast<std::size_t>(i)), driver_follows);
     for (const Disturbed kind : {Disturbed::lateral, Disturbed::yaw, Disturbed::roll})
-        of(kind) = aside(bench, index, course, kind);
+        of(kind) = aside(bench, index, subject, course, kind);
     of(Disturbed::steering) = trembling(course, car, of(Disturbed::lateral), of(Disturbed::yaw));
     return result;
 }

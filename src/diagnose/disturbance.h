@@ -22,7 +22,8 @@ struct Disturbances {
     std::vector<double> times;     // s, peak of each hat
 };
 
-// `by_start_speed`: startSpeedColumn of the drive.
-Disturbances disturbances(Bench& bench, std::size_t drive, const Eigen::VectorXd& by_start_speed);
+// Of a drive of the subject; `by_start_speed`: its startSpeedColumn.
+Disturbances disturbances(Bench& bench, std::size_t drive, const Subject& subject,
+                          const Eigen::VectorXd& by_start_speed);
 
 }  // namespace tread

@@ -163,8 +163,8 @@ const Candidate& answered(const Diagnosis& diagnosis, const Study& study, const 
     return found.none();
 }
 
-Uncertainty uncertaintyOfHeldOut(Bench& bench, const Study& study, const Rows& nominal) {
-    Uncertainty uncertainty = uncertaintyOf(bench, nominal);
+Uncertainty uncertaintyOfHeldOut(Bench& bench, const Study& study, const Deviation& at, const Rows& rows) {
+    Uncertainty uncertainty = uncertaintyOf(bench, at, rows);
     uncertainty.sizes = study.uncertainty.sizes;
     return uncertainty;
 }
@@ -187,9 +187,9 @@ void howFar(Diagnosis& diagnosis, Study& study, const Search& found, std::vector
     }
     std::vector<RecordedDrive> trained = std::move(study.bench.drives);
     study.bench.drives = std::move(held_out);
-    const std::optional<Rows> before = rowsAt(study.bench, study.bench.origin());
-    if (before) {
-        const Uncertainty uncertainty = uncertaintyOfHeldOut(study.bench, study, *before);
+    const std::optional<Rows> here = rowsAt(study.bench, study.calibration.at);
+    if (here) {
+        const Uncertainty uncertainty = uncertaintyOfHeldOut(study.bench, study, study.calibration.at, *here);
         const Gaps gaps = gapsOf(study.bench, uncertainty, stages, true, diagnosis.overlays);
         how_far.held_out = levels(gaps);
         closure(how_far, study.bench, uncertainty, gaps, answer.fit);

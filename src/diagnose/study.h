@@ -28,8 +28,8 @@ struct Study {
     }
 };
 
-// Of the drives on a bench, with disturbances of the usual sizes.
-Uncertainty uncertaintyOf(Bench& bench, const Rows& nominal);
+// Of the drives on a bench about a point, whose rows are these; with disturbances of the usual sizes.
+Uncertainty uncertaintyOf(Bench& bench, const Deviation& at, const Rows& rows);
 
 // Products of the nuisances, all knobs and the residual about a ground that knows the knobs' columns.
 std::vector<DriveGram> everything(const Study& study, const Ground& ground);
