@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/numbers.h"
+#include "diagnose/driver_inputs.h"
 #include "diagnose/observation.h"
 
 namespace tread {
@@ -31,19 +32,6 @@ T changed(T known, const T& subject, const T& nominal) {
     return known;
 }
 
-// What the driver did, from what the instrument showed of it.
-Curve done(const RecordedDrive& drive, const std::string& channel, const Instrument& instrument, const Limits& limits) {
-    Curve curve;
-    const Channel* shown = drive.log.find(channel);
-    if (!shown) return curve;
-    for (std::size_t i = 0; i < drive.time.size(); ++i) {
-        if (!std::isfinite(shown->values[i])) continue;
-        const double value = (shown->values[i] - instrument.bias) / instrument.gain;
-        curve.points.push_back({drive.time[i] - instrument.delay, std::clamp(value, limits.lowest, limits.highest)});
-    }
-    return curve;
-}
-
 double runIn(const RecordedDrive& drive) {
     const Channel* yaw_rate = drive.log.find("chassis.yaw_rate");
     if (!yaw_rate || drive.speed < kStanding) return 0;
@@ -68,19 +56,20 @@ Curve speedProfile(const RecordedDrive& drive) {
 Phase driven(const RecordedDrive& drive, const Instruments& instruments) {
     Phase phase;
     phase.name = "the drive";
-    const Curve steering = done(drive, "driver.steering_wheel_angle", instruments.steering_wheel_angle, Angle::kLimits);
+    const Curve steering =
+        driverInput(drive, "driver.steering_wheel_angle", instruments.steering_wheel_angle, Angle::kLimits);
     if (!steering.empty()) phase.steering = Table<Angle>{steering};
     if (drive.recording->speed == SpeedReplay::followed) {
         HoldSpeed follow = kFollow;
         follow.profile = speedProfile(drive);
         phase.throttle = follow;
     } else {
-        const Curve throttle = done(drive, "driver.throttle", instruments.throttle, Pedal::kLimits);
-        const Curve brake = done(drive, "driver.brake", instruments.brake, Pedal::kLimits);
+        const Curve throttle = driverInput(drive, "driver.throttle", instruments.throttle, Pedal::kLimits);
+        const Curve brake = driverInput(drive, "driver.brake", instruments.brake, Pedal::kLimits);
         if (!throttle.empty()) phase.throttle = Table<Pedal>{throttle};
         if (!brake.empty()) phase.brake = Table<Pedal>{brake};
     }
-    const Curve clutch = done(drive, "driver.clutch", {}, Pedal::kLimits);
+    const Curve clutch = driverInput(drive, "driver.clutch", {}, Pedal::kLimits);
     if (!clutch.empty()) phase.clutch = Table<Pedal>{clutch};
     phase.until.duration = drive.duration();
     return phase;

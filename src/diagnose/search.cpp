@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::size_t kFewestRefits = 4, kMostRefits = 8;
 constexpr double kHopeless = 25;           // nats behind the best of the screen: not refitted beyond the fewest
+constexpr double kUncertain = 3;           // nats that a new linearisation can add
+constexpr double kBehind = 15;             // nats behind the best single: it will not come first
 constexpr std::size_t kRelinearised = 2;   // best singles about which the nuisances are linearised anew
 constexpr std::size_t kFurtherRefits = 3;  // effects tried beside each of these
 constexpr std::size_t kMostEffects = 3;
@@ -156,7 +158,8 @@ Search search(Study& study, const Screen& screen, const Progress& progress) {
     std::vector<Candidate> grown;
     for (std::size_t i = 0; i < singles.size() && i < kRelinearised; ++i) {
         if (!singles[i].fitted) break;
-        if (i > 0 && singles[i].log_evidence < singles[0].log_evidence - kHopeless) break;
+        if (singles[i].log_evidence < kThresholds.effect - kUncertain) break;
+        if (i > 0 && singles[i].log_evidence < singles[0].log_evidence - kBehind) break;
         progress(0.3 + 0.3 * static_cast<double>(i), "linearising at " + study.effects[singles[i].effects[0]].name);
         Ground here = groundAt(study, singles[i].fit, [](double) {});
         if (i == 0) {

@@ -1,0 +1,80 @@
+#include "diagnose/driver_inputs.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+
+namespace tread {
+namespace {
+
+constexpr double kMedianOfNormal = 0.6745;
+constexpr std::array<std::size_t, 3> kReaches{12, 6, 3};  // samples to either side, the widest that fits
+constexpr double kLikeNoise = 1.3;                        // times the noise, that a parabola may leave
+
+// Standard deviation of the noise, by the median of third differences: what an input does slowly leaves none.
+double noiseOf(std::span<const double> values) {
+    std::vector<double> left;
+    for (std::size_t i = 3; i < values.size(); ++i) {
+        const double third = values[i] - 3 * values[i - 1] + 3 * values[i - 2] - values[i - 3];
+        if (std::isfinite(third)) left.push_back(std::abs(third));
+    }
+    if (left.empty()) return 0;
+    const auto middle = left.begin() + static_cast<std::ptrdiff_t>(left.size() / 2);
+    std::nth_element(left.begin(), middle, left.end());
+    return *middle / (kMedianOfNormal * std::sqrt(20.0));
+}
+
+// The middle of a parabola through evenly spaced values; nothing when they lie farther from it than noise does.
+std::optional<double> middleOf(std::span<const double> values, double noise) {
+    const auto reach = static_cast<double>(values.size() / 2);
+    double n = 0, xx = 0, xxxx = 0, y = 0, xy = 0, xxy = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double x = static_cast<double>(i) - reach;
+        n += 1, xx += x * x, xxxx += x * x * x * x;
+        y += values[i], xy += x * values[i], xxy += x * x * values[i];
+    }
+    const double bend = (n * xxy - xx * y) / (n * xxxx - xx * xx), slope = xy / xx, middle = (y - bend * xx) / n;
+    double squares = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double x = static_cast<double>(i) - reach, off = values[i] - middle - (slope + bend * x) * x;
+        squares += off * off;
+    }
+    if (!(squares <= (n - 3) * kLikeNoise * kLikeNoise * noise * noise)) return std::nullopt;
+    return middle;
+}
+
+}  // namespace
+
+std::vector<double> quietened(const std::vector<double>& values) {
+    const double noise = noiseOf(values);
+    std::vector<double> result = values;
+    if (noise == 0) return result;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        for (const std::size_t reach : kReaches) {
+            if (i < reach || i + reach >= values.size()) continue;
+            const auto middle = middleOf(std::span(values).subspan(i - reach, 2 * reach + 1), noise);
+            if (!middle) continue;
+            result[i] = *middle;
+            break;
+        }
+    }
+    return result;
+}
+
+Curve driverInput(const RecordedDrive& drive, const std::string& channel, const Instrument& instrument,
+                  const Limits& limits) {
+    Curve curve;
+    const Channel* shown = drive.log.find(channel);
+    if (!shown) return curve;
+    const std::vector<double> values = quietened(shown->values);
+    for (std::size_t i = 0; i < drive.time.size(); ++i) {
+        if (!std::isfinite(values[i])) continue;
+        const double value = (values[i] - instrument.bias) / instrument.gain;
+        curve.points.push_back({drive.time[i] - instrument.delay, std::clamp(value, limits.lowest, limits.highest)});
+    }
+    return curve;
+}
+
+}  // namespace tread

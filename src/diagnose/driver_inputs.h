@@ -1,0 +1,23 @@
+// What the driver did, from what the instruments showed of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnose/drive.h"
+#include "tread/curve.h"
+#include "tread/describe.h"
+
+namespace tread {
+
+// The input that a channel recorded, over the time of the drive; empty without that channel. The instrument's noise is
+// taken out where the input is at rest or moves evenly: a car that is driven with it trembles, and a play in the
+// steering would seem to calm it. A quick turn or kick passes as it was.
+Curve driverInput(const RecordedDrive& drive, const std::string& channel, const Instrument& instrument,
+                  const Limits& limits);
+
+// Evenly spaced values without their noise: each lies on the parabola through those around it, as far as that leaves no
+// more than noise.
+std::vector<double> quietened(const std::vector<double>& values);
+
+}  // namespace tread
