@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "diagnose/driver_inputs.h"
 #include "diagnose/observation.h"
 
 namespace tread {
@@ -74,6 +75,7 @@ RecordedDrive recordedDrive(const Recording& recording, const Log& log, const Di
     RecordedDrive drive{.name = recording.name.empty() ? recording.log : recording.name,
                         .recording = &recording,
                         .log = log,
+                        .inputs = quietInputs(log),
                         .time = {},
                         .channels = {},
                         .measured = {}};

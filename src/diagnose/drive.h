@@ -26,6 +26,7 @@ struct RecordedDrive {
     std::string name;
     const Recording* recording = nullptr;
     Log log;
+    Log inputs;                // of the driver, without noise
     std::vector<double> time;  // s, of the samples
     std::vector<ObservedChannel> channels;
     Eigen::VectorXd measured;  // all rows

@@ -10,8 +10,8 @@ namespace tread {
 namespace {
 
 constexpr double kMedianOfNormal = 0.6745;
-constexpr std::array<std::size_t, 3> kReaches{12, 6, 3};  // samples to either side, the widest that fits
-constexpr double kLikeNoise = 1.3;                        // times the noise, that a parabola may leave
+constexpr std::array<std::size_t, 5> kReaches{50, 25, 12, 6, 3};  // samples to either side, the widest that fits
+constexpr double kLikeNoise = 1.3;                                // times the noise, that a parabola may leave
 
 // Standard deviation of the noise, by the median of third differences: what an input does slowly leaves none.
 double noiseOf(std::span<const double> values) {
@@ -63,15 +63,23 @@ std::vector<double> quietened(const std::vector<double>& values) {
     return result;
 }
 
+Log quietInputs(const Log& log) {
+    Log inputs;
+    for (const Channel& channel : log.channels) {
+        if (channel.name.starts_with("driver."))
+            inputs.channels.push_back({channel.name, channel.unit, quietened(channel.values)});
+    }
+    return inputs;
+}
+
 Curve driverInput(const RecordedDrive& drive, const std::string& channel, const Instrument& instrument,
                   const Limits& limits) {
     Curve curve;
-    const Channel* shown = drive.log.find(channel);
+    const Channel* shown = drive.inputs.find(channel);
     if (!shown) return curve;
-    const std::vector<double> values = quietened(shown->values);
     for (std::size_t i = 0; i < drive.time.size(); ++i) {
-        if (!std::isfinite(values[i])) continue;
-        const double value = (values[i] - instrument.bias) / instrument.gain;
+        if (!std::isfinite(shown->values[i])) continue;
+        const double value = (shown->values[i] - instrument.bias) / instrument.gain;
         curve.points.push_back({drive.time[i] - instrument.delay, std::clamp(value, limits.lowest, limits.highest)});
     }
     return curve;

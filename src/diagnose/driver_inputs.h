@@ -10,14 +10,16 @@
 
 namespace tread {
 
-// The input that a channel recorded, over the time of the drive; empty without that channel. The instrument's noise is
-// taken out where the input is at rest or moves evenly: a car that is driven with it trembles, and a play in the
-// steering would seem to calm it. A quick turn or kick passes as it was.
-Curve driverInput(const RecordedDrive& drive, const std::string& channel, const Instrument& instrument,
-                  const Limits& limits);
+// The channels of the driver without their instruments' noise: a car that is driven with it trembles, and a play in the
+// steering would seem to calm it. What is quick, a turn or a kick, stays as it was.
+Log quietInputs(const Log& log);
 
 // Evenly spaced values without their noise: each lies on the parabola through those around it, as far as that leaves no
 // more than noise.
 std::vector<double> quietened(const std::vector<double>& values);
+
+// The input that a channel recorded, over the time of the drive; empty without that channel.
+Curve driverInput(const RecordedDrive& drive, const std::string& channel, const Instrument& instrument,
+                  const Limits& limits);
 
 }  // namespace tread
