@@ -1,0 +1,67 @@
+#include "diagnose/driver_inputs.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/random.h"
+
+namespace tread {
+namespace {
+
+constexpr double kNoise = 0.002;  // rad
+
+// A hand wheel at rest, turned in 100 ms at second 5, then held: at 100 Hz.
+double turned(double t) {
+    return t < 5 ? 0 : t < 5.1 ? 8 * (t - 5) : 0.8;
+}
+
+double deviation(const std::vector<double>& values, double from, double to) {
+    double sum = 0, n = 0;
+    for (double t = from; t < to; t += 0.01, n += 1) {
+        const double off = values[static_cast<std::size_t>(std::lround(100 * t))] - turned(t);
+        sum += off * off;
+    }
+    return std::sqrt(sum / n);
+}
+
+TEST(QuietInputs, HandWheelAtRestKeepsAFifthOfTheNoiseAndAQuickTurnStaysAsItWas) {
+    Random random(1);
+    std::vector<double> shown;
+    for (int i = 0; i < 1000; ++i) shown.push_back(turned(0.01 * i) + kNoise * random.normal());
+    const std::vector<double> quiet = quietened(shown);
+    EXPECT_NEAR(deviation(shown, 1, 4), kNoise, 0.2 * kNoise);
+    EXPECT_LT(deviation(quiet, 1, 4), 0.2 * kNoise);
+    EXPECT_LT(deviation(quiet, 6, 9), 0.2 * kNoise);
+    EXPECT_LT(deviation(quiet, 4.9, 5.2), 1.5 * kNoise);
+}
+
+TEST(QuietInputs, SweepUpToThreePeriodsASecondIsNotFlattened) {
+    Random random(2);
+    std::vector<double> shown, real;
+    for (int i = 0; i < 1000; ++i) {
+        const double t = 0.01 * i;
+        real.push_back(0.35 * std::sin(2 * M_PI * (0.2 + 0.15 * t) * t));
+        shown.push_back(real.back() + kNoise * random.normal());
+    }
+    const std::vector<double> quiet = quietened(shown);
+    double off = 0, slope = 0, square = 0;
+    for (std::size_t i = 0; i < real.size(); ++i) {
+        off = std::max(off, std::abs(quiet[i] - real[i]));
+        slope += quiet[i] * real[i], square += real[i] * real[i];
+    }
+    EXPECT_LT(off, 5 * kNoise);
+    EXPECT_NEAR(slope / square, 1, 1e-3);
+}
+
+TEST(QuietInputs, WhatHasNoNoiseOrGapsIsKept) {
+    std::vector<double> held(100, 0.3);
+    EXPECT_EQ(quietened(held), held);
+    std::vector<double> gaps(100, NAN);
+    for (std::size_t i = 0; i < gaps.size(); i += 2) gaps[i] = 0.1;
+    const std::vector<double> kept = quietened(gaps);
+    for (std::size_t i = 0; i < gaps.size(); ++i) EXPECT_EQ(std::isnan(kept[i]), std::isnan(gaps[i])) << i;
+}
+
+}  // namespace
+}  // namespace tread
