@@ -10,9 +10,6 @@
 namespace tread {
 namespace {
 
-// Steps of the differences, in units: small against what bends the response, large against what jumps in a replay.
-constexpr double kCentralStep = 0.3;
-constexpr double kOneSidedStep = 0.6;
 constexpr double kSpeedStep = 0.1;  // m/s
 
 constexpr double kAlikeSpeed = 0.03;  // by which repeats of a drive may differ, as a share
@@ -20,39 +17,31 @@ constexpr double kAlikeSpeed = 0.03;  // by which repeats of a drive may differ,
 struct Piece {
     std::size_t drive;
     Eigen::Index parameter;
-    double above, below;  // steps, in units
+    double by;  // units
 };
 
-// Where the limits of a parameter leave room for a step.
-Piece piece(const Parameter& parameter, double at, Difference difference) {
-    Piece piece{0, 0, kCentralStep, kCentralStep};
-    if (difference == Difference::one_sided) piece.above = kOneSidedStep, piece.below = 0;
-    if (at + piece.above > parameter.highest) piece = {0, 0, 0, kOneSidedStep};
-    if (at - piece.below < parameter.lowest) piece = {0, 0, std::min(kOneSidedStep, parameter.highest - at), 0};
-    return piece;
+// Upwards, unless the parameter's limits leave room only below.
+double stepOf(const Parameter& parameter, double at, double step) {
+    if (at + step <= parameter.highest) return step;
+    return at - step >= parameter.lowest ? -step : parameter.highest - at;
 }
 
-// One column of one drive, by differences; nothing when it cannot be driven to either side.
+// One column of one drive, by a difference; to the other side where this one cannot be driven.
 std::optional<Eigen::VectorXd> difference(Bench& bench, const Piece& one, const Subject& subject, const Log& motion,
                                           const Eigen::VectorXd& here) {
     const Parameter& parameter = bench.parameters[static_cast<std::size_t>(one.parameter)];
     const RecordedDrive& drive = bench.drives[one.drive];
-    const auto rows = [&](double by) -> std::optional<Eigen::VectorXd> {
-        if (by == 0) return here;
+    for (const double by : {one.by, -one.by}) {
+        if (by == 0) break;
         Subject there = subject;
         move(there, parameter, by);
-        if (parameter.instruments_only) return readings(drive, motion, there.instruments);
-        const std::optional<Log> driven = motionAt(bench, one.drive, there);
-        if (!driven) return std::nullopt;
-        return readings(drive, *driven, there.instruments);
-    };
-    // Where one side cannot be driven the other must do.
-    const auto above = rows(one.above), below = rows(-one.below);
-    if (!above && !below) return std::nullopt;
-    const double step = (above ? one.above : 0) + (below ? one.below : 0);
-    const Eigen::VectorXd column = ((above ? *above : here) - (below ? *below : here)) / step;
-    if (step == 0 || !column.allFinite()) return std::nullopt;
-    return column;
+        const std::optional<Log> driven =
+            parameter.instruments_only ? std::optional(motion) : motionAt(bench, one.drive, there);
+        if (!driven) continue;
+        const Eigen::VectorXd column = (readings(drive, *driven, there.instruments) - here) / by;
+        if (column.allFinite()) return column;
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -126,10 +115,10 @@ Linearised linearised(Bench& bench, const Deviation& at, const Wanted& wanted,
     std::vector<Piece> pieces;
     for (std::size_t i = 0; i < wanted.parameters.size(); ++i) {
         const Eigen::Index p = wanted.parameters[i];
-        const Piece one = piece(bench.parameters[static_cast<std::size_t>(p)], at(p), wanted.difference);
+        const double by = stepOf(bench.parameters[static_cast<std::size_t>(p)], at(p), wanted.step);
         for (std::size_t d = 0; d < drives; ++d) {
             const bool worth = wanted.worth.empty() || wanted.worth[i][d];
-            if (motions[d] && worth && bench.firstLike(d) == d) pieces.push_back({d, p, one.above, one.below});
+            if (motions[d] && worth && bench.firstLike(d) == d) pieces.push_back({d, p, by});
         }
     }
     std::mutex guard;

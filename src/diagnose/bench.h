@@ -47,12 +47,11 @@ struct Linearised {
     Rows rows;
     std::vector<Eigen::MatrixXd> columns;  // per drive: rows x parameters
 };
-enum class Difference { one_sided, central };
 // Which columns are asked for, and in which drives they are worth driving (empty: in all); the others stay those of
 // `elsewhere`, or zero.
 struct Wanted {
     std::vector<Eigen::Index> parameters;
-    Difference difference = Difference::central;
+    double step = 0.6;  // of the differences, in units: small against what bends the response, large against what jumps
     std::vector<std::vector<bool>> worth = {};  // per parameter asked for, per drive
     const Linearised* elsewhere = nullptr;
 };

@@ -86,11 +86,23 @@ std::vector<DriveGram> calibrate(Study& study, Ground nominal, const Progress& p
     };
     progress(0, "fitting tolerances");
     study.calibration = fit(nominal, study.bench.origin());
-    std::vector<Eigen::Index> all = nominal.nuisances;
-    for (const Eigen::Index knob : study.allKnobs()) all.push_back(knob);
-    Linearised about =
-        linearised(study.bench, study.calibration.at, {.parameters = all, .difference = Difference::one_sided},
-                   [&](double share) { progress(share, "sensitivities to effects"); });
+    study.calibrated.nuisances = nominal.nuisances;
+    std::vector<Eigen::Index> own, mixed;
+    for (const Eigen::Index knob : study.allKnobs()) {
+        const Parameter& parameter = study.bench.parameters[static_cast<std::size_t>(knob)];
+        (study.asNuisances(parameter).empty() ? own : mixed).push_back(knob);
+    }
+    const Linearised to_tolerances = linearised(study.bench, study.calibration.at, {.parameters = nominal.nuisances},
+                                                [&](double share) { progress(0.5 * share, "sensitivities again"); });
+    Linearised about = linearised(study.bench, study.calibration.at,
+                                  {.parameters = own, .step = kKnobStep, .elsewhere = &to_tolerances},
+                                  [&](double share) { progress(0.5 + 0.5 * share, "sensitivities to effects"); });
+    for (Eigen::MatrixXd& columns : about.columns) {
+        for (const Eigen::Index knob : mixed) {
+            for (const Share& share : study.asNuisances(study.bench.parameters[static_cast<std::size_t>(knob)]))
+                columns.col(knob) += share.units * columns.col(static_cast<Eigen::Index>(share.of));
+        }
+    }
     study.uncertainty = uncertaintyOf(study.bench, about.at, about.rows);
     study.calibrated = ground(std::move(about), nominal.nuisances, study.uncertainty);
     study.uncertainty.sizes = disturbanceSizes(everything(study, study.calibrated), study.uncertainty);
@@ -120,8 +132,7 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std:
 
     // The nominal car: what its tolerances do, noise, disturbances.
     const auto start = progress(0, 0.1);
-    Linearised about = linearised(study.bench, study.bench.origin(),
-                                  {.parameters = study.nuisances, .difference = Difference::one_sided},
+    Linearised about = linearised(study.bench, study.bench.origin(), {.parameters = study.nuisances},
                                   [&](double share) { start(share, "sensitivities to tolerances"); });
     for (std::size_t d = 0; d < about.rows.size(); ++d) {
         if (about.rows[d].size() == 0)

@@ -33,6 +33,8 @@ struct Ground {
 };
 Ground ground(Linearised about, const std::vector<Eigen::Index>& nuisances, const Uncertainty& uncertainty);
 
+inline constexpr double kKnobStep = 0.3;  // units, of the differences of effects: their typical sizes are large
+
 struct Fit {
     std::vector<Eigen::Index> free;  // nuisances, then knobs
     std::vector<Eigen::Index> knobs;

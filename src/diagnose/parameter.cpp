@@ -102,6 +102,19 @@ std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<Known
     return found;
 }
 
+std::vector<Share> mixture(const Parameter& parameter, const std::vector<Parameter>& all,
+                           const std::vector<std::size_t>& others) {
+    std::vector<Share> shares;
+    for (const Parameter::Move& move : parameter.moves) {
+        const auto same = std::find_if(others.begin(), others.end(), [&](std::size_t other) {
+            return all[other].moves.size() == 1 && all[other].name() == move.path;
+        });
+        if (same == others.end()) return {};
+        shares.push_back({*same, move.by / all[*same].moves.front().by});
+    }
+    return shares;
+}
+
 std::vector<Parameter> knobsOf(const Effect& effect, const Subject& nominal) {
     Subject subject = nominal;
     const std::vector<Number> all = numbers(subject);

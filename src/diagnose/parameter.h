@@ -30,6 +30,15 @@ void move(Subject& subject, const Parameter& parameter, double units);
 // A tolerance t is taken as the standard deviation t / sqrt(3) of a uniform distribution.
 std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<KnownWithin>& tolerances);
 
+// One parameter as a mixture of others: so many units of each do what one unit of it does.
+struct Share {
+    std::size_t of;  // index among all parameters
+    double units;
+};
+// Nothing when the others do not move all of its numbers, each number by one of them.
+std::vector<Share> mixture(const Parameter& parameter, const std::vector<Parameter>& all,
+                           const std::vector<std::size_t>& others);
+
 // One per knob that moves something: the car may lack the part, or a share of nothing may be asked for.
 std::vector<Parameter> knobsOf(const Effect& effect, const Subject& nominal);
 

@@ -56,11 +56,28 @@ std::vector<Deviation> starts(const Study& study, const std::vector<Eigen::Index
     return points;
 }
 
+// What the nuisances did in place of these knobs is given to them: the same car, by the likelier way.
+Deviation handedOver(const Study& study, const std::vector<Eigen::Index>& knobs, Deviation at) {
+    for (const Eigen::Index k : knobs) {
+        if (at(k) != 0) continue;
+        const Parameter& knob = study.bench.parameters[static_cast<std::size_t>(k)];
+        double both = 0, squares = 1;
+        const std::vector<Share> shares = study.asNuisances(knob);
+        for (const Share& share : shares) {
+            both += share.units * at(static_cast<Eigen::Index>(share.of));
+            squares += share.units * share.units;
+        }
+        at(k) = std::clamp(both / squares, knob.lowest, knob.highest);
+        for (const Share& share : shares) at(static_cast<Eigen::Index>(share.of)) -= at(k) * share.units;
+    }
+    return at;
+}
+
 std::optional<Candidate> refit(Study& study, const Ground& ground, const std::vector<std::size_t>& effects,
                                const Deviation& from, double none) {
     std::optional<Candidate> best;
     const std::vector<Eigen::Index> knobs = knobsOf(study, effects);
-    for (const Deviation& start : starts(study, knobs, from)) {
+    for (const Deviation& start : starts(study, knobs, handedOver(study, knobs, from))) {
         // A second start is for knobs that did not get off their limit.
         if (best && (best->fit.at(knobs) - from(knobs)).cwiseAbs().minCoeff() > kStuck) break;
         std::optional<Fit> fit = fitted(study.bench, study.uncertainty, ground, knobs, start);
@@ -84,12 +101,10 @@ std::vector<std::vector<bool>> worthDriving(const Study& study) {
 
 // Nuisances linearised about a fit; the knobs keep their columns.
 Ground groundAt(Study& study, const Fit& fit, const std::function<void(double)>& progress) {
-    Linearised about = linearised(study.bench, fit.at,
-                                  {.parameters = study.calibrated.nuisances,
-                                   .difference = Difference::one_sided,
-                                   .worth = worthDriving(study),
-                                   .elsewhere = &study.calibrated.about},
-                                  progress);
+    Linearised about = linearised(
+        study.bench, fit.at,
+        {.parameters = study.calibrated.nuisances, .worth = worthDriving(study), .elsewhere = &study.calibrated.about},
+        progress);
     return ground(std::move(about), study.calibrated.nuisances, study.uncertainty);
 }
 

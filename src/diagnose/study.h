@@ -21,6 +21,11 @@ struct Study {
     Ground calibrated;  // about the nominal car with its parameters where the recordings want them, within tolerances
     Fit calibration;    // that brought it there
 
+    // A parameter as a mixture of those nuisances that matter; empty when it is none.
+    std::vector<Share> asNuisances(const Parameter& parameter) const {
+        return mixture(parameter, bench.parameters, {calibrated.nuisances.begin(), calibrated.nuisances.end()});
+    }
+
     std::vector<Eigen::Index> allKnobs() const {
         std::vector<Eigen::Index> all;
         for (const auto& of_effect : knobs) all.insert(all.end(), of_effect.begin(), of_effect.end());
