@@ -4,6 +4,7 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "diagnose/calibrate.h"
 #include "diagnose/diagnosis.h"
 #include "diagnose/how_far.h"
 #include "diagnose/replay.h"
@@ -48,8 +49,6 @@ void addParameters(Study& study, const DiagnosisFile& file, const std::vector<Ef
     }
 }
 
-using Progress = std::function<void(double, const std::string&)>;
-
 // Nuisances without which the answer is the same are left out.
 std::vector<Eigen::Index> thatMatter(const Study& study, const Linearised& about) {
     std::vector<double> matter(study.nuisances.size(), 0);
@@ -75,39 +74,6 @@ void tellNuisances(Diagnosis& diagnosis, const Study& study, const Fit& fit) {
         const double sd = std::sqrt(fit.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)));
         diagnosis.nuisance[one.path] = {one.nominal + fit.at(p) * one.by, sd * std::abs(one.by), fit.at(p)};
     }
-}
-
-// Fits the tolerances, linearises everything where they are, and fits them again.
-std::vector<DriveGram> calibrate(Study& study, Ground nominal, const Progress& progress) {
-    const auto fit = [&](const Ground& ground, const Deviation& from) {
-        std::optional<Fit> found = fitted(study.bench, study.uncertainty, ground, {}, from);
-        if (!found) throw SimulationError("the nominal car cannot be driven in the recordings", 0);
-        return std::move(*found);
-    };
-    progress(0, "fitting tolerances");
-    study.calibration = fit(nominal, study.bench.origin());
-    study.calibrated.nuisances = nominal.nuisances;
-    std::vector<Eigen::Index> own, mixed;
-    for (const Eigen::Index knob : study.allKnobs()) {
-        const Parameter& parameter = study.bench.parameters[static_cast<std::size_t>(knob)];
-        (study.asNuisances(parameter).empty() ? own : mixed).push_back(knob);
-    }
-    const Linearised to_tolerances = linearised(study.bench, study.calibration.at, {.parameters = nominal.nuisances},
-                                                [&](double share) { progress(0.5 * share, "sensitivities again"); });
-    Linearised about = linearised(study.bench, study.calibration.at,
-                                  {.parameters = own, .step = kKnobStep, .elsewhere = &to_tolerances},
-                                  [&](double share) { progress(0.5 + 0.5 * share, "sensitivities to effects"); });
-    for (Eigen::MatrixXd& columns : about.columns) {
-        for (const Eigen::Index knob : mixed) {
-            for (const Share& share : study.asNuisances(study.bench.parameters[static_cast<std::size_t>(knob)]))
-                columns.col(knob) += share.units * columns.col(static_cast<Eigen::Index>(share.of));
-        }
-    }
-    study.uncertainty = uncertaintyOf(study.bench, about.at, about.rows);
-    study.calibrated = ground(std::move(about), nominal.nuisances, study.uncertainty);
-    study.uncertainty.sizes = disturbanceSizes(everything(study, study.calibrated), study.uncertainty);
-    study.calibration = fit(study.calibrated, study.calibration.at);
-    return everything(study, study.calibrated);
 }
 
 }  // namespace

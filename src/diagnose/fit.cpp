@@ -182,6 +182,7 @@ std::optional<Fit> fitted(Bench& bench, const Uncertainty& uncertainty, const Gr
         columns.array().colwise() /= uncertainty.noise[d].array();
     }
     double misfit = model.misfit(*rows, start), damping = 0;
+    const double at_start = misfit;
     bool renewed = knobs.empty();
     for (int trial = 0;; ++trial) {
         fit.grams = model.grams(*rows, fit.columns);
@@ -215,6 +216,7 @@ std::optional<Fit> fitted(Bench& bench, const Uncertainty& uncertainty, const Gr
     const Eigen::MatrixXd hessian = Eigen::MatrixXd::Identity(n, n) + gram.products.topLeftCorner(n, n);
     const Eigen::LLT<Eigen::MatrixXd> factor(hessian);
     fit.covariance = factor.solve(Eigen::MatrixXd::Identity(n, n));
+    fit.gained = at_start - misfit;
     fit.log_evidence = -misfit - 0.5 * (gram.log_determinant + logDeterminant(factor));
     return fit;
 }

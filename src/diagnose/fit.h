@@ -43,6 +43,7 @@ struct Fit {
     std::vector<Eigen::MatrixXd> columns;  // per drive: of `free`, over the noise
     std::vector<DriveGram> grams;          // per drive: columns of `free`, then the residual
     double log_evidence = 0;
+    double gained = 0;           // nats of misfit and prior, from the start of the fit
     Eigen::MatrixXd covariance;  // of `free`
     bool converged = false;
 };

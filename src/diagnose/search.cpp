@@ -13,6 +13,8 @@ constexpr std::size_t kFewestRefits = 4, kMostRefits = 8;
 constexpr double kHopeless = 25;           // nats behind the best of the screen: not refitted beyond the fewest
 constexpr double kUncertain = 3;           // nats that a new linearisation can add
 constexpr double kBehind = 15;             // nats behind the best single: it will not come first
+constexpr int kMostRounds = 3;             // of linearising anew about one of them
+constexpr double kSettled = 8;             // nats: a fit that gained less needs no new linearisation
 constexpr std::size_t kRelinearised = 2;   // best singles about which the nuisances are linearised anew
 constexpr std::size_t kFurtherRefits = 3;  // effects tried beside each of these
 constexpr std::size_t kMostEffects = 3;
@@ -176,15 +178,19 @@ Search search(Study& study, const Screen& screen, const Progress& progress) {
         if (singles[i].log_evidence < kThresholds.effect - kUncertain) break;
         if (i > 0 && singles[i].log_evidence < singles[0].log_evidence - kBehind) break;
         progress(0.3 + 0.3 * static_cast<double>(i), "linearising at " + study.effects[singles[i].effects[0]].name);
-        Ground here = groundAt(study, singles[i].fit, [](double) {});
-        if (i == 0) {
-            const std::optional<Fit> again = fitted(study.bench, study.uncertainty, here, {}, none->at);
-            if (again && again->log_evidence > none->log_evidence) none = again, zero = none->log_evidence;
+        Ground here;
+        for (int round = 0; round < kMostRounds; ++round) {
+            here = groundAt(study, singles[i].fit, [](double) {});
+            if (i == 0 && round == 0) {
+                std::optional<Fit> again = fitted(study.bench, study.uncertainty, here, {}, none->at);
+                if (again && again->log_evidence > none->log_evidence) none = std::move(again);
+                zero = none->log_evidence;
+            }
+            std::optional<Candidate> again = refit(study, here, singles[i].effects, singles[i].fit.at, zero);
+            if (!again) break;
+            singles[i] = std::move(*again);
+            if (singles[i].fit.gained < kSettled) break;
         }
-        const double before = singles[i].log_evidence;
-        std::optional<Candidate> again = refit(study, here, singles[i].effects, singles[i].fit.at, zero);
-        if (again) singles[i] = std::move(*again);
-        else singles[i].log_evidence = before;
         if (singles[i].log_evidence > kThresholds.effect) grow(study, here, singles[i], zero, grown);
         if (i == 0) result.ground = std::move(here);
     }

@@ -178,13 +178,13 @@ void judge(Diagnosis& diagnosis, const Study& study, const Screen& screen, const
     } else if (best.log_evidence < kThresholds.effect || best.effects.empty()) {
         diagnosis.verdict = seen ? Verdict::nothing : Verdict::not_testable;
     } else {
-        // The simplest explanation that nothing beats by enough.
+        // Every further effect must gain enough.
+        const auto merit = [](const Candidate& one) {
+            return one.log_evidence - kThresholds.further_effect * static_cast<double>(one.effects.size());
+        };
         const Candidate* chosen = &best;
-        for (const Candidate& one : found.candidates) {
-            if (!one.fitted || one.effects.empty() || one.effects.size() >= chosen->effects.size()) continue;
-            const auto more = static_cast<double>(chosen->effects.size() - one.effects.size());
-            if (one.log_evidence > chosen->log_evidence - more * kThresholds.further_effect) chosen = &one;
-        }
+        for (const Candidate& one : found.candidates)
+            if (one.fitted && !one.effects.empty() && merit(one) > merit(*chosen)) chosen = &one;
         for (const std::size_t e : chosen->effects) diagnosis.causes.push_back(study.effects[e].name);
         double own = 0, rivals = 0;
         std::set<std::string> alternatives;
