@@ -11,7 +11,8 @@ namespace tread {
 
 struct Screen {
     std::vector<double> detectability;  // nats to expect at typical size, per effect
-    std::vector<double> gain;           // nats of linear evidence over none, per effect
+    std::vector<double> gain;           // nats of linear evidence over none, per effect, from the calibrated car
+    std::vector<double> from_nominal;   // the same from the nominal car
     Eigen::MatrixXd products;           // of all knobs, then the residual; nuisances and disturbances projected out
 };
 Screen screen(const Study& study, const std::vector<DriveGram>& grams);
