@@ -5,8 +5,8 @@
 namespace tread {
 namespace {
 
-// Half the squared deviations of all parameters, over their number, that a car within its tolerances seldom exceeds.
-constexpr double kLikely = 0.5;
+constexpr int kMostRounds = 3;
+constexpr double kSettled = 15;  // nats: a fit that gained less needs no new linearisation
 
 Fit fitOf(Study& study, const Ground& ground, const Deviation& from) {
     std::optional<Fit> found = fitted(study.bench, study.uncertainty, ground, {}, from);
@@ -14,23 +14,48 @@ Fit fitOf(Study& study, const Ground& ground, const Deviation& from) {
     return std::move(*found);
 }
 
+// Columns of all knobs: those that move nothing but uncertain numbers are mixtures of the nuisances' columns.
+Linearised withKnobs(Study& study, const Linearised& nuisances, const std::function<void(double)>& progress) {
+    std::vector<Eigen::Index> own, mixed;
+    for (const Eigen::Index knob : study.allKnobs()) {
+        const Parameter& parameter = study.bench.parameters[static_cast<std::size_t>(knob)];
+        (study.asNuisances(parameter).empty() ? own : mixed).push_back(knob);
+    }
+    Linearised about = linearised(study.bench, study.calibration.at,
+                                  {.parameters = own, .step = kKnobStep, .elsewhere = &nuisances}, progress);
+    for (Eigen::MatrixXd& columns : about.columns) {
+        for (const Eigen::Index knob : mixed) {
+            columns.col(knob).setZero();
+            for (const Share& share : study.asNuisances(study.bench.parameters[static_cast<std::size_t>(knob)]))
+                columns.col(knob) += share.units * columns.col(static_cast<Eigen::Index>(share.of));
+        }
+    }
+    return about;
+}
+
 }  // namespace
 
-void calibrate(Study& study, const std::function<void(double)>& progress) {
-    const std::vector<Eigen::Index>& nuisances = study.nominal.nuisances;
-    study.calibration = fitOf(study, study.nominal, study.bench.origin());
-    Linearised about = linearised(study.bench, study.calibration.at,
-                                  {.parameters = nuisances, .elsewhere = &study.nominal.about}, progress);
-    const double off = 0.5 * study.calibration.at.squaredNorm();
-    study.likely = off < kLikely * static_cast<double>(nuisances.size());
-    if (study.likely) {
+std::vector<DriveGram> calibrate(Study& study, Ground nominal,
+                                 const std::function<void(double, const std::string&)>& progress) {
+    progress(0, "fitting tolerances");
+    study.calibration = fitOf(study, nominal, study.bench.origin());
+    study.calibrated = std::move(nominal);
+    const std::vector<Eigen::Index> nuisances = study.calibrated.nuisances;
+    for (int round = 0; round < kMostRounds; ++round) {
+        Linearised about = linearised(study.bench, study.calibration.at, {.parameters = nuisances}, [&](double share) {
+            progress(0.5 * (round + share) / kMostRounds, "sensitivities to tolerances where they are");
+        });
         study.uncertainty = uncertaintyOf(study.bench, about.at, about.rows);
-        study.nominal = ground(std::move(study.nominal.about), std::vector(nuisances), study.uncertainty);
+        study.calibrated = ground(std::move(about), nuisances, study.uncertainty);
+        study.calibration = fitOf(study, study.calibrated, study.calibration.at);
+        if (study.calibration.gained < kSettled) break;
     }
-    study.calibrated = ground(std::move(about), study.nominal.nuisances, study.uncertainty);
-    study.uncertainty.sizes =
-        disturbanceSizes(everything(study, study.likely ? study.calibrated : study.nominal), study.uncertainty);
+    Linearised about = withKnobs(study, study.calibrated.about,
+                                 [&](double share) { progress(0.5 + 0.5 * share, "sensitivities to effects"); });
+    study.calibrated = ground(std::move(about), nuisances, study.uncertainty);
+    study.uncertainty.sizes = disturbanceSizes(everything(study, study.calibrated), study.uncertainty);
     study.calibration = fitOf(study, study.calibrated, study.calibration.at);
+    return everything(study, study.calibrated);
 }
 
 }  // namespace tread

@@ -1,14 +1,18 @@
-// The nominal car with its parameters where the recordings want them, within their tolerances.
+// The nominal car with its parameters where the recordings want them, within their tolerances: the car about which
+// effects are sought.
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "diagnose/study.h"
 
 namespace tread {
 
-// Fills in the study's calibration and the ground about it, from that about the nominal car; and, where the calibrated
-// car is likely, noise and disturbances there. Throws SimulationError when the nominal car cannot be driven so.
-void calibrate(Study& study, const std::function<void(double)>& progress);
+// Fills in the study's calibration, the ground about it, and noise and disturbances there. Returns everything() of that
+// ground. `nominal`: about the nominal car. Throws SimulationError when the nominal car cannot be driven so.
+std::vector<DriveGram> calibrate(Study& study, Ground nominal,
+                                 const std::function<void(double, const std::string&)>& progress);
 
 }  // namespace tread

@@ -66,26 +66,6 @@ std::vector<Eigen::Index> thatMatter(const Study& study, const Linearised& about
     return kept;
 }
 
-// Columns of all knobs besides; those that move nothing but uncertain numbers are mixtures of the nuisances' columns.
-Linearised withKnobs(Study& study, const Linearised& nuisances, const std::vector<Eigen::Index>& matter,
-                     const std::function<void(double)>& progress) {
-    study.nominal.nuisances = matter;
-    std::vector<Eigen::Index> own, mixed;
-    for (const Eigen::Index knob : study.allKnobs()) {
-        const Parameter& parameter = study.bench.parameters[static_cast<std::size_t>(knob)];
-        (study.asNuisances(parameter).empty() ? own : mixed).push_back(knob);
-    }
-    Linearised about = linearised(study.bench, study.bench.origin(),
-                                  {.parameters = own, .step = kKnobStep, .elsewhere = &nuisances}, progress);
-    for (Eigen::MatrixXd& columns : about.columns) {
-        for (const Eigen::Index knob : mixed) {
-            for (const Share& share : study.asNuisances(study.bench.parameters[static_cast<std::size_t>(knob)]))
-                columns.col(knob) += share.units * columns.col(static_cast<Eigen::Index>(share.of));
-        }
-    }
-    return about;
-}
-
 void tellNuisances(Diagnosis& diagnosis, const Study& study, const Fit& fit) {
     for (std::size_t i = 0; i < study.calibrated.nuisances.size(); ++i) {
         const Eigen::Index p = fit.free[i];
@@ -116,25 +96,22 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std:
         throw std::invalid_argument("every recording is held out, expected at least one from which to learn");
     addParameters(study, file, effects);
 
-    // The nominal car: what its tolerances and the effects do, noise, disturbances.
-    const auto sensitivities = progress(0, 0.3);
+    // The nominal car: what its tolerances do, noise, disturbances.
+    const auto start = progress(0, 0.1);
     Linearised about = linearised(study.bench, study.bench.origin(), {.parameters = study.nuisances},
-                                  [&](double share) { sensitivities(0.5 * share, "sensitivities to tolerances"); });
+                                  [&](double share) { start(share, "sensitivities to tolerances"); });
     for (std::size_t d = 0; d < about.rows.size(); ++d) {
         if (about.rows[d].size() == 0)
             throw std::invalid_argument(
                 fmt::format("recording {}: the nominal car cannot be driven so", study.bench.drives[d].name));
     }
-    study.uncertainty = uncertaintyOf(study.bench, about.at, about.rows);
+    study.nominal = about.rows;
+    study.uncertainty = uncertaintyOf(study.bench, study.bench.origin(), study.nominal);
     const std::vector<Eigen::Index> matter = thatMatter(study, about);
-    about = withKnobs(study, about, matter,
-                      [&](double share) { sensitivities(0.5 + 0.5 * share, "sensitivities to effects"); });
-    study.nominal = ground(std::move(about), matter, study.uncertainty);
 
     // The calibrated one, from which effects are sought.
-    const auto again = progress(0.3, 0.4);
-    calibrate(study, [&](double share) { again(share, "sensitivities where the tolerances are"); });
-    const std::vector<DriveGram> grams = everything(study, study.calibrated);
+    const std::vector<DriveGram> grams =
+        calibrate(study, ground(std::move(about), matter, study.uncertainty), progress(0.1, 0.4));
 
     // Which effect.
     const Screen screened = screen(study, grams);

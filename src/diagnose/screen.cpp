@@ -45,15 +45,6 @@ Eigen::MatrixXd withoutNuisances(const Gram& gram, std::size_t nuisances) {
     return marginalised(gram, out).products.bottomRightCorner(left, left);
 }
 
-std::vector<double> gainsFromNominal(const Study& study) {
-    const Gram gram = total(everything(study, study.nominal), study.uncertainty, study.uncertainty.sizes);
-    const Eigen::MatrixXd products = withoutNuisances(gram, study.nominal.nuisances.size());
-    std::vector<double> gains;
-    for (std::size_t e = 0; e < study.effects.size(); ++e)
-        gains.push_back(gain(study, products, e, placesOf(study, e), study.bench.origin()));
-    return gains;
-}
-
 }  // namespace
 
 Screen screen(const Study& study, const std::vector<DriveGram>& grams) {
@@ -67,7 +58,6 @@ Screen screen(const Study& study, const std::vector<DriveGram>& grams) {
         result.detectability.push_back(most);
     }
     result.gain = gainsOver(study, study.calibrated, study.calibration);
-    result.from_nominal = gainsFromNominal(study);
     return result;
 }
 

@@ -11,8 +11,7 @@ namespace tread {
 
 struct Screen {
     std::vector<double> detectability;  // nats to expect at typical size, per effect
-    std::vector<double> gain;           // nats of linear evidence over none, per effect, from the calibrated car
-    std::vector<double> from_nominal;   // the same from the nominal car
+    std::vector<double> gain;           // nats of linear evidence over none, per effect
     Eigen::MatrixXd products;           // of all knobs, then the residual; nuisances and disturbances projected out
 };
 Screen screen(const Study& study, const std::vector<DriveGram>& grams);

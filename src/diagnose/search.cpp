@@ -151,22 +151,20 @@ const Candidate& Search::none() const {
 }
 
 Search search(Study& study, const Screen& screen, const Progress& progress) {
+    const Deviation& origin = study.calibration.at;
     std::optional<Fit> none = study.calibration;
     double zero = none->log_evidence;
 
-    // Every effect as the linearisation sees it, the most promising refitted; from the nominal car when its tolerances
-    // could not bring it near the recordings, for then they lead astray.
+    // Every effect as the linearisation sees it, the most promising refitted.
     Search result;
-    const std::vector<double>& gains = study.likely ? screen.gain : screen.from_nominal;
-    const Ground& about = study.likely ? study.calibrated : study.nominal;
-    const Deviation from = study.likely ? study.calibration.at : study.bench.origin();
     std::vector<Candidate> singles;
-    const std::vector<std::size_t> order = bestFirst(gains);
+    const std::vector<std::size_t> order = bestFirst(screen.gain);
     for (std::size_t i = 0; i < order.size(); ++i) {
         const std::size_t e = order[i];
-        const bool hopeless = study.likely && (gains[e] < gains[order.front()] - kHopeless || gains[e] < -1);
+        const bool hopeless = screen.gain[e] < screen.gain[order.front()] - kHopeless || screen.gain[e] < -1;
         std::optional<Candidate> one;
-        if (i < kFewestRefits || (i < kMostRefits && !hopeless)) one = refit(study, about, {e}, from, zero);
+        if (i < kFewestRefits || (i < kMostRefits && !hopeless))
+            one = refit(study, study.calibrated, {e}, origin, zero);
         progress(0.3 * static_cast<double>(std::min(i, kMostRefits)) / kMostRefits, "fitting " + study.effects[e].name);
         if (!one) one = Candidate{{e}, screen.gain[e], {}, false};
         singles.push_back(std::move(*one));

@@ -17,14 +17,13 @@ struct Study {
     std::vector<std::vector<Eigen::Index>> knobs;  // of each effect: indices of parameters
     std::vector<Eigen::Index> nuisances;           // all, indices of parameters
     Uncertainty uncertainty;
-    Ground nominal;      // about the nominal car, columns of all parameters
-    Ground calibrated;   // about the calibrated car: the nuisances' columns there, the knobs' of the nominal car
-    Fit calibration;     // that brought it there
-    bool likely = true;  // the calibrated car is one that its tolerances allow
+    Rows nominal;       // what the nominal car does
+    Ground calibrated;  // about the nominal car with its parameters where the recordings want them, within tolerances
+    Fit calibration;    // that brought it there
 
     // A parameter as a mixture of those nuisances that matter; empty when it is none.
     std::vector<Share> asNuisances(const Parameter& parameter) const {
-        return mixture(parameter, bench.parameters, {nominal.nuisances.begin(), nominal.nuisances.end()});
+        return mixture(parameter, bench.parameters, {calibrated.nuisances.begin(), calibrated.nuisances.end()});
     }
 
     std::vector<Eigen::Index> allKnobs() const {

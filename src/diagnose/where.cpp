@@ -107,8 +107,7 @@ WhereItLies whereItLies(const Study& study, const Search& found) {
     double all = 0;
     for (std::size_t d = 0; d < study.bench.drives.size(); ++d) {
         const RecordedDrive& drive = study.bench.drives[d];
-        const Eigen::VectorXd gap =
-            (drive.measured - study.nominal.about.rows[d]).cwiseQuotient(floorOf(study.uncertainty, d));
+        const Eigen::VectorXd gap = (drive.measured - study.nominal[d]).cwiseQuotient(floorOf(study.uncertainty, d));
         for (const ObservedChannel& channel : drive.channels) {
             const auto count = static_cast<Eigen::Index>(channel.times.size());
             const Eigen::VectorXd here = gap.segment(channel.first_row, count);
