@@ -76,7 +76,7 @@ std::vector<Drive> blindDrives() {
         repeated(drive("step_steer_110", 110, {steering(3, turnTo(-28)), steering(2, turnTo(0))}), 2),
         drive("sine_sweep_90", 90, {steering(10, sweep), during(0.5)}),
         drive("straight_braking_110", 110, {braking(2.5, 0.35)}),
-        drive("braking_in_turn_90", 90, {steering(2, turnTo(35)), braking(2.2, 0.25)}),
+        drive("braking_in_turn_90", 90, {steering(2, turnTo(32)), braking(2.2, 0.2)}),
         drive("coast_down_120", 120, {throttle(9, 0)}),
         drive("acceleration_50", 50, {throttle(7, 1)}),
         drive("slow_ramp_80", 80, {slowRamp()}),
