@@ -2,6 +2,7 @@
 
 #include "diagnose/diagnosis.h"
 #include "diagnose/how_far.h"
+#include "diagnose/next_drive.h"
 #include "diagnose/verdict.h"
 #include "diagnose/where.h"
 
@@ -77,6 +78,7 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std:
     // Where, and how far.
     diagnosis.where = whereItLies(study, found);
     howFar(diagnosis, study, found, drivesOf(file, logs, true));
+    diagnosis.next = nextDrives(diagnosis, study, found, options.possible_next);
     options.progress(1, "done");
     diagnosis.simulations += study.bench.simulations;
     diagnosis.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();

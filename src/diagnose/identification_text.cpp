@@ -58,7 +58,7 @@ std::string identificationInWords(const Identification& found) {
                     n == 1 ? " is" : "s are", found.gap.how_far.in_sample ? "in the same drives" : "in held-out drives",
                     level.nominal, level.calibrated);
     text += fmt::format(" (the rest within tolerance, too: {:.2f}, noise floor {:.2f})", level.extended, level.floor);
-    if (!found.converged) text += "; the fit has not settled";
+    if (!found.converged) text += "; the fit has not settled: numbers and errors are doubtful";
     return text;
 }
 

@@ -10,6 +10,7 @@
 #include "output.h"
 #include "progress.h"
 #include "report/diagnosis_report.h"
+#include "shipped_drives.h"
 #include "stages.h"
 
 namespace tread::program {
@@ -34,6 +35,7 @@ int diagnose(const DiagnoseRequest& request) {
         Progress bar(100, "%");
         DiagnoseOptions options;
         options.threads = request.threads;
+        options.possible_next = shippedDrives();
         options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
         diagnosis = tread::diagnose(inputs.nominal, inputs.file, inputs.logs, inputs.effects, options);
     }
