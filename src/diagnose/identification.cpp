@@ -20,7 +20,7 @@
 namespace tread {
 namespace {
 
-constexpr int kRounds = 3;             // of fitting and linearising at the fit
+constexpr int kRounds = 6;             // of fitting and linearising at the fit
 constexpr double kSettled = 0.1;       // prior standard deviations that a round moved the numbers
 constexpr double kUndetermined = 0.9;  // of the prior's standard deviation that the drives leave
 constexpr double kNearBound = 1e-6;    // units
@@ -68,42 +68,70 @@ void addParameters(Study& study, const DiagnosisFile& file) {
     }
 }
 
-// Noise and disturbances as they are about a point, and the sensitivities there made ready.
-Ground prepared(Study& study, Linearised about, const std::vector<Eigen::Index>* matter) {
-    study.uncertainty = uncertaintyOf(study.bench, about.rows);
-    const std::vector<Eigen::Index> kept = matter ? *matter : thatMatter(study, about);
-    Ground here = ground(std::move(about), kept, study.uncertainty);
-    study.uncertainty.sizes = disturbanceSizes(everything(study, here), study.uncertainty);
-    return here;
+// A model that cannot be right leaves more than noise. So that it is not forced onto what it cannot explain, all that
+// is uncertain in the recordings is taken as larger by as much (Birge's ratio); while the car is still far off, that
+// keeps the fit near what is known before.
+double leftOver(const Study& study, const Rows& rows) {
+    double sum = 0, expected = 0;
+    for (std::size_t d = 0; d < rows.size(); ++d) {
+        const DriveGram gram =
+            driveGram(residual(study.bench, study.uncertainty, rows, d), study.uncertainty.directions[d]);
+        sum += whitened(gram, study.uncertainty.sizesOf(d, study.uncertainty.sizes)).products(0, 0);
+        expected += study.uncertainty.expected[d];
+    }
+    return std::max(1.0, std::sqrt(sum / expected));
 }
 
+// The study about a point: what is uncertain there, and the sensitivities made ready for a fit.
+struct Round {
+    Uncertainty uncertainty;  // larger by `left_over` than the study's
+    Ground ground;
+    double left_over = 1;
+};
+Round roundAt(Study& study, Linearised about, const std::vector<Eigen::Index>* matter) {
+    study.uncertainty = uncertaintyOf(study.bench, about.rows);
+    const std::vector<Eigen::Index> kept = matter ? *matter : thatMatter(study, about);
+    const Ground plain = ground(about, kept, study.uncertainty);
+    study.uncertainty.sizes = disturbanceSizes(everything(study, plain), study.uncertainty);
+    Round round{study.uncertainty, {}, leftOver(study, about.rows)};
+    for (Eigen::VectorXd& noise : round.uncertainty.noise) noise *= round.left_over;
+    round.ground = ground(std::move(about), kept, round.uncertainty);
+    return round;
+}
+
+struct Settled {
+    Fit fit;
+    Round round;
+    bool settled = false;
+};
+
 // Fits, and looks at all sensitivities anew where the fit is, until it stays.
-std::optional<Fit> settled(Study& study, const Progress& progress) {
-    const auto at_round = [&](int round) {
-        return [&progress, round](double share) { progress((round + share) / kRounds, "sensitivities"); };
-    };
+std::optional<Settled> settled(Study& study, const Progress& progress) {
     const std::vector<Eigen::Index>& knobs = study.knobs[0];
     Wanted wanted{.parameters = study.nuisances, .difference = Difference::one_sided};
     wanted.parameters.insert(wanted.parameters.end(), knobs.begin(), knobs.end());
-    Linearised about = linearised(study.bench, study.bench.origin(), wanted, at_round(0));
-    expectDriven(study.bench, about);
-    study.nominal = prepared(study, std::move(about), nullptr);
-    std::optional<Fit> fit = fitted(study.bench, study.uncertainty, study.nominal, knobs, study.bench.origin());
-
-    wanted.parameters = study.nominal.nuisances;
-    wanted.parameters.insert(wanted.parameters.end(), knobs.begin(), knobs.end());
-    for (int round = 1; fit && round < kRounds; ++round) {
-        const Deviation before = fit->at;
-        const Ground here =
-            prepared(study, linearised(study.bench, before, wanted, at_round(round)), &study.nominal.nuisances);
-        if (std::any_of(here.about.rows.begin(), here.about.rows.end(), [](const auto& r) { return r.size() == 0; }))
-            break;
-        std::optional<Fit> again = fitted(study.bench, study.uncertainty, here, knobs, before);
-        if (!again) break;
-        fit = std::move(again);
-        if ((fit->at - before)(knobs).cwiseAbs().maxCoeff() < kSettled) break;
+    std::optional<Settled> result;
+    Deviation at = study.bench.origin();
+    for (int i = 0; i < kRounds; ++i) {
+        Linearised about = linearised(study.bench, at, wanted,
+                                      [&](double share) { progress((i + share) / kRounds, "sensitivities"); });
+        if (i == 0) expectDriven(study.bench, about);
+        else if (std::any_of(about.rows.begin(), about.rows.end(), [](const auto& r) { return r.size() == 0; })) break;
+        if (i == 0) study.nominal.about = about;
+        Round round = roundAt(study, std::move(about), i == 0 ? nullptr : &study.nominal.nuisances);
+        if (i == 0) {
+            study.nominal.nuisances = round.ground.nuisances;
+            wanted.parameters = round.ground.nuisances;
+            wanted.parameters.insert(wanted.parameters.end(), knobs.begin(), knobs.end());
+        }
+        std::optional<Fit> fit = fitted(study.bench, round.uncertainty, round.ground, knobs, at);
+        if (!fit) break;
+        const double moved = (fit->at - at)(knobs).cwiseAbs().maxCoeff();
+        at = fit->at;
+        result = Settled{std::move(*fit), std::move(round), i > 0 && moved < kSettled};
+        if (result->settled) break;
     }
-    return fit;
+    return result;
 }
 
 // What the drives tell of the free parameters counts as in a diagnosis: less than independent noise would have it.
@@ -181,16 +209,20 @@ Identification identify(const Subject& nominal, const DiagnosisFile& file, const
     Study study;
     begin(study.bench, nominal, file, logs, options);
     addParameters(study, file);
-    std::optional<Fit> fit =
+    std::optional<Settled> result =
         settled(study, [&](double done, const std::string& what) { options.progress(0.9 * done, what); });
-    if (!fit) throw SimulationError("the nominal car cannot be driven in the recordings", 0);
+    if (!result) throw SimulationError("the nominal car cannot be driven in the recordings", 0);
 
-    found.converged = fit->converged;
-    const Gram gram = total(fit->grams, study.uncertainty, study.uncertainty.sizes);
+    found.converged = result->settled;
+    found.left_over = result->round.left_over;
+    const Gram gram = total(result->fit.grams, result->round.uncertainty, result->round.uncertainty.sizes);
     const Eigen::MatrixXd covariance = posteriorOf(gram);
-    tellNumbers(found, study, *fit, covariance);
+    tellNumbers(found, study, result->fit, covariance);
     tellShape(found, gram, covariance);
-    tellGap(found, study, std::move(*fit), drivesOf(file, logs, true));
+    tellGap(found, study, std::move(result->fit), drivesOf(file, logs, true));
+    const HowFar& how_far = found.gap.how_far;
+    found.better = how_far.in_sample ? how_far.training.calibrated < how_far.training.nominal
+                                     : how_far.held_out.calibrated < how_far.held_out.nominal;
     options.progress(1, "done");
     found.gap.simulations = study.bench.simulations;
     found.gap.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();

@@ -25,7 +25,9 @@ struct Identification {
     std::vector<std::vector<double>> correlation;  // of what is left uncertain, in the order of the numbers
     double condition = 0;                   // of the drives' information about the numbers, in units of their priors
     std::map<std::string, double> weakest;  // the mixture of them that the drives see least: shares of a unit vector
+    double left_over = 1;  // times the noise, that the fit leaves: the standard errors are scaled by it
     bool converged = false;
+    bool better = false;  // than the nominal car, in the drives that judge
     // Stages of the gap: the nominal car, the fitted numbers alone (`calibrated`), and the rest of what is uncertain
     // fitted within its tolerances, too (`extended`).
     Diagnosis gap;

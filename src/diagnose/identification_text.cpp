@@ -14,6 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double kNotJustNoise = 1.2;
 constexpr double kAlike = 0.9;   // correlation from which two numbers are told to be known together only
 constexpr double kFarMoved = 2;  // prior standard deviations
 constexpr double kBadly = 1e4;   // condition from which it is worth a line
@@ -58,6 +59,7 @@ std::string identificationInWords(const Identification& found) {
                     n == 1 ? " is" : "s are", found.gap.how_far.in_sample ? "in the same drives" : "in held-out drives",
                     level.nominal, level.calibrated);
     text += fmt::format(" (the rest within tolerance, too: {:.2f}, noise floor {:.2f})", level.extended, level.floor);
+    if (!found.better) text += "; that is no better than the nominal car: do not use it";
     if (!found.converged) text += "; the fit has not settled: numbers and errors are doubtful";
     return text;
 }
@@ -78,6 +80,11 @@ std::string identificationText(const Identification& found) {
                                 : "");
     }
     text += pairsOf(found);
+    if (found.left_over > kNotJustNoise)
+        text += fmt::format(
+            "LEFT      {:.1f} times the noise in the fitted drives: the model lacks something; errors are scaled by "
+            "it\n",
+            found.left_over);
     if (found.gap.how_far.in_sample)
         text += "no recording is held out: the gap is judged on the drives that were fitted, too favourably\n";
     return text;
@@ -103,7 +110,9 @@ Json identificationJson(const Identification& found) {
             {"condition", found.condition},
             {"weakest", found.weakest},
             {"not_determined", names(found.numbers, &FittedNumber::determined, false)},
+            {"left_over", found.left_over},
             {"converged", found.converged},
+            {"better", found.better},
             {"how_far", gap["how_far"]},
             {"where", gap["where"]},
             {"nuisance", gap["nuisance"]},

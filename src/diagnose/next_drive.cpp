@@ -5,6 +5,7 @@
 #include <deque>
 #include <numeric>
 
+#include "diagnose/open_question.h"
 #include "diagnose/replay.h"
 #include "diagnose/thresholds.h"
 #include "identify/parallel.h"
@@ -13,62 +14,7 @@ namespace tread {
 namespace {
 
 constexpr int kMostSimulations = 150;  // beyond, no further manoeuvre is looked at closely
-constexpr std::size_t kMostRivals = 2, kMostHidden = 4;
-constexpr double kClose = 12;        // nats behind the answer, up to which a rival is worth telling apart
-constexpr double kLoggedRate = 100;  // Hz
-
-// Two cars that the recordings leave open, and the fits whose free parameters may still move to make one car look like
-// the other: whichever of them is true, the manoeuvre must tell.
-struct Question {
-    std::string separates;
-    Deviation one, other;
-    std::vector<const Fit*> fits;
-};
-
-std::string namesOf(const Study& study, const Candidate& candidate) {
-    std::string names;
-    for (const std::size_t e : candidate.effects) names += (names.empty() ? "" : " and ") + study.effects[e].name;
-    return names;
-}
-
-// The answer and those that come close to it.
-std::vector<Question> rivals(const Diagnosis& diagnosis, const Study& study, const Search& found) {
-    std::vector<Question> questions;
-    const Candidate* answer = nullptr;
-    for (const Candidate& one : found.candidates) {
-        std::vector<std::string> names;
-        for (const std::size_t e : one.effects) names.push_back(study.effects[e].name);
-        if (one.fitted && names == diagnosis.causes) answer = &one;
-    }
-    for (const Candidate& one : found.candidates) {
-        if (!answer || !one.fitted || &one == answer || one.effects.size() != answer->effects.size()) continue;
-        if (one.log_evidence < answer->log_evidence - kClose || questions.size() == kMostRivals) continue;
-        questions.push_back({namesOf(study, *answer) + " from " + namesOf(study, one),
-                             answer->fit.at,
-                             one.fit.at,
-                             {&answer->fit, &one.fit}});
-    }
-    return questions;
-}
-
-// The effects that could not be seen, the likeliest first, at their typical size on the car as it seems to be.
-std::vector<Question> hidden(const Diagnosis& diagnosis, const Study& study, const Search& found) {
-    std::vector<Question> questions;
-    const Fit& none = found.none().fit;
-    for (const RankedEffect& ranked : diagnosis.effects) {
-        if (diagnosis.testable.at(ranked.name) >= kThresholds.testable || questions.size() == kMostHidden) continue;
-        Deviation there = none.at;
-        for (std::size_t e = 0; e < study.effects.size(); ++e) {
-            if (study.effects[e].name != ranked.name) continue;
-            for (const Eigen::Index k : study.knobs[e]) {
-                const Parameter& parameter = study.bench.parameters[static_cast<std::size_t>(k)];
-                there(k) = parameter.highest > 0 ? std::min(1.0, parameter.highest) : std::max(-1.0, parameter.lowest);
-            }
-        }
-        questions.push_back({ranked.name + " from none", there, none.at, {&none}});
-    }
-    return questions;
-}
+constexpr double kLoggedRate = 100;    // Hz
 
 // What the nominal car's instruments would show of a manoeuvre, driven as its file says; no rows when it cannot be.
 Log imagined(const Bench& bench, const Scenario& told, const std::vector<ObservedChannel>& channels) {
@@ -238,8 +184,7 @@ double natsOf(const Look& look, const Answers& answers, const Fit& fit, const Ei
 
 std::vector<NextDrive> nextDrives(const Diagnosis& diagnosis, Study& study, const Search& found,
                                   const std::vector<PossibleDrive>& possible) {
-    const bool blames = diagnosis.verdict == Verdict::explained || diagnosis.verdict == Verdict::ambiguous;
-    const std::vector<Question> questions = blames ? rivals(diagnosis, study, found) : hidden(diagnosis, study, found);
+    const std::vector<Question> questions = openQuestions(diagnosis, study, found);
     if (questions.empty() || possible.empty()) return {};
 
     const int before = study.bench.simulations;

@@ -24,11 +24,11 @@ void judgePaths(const std::vector<std::string>& paths) {
     throwIfAny(std::move(problems));
 }
 
-// Yes when the drives tell something of every number.
+// Yes when the car became better and the drives tell something of every number.
 int statusOf(const Identification& found) {
     const bool all =
         std::all_of(found.numbers.begin(), found.numbers.end(), [](const FittedNumber& one) { return one.determined; });
-    return all && found.converged ? kYes : kNo;
+    return all && found.converged && found.better ? kYes : kNo;
 }
 
 }  // namespace
