@@ -105,11 +105,18 @@ struct Settled {
     bool settled = false;
 };
 
+std::vector<Eigen::Index> together(const std::vector<Eigen::Index>& some, const std::vector<Eigen::Index>& more) {
+    std::vector<Eigen::Index> all;
+    all.reserve(some.size() + more.size());
+    for (const auto* list : {&some, &more})
+        for (const Eigen::Index one : *list) all.push_back(one);
+    return all;
+}
+
 // Fits, and looks at all sensitivities anew where the fit is, until it stays.
 std::optional<Settled> settled(Study& study, const Progress& progress) {
     const std::vector<Eigen::Index>& knobs = study.knobs[0];
-    Wanted wanted{.parameters = study.nuisances, .difference = Difference::one_sided};
-    wanted.parameters.insert(wanted.parameters.end(), knobs.begin(), knobs.end());
+    Wanted wanted{.parameters = together(study.nuisances, knobs), .difference = Difference::one_sided};
     std::optional<Settled> result;
     Deviation at = study.bench.origin();
     for (int i = 0; i < kRounds; ++i) {
@@ -121,8 +128,7 @@ std::optional<Settled> settled(Study& study, const Progress& progress) {
         Round round = roundAt(study, std::move(about), i == 0 ? nullptr : &study.nominal.nuisances);
         if (i == 0) {
             study.nominal.nuisances = round.ground.nuisances;
-            wanted.parameters = round.ground.nuisances;
-            wanted.parameters.insert(wanted.parameters.end(), knobs.begin(), knobs.end());
+            wanted.parameters = together(round.ground.nuisances, knobs);
         }
         std::optional<Fit> fit = fitted(study.bench, round.uncertainty, round.ground, knobs, at);
         if (!fit) break;
@@ -190,7 +196,7 @@ void tellShape(Identification& found, const Gram& gram, const Eigen::MatrixXd& c
 void tellGap(Identification& found, Study& study, Fit fit, std::vector<RecordedDrive> held_out) {
     Fit alone = fit;
     alone.at = study.bench.origin();
-    alone.at(fit.knobs) = fit.at(fit.knobs);
+    for (const Eigen::Index k : fit.knobs) alone.at(k) = fit.at(k);
     if (std::optional<Rows> rows = rowsAt(study.bench, alone.at)) alone.rows = std::move(*rows);
     Search search;
     search.candidates.push_back({.effects = {0}, .fit = std::move(fit), .fitted = true});

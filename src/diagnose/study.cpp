@@ -30,6 +30,7 @@ void begin(Bench& bench, const Subject& nominal, const DiagnosisFile& file, cons
     bench.step = file.step;
     bench.simulate = options.simulate;
     bench.threads = options.threads;
+    bench.cache = options.cache;
     bench.drives = drivesOf(file, logs, false);
     if (bench.drives.empty())
         throw std::invalid_argument("every recording is held out, expected at least one from which to learn");

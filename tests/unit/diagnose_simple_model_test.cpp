@@ -1,7 +1,10 @@
 // The whole diagnosis on a car of two lines: fast, and its answer can be seen by eye.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "diagnose/diagnosis_json.h"
+#include "shared/scratch.h"
 #include "shared/simple_car.h"
 
 namespace tread {
@@ -35,6 +38,60 @@ TEST(DiagnosisOfASimpleCar, AnswerIsTheSameToTheBitForOneAndTwoThreads) {
     Diagnosis one = diagnosed(14.5, 1), two = diagnosed(14.5, 2);
     one.seconds = two.seconds = 0;
     EXPECT_EQ(diagnosisJson(one).dump(), diagnosisJson(two).dump());
+}
+
+// Sensitivities that were kept by a diagnosis, taken by the next.
+class KeptSensitivities : public testing::Test {
+protected:
+    Scratch scratch;
+    simple_car::Case made = simple_car::recorded(14.5, 0.66, 3);
+
+    Diagnosis diagnosed() const {
+        DiagnoseOptions options = simple_car::options();
+        options.cache = scratch.path("cache");
+        Diagnosis d = diagnose(made.nominal, made.file, made.logs,
+                               {effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")}, options);
+        d.seconds = 0;
+        return d;
+    }
+    std::vector<std::filesystem::path> files() const {
+        std::vector<std::filesystem::path> found;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(scratch.folder()))
+            if (entry.is_regular_file()) found.push_back(entry.path());
+        return found;
+    }
+    static std::string textOf(Diagnosis d) {
+        d.simulations = 0;
+        return diagnosisJson(d).dump();
+    }
+};
+
+TEST_F(KeptSensitivities, GiveTheSameAnswerToTheBitWithFewerSimulations) {
+    const Diagnosis first = diagnosed(), second = diagnosed();
+    EXPECT_EQ(textOf(first), textOf(second));
+    EXPECT_LT(second.simulations, first.simulations / 2);
+}
+
+TEST_F(KeptSensitivities, OfAnInterruptedDiagnosisAreTakenAndTheRestIsMade) {
+    const Diagnosis first = diagnosed();
+    std::vector<std::filesystem::path> kept = files();
+    for (std::size_t i = 0; i < kept.size(); i += 2) std::filesystem::remove(kept[i]);
+    std::filesystem::resize_file(kept[1], 100);  // a disk that was full
+    const Diagnosis second = diagnosed();
+    EXPECT_EQ(textOf(first), textOf(second));
+    EXPECT_LT(second.simulations, first.simulations);
+    EXPECT_EQ(files().size(), kept.size());
+}
+
+TEST_F(KeptSensitivities, AreNotThoseOfAnotherCarOrDrive) {
+    const Diagnosis first = diagnosed();
+    const std::size_t count = files().size();
+    made.nominal.vehicle.wheelbase *= 1.001;
+    EXPECT_GT(diagnosed().simulations, 9 * first.simulations / 10) << "no column of the other car is taken";
+    EXPECT_EQ(files().size(), 2 * count);
+    made.logs[0].channels[1].values[150] += 0.01;
+    EXPECT_GT(diagnosed().simulations, first.simulations / 2);
+    EXPECT_GT(files().size(), 2 * count);
 }
 
 }  // namespace

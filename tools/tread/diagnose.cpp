@@ -30,18 +30,19 @@ int diagnose(const DiagnoseRequest& request) {
     if (request.check) return checkData(inputs, request.json);
     for (const std::string& warning : inputs.warnings) fmt::print(stderr, "tread diagnose: {}\n", warning);
 
+    const Path out = request.output.empty() ? Path("out") : Path(request.output);
     Diagnosis diagnosis;
     {
         Progress bar(100, "%");
         DiagnoseOptions options;
         options.threads = request.threads;
+        options.cache = out / "cache";
         options.possible_next = shippedDrives();
         options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
         diagnosis = tread::diagnose(inputs.nominal, inputs.file, inputs.logs, inputs.effects, options);
     }
     diagnosis.data_warnings = inputs.warnings;
 
-    const Path out = request.output.empty() ? Path("out") : Path(request.output);
     std::filesystem::create_directories(out);
     writeStages(diagnosis.overlays, out / "logs");
     const nlohmann::json json = diagnosisJson(diagnosis);

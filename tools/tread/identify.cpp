@@ -39,17 +39,18 @@ int identify(const IdentifyRequest& request) {
     if (!request.fit.empty()) inputs.file.fit = request.fit;
     for (const std::string& warning : inputs.warnings) fmt::print(stderr, "tread identify: {}\n", warning);
 
+    const Path out = request.output.empty() ? Path("out") : Path(request.output);
     Identification found;
     {
         Progress bar(100, "%");
         DiagnoseOptions options;
         options.threads = request.threads;
+        options.cache = out / "cache";
         options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
         found = tread::identify(inputs.nominal, inputs.file, inputs.logs, options);
     }
     found.gap.data_warnings = inputs.warnings;
 
-    const Path out = request.output.empty() ? Path("out") : Path(request.output);
     std::filesystem::create_directories(out);
     writeStages(found.gap.overlays, out / "logs");
     const nlohmann::json json = identificationJson(found);
