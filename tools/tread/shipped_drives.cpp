@@ -19,16 +19,16 @@ struct Shipped {
 const std::vector<Shipped>& shipped() {
     static const std::vector<Shipped> list{
         {"step_steer_80.yaml"},
-        {"step_steer_80.yaml", {"phases.1.steering.ramp.to=\"80 deg\""}},
+        {"step_steer_80.yaml", {"phases.1.steering.ramp.to=80 deg"}},
         {"step_steer_100.yaml"},
         {"steering_pulse.yaml"},
         {"one_period_sine.yaml"},
-        {"sine_with_dwell.yaml", {"phases.1.steering.sine_with_dwell.amplitude=\"75 deg\""}},
+        {"sine_with_dwell.yaml", {"phases.1.steering.sine_with_dwell.amplitude=75 deg"}},
         {"weave.yaml"},
         {"sine_sweep.yaml",
          {"phases.1.steering.sweep.duration=25", "phases.1.steering.sweep.from=0.2", "phases.1.until.duration=25"}},
         {"slowly_increasing_steer.yaml", {"phases.1.until.duration=12"}},
-        {"straight_braking_100_part.yaml", {"phases.1.until.speed_below=\"20 km/h\""}},
+        {"straight_braking_100_part.yaml", {"phases.1.until.speed_below=20 km/h"}},
         {"coast_down.yaml", {"phases.1.until.duration=20"}},
         {"acceleration_100.yaml"},
     };
@@ -58,7 +58,7 @@ std::vector<PossibleDrive> shippedDrives() {
         PossibleDrive drive{"scenarios/" + std::string(one.file), loadScenario(folder / one.file)};
         applySettings(drive.scenario, one.settings, "shipped scenario",
                       [](std::string_view) { return std::string("`tread describe scenario` lists all paths"); });
-        for (const std::string& setting : one.settings) drive.name += " --set scenario." + setting;
+        for (const std::string& setting : one.settings) drive.name += " --set \"scenario." + setting + "\"";
         drives.push_back(std::move(drive));
     }
     return drives;
