@@ -36,13 +36,13 @@ std::vector<Question> rivals(const Diagnosis& diagnosis, const Study& study, con
     return questions;
 }
 
-// The effects that could not be seen, the likeliest first, at their typical size on the car as it seems to be.
+// The effects that could not be seen, the likeliest first, at their typical size on the nominal car.
 std::vector<Question> hidden(const Diagnosis& diagnosis, const Study& study, const Search& found) {
     std::vector<Question> questions;
     const Fit& none = found.none().fit;
     for (const RankedEffect& ranked : diagnosis.effects) {
         if (diagnosis.testable.at(ranked.name) >= kThresholds.testable || questions.size() == kMostHidden) continue;
-        Deviation there = none.at;
+        Deviation there = study.bench.origin();
         for (std::size_t e = 0; e < study.effects.size(); ++e) {
             if (study.effects[e].name != ranked.name) continue;
             for (const Eigen::Index k : study.knobs[e]) {
@@ -50,7 +50,7 @@ std::vector<Question> hidden(const Diagnosis& diagnosis, const Study& study, con
                 there(k) = parameter.highest > 0 ? std::min(1.0, parameter.highest) : std::max(-1.0, parameter.lowest);
             }
         }
-        questions.push_back({ranked.name + " from none", there, none.at, {&none}});
+        questions.push_back({ranked.name + " from none", there, study.bench.origin(), {&none}});
     }
     return questions;
 }
