@@ -4,6 +4,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "diagnose/column_cache.h"
 #include "diagnose/replay.h"
 #include "identify/parallel.h"
 
@@ -121,11 +122,16 @@ Linearised linearised(Bench& bench, const Deviation& at, const Wanted& wanted,
             if (motions[d] && worth && bench.firstLike(d) == d) pieces.push_back({d, p, by});
         }
     }
+    std::vector<std::filesystem::path> kept(drives);
+    for (std::size_t d = 0; d < drives && at.isZero(0); ++d) kept[d] = columnFolder(bench, d, subject);
     std::mutex guard;
     double done = 0;
     inParallel(pieces.size(), bench.threads, [&](std::size_t i) {
         const Piece& one = pieces[i];
-        const auto column = difference(bench, one, subject, *motions[one.drive], result.rows[one.drive]);
+        const Eigen::VectorXd& here = result.rows[one.drive];
+        const auto column =
+            keptColumn(kept[one.drive], bench.parameters[static_cast<std::size_t>(one.parameter)], one.above, one.below,
+                       here.size(), [&] { return difference(bench, one, subject, *motions[one.drive], here); });
         if (column) result.columns[one.drive].col(one.parameter) = *column;
         const std::scoped_lock lock(guard);
         progress(++done / static_cast<double>(pieces.size()));

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <atomic>
+#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct Bench {
     std::vector<Parameter> parameters;
     Simulate simulate;
     int threads = 0;
+    std::filesystem::path cache;  // of the sensitivities of the nominal car; empty: none
     std::atomic<int> simulations{0};
 
     Deviation origin() const { return Deviation::Zero(static_cast<Eigen::Index>(parameters.size())); }

@@ -99,11 +99,18 @@ struct Diagnosis {
 // Drives a car; replaced in tests by models of two lines.
 using Simulate = std::function<void(const VehicleParams&, const Scenario&, const Recorder&, const Pushing&)>;
 
+// A manoeuvre that could be driven next, under the name by which the user knows it.
+struct PossibleDrive {
+    std::string name;
+    Scenario scenario;
+};
+
 struct DiagnoseOptions {
     Simulate simulate = [](const VehicleParams& vehicle, const Scenario& scenario, const Recorder& recorder,
                            const Pushing& pushing) { tread::simulate(vehicle, scenario, recorder, pushing); };
-    int threads = 0;                // 0: one per core
-    std::filesystem::path cache{};  // folder; empty: none
+    int threads = 0;                             // 0: one per core
+    std::filesystem::path cache{};               // folder; empty: none
+    std::vector<PossibleDrive> possible_next{};  // none: what to drive next is not asked
     std::function<void(double done, const std::string&)> progress = [](double, const std::string&) {};
 };
 

@@ -98,6 +98,7 @@ struct DiagnosisFile {
     Instruments instruments;
     std::vector<std::string> effects = {};
     std::string own_effects;
+    std::vector<std::string> fit = {};
     double step = 0.004;
 
     static constexpr void describe(auto& self, auto&& field) {
@@ -111,6 +112,8 @@ struct DiagnosisFile {
         field(TREAD_FIELD(instruments), About{"", "instruments, as far as they are known"});
         field(TREAD_FIELD(effects), About{"", "effects to consider, with * for any characters; none: all"});
         field(TREAD_FIELD(own_effects), About{"", "file with further effects, relative to this file"});
+        field(TREAD_FIELD(fit),
+              About{"", "numbers that `tread identify` fits, with * for any characters, e.g. front.tyre.lambda.Ky"});
         field(TREAD_FIELD(step), About{"s", "time step of the replay", {1e-4, 0.01}});
     }
 

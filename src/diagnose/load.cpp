@@ -54,6 +54,8 @@ void judgeNames(Faults& faults, const DiagnosisFile& diagnosis, bool with_logs) 
         faults.add(at("channels", i, "channel"), channelFault(diagnosis.channels[i].channel));
     for (std::size_t i = 0; i < diagnosis.tolerances.size(); ++i)
         faults.add(at("tolerances", i, "path"), pathFault(diagnosis.tolerances[i].path));
+    for (std::size_t i = 0; i < diagnosis.fit.size(); ++i)
+        faults.add("fit." + std::to_string(i), pathFault(diagnosis.fit[i]));
     faults.addUnlessThere("vehicle", diagnosis.vehicle);
     faults.addUnlessThere("import", diagnosis.import);
     faults.addUnlessThere("own_effects", diagnosis.own_effects);

@@ -1,7 +1,10 @@
 #include "diagnose/study.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 namespace tread {
 namespace {
@@ -9,8 +12,53 @@ namespace {
 constexpr double kSizeSpread = 0.5;  // of the logarithm of a size about that of the usual one
 constexpr double kLargestFactor = 3;
 constexpr int kSweeps = 6;
+constexpr double kNegligible = 0.01;  // nats that a nuisance of usual size makes of difference
 
 }  // namespace
+
+std::vector<RecordedDrive> drivesOf(const DiagnosisFile& file, const std::vector<Log>& logs, bool held_out) {
+    std::vector<RecordedDrive> drives;
+    for (std::size_t i = 0; i < file.recordings.size(); ++i) {
+        if (file.recordings[i].hold_out == held_out) drives.push_back(recordedDrive(file.recordings[i], logs[i], file));
+    }
+    return drives;
+}
+
+void begin(Bench& bench, const Subject& nominal, const DiagnosisFile& file, const std::vector<Log>& logs,
+           const DiagnoseOptions& options) {
+    bench.nominal = nominal;
+    bench.step = file.step;
+    bench.simulate = options.simulate;
+    bench.threads = options.threads;
+    bench.cache = options.cache;
+    bench.drives = drivesOf(file, logs, false);
+    if (bench.drives.empty())
+        throw std::invalid_argument("every recording is held out, expected at least one from which to learn");
+}
+
+void expectDriven(const Bench& bench, const Linearised& about) {
+    for (std::size_t d = 0; d < about.rows.size(); ++d) {
+        if (about.rows[d].size() == 0)
+            throw std::invalid_argument(
+                fmt::format("recording {}: the nominal car cannot be driven so", bench.drives[d].name));
+    }
+}
+
+std::vector<Eigen::Index> thatMatter(const Study& study, const Linearised& about) {
+    std::vector<double> matter(study.nuisances.size(), 0);
+    for (std::size_t d = 0; d < about.columns.size(); ++d) {
+        Eigen::MatrixXd columns = about.columns[d](Eigen::all, study.nuisances);
+        columns.array().colwise() /= study.uncertainty.noise[d].array();
+        const Gram gram = whitened(driveGram(columns, study.uncertainty.directions[d]),
+                                   study.uncertainty.sizesOf(d, study.uncertainty.sizes));
+        for (std::size_t i = 0; i < matter.size(); ++i)
+            matter[i] += 0.5 * gram.products(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i));
+    }
+    std::vector<Eigen::Index> kept;
+    for (std::size_t i = 0; i < matter.size(); ++i)
+        if (matter[i] > kNegligible) kept.push_back(study.nuisances[i]);
+    return kept;
+}
 
 std::vector<DriveGram> everything(const Study& study, const Ground& ground) {
     const std::vector<Eigen::Index> knobs = study.allKnobs();

@@ -33,6 +33,19 @@ struct Study {
     }
 };
 
+// The recordings from which to learn, or those held out.
+std::vector<RecordedDrive> drivesOf(const DiagnosisFile& file, const std::vector<Log>& logs, bool held_out);
+
+// Puts the nominal car and the recordings from which to learn on a bench; its parameters are added by whoever asks.
+void begin(Bench& bench, const Subject& nominal, const DiagnosisFile& file, const std::vector<Log>& logs,
+           const DiagnoseOptions& options);
+
+// Throws when the nominal car could not be driven in one of the recordings.
+void expectDriven(const Bench& bench, const Linearised& about);
+
+// The study's nuisances without those that make no difference to any answer.
+std::vector<Eigen::Index> thatMatter(const Study& study, const Linearised& about);
+
 // Of the drives on a bench about a point, whose rows are these; with disturbances of the usual sizes.
 Uncertainty uncertaintyOf(Bench& bench, const Deviation& at, const Rows& rows);
 

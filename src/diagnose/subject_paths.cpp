@@ -42,6 +42,10 @@ const ReferenceRow* subjectNumber(std::string_view path) {
     return found == rows().end() ? nullptr : &found->second;
 }
 
+bool isOfTheCar(std::string_view path) {
+    return !path.starts_with("road.") && !path.starts_with("wind.") && !path.starts_with("instruments.");
+}
+
 std::string pathFault(std::string_view path) {
     const bool pattern = path.find('*') != std::string_view::npos;
     const auto fits = [&](const auto& row) { return matches(path, row.first); };

@@ -15,4 +15,7 @@ const ReferenceRow* subjectNumber(std::string_view path);
 // What is wrong with a path or a pattern with *, empty when some subject has a number there.
 std::string pathFault(std::string_view path);
 
+// Neither road nor wind nor instruments.
+bool isOfTheCar(std::string_view path);
+
 }  // namespace tread

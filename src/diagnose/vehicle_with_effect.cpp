@@ -20,10 +20,6 @@ void forEachFitted(const Diagnosis& diagnosis, const auto& visit) {
     }
 }
 
-bool isOfTheCar(const std::string& path) {
-    return !path.starts_with("road.") && !path.starts_with("wind.") && !path.starts_with("instruments.");
-}
-
 }  // namespace
 
 Subject withCauses(Subject nominal, const Diagnosis& diagnosis) {

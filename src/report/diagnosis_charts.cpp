@@ -39,7 +39,7 @@ std::vector<const Overlay*> shownOverlays(const Diagnosis& diagnosis) {
 }
 
 struct Look {
-    const char* name;
+    const char* name;  // nullptr: told by who asks
     const Log Overlay::*log;
     Colour colour;
     bool dashed;
@@ -48,7 +48,7 @@ struct Look {
 constexpr Look kLooks[] = {{"measured", &Overlay::measured, Colour::grey, false, 4},
                            {"nominal", &Overlay::nominal, Colour::vermillion, true, 1.5},
                            {"calibrated", &Overlay::calibrated, Colour::amber, false, 1.5},
-                           {"with the effect", &Overlay::extended, Colour::blue, false, 2}};
+                           {nullptr, &Overlay::extended, Colour::blue, false, 2}};
 
 // Values of a channel of another log at the times of the measured one; kept as long as the page is made.
 class Curves {
@@ -65,7 +65,7 @@ private:
     std::deque<std::vector<double>> kept_;
 };
 
-TimeChart chartOf(const Overlay& overlay, const std::string& channel, Curves& curves) {
+TimeChart chartOf(const Overlay& overlay, const std::string& channel, const char* extended, Curves& curves) {
     const Log& measured = overlay.measured;
     const DisplayUnit shown = displayUnit(measured.find(channel)->unit, channel);
     TimeChart chart{.title = overlay.recording + (overlay.hold_out ? " (held out)" : "") + ": " + shownName(channel),
@@ -74,19 +74,20 @@ TimeChart chartOf(const Overlay& overlay, const std::string& channel, Curves& cu
                     .curves = {}};
     for (const Look& look : kLooks) {
         if (const auto* values = curves.on(measured.channels.front().values, overlay.*look.log, channel))
-            chart.curves.push_back({look.name, *values, shown.scale, look.colour, look.dashed, look.width});
+            chart.curves.push_back(
+                {look.name ? look.name : extended, *values, shown.scale, look.colour, look.dashed, look.width});
     }
     return chart;
 }
 
 }  // namespace
 
-void addOverlays(HtmlPage& page, const Diagnosis& diagnosis) {
+void addOverlays(HtmlPage& page, const Diagnosis& diagnosis, const char* extended) {
     Curves curves;
     std::vector<TimeChart> charts;
     for (const Overlay* overlay : shownOverlays(diagnosis)) {
         for (const std::string& channel : worstChannels(diagnosis)) {
-            if (overlay->measured.find(channel)) charts.push_back(chartOf(*overlay, channel, curves));
+            if (overlay->measured.find(channel)) charts.push_back(chartOf(*overlay, channel, extended, curves));
         }
     }
     if (diagnosis.overlays.size() > kRecordings)

@@ -6,6 +6,7 @@
 
 namespace tread {
 
-void addOverlays(HtmlPage& page, const Diagnosis& diagnosis);
+// `extended`: what the last stage of the model is called.
+void addOverlays(HtmlPage& page, const Diagnosis& diagnosis, const char* extended = "with the effect");
 
 }  // namespace tread

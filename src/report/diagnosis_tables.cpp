@@ -165,13 +165,13 @@ void addEffects(HtmlPage& page, const Diagnosis& diagnosis) {
                               diagnosis.effects.size() - kShown));
 }
 
-void addLevels(HtmlPage& page, const HowFar& how_far) {
+void addLevels(HtmlPage& page, const HowFar& how_far, const char* extended) {
     std::vector<std::vector<Cell>> rows;
     const auto add = [&](const char* drives, const GapLevels& levels) {
         const double most = std::max({levels.nominal, levels.calibrated, levels.extended, levels.floor, 1e-9});
         const std::pair<const char*, double> stages[] = {{"nominal", levels.nominal},
                                                          {"calibrated", levels.calibrated},
-                                                         {"with the effect", levels.extended},
+                                                         {extended, levels.extended},
                                                          {"noise floor", levels.floor}};
         for (const auto& [stage, value] : stages) {
             Cell bar{stage};

@@ -14,7 +14,8 @@ std::string shownName(std::string_view name);
 std::vector<std::string> shownNames(const std::vector<std::string>& names);
 
 void addEffects(HtmlPage& page, const Diagnosis& diagnosis);
-void addLevels(HtmlPage& page, const HowFar& how_far);
+// `extended`: what the last stage of the model is called.
+void addLevels(HtmlPage& page, const HowFar& how_far, const char* extended = "with the effect");
 void addWhere(HtmlPage& page, const WhereItLies& where);
 void addLimits(HtmlPage& page, const Diagnosis& diagnosis);
 void addNuisances(HtmlPage& page, const Diagnosis& diagnosis);

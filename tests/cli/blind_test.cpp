@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "blind/sha256.h"
 #include "cli/program.h"
+#include "diagnose/sha256.h"
 #include "places/places.h"
 #include "shared/scratch.h"
 

@@ -49,7 +49,7 @@ inline const std::vector<Library> kLibraries{
     {"nlohmann_json", {"nlohmann/"}, kLab},
     {"CLI11", {"CLI/"}, {"tools"}},
     {"matio", {"matio.h"}, {"import"}},
-    {"OpenSSL", {"openssl/"}, {"blind"}},
+    {"OpenSSL", {"openssl/"}, {"diagnose"}},
 };
 
 inline bool contains(const std::vector<std::string>& list, const std::string& value) {

@@ -7,7 +7,7 @@
 
 #include "base/numbers.h"
 #include "blind/make.h"
-#include "blind/sha256.h"
+#include "diagnose/sha256.h"
 #include "shared/scratch.h"
 #include "shared/vehicles.h"
 #include "tread/problem.h"

@@ -1,66 +1,23 @@
 // The whole diagnosis on a car of two lines: fast, and its answer can be seen by eye.
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <filesystem>
 
-#include "base/random.h"
 #include "diagnose/diagnosis_json.h"
-#include "places/places.h"
-#include "tread/load.h"
+#include "shared/scratch.h"
+#include "shared/simple_car.h"
 
 namespace tread {
 namespace {
 
-// Yaw rate by steering ratio and wheelbase, speed by drag; nothing else.
-void simpleCar(const VehicleParams& car, const Scenario& scenario, const Recorder& recorder, const Pushing&) {
-    const std::vector<Column> columns = recordedColumns(scenario.log.channels);
-    recorder.begin(columns);
-    const Phase& phase = scenario.phases.back();
-    const auto rows = static_cast<int>(*phase.until.duration / scenario.step) + 1;
-    for (int k = 0; k <= rows; ++k) {
-        const double t = k * scenario.step, v = scenario.start.speed - 0.3 * car.aero.drag_area * t;
-        const double r = v * valueAt(phase.steering, 0, t) / (car.steering.ratio * car.wheelbase);
-        std::vector<double> row(columns.size(), 0);
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            const std::string& name = columns[i].name;
-            row[i] = name == "time" ? t : name == "chassis.vx" ? v : name == "chassis.yaw_rate" ? r : 0;
-        }
-        recorder.row(row);
-    }
-}
-
-Effect effect(const char* name, const char* path) {
-    return {name, "", "", {{.paths = {path}, .typical = 0.1, .relative = true}}};
-}
+using simple_car::effect;
 
 Diagnosis diagnosed(double ratio, int threads) {
-    Subject nominal{
-        .vehicle = loadVehicle(sourceFile("vehicles/compact.yaml")), .road = {}, .wind = {}, .instruments = {}};
-    DiagnosisFile file;
-    std::vector<Log> logs;
-    Random random(3);
-    for (const double speed : {15.0, 20.0, 25.0}) {
-        Recording recording;
-        recording.log = recording.name = "at " + std::to_string(static_cast<int>(speed));
-        file.recordings.push_back(recording);
-        Log log{{{"time", "s", {}},
-                 {"driver.steering_wheel_angle", "rad", {}},
-                 {"chassis.vx", "m/s", {}},
-                 {"chassis.yaw_rate", "rad/s", {}}}};
-        for (int k = 0; k < 400; ++k) {
-            const double t = 0.01 * k, steer = 0.5 * std::sin(2 * t);
-            const double v = speed - 0.3 * nominal.vehicle.aero.drag_area * t;
-            const double values[] = {t, steer, v + 0.02 * random.normal(),
-                                     v * steer / (ratio * nominal.vehicle.wheelbase) + 0.003 * random.normal()};
-            for (std::size_t i = 0; i < 4; ++i) log.channels[i].values.push_back(values[i]);
-        }
-        logs.push_back(std::move(log));
-    }
-    DiagnoseOptions options;
-    options.simulate = simpleCar;
-    options.threads = threads;
-    return diagnose(nominal, file, logs, {effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")},
-                    options);
+    const simple_car::Case made =
+        simple_car::recorded(ratio, loadVehicle(sourceFile("vehicles/compact.yaml")).aero.drag_area, 3);
+    return diagnose(made.nominal, made.file, made.logs,
+                    {effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")},
+                    simple_car::options(threads));
 }
 
 TEST(DiagnosisOfASimpleCar, AnotherSteeringRatioIsNamedWithItsSize) {
@@ -81,6 +38,60 @@ TEST(DiagnosisOfASimpleCar, AnswerIsTheSameToTheBitForOneAndTwoThreads) {
     Diagnosis one = diagnosed(14.5, 1), two = diagnosed(14.5, 2);
     one.seconds = two.seconds = 0;
     EXPECT_EQ(diagnosisJson(one).dump(), diagnosisJson(two).dump());
+}
+
+// Sensitivities that were kept by a diagnosis, taken by the next.
+class KeptSensitivities : public testing::Test {
+protected:
+    Scratch scratch;
+    simple_car::Case made = simple_car::recorded(14.5, 0.66, 3);
+
+    Diagnosis diagnosed() const {
+        DiagnoseOptions options = simple_car::options();
+        options.cache = scratch.path("cache");
+        Diagnosis d = diagnose(made.nominal, made.file, made.logs,
+                               {effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")}, options);
+        d.seconds = 0;
+        return d;
+    }
+    std::vector<std::filesystem::path> files() const {
+        std::vector<std::filesystem::path> found;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(scratch.folder()))
+            if (entry.is_regular_file()) found.push_back(entry.path());
+        return found;
+    }
+    static std::string textOf(Diagnosis d) {
+        d.simulations = 0;
+        return diagnosisJson(d).dump();
+    }
+};
+
+TEST_F(KeptSensitivities, GiveTheSameAnswerToTheBitWithFewerSimulations) {
+    const Diagnosis first = diagnosed(), second = diagnosed();
+    EXPECT_EQ(textOf(first), textOf(second));
+    EXPECT_LT(second.simulations, first.simulations / 2);
+}
+
+TEST_F(KeptSensitivities, OfAnInterruptedDiagnosisAreTakenAndTheRestIsMade) {
+    const Diagnosis first = diagnosed();
+    std::vector<std::filesystem::path> kept = files();
+    for (std::size_t i = 0; i < kept.size(); i += 2) std::filesystem::remove(kept[i]);
+    std::filesystem::resize_file(kept[1], 100);  // a disk that was full
+    const Diagnosis second = diagnosed();
+    EXPECT_EQ(textOf(first), textOf(second));
+    EXPECT_LT(second.simulations, first.simulations);
+    EXPECT_EQ(files().size(), kept.size());
+}
+
+TEST_F(KeptSensitivities, AreNotThoseOfAnotherCarOrDrive) {
+    const Diagnosis first = diagnosed();
+    const std::size_t count = files().size();
+    made.nominal.vehicle.wheelbase *= 1.001;
+    EXPECT_GT(diagnosed().simulations, 9 * first.simulations / 10) << "no column of the other car is taken";
+    EXPECT_EQ(files().size(), 2 * count);
+    made.logs[0].channels[1].values[150] += 0.01;
+    EXPECT_GT(diagnosed().simulations, first.simulations / 2);
+    EXPECT_GT(files().size(), 2 * count);
 }
 
 }  // namespace

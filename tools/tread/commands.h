@@ -78,12 +78,23 @@ struct DiagnoseRequest {
     std::string data;     // folder of its logs; empty: that of the file
     std::string output;   // folder
     std::string init;     // folder of logs for which a first diagnosis.yaml is written; empty: none
-    std::string vehicle;  // that it names
+    std::string vehicle;  // that it names; without init: nominal car in place of the file's
     int threads = 0;      // 0: one per core
     bool check = false;   // the data only
     bool json = false;
 };
 int diagnose(const DiagnoseRequest& request);
+
+struct IdentifyRequest {
+    std::string file;              // diagnosis.yaml
+    std::vector<std::string> fit;  // paths; none: those of the file
+    std::string data;              // folder of its logs; empty: that of the file
+    std::string vehicle;           // nominal car in place of the file's; empty: none
+    std::string output;            // folder
+    int threads = 0;               // 0: one per core
+    bool json = false;
+};
+int identify(const IdentifyRequest& request);
 
 struct DescribeOptions {
     std::string what;  // of describables()

@@ -29,9 +29,10 @@ std::vector<std::string> applying(const DiagnosisInputs& inputs, bool wanted) {
 
 }  // namespace
 
-DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data) {
+DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const std::string& vehicle) {
     DiagnosisInputs inputs;
     inputs.file = loadDiagnosis(file, data);
+    if (!vehicle.empty()) inputs.file.vehicle = vehicle, inputs.file.vehicle_settings.clear();
     inputs.nominal = nominalSubject(inputs.file);
     inputs.effects = effectsToConsider(inputs.file);
     Recorded recorded = readRecordings(inputs.file);

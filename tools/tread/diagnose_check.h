@@ -10,7 +10,7 @@
 
 namespace tread::program {
 
-// A diagnosis and all that it names, read. Throws LoadError with every fault.
+// A diagnosis and all that it names, read; with `vehicle`, that is the nominal car. Throws LoadError with every fault.
 struct DiagnosisInputs {
     DiagnosisFile file;
     Subject nominal;
@@ -18,7 +18,7 @@ struct DiagnosisInputs {
     std::vector<Log> logs;
     std::vector<std::string> warnings;  // of reading and of the data checks, one sentence or two each
 };
-DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data);
+DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const std::string& vehicle);
 
 // Prints what the data checks found and which of the effects apply to the car; kNo when there are warnings.
 int checkData(const DiagnosisInputs& inputs, bool json);

@@ -88,10 +88,22 @@ void addTyre(CLI::App& app, TyreOptions& o) {
 void addDiagnose(CLI::App& app, DiagnoseRequest& o) {
     app.add_option("file", o.file, "what is asked: nominal car, recordings, tolerances (YAML)");
     app.add_flag("--check", o.check, "look only whether the recordings are fit for it; status 1 with warnings");
-    CLI::Option* init = app.add_option("--init", o.init, "write a first diagnosis.yaml for the logs of this folder");
-    app.add_option("--vehicle", o.vehicle, "nominal car for --init (YAML)")->needs(init);
+    app.add_option("--init", o.init, "write a first diagnosis.yaml for the logs of this folder");
+    app.add_option("--vehicle", o.vehicle,
+                   "nominal car (YAML): for --init, or in place of the file's car and vehicle_settings");
     app.add_option("--data", o.data, "folder of the logs (default: that of the file)");
     app.add_option("-o,--output", o.output, "folder for the answer and the simulated drives (default: out)");
+    app.add_option("--threads", o.threads, "threads (default: one per core)")->check(CLI::Range(0, 1000));
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addIdentify(CLI::App& app, IdentifyRequest& o) {
+    app.add_option("file", o.file, "nominal car, recordings, tolerances: as for tread diagnose (YAML)")->required();
+    app.add_option("--fit", o.fit, "paths of the numbers to fit, with * for any characters (default: fit of the file)")
+        ->delimiter(',');
+    app.add_option("--vehicle", o.vehicle, "nominal car in place of the file's car and vehicle_settings (YAML)");
+    app.add_option("--data", o.data, "folder of the logs (default: that of the file)");
+    app.add_option("-o,--output", o.output, "folder for calibrated.yaml, identify.json and the report (default: out)");
     app.add_option("--threads", o.threads, "threads (default: one per core)")->check(CLI::Range(0, 1000));
     app.add_flag("--json", o.json, "print the result as JSON");
 }
@@ -149,6 +161,8 @@ void addCommands(CLI::App& app, int& status) {
     addCommand(app, "tyre", "forces of a tyre at given points, transients, curves", addTyre, tyre, status);
     addCommand(app, "diagnose", "where a car and its model differ, which effect causes it, how far it closes the gap",
                addDiagnose, diagnose, status);
+    addCommand(app, "identify", "fit numbers of a car to recordings and write the calibrated car", addIdentify,
+               identify, status);
     CLI::App* const blind = app.add_subcommand("blind", "how good is the diagnosis? cars whose fault is sealed");
     blind->require_subcommand(1);
     addCommand(*blind, "make", "make cases: logs of cars with sealed faults, and the key", addBlindMake, blindMake,

@@ -1,4 +1,4 @@
-#include "blind/sha256.h"
+#include "diagnose/sha256.h"
 
 #include <fmt/format.h>
 #include <openssl/sha.h>

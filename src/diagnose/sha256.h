@@ -1,4 +1,4 @@
-// The hash by which a sealed key is known before it is opened.
+// The hash by which a sealed key is known before it is opened, and what is kept on disk is found again.
 #pragma once
 
 #include <string>

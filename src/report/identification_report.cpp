@@ -1,0 +1,111 @@
+#include "report/identification_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/subject_paths.h"
+#include "report/diagnosis_charts.h"
+#include "report/diagnosis_tables.h"
+#include "report/html.h"
+#include "report/text.h"
+
+namespace tread {
+namespace {
+
+constexpr double kFarMoved = 2;  // prior standard deviations
+
+void addHead(HtmlPage& page, const std::string& vehicle, const std::string& version, const Identification& found) {
+    const auto determined = std::count_if(found.numbers.begin(), found.numbers.end(),
+                                          [](const FittedNumber& one) { return one.determined; });
+    const bool all = determined == static_cast<std::ptrdiff_t>(found.numbers.size());
+    page.answer(found.answer + ".", all ? "determined" : "not all determined", all);
+    const HowFar& how_far = found.gap.how_far;
+    const GapLevels& judged = how_far.in_sample ? how_far.training : how_far.held_out;
+    const std::string where = how_far.in_sample ? "in the same drives" : "in held-out drives";
+    page.cards({{"numbers determined", fmt::format("{} of {}", determined, found.numbers.size()), ""},
+                {"gap " + where + ", in noise units: nominal", formatNumber(judged.nominal, 3), ""},
+                {"with the fitted numbers", formatNumber(judged.calibrated, 3), ""},
+                {"noise floor", formatNumber(judged.floor, 3), ""},
+                {"condition of the fit", formatNumber(found.condition, 2), ""}});
+    page.keyValues({{"Car", vehicle},
+                    {"Made by", fmt::format("tread {}, {} simulations in {:.0f} s", version, found.gap.simulations,
+                                            found.gap.seconds)}});
+    page.warnings(found.gap.data_warnings);
+}
+
+std::string remark(const FittedNumber& one) {
+    if (!one.determined) return "not determined by these drives: as uncertain as before";
+    if (one.at_bound) return "at the end of what was allowed";
+    return std::abs(one.z) > kFarMoved ? "far from nominal" : "";
+}
+
+void addNumbers(HtmlPage& page, const Identification& found) {
+    std::vector<std::vector<Cell>> rows;
+    for (const FittedNumber& one : found.numbers) {
+        const ReferenceRow* row = subjectNumber(one.path);
+        const DisplayUnit shown = displayUnit(row ? row->unit : "");
+        const auto cell = [&](double value, int digits) {
+            return Cell{formatNumber(value * shown.scale, digits), true};
+        };
+        rows.push_back({{one.path},
+                        cell(one.value, 4),
+                        cell(one.sd, 2),
+                        cell(one.nominal, 4),
+                        cell(one.prior_sd, 2),
+                        {prettyUnit(shown.unit)},
+                        {formatNumber(one.z, 2), true, std::abs(one.z) > kFarMoved},
+                        {remark(one), false, !one.determined || one.at_bound}});
+    }
+    page.table({"Number", "Value", "±", "Nominal", "± before", "Unit", "Moved, in ± before", ""}, rows);
+}
+
+void addCorrelation(HtmlPage& page, const Identification& found) {
+    std::vector<std::string> header{""};
+    for (const FittedNumber& one : found.numbers) header.push_back(one.path);
+    std::vector<std::vector<Cell>> rows;
+    for (std::size_t i = 0; i < found.numbers.size(); ++i) {
+        std::vector<Cell> row{{found.numbers[i].path}};
+        for (std::size_t j = 0; j < found.numbers.size(); ++j) {
+            Cell cell{fmt::format("{:.2f}", found.correlation[i][j]), true};
+            cell.heat = i == j ? 0 : std::abs(found.correlation[i][j]);
+            row.push_back(std::move(cell));
+        }
+        rows.push_back(std::move(row));
+    }
+    page.table(header, rows);
+}
+
+}  // namespace
+
+std::string identificationReport(const std::string& vehicle, const std::string& version, const Identification& found) {
+    HtmlPage page("Identification of " + vehicle);
+    addHead(page, vehicle, version, found);
+
+    page.section("The numbers");
+    addNumbers(page, found);
+    page.text("Correlation of what is left uncertain: near 1 or -1, two numbers are known together only.");
+    addCorrelation(page, found);
+
+    page.section("How far the gap shrinks");
+    page.text(
+        "Root mean square of measured less simulated, in units of the noise: 1 is what a perfect model leaves. "
+        "Nominal: the car as its file says. Calibrated: with the fitted numbers alone, as in calibrated.yaml. Within "
+        "tolerance: everything else that is uncertain moved, too.");
+    addLevels(page, found.gap.how_far, "within tolerance");
+
+    page.section("Where the nominal car was off");
+    addWhere(page, found.gap.where);
+
+    if (!found.gap.overlays.empty()) {
+        page.section("Measured and simulated");
+        addOverlays(page, found.gap, "within tolerance");
+    }
+
+    page.section("The rest of the car within its tolerances");
+    addNuisances(page, found.gap);
+    return page.finish();
+}
+
+}  // namespace tread

@@ -1,0 +1,172 @@
+// `tread diagnose` and `tread identify` before they compute anything: what they refuse, and what they say of the data.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "cli/program.h"
+#include "log/csv.h"
+#include "places/places.h"
+
+namespace tread {
+namespace {
+
+// A gentle slalom at 20 m/s that keeps to kinematics.
+Log slalom(double seconds = 6) {
+    Log log{{{"time", "s", {}},
+             {"driver.steering_wheel_angle", "rad", {}},
+             {"chassis.vx", "m/s", {}},
+             {"chassis.yaw_rate", "rad/s", {}},
+             {"chassis.ay", "m/s2", {}}}};
+    for (int i = 0; 0.01 * i < seconds; ++i) {
+        const double t = 0.01 * i, r = 0.15 * std::sin(2 * t), ripple = 1e-3 * std::sin(77.0 * i);
+        const double values[] = {t, 0.4 * std::sin(2 * t + 0.1), 20 + ripple, r + 0.1 * ripple, 20 * r + ripple};
+        for (std::size_t k = 0; k < 5; ++k) log.channels[k].values.push_back(values[k]);
+    }
+    return log;
+}
+
+class DiagnoseCommand : public testing::Test {
+protected:
+    Scratch scratch;
+
+    void recorded(const std::string& name, const Log& log) const { writeLog(scratch.path(name), log); }
+    std::string diagnosis(const std::string& more = "",
+                          const std::string& recordings = "  - {log: a.csv, speed: followed}\n") const {
+        return scratch.file("diagnosis.yaml",
+                            "vehicle: " + sourceFile("vehicles/compact.yaml") + "\nrecordings:\n" + recordings + more);
+    }
+    Result checked() const { return runProgram({"diagnose", scratch.path("diagnosis.yaml"), "--check"}); }
+
+    void expectRefused(const Result& result, const std::string& words) const {
+        EXPECT_EQ(result.status, 2);
+        EXPECT_EQ(result.out, "");
+        EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+    }
+    void expectWarned(const Result& result, const std::string& words) const {
+        EXPECT_EQ(result.status, 1);
+        EXPECT_NE(result.out.find(words), std::string::npos) << result.out;
+    }
+};
+
+TEST_F(DiagnoseCommand, RefusesALogShorterThanASecond) {
+    recorded("a.csv", slalom(0.6));
+    diagnosis();
+    expectRefused(checked(), "a shorter drive cannot tell causes apart");
+}
+
+TEST_F(DiagnoseCommand, RefusesAnUnknownEffectAndNamesTheOneThatWasMeant) {
+    recorded("a.csv", slalom());
+    diagnosis("effects: [tyre_relaxatoin]\n");
+    expectRefused(checked(), "did you mean \"tyre_relaxation\"?");
+}
+
+TEST_F(DiagnoseCommand, RefusesAnEffectOfOnesOwnWhosePathDoesNotExist) {
+    recorded("a.csv", slalom());
+    scratch.file("own.yaml",
+                 "catalogue:\n  - name: roof_box\n    question: Is there one?\n    source: guess\n    knobs:\n"
+                 "      - {paths: [aero.drag_aera], typical: 0.2}\n");
+    diagnosis("own_effects: own.yaml\n");
+    const Result result = checked();
+    expectRefused(result, "did you mean \"aero.drag_area\"?");
+    EXPECT_NE(result.err.find("own.yaml:6:"), std::string::npos) << result.err;
+}
+
+TEST_F(DiagnoseCommand, RefusesWhenEveryRecordingIsHeldOut) {
+    recorded("a.csv", slalom());
+    diagnosis("", "  - {log: a.csv, hold_out: true}\n");
+    expectRefused(checked(), "expected at least one from which to learn");
+}
+
+TEST_F(DiagnoseCommand, RefusesALogThatIsNotThereWithItsPlaceInTheFile) {
+    diagnosis();
+    expectRefused(checked(), "diagnosis.yaml:3:");
+}
+
+TEST_F(DiagnoseCommand, CheckFindsAYawRateOfTheWrongSign) {
+    Log log = slalom();
+    for (double& value : log.channels[3].values) value = -value;
+    recorded("a.csv", log);
+    diagnosis();
+    expectWarned(checked(), "has the opposite sign of vx times yaw rate");
+}
+
+TEST_F(DiagnoseCommand, CheckFindsASpeedInKilometresPerHour) {
+    Log log = slalom();
+    for (double& value : log.channels[2].values) value *= 3.6;
+    recorded("a.csv", log);
+    diagnosis();
+    expectWarned(checked(), "as if one of them were in km/h");
+}
+
+TEST_F(DiagnoseCommand, CheckFindsInputsThatNeverMove) {
+    Log log = slalom();
+    for (std::size_t c : {1, 3, 4})
+        for (double& value : log.channels[c].values) value = 0;
+    recorded("a.csv", log);
+    diagnosis();
+    EXPECT_EQ(checked().status, 1);
+}
+
+TEST_F(DiagnoseCommand, CheckSaysWhatOneRecordingAloneCannotTell) {
+    recorded("a.csv", slalom());
+    diagnosis();
+    expectWarned(checked(), "only one recording is there to learn from");
+    expectWarned(checked(), "no recording is held out");
+}
+
+TEST_F(DiagnoseCommand, CheckFindsGaps) {
+    Log log = slalom();
+    for (std::size_t i = 200; i < 260; ++i) log.channels[3].values[i] = std::nan("");
+    recorded("a.csv", log);
+    diagnosis();
+    expectWarned(checked(), "chassis.yaw_rate");
+}
+
+TEST_F(DiagnoseCommand, InitWritesAFileThatCanBeRead) {
+    recorded("a.csv", slalom());
+    const Result made =
+        runProgram({"diagnose", "--init", scratch.folder(), "--vehicle", sourceFile("vehicles/compact.yaml")});
+    EXPECT_EQ(made.status, 0) << made.err;
+    EXPECT_NE(contentOf(scratch.path("diagnosis.yaml")).find("speed: followed"), std::string::npos);
+    EXPECT_NE(checked().status, 2);
+    expectRefused(runProgram({"diagnose", "--init", scratch.folder()}), "exists already");
+}
+
+TEST_F(DiagnoseCommand, NeverBlamesWhatShortStraightDrivesCannotShow) {
+    Log log = slalom(1.5);
+    for (std::size_t c : {1, 3, 4})
+        for (std::size_t i = 0; i < log.channels[c].values.size(); ++i)
+            log.channels[c].values[i] = c == 1 ? 0 : 0.002 * std::sin(double(c) * 31.0 * static_cast<double>(i));
+    recorded("a.csv", log);
+    diagnosis("effects: [steering_delay, grip]\n");
+    const Result result =
+        runProgram({"diagnose", scratch.path("diagnosis.yaml"), "-o", scratch.path("out"), "--threads", "1"});
+    EXPECT_EQ(result.status, 1) << result.err;
+    EXPECT_TRUE(result.out.starts_with("Not testable")) << result.out;
+    EXPECT_NE(result.out.find("in-sample"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("NEXT      scenarios/"), std::string::npos) << result.out;
+    for (const char* name : {"diagnosis.json", "report.html", "vehicle_with_effect.yaml", "cache"})
+        EXPECT_TRUE(std::filesystem::exists(scratch.path("out/") + name)) << name;
+}
+
+TEST_F(DiagnoseCommand, IdentifyRefusesAPathThatDoesNotExistWithAHint) {
+    recorded("a.csv", slalom());
+    diagnosis();
+    expectRefused(runProgram({"identify", scratch.path("diagnosis.yaml"), "--fit", "steering.ration"}),
+                  "did you mean \"steering.ratio\"?");
+    diagnosis("fit: [mas]\n");
+    const Result in_file = runProgram({"identify", scratch.path("diagnosis.yaml")});
+    expectRefused(in_file, "did you mean \"mass\"?");
+    EXPECT_NE(in_file.err.find("diagnosis.yaml:4:7"), std::string::npos) << in_file.err;
+}
+
+TEST_F(DiagnoseCommand, IdentifyRefusesANumberOfWhichNothingSaysHowWellItIsKnown) {
+    recorded("a.csv", slalom());
+    diagnosis();
+    expectRefused(runProgram({"identify", scratch.path("diagnosis.yaml"), "--fit", "steering.delay"}),
+                  "say it under tolerances");
+}
+
+}  // namespace
+}  // namespace tread

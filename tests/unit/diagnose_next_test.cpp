@@ -1,0 +1,69 @@
+// What to drive next, on a car of three lines: a steering ratio and an understeer that look alike at one speed.
+#include <gtest/gtest.h>
+
+#include "diagnose/diagnosis_json.h"
+#include "diagnose/diagnosis_text.h"
+#include "shared/simple_car.h"
+
+namespace tread {
+namespace {
+
+using simple_car::slalom;
+
+const std::vector<Effect> kLookAlikes{
+    simple_car::effect("ratio", "steering.ratio"),
+    {"understeer", "", "", {{.paths = {"steering.play"}, .typical = 8e-4}}},
+};
+
+Diagnosis diagnosed(const std::vector<Scenario>& drives) {
+    VehicleParams truth = simple_car::Case{}.nominal.vehicle;
+    truth.steering.play = 8e-4;  // as a ratio that is 12 % larger at 20 m/s
+    const simple_car::Case made = simple_car::recorded(truth, drives, 5);
+    DiagnoseOptions options = simple_car::options();
+    options.possible_next = {{"the same again", slalom(20)}, {"slower", slalom(15)}, {"much slower", slalom(6)}};
+    return diagnose(made.nominal, made.file, made.logs, kLookAlikes, options);
+}
+
+TEST(NextDrive, SeparatesWhatOneSpeedCannot) {
+    const Diagnosis open = diagnosed({slalom(20), slalom(20)});
+    EXPECT_EQ(open.verdict, Verdict::ambiguous) << open.answer;
+    ASSERT_EQ(open.next.size(), 1u);
+    EXPECT_TRUE(open.next[0].scenario == "slower" || open.next[0].scenario == "much slower") << open.next[0].scenario;
+    EXPECT_GT(open.next[0].nats, 6);
+    EXPECT_NE(diagnosisText(open).find("NEXT      " + open.next[0].scenario + " would separate"), std::string::npos);
+
+    // Driven, it does.
+    const Scenario advised = open.next[0].scenario == "slower" ? slalom(15) : slalom(6);
+    const Diagnosis settled = diagnosed({slalom(20), slalom(20), advised});
+    EXPECT_EQ(settled.verdict, Verdict::explained) << settled.answer;
+    EXPECT_EQ(settled.causes, std::vector<std::string>{"understeer"});
+    const auto evidence = [](const Diagnosis& d, const std::string& name) {
+        for (const RankedEffect& one : d.effects)
+            if (one.name == name) return one.log_evidence;
+        return 0.0;
+    };
+    const double gained = evidence(settled, "understeer") - evidence(settled, "ratio") -
+                          (evidence(open, "understeer") - evidence(open, "ratio"));
+    EXPECT_GT(gained, 0.7 * open.next[0].nats) << "what was promised, less chance";
+    EXPECT_LT(gained, 10 * open.next[0].nats) << "and not next to nothing promised";
+}
+
+TEST(NextDrive, IsNotAskedWhereNothingIsPossible) {
+    const simple_car::Case made = simple_car::recorded(simple_car::Case{}.nominal.vehicle, {slalom(20)}, 1);
+    EXPECT_TRUE(diagnose(made.nominal, made.file, made.logs, kLookAlikes, simple_car::options()).next.empty());
+}
+
+TEST(NextDrive, ShowsWhatTheDrivesCouldNotShow) {
+    Scenario straight = slalom(20);
+    straight.phases.front().steering = {};
+    const simple_car::Case made = simple_car::recorded(simple_car::Case{}.nominal.vehicle, {straight, straight}, 2);
+    DiagnoseOptions options = simple_car::options();
+    options.possible_next = {{"straight on", straight}, {"slalom", slalom(20)}};
+    const Diagnosis d = diagnose(made.nominal, made.file, made.logs, kLookAlikes, options);
+    EXPECT_EQ(d.verdict, Verdict::not_testable) << d.answer;
+    ASSERT_FALSE(d.next.empty());
+    for (const NextDrive& next : d.next) EXPECT_EQ(next.scenario, "slalom");
+}
+
+}  // namespace
+}  // namespace tread

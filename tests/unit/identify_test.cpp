@@ -1,0 +1,113 @@
+// Numbers fitted to recordings of a car of two lines, whose true numbers are known.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/identification_text.h"
+#include "shared/scratch.h"
+#include "shared/simple_car.h"
+#include "tread/problem.h"
+
+namespace tread {
+namespace {
+
+constexpr double kRatio = 15.2, kDrag = 0.85;  // of the true car; nominal: 16.5 and 0.66
+
+simple_car::Case asked(std::uint64_t seed, std::vector<std::string> fit) {
+    simple_car::Case made = simple_car::recorded(kRatio, kDrag, seed);
+    made.file.recordings.back().hold_out = true;
+    made.file.tolerances = {{"steering.ratio", 0.15, 0}, {"aero.drag_area", 0.4, 0}, {"wheelbase", 0.001, 0}};
+    made.file.fit = std::move(fit);
+    return made;
+}
+
+Identification identified(const simple_car::Case& made) {
+    return identify(made.nominal, made.file, made.logs, simple_car::options());
+}
+
+TEST(Identification, FindsThePlantedNumbersWithinThreeStandardDeviationsWhateverTheNoise) {
+    double worst = 0;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        const Identification found = identified(asked(seed, {"steering.ratio", "aero.drag_area"}));
+        ASSERT_EQ(found.numbers.size(), 2u);
+        for (const FittedNumber& one : found.numbers) {
+            const double truth = one.path == "steering.ratio" ? kRatio : kDrag;
+            worst = std::max(worst, std::abs(one.value - truth) / one.sd);
+            EXPECT_LT(one.sd, 0.5 * one.prior_sd) << one.path;
+            EXPECT_TRUE(one.determined);
+            EXPECT_FALSE(one.at_bound);
+            EXPECT_NEAR(one.z, (one.value - one.nominal) / one.prior_sd, 1e-9);
+        }
+        EXPECT_TRUE(found.converged);
+        // The drive that was held out is explained, too.
+        const GapLevels& held_out = found.gap.how_far.held_out;
+        EXPECT_GT(held_out.nominal, 2 * held_out.floor);
+        EXPECT_LT(held_out.calibrated, 1.15 * held_out.floor);
+    }
+    EXPECT_LT(worst, 3);
+    EXPECT_GT(worst, 0.1) << "the stated deviations are not so wide that nothing could miss";
+}
+
+TEST(Identification, SaysWhichNumbersTheDrivesDoNotDetermine) {
+    const Identification found = identified(asked(1, {"steering.ratio", "mass"}));
+    for (const FittedNumber& one : found.numbers) {
+        EXPECT_EQ(one.determined, one.path == "steering.ratio") << one.path;
+        if (one.path != "mass") continue;
+        EXPECT_DOUBLE_EQ(one.value, one.nominal);
+        EXPECT_DOUBLE_EQ(one.sd, one.prior_sd);
+    }
+    EXPECT_TRUE(found.answer.starts_with("1 of 2 numbers are determined by these drives")) << found.answer;
+    EXPECT_NE(identificationText(found).find("not determined"), std::string::npos);
+    EXPECT_EQ(identificationJson(found)["not_determined"], "mass");
+}
+
+TEST(Identification, NumbersThatOnlyTheirRatioMattersOfAreKnownTogether) {
+    simple_car::Case made = asked(1, {"steering.ratio", "wheelbase"});
+    made.file.tolerances = {{"steering.ratio", 0.15, 0}, {"wheelbase", 0.15, 0}, {"aero.drag_area", 0.4, 0}};
+    const Identification found = identified(made);
+    EXPECT_LT(found.correlation[0][1], -0.95);
+    EXPECT_GT(found.condition, 100);
+    EXPECT_NEAR(std::abs(found.weakest.at("wheelbase")), std::sqrt(0.5), 0.1);
+    EXPECT_NEAR(found.numbers[0].value * found.numbers[1].value, kRatio * made.nominal.vehicle.wheelbase, 0.2);
+}
+
+TEST(Identification, NumberAtTheEndOfWhatWasAllowedIsSaidSo) {
+    simple_car::Case made = asked(1, {"steering.ratio"});
+    made.file.tolerances = {{"steering.ratio", 0.01, 0}, {"aero.drag_area", 0.4, 0}, {"wheelbase", 0.001, 0}};
+    const Identification found = identified(made);
+    EXPECT_TRUE(found.numbers[0].at_bound);
+    EXPECT_NE(identificationText(found).find("at its bound"), std::string::npos);
+}
+
+TEST(Identification, CalibratedCarHasTheFittedNumbersAndNothingElseChanged) {
+    const simple_car::Case made = asked(1, {"steering.ratio", "road.grade"});
+    const Identification found = identified(made);
+    const std::string yaml = calibratedVehicleYaml(made.nominal, found);
+    const Scratch scratch;
+    VehicleParams car = loadVehicle(scratch.file("car.yaml", yaml));
+    EXPECT_NE(yaml.find("Not of the car"), std::string::npos) << "a grade is none of the car's numbers";
+    const auto ratio = std::find_if(found.numbers.begin(), found.numbers.end(),
+                                    [](const FittedNumber& one) { return one.path == "steering.ratio"; });
+    EXPECT_EQ(car.steering.ratio, ratio->value);
+    car.steering.ratio = made.nominal.vehicle.steering.ratio;
+    EXPECT_EQ(vehicleYaml(car), vehicleYaml(made.nominal.vehicle));
+}
+
+void expectRefused(std::vector<std::string> fit, const std::string& words) {
+    try {
+        identified(asked(1, std::move(fit)));
+        FAIL() << "expected: " << words;
+    } catch (const LoadError& error) {
+        EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+}
+
+TEST(Identification, RefusesNumbersThatItCannotFit) {
+    expectRefused({}, "found no number to fit");
+    expectRefused({"stability_control.nothing"}, "a number that this car does not have");
+    expectRefused({"steering.delay"}, "of which nothing says how well it is known; say it under tolerances");
+}
+
+}  // namespace
+}  // namespace tread

@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/yaml_session.h"
+#include "commands.h"
+#include "diagnose/identification_text.h"
+#include "diagnose/subject_paths.h"
+#include "diagnose_check.h"
+#include "output.h"
+#include "progress.h"
+#include "report/identification_report.h"
+#include "stages.h"
+
+namespace tread::program {
+namespace {
+
+void judgePaths(const std::vector<std::string>& paths) {
+    std::vector<Problem> problems;
+    for (const std::string& path : paths) {
+        const std::string fault = pathFault(path);
+        if (!fault.empty()) problems.push_back({"--fit", 0, 0, "", fault});
+    }
+    throwIfAny(std::move(problems));
+}
+
+// Yes when the car became better and the drives tell something of every number.
+int statusOf(const Identification& found) {
+    const bool all =
+        std::all_of(found.numbers.begin(), found.numbers.end(), [](const FittedNumber& one) { return one.determined; });
+    return all && found.converged && found.better ? kYes : kNo;
+}
+
+}  // namespace
+
+int identify(const IdentifyRequest& request) {
+    judgePaths(request.fit);
+    DiagnosisInputs inputs = readDiagnosisInputs(request.file, request.data, request.vehicle);
+    if (!request.fit.empty()) inputs.file.fit = request.fit;
+    for (const std::string& warning : inputs.warnings) fmt::print(stderr, "tread identify: {}\n", warning);
+
+    const Path out = request.output.empty() ? Path("out") : Path(request.output);
+    Identification found;
+    {
+        Progress bar(100, "%");
+        DiagnoseOptions options;
+        options.threads = request.threads;
+        options.cache = out / "cache";
+        options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
+        found = tread::identify(inputs.nominal, inputs.file, inputs.logs, options);
+    }
+    found.gap.data_warnings = inputs.warnings;
+
+    std::filesystem::create_directories(out);
+    writeStages(found.gap.overlays, out / "logs");
+    const nlohmann::json json = identificationJson(found);
+    writeFile(out / "identify.json", jsonText(json));
+    writeFile(out / "calibrated.yaml", calibratedVehicleYaml(inputs.nominal, found));
+    writeFile(out / "report.html", identificationReport(inputs.nominal.vehicle.name, TREAD_VERSION, found));
+    if (request.json) printJson(json);
+    else print(identificationText(found));
+    return statusOf(found);
+}
+
+}  // namespace tread::program

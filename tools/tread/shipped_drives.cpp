@@ -1,0 +1,67 @@
+#include "shipped_drives.h"
+
+#include <algorithm>
+#include <string>
+
+#include "base/setting.h"
+#include "commands.h"
+#include "scenario/load.h"
+
+namespace tread::program {
+namespace {
+
+struct Shipped {
+    const char* file;
+    std::vector<std::string> settings = {};  // of the scenario
+};
+
+// Open loop, up to half a minute each; some at another speed or size.
+const std::vector<Shipped>& shipped() {
+    static const std::vector<Shipped> list{
+        {"step_steer_80.yaml"},
+        {"step_steer_80.yaml", {"phases.1.steering.ramp.to=80 deg"}},
+        {"step_steer_100.yaml"},
+        {"steering_pulse.yaml"},
+        {"one_period_sine.yaml"},
+        {"sine_with_dwell.yaml", {"phases.1.steering.sine_with_dwell.amplitude=75 deg"}},
+        {"weave.yaml"},
+        {"sine_sweep.yaml",
+         {"phases.1.steering.sweep.duration=25", "phases.1.steering.sweep.from=0.2", "phases.1.until.duration=25"}},
+        {"slowly_increasing_steer.yaml", {"phases.1.until.duration=12"}},
+        {"straight_braking_100_part.yaml", {"phases.1.until.speed_below=20 km/h"}},
+        {"coast_down.yaml", {"phases.1.until.duration=20"}},
+        {"acceleration_100.yaml"},
+    };
+    return list;
+}
+
+// The folder of the scenarios as seen from here, or else from the program; empty when there is none.
+Path scenariosFolder() {
+    if (std::filesystem::exists(Path("scenarios") / shipped().front().file)) return "scenarios";
+    std::error_code none;
+    Path folder = std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
+    while (!folder.empty() && folder != folder.root_path()) {
+        for (const Path& here : {folder / "scenarios", folder / "share/tread/scenarios"})
+            if (std::filesystem::exists(here / shipped().front().file)) return here;
+        folder = folder.parent_path();
+    }
+    return {};
+}
+
+}  // namespace
+
+std::vector<PossibleDrive> shippedDrives() {
+    const Path folder = scenariosFolder();
+    std::vector<PossibleDrive> drives;
+    if (folder.empty()) return drives;
+    for (const Shipped& one : shipped()) {
+        PossibleDrive drive{"scenarios/" + std::string(one.file), loadScenario(folder / one.file)};
+        applySettings(drive.scenario, one.settings, "shipped scenario",
+                      [](std::string_view) { return std::string("`tread describe scenario` lists all paths"); });
+        for (const std::string& setting : one.settings) drive.name += " --set \"scenario." + setting + "\"";
+        drives.push_back(std::move(drive));
+    }
+    return drives;
+}
+
+}  // namespace tread::program

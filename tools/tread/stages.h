@@ -1,0 +1,14 @@
+// The simulated drives of a diagnosis or an identification, for whoever wants to look closer.
+#pragma once
+
+#include <vector>
+
+#include "commands.h"
+#include "diagnose/diagnosis.h"
+
+namespace tread::program {
+
+// A folder per recording: nominal.csv, calibrated.csv, extended.csv.
+void writeStages(const std::vector<Overlay>& overlays, const Path& folder);
+
+}  // namespace tread::program
