@@ -96,6 +96,45 @@ TEST(Compliance, StaysStableHoweverMuchTheSteeringYields) {
     }
 }
 
+TEST(Compliance, RollsStraightAtEverySpeedHoweverMuchItYields) {
+    // Fast, the belt resists the turning of the wheel more than all else does: with a massless steering that is stiff.
+    // The least is all but rigid, the most a hundred times what a car has.
+    constexpr double kStiff = 1e-6, kSoft = 1e-3;  // rad/(N m), at the road wheels
+    constexpr double kSwing = 1e-4;                // rad, of the nudge's 6e-4, in ten steps
+    const PlaneRoad road;
+    for (const double speed : {2.0, 15.0, 33.0, 50.0, 75.0}) {
+        for (double yields = kStiff; yields < 1.5 * kSoft; yields *= std::sqrt(10)) {
+            for (const bool suspension : {false, true}) {
+                for (const double dt : {0.002, 0.001, 0.0005}) {
+                    VehicleParams params = reference::compact();
+                    if (suspension) {
+                        params.front.suspension.steer_by_aligning_moment = 2 * yields;
+                        params.rear.suspension.steer_by_aligning_moment = yields;
+                    } else {
+                        params.steering.column_compliance = yields * params.steering.ratio * params.steering.ratio;
+                        params.steering.caster_trail = 0.03;
+                    }
+                    reference::Car car = reference::settled(params, road, {.speed = speed});
+                    // A nudge of the hand wheel and back leaves nothing that swings.
+                    VehicleInput nudged = car.input;
+                    nudged.steering_wheel_angle += 0.01;
+                    const VehicleInput straight = car.input;
+                    car.step(nudged, dt);
+                    for (double t = 0; t < 0.5; t += dt) car.step(straight, dt);
+                    double change = 0, last = car.state.wheels[0].steer;
+                    for (int i = 0; i < 10; ++i) {
+                        car.step(straight, dt);
+                        change += std::abs(car.state.wheels[0].steer - last);
+                        last = car.state.wheels[0].steer;
+                    }
+                    EXPECT_LT(change, kSwing)
+                        << speed << " m/s, " << yields << " rad/(N m), suspension " << suspension << ", step " << dt;
+                }
+            }
+        }
+    }
+}
+
 TEST(Compliance, StepSizeConvergesWithSecondOrder) {
     const PlaneRoad road;
     VehicleParams params = plainCar();
