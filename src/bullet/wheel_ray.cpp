@@ -2,7 +2,6 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
-#include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <optional>
 
 #include "bullet/convert.h"
+#include "bullet/ground_below.h"
 
 namespace tread {
 
@@ -21,19 +21,16 @@ inline namespace bullet_float32 {
 
 namespace {
 
-struct GroundBelow : btCollisionWorld::ClosestRayResultCallback {
-    GroundBelow(const btVector3& from, const btVector3& to, const btRigidBody& own, const RayFilter& filter)
-        : ClosestRayResultCallback(from, to), chassis(own) {
-        // Bullet's default caster is wrong by up to half a metre on boxes in single precision.
-        if constexpr (sizeof(btScalar) == sizeof(float))
-            m_flags |= btTriangleRaycastCallback::kF_UseGjkConvexCastRaytest;
+// Of what a user's filter lets through, with the part of a shape that was hit.
+struct FilteredGround : GroundBelow {
+    FilteredGround(const btVector3& from, const btVector3& to, const btRigidBody& own, const RayFilter& filter)
+        : GroundBelow(from, to, own), chassis(own) {
         m_collisionFilterGroup = filter.group;
         m_collisionFilterMask = filter.mask;
     }
     bool needsCollision(btBroadphaseProxy* proxy) const override {
-        const auto* object = static_cast<const btCollisionObject*>(proxy->m_clientObject);
-        return object != &chassis && object->hasContactResponse() && ClosestRayResultCallback::needsCollision(proxy) &&
-               chassis.checkCollideWith(object);
+        return GroundBelow::needsCollision(proxy) &&
+               chassis.checkCollideWith(static_cast<const btCollisionObject*>(proxy->m_clientObject));
     }
     btScalar addSingleResult(btCollisionWorld::LocalRayResult& result, bool normal_in_world) override {
         part = result.m_localShapeInfo ? result.m_localShapeInfo->m_shapePart : -1;
@@ -131,7 +128,7 @@ WheelGround castIntoWorld(const WheelRay& ray, const RaySource& source) {
     const Vector3 start = ray.top_W - ray.raised * ray.down_W;
     const double way = ray.raised + ray.length + ray.ahead;
     const btVector3 from = toBullet(start), to = toBullet(Vector3(start + way * ray.down_W));
-    GroundBelow hit(from, to, source.chassis, source.filter);
+    FilteredGround hit(from, to, source.chassis, source.filter);
     source.world->rayTest(from, to, hit);
     const Vector3 normal = fromBullet(hit.m_hitNormalWorld);
     ground.plane.exists = hit.hasHit() && isUnit(normal);
