@@ -82,6 +82,10 @@ double bump(const Vector3& at, double amplitude) {
                         0.5 * std::sin(-2.9 * at.x() + 5.3 * at.y() + 3.1 * at.z() + 1));
 }
 
+// m/s: what is faster was put elsewhere. Bullet takes the way of a kinematic body within a step for its velocity, also
+// that from the origin to where a game puts a new one.
+constexpr double kFastestGround = 340;
+
 // Completes a ground whose plane is known.
 void describe(WheelGround& ground, const SurfaceQuery& query, const SurfaceAt& surface) {
     if (surface) ground.surface = surface(query);
@@ -94,8 +98,9 @@ void describe(WheelGround& ground, const SurfaceQuery& query, const SurfaceAt& s
     ground.pose = ground.object->getWorldTransform();
     if (const auto* body = btRigidBody::upcast(ground.object)) {
         if (body->isStaticObject() && !body->isKinematicObject()) return;
-        ground.plane.velocity_W =
+        const Vector3 velocity =
             fromBullet(body->getVelocityInLocalPoint(query.point - body->getCenterOfMassPosition()));
+        if (velocity.norm() < kFastestGround) ground.plane.velocity_W = velocity;
     }
 }
 
