@@ -103,6 +103,7 @@ struct RaycastVehicleState {
 };
 static_assert(std::is_trivially_copyable_v<RaycastVehicleState>);
 
+// Bullet's btRaycastVehicle on tread's tyres.
 class RaycastVehicle : public btRaycastVehicle {
 public:
     // `chassis` must not be null (std::invalid_argument) and must outlive the vehicle's steps; `raycaster` may be null.
@@ -134,6 +135,10 @@ public:
     // Groups and mask of the wheels' own rays; all unless set.
     void setCollisionFilter(int group, int mask);
 
+    // Edges between the triangles of a mesh or height field that are flatter than this are rounded under the wheels'
+    // own rays, over a third of the wheel's radius: 0.45 rad unless set, 0 for none.
+    void setEdgeAngle(double angle);
+
     // Tyre of one wheel from now on, in place of what tuning or file say.
     void setTyre(int wheel, const TyreParams& tyre);
 
@@ -150,6 +155,8 @@ public:
     void restore(const RaycastVehicleState& state);
 
 private:
+    friend class RaycastFleet;
+    bool isHeldBy(const btCollisionWorld& world) const;
     struct Implementation;
     std::unique_ptr<Implementation> self_;
 };

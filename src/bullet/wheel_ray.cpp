@@ -148,6 +148,9 @@ WheelGround castIntoWorld(const WheelRay& ray, const RaySource& source) {
     ground.plane.point_W = start + fraction * way * ray.down_W;
     ground.plane.normal_W = box ? box->normal_W : normal.normalized();
     if (ground.plane.normal_W.dot(ray.down_W) > 0) ground.plane.normal_W = -ground.plane.normal_W;
+    if (hit.triangle >= 0 && source.rounding.angle > 0)
+        ground.plane.normal_W =
+            smoothNormal(source.near, *ground.object, ground.plane.point_W, ground.plane.normal_W, source.rounding);
     describe(ground, {ground.object, hit.part, hit.triangle, hit.m_hitPointWorld, ray.wheel}, source.surface);
     return ground;
 }

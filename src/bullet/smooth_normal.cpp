@@ -1,0 +1,108 @@
+#include "bullet/smooth_normal.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+#include <BulletCollision/CollisionShapes/btCompoundShape.h>
+#include <BulletCollision/CollisionShapes/btConcaveShape.h>
+#include <BulletCollision/CollisionShapes/btTriangleCallback.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bullet/convert.h"
+
+namespace tread {
+
+#ifdef BT_USE_DOUBLE_PRECISION
+inline namespace bullet_float64 {
+#else
+inline namespace bullet_float32 {
+#endif
+
+namespace {
+
+// Faces are looked up this many reaches around a point, and anew when a point has come closer than one to that border.
+constexpr double kLookedUp = 3;
+// A face on which the ray's triangle lies is this near, and as parallel.
+constexpr double kOnFace = 1e-3;  // m
+constexpr double kSameNormal = 0.9999;
+
+struct Gather : btTriangleCallback {
+    Gather(NearFaces& n, const btTransform& p) : near(n), pose(p) {}
+    void processTriangle(btVector3* corners, int, int) override {
+        NearFaces::Face face;
+        for (std::size_t k = 0; k < 3; ++k) face.corners_W[k] = fromBullet(pose * corners[k]);
+        const Vector3 across = (face.corners_W[1] - face.corners_W[0]).cross(face.corners_W[2] - face.corners_W[0]);
+        face.area = 0.5 * across.norm();
+        if (!(face.area > 0)) return;
+        face.normal_W = across / (2 * face.area);
+        if (distanceTo(face, near.centre_W) < near.radius) near.faces.push_back(face);
+    }
+    NearFaces& near;
+    const btTransform& pose;
+};
+
+void gather(NearFaces& near, const btCollisionShape& shape, const btTransform& pose) {
+    if (shape.isCompound()) {
+        const auto& compound = static_cast<const btCompoundShape&>(shape);
+        for (int i = 0; i < compound.getNumChildShapes(); ++i)
+            gather(near, *compound.getChildShape(i), pose * compound.getChildTransform(i));
+        return;
+    }
+    if (!shape.isConcave() || shape.getShapeType() == STATIC_PLANE_PROXYTYPE) return;
+    const btVector3 centre = pose.invXform(toBullet(near.centre_W));
+    const auto r = static_cast<btScalar>(near.radius);
+    const btVector3 half(r, r, r);
+    Gather found(near, pose);
+    static_cast<const btConcaveShape&>(shape).processAllTriangles(&found, centre - half, centre + half);
+}
+
+bool isOn(const NearFaces& near, const Vector3& point, const Vector3& normal) {
+    return std::any_of(near.faces.begin(), near.faces.end(), [&](const NearFaces::Face& face) {
+        return std::abs(face.normal_W.dot(normal)) > kSameNormal && distanceTo(face, point) < kOnFace;
+    });
+}
+
+}  // namespace
+
+// The nearest point of a triangle lies inside it or on an edge.
+double distanceTo(const NearFaces::Face& face, const Vector3& point) {
+    bool inside = true;
+    double nearest = kInfinity;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vector3 &a = face.corners_W[k], &b = face.corners_W[(k + 1) % 3];
+        const Vector3 edge = b - a, to_point = point - a;
+        const double along = std::clamp(to_point.dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+        nearest = std::min(nearest, (to_point - along * edge).squaredNorm());
+        inside &= face.normal_W.dot(edge.cross(to_point)) >= 0;
+    }
+    return inside ? std::abs(face.normal_W.dot(point - face.corners_W[0])) : std::sqrt(nearest);
+}
+
+Vector3 smoothNormal(NearFaces& near, const btCollisionObject& object, const Vector3& point_W, const Vector3& normal_W,
+                     const Rounding& rounding) {
+    const double reach = rounding.reach;
+    const bool known = near.object == &object && near.shape == object.getCollisionShape() &&
+                       near.pose == object.getWorldTransform() && near.radius >= kLookedUp * reach &&
+                       (point_W - near.centre_W).norm() + reach < near.radius && isOn(near, point_W, normal_W);
+    if (!known) {
+        near.object = &object;
+        near.shape = object.getCollisionShape();
+        near.pose = object.getWorldTransform();
+        near.centre_W = point_W;
+        near.radius = kLookedUp * reach;
+        near.faces.clear();
+        gather(near, *near.shape, near.pose);
+    }
+    const double sharp = std::cos(rounding.angle);
+    Vector3 sum = Vector3::Zero();
+    for (const NearFaces::Face& face : near.faces) {
+        const double cosine = face.normal_W.dot(normal_W);
+        if (std::abs(cosine) < sharp) continue;
+        const double share = std::max(1 - distanceTo(face, point_W) / reach, 0.0);
+        sum += share * share * std::min(face.area, reach * reach) * (cosine < 0 ? -1 : 1) * face.normal_W;
+    }
+    const double length = sum.norm();
+    return length > 0 ? Vector3(sum / length) : normal_W;
+}
+}
+}  // namespace tread
