@@ -148,6 +148,11 @@ public:
     Vector3 angularVelocity() const;
 
     WheelTelemetry telemetry(int wheel) const;
+
+    // Where to draw a wheel between two steps: at the chassis as its motion state shows it, with steering angle,
+    // suspension length and rotation of the same instant. Bullet's updateWheelTransform(wheel, true) takes only the
+    // chassis back to that instant.
+    btTransform drawnWheel(int wheel) const;
     const char* surfaceName(int wheel) const;
 
     // A restored vehicle repeats its steps bit for bit as long as inputs and ground are the same.

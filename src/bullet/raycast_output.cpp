@@ -1,5 +1,6 @@
 // What a RaycastVehicle shows: the stock vehicle's wheel infos and speed, and what it has beyond them.
 #include <BulletDynamics/Dynamics/btRigidBody.h>
+#include <LinearMath/btTransformUtil.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,12 +40,17 @@ double gripShown(const SlipShown& slip, double peak_ratio, double peak_angle) {
 }  // namespace
 
 void RaycastVehicle::Implementation::show(double dt) {
+    drawn_step = dt;
     for (std::size_t i = 0; i < car.wheel_count; ++i) {
         const BodyWheel& wheel = car.wheels[i];
         const BodyWheelState& now = state.wheels[i];
         const WheelGround& ground = grounds[i];
         btWheelInfo& shown = info(i);
         const btVector3 down = toBullet(Vector3(motion.orientation * wheel.down_B));
+
+        const ShownWheel draw{now.steer, wheel.strut.length - now.compression, now.rotation};
+        drawn_before[i] = i < wheels_drawn ? drawn[i] : draw;
+        drawn[i] = draw;
 
         btWheelInfo::RaycastInfo& ray = shown.m_raycastInfo;
         ray.m_suspensionLength = static_cast<btScalar>(wheel.strut.length - now.compression);
@@ -69,6 +75,53 @@ void RaycastVehicle::Implementation::show(double dt) {
         const btScalar lean = -ray.m_contactNormalWS.dot(down);
         shown.m_clippedInvContactDotSuspension = lean > btScalar(0.1) ? 1 / lean : btScalar(10);
     }
+    wheels_drawn = car.wheel_count;
+}
+
+// Instant of the chassis' motion state, as a share of the last step: Bullet keeps its clock to itself, but has moved
+// the chassis by its velocity. At rest every instant shows the same.
+double RaycastVehicle::Implementation::instantDrawn() const {
+    constexpr double kStands = 1e-6;
+    if (!chassis.getMotionState() || !(drawn_step > 0)) return 1;
+    btTransform seen;
+    chassis.getMotionState()->getWorldTransform(seen);
+    const btTransform& last = chassis.getInterpolationWorldTransform();
+    btVector3 axis;
+    btScalar angle = 0;
+    btTransformUtil::calculateDiffAxisAngle(last, seen, axis, angle);
+    const Vector3 moved = fromBullet(seen.getOrigin() - last.getOrigin()), turned = fromBullet(axis * angle);
+    const Vector3 velocity = fromBullet(chassis.getInterpolationLinearVelocity());
+    const Vector3 spin = fromBullet(chassis.getInterpolationAngularVelocity());
+    const double square = velocity.squaredNorm() + spin.squaredNorm();
+    if (!(square > kStands)) return 1;
+    return std::clamp(1 + (moved.dot(velocity) + turned.dot(spin)) / square / drawn_step, 0.0, 2.0);
+}
+
+btTransform RaycastVehicle::drawnWheel(int index) const {
+    const auto i = static_cast<std::size_t>(index);
+    if (index < 0 || index >= getNumWheels()) return getChassisWorldTransform();
+    if (i >= self_->wheels_drawn) return m_wheelInfo[index].m_worldTransform;
+    btTransform chassis = getChassisWorldTransform();
+    if (const btMotionState* seen = self_->chassis.getMotionState()) seen->getWorldTransform(chassis);
+    const double at = self_->instantDrawn();
+    const auto mix = [at](double from, double to) { return static_cast<btScalar>(from + at * (to - from)); };
+    const ShownWheel &before = self_->drawn_before[i], &after = self_->drawn[i];
+
+    // As in Bullet's updateWheelTransform.
+    const btWheelInfo& wheel = m_wheelInfo[index];
+    const btVector3 up = -wheel.m_wheelDirectionCS, &right = wheel.m_wheelAxleCS;
+    const btVector3 forward = up.cross(right).normalized();
+    btMatrix3x3 basis;
+    for (int row = 0; row < 3; ++row) {
+        basis[row][getRightAxis()] = -right[row];
+        basis[row][getUpAxis()] = up[row];
+        basis[row][getForwardAxis()] = forward[row];
+    }
+    const btMatrix3x3 turned = btMatrix3x3(btQuaternion(up, mix(before.steer, after.steer))) *
+                               btMatrix3x3(btQuaternion(right, -mix(before.rotation, after.rotation))) * basis;
+    const btVector3 centre =
+        wheel.m_chassisConnectionPointCS + wheel.m_wheelDirectionCS * mix(before.length, after.length);
+    return chassis * btTransform(turned, centre);
 }
 
 // The speed is a private member of the base that only its own step sets: let it step without wheels.

@@ -17,6 +17,13 @@ inline namespace bullet_float64 {
 inline namespace bullet_float32 {
 #endif
 
+// What a wheel shows of a step.
+struct ShownWheel {
+    double steer = 0;     // rad
+    double length = 0;    // m, of the suspension
+    double rotation = 0;  // rad
+};
+
 struct RaycastVehicle::Implementation {
     RaycastVehicle& face;
     btRigidBody& chassis;
@@ -51,6 +58,10 @@ struct RaycastVehicle::Implementation {
     std::array<NearFaces, kMostWheels> near{};
     std::array<Vector3, kMostWheels> impulses{};  // N s, of the ground on the wheels over the last step
     std::array<btScalar, kMostWheels> shown_length{};
+    std::array<ShownWheel, kMostWheels> drawn{};         // after the last step
+    std::array<ShownWheel, kMostWheels> drawn_before{};  // after the one before
+    double drawn_step = 0;                               // s, between them
+    std::size_t wheels_drawn = 0;
     std::size_t wheels_before = 0;
     bool asleep = false;
 
@@ -84,6 +95,7 @@ struct RaycastVehicle::Implementation {
 
     // raycast_output.cpp
     void show(double dt);
+    double instantDrawn() const;
     void showSpeed(double dt);
 };
 }
