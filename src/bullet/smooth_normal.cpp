@@ -56,10 +56,20 @@ void gather(NearFaces& near, const btCollisionShape& shape, const btTransform& p
     static_cast<const btConcaveShape&>(shape).processAllTriangles(&found, centre - half, centre + half);
 }
 
-bool isOn(const NearFaces& near, const Vector3& point, const Vector3& normal) {
-    return std::any_of(near.faces.begin(), near.faces.end(), [&](const NearFaces::Face& face) {
-        return std::abs(face.normal_W.dot(normal)) > kSameNormal && distanceTo(face, point) < kOnFace;
-    });
+// What the faces make of a normal; zero when none of them is the one that the ray met.
+Vector3 blend(const NearFaces& near, const Vector3& point, const Vector3& normal, const Rounding& rounding) {
+    const double sharp = std::cos(rounding.angle), reach = rounding.reach;
+    Vector3 sum = Vector3::Zero();
+    bool met = false;
+    for (const NearFaces::Face& face : near.faces) {
+        const double cosine = face.normal_W.dot(normal);
+        if (std::abs(cosine) < sharp) continue;
+        const double distance = distanceTo(face, point);
+        met |= std::abs(cosine) > kSameNormal && distance < kOnFace;
+        const double share = std::max(1 - distance / reach, 0.0);
+        sum += share * share * std::min(face.area, reach * reach) * (cosine < 0 ? -1 : 1) * face.normal_W;
+    }
+    return met ? sum : Vector3(Vector3::Zero());
 }
 
 }  // namespace
@@ -83,8 +93,9 @@ Vector3 smoothNormal(NearFaces& near, const btCollisionObject& object, const Vec
     const double reach = rounding.reach;
     const bool known = near.object == &object && near.shape == object.getCollisionShape() &&
                        near.pose == object.getWorldTransform() && near.radius >= kLookedUp * reach &&
-                       (point_W - near.centre_W).norm() + reach < near.radius && isOn(near, point_W, normal_W);
-    if (!known) {
+                       (point_W - near.centre_W).norm() + reach < near.radius;
+    Vector3 sum = known ? blend(near, point_W, normal_W, rounding) : Vector3(Vector3::Zero());
+    if (sum.isZero(0)) {
         near.object = &object;
         near.shape = object.getCollisionShape();
         near.pose = object.getWorldTransform();
@@ -92,14 +103,7 @@ Vector3 smoothNormal(NearFaces& near, const btCollisionObject& object, const Vec
         near.radius = kLookedUp * reach;
         near.faces.clear();
         gather(near, *near.shape, near.pose);
-    }
-    const double sharp = std::cos(rounding.angle);
-    Vector3 sum = Vector3::Zero();
-    for (const NearFaces::Face& face : near.faces) {
-        const double cosine = face.normal_W.dot(normal_W);
-        if (std::abs(cosine) < sharp) continue;
-        const double share = std::max(1 - distanceTo(face, point_W) / reach, 0.0);
-        sum += share * share * std::min(face.area, reach * reach) * (cosine < 0 ? -1 : 1) * face.normal_W;
+        sum = blend(near, point_W, normal_W, rounding);
     }
     const double length = sum.norm();
     return length > 0 ? Vector3(sum / length) : normal_W;
