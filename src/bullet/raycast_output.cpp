@@ -37,10 +37,34 @@ double gripShown(const SlipShown& slip, double peak_ratio, double peak_angle) {
     return beyond > 1 ? 1 / beyond : 1;
 }
 
+btVector3 turned(const btVector3& v, const btVector3& axis, btScalar cosine, btScalar sine) {
+    return v * cosine + axis.cross(v) * sine + axis * (axis.dot(v) * (1 - cosine));
+}
+
+// The wheel's axes as Bullet's updateWheelTransform turns them: about the axle, then about the strut.
+btMatrix3x3 wheelAxes(const btRaycastVehicle& vehicle, const btVector3& up, const btVector3& right,
+                      const ShownWheel& pose) {
+    const auto cosine = static_cast<btScalar>(std::cos(pose.rotation));
+    const auto sine = static_cast<btScalar>(-std::sin(pose.rotation));
+    std::array<btVector3, 3> columns;
+    columns[static_cast<std::size_t>(vehicle.getRightAxis())] = -right;
+    columns[static_cast<std::size_t>(vehicle.getUpAxis())] = turned(up, right, cosine, sine);
+    columns[static_cast<std::size_t>(vehicle.getForwardAxis())] =
+        turned(up.cross(right).normalized(), right, cosine, sine);
+    if (pose.steer != 0) {
+        const auto c = static_cast<btScalar>(std::cos(pose.steer)), s = static_cast<btScalar>(std::sin(pose.steer));
+        for (btVector3& column : columns) column = turned(column, up, c, s);
+    }
+    btMatrix3x3 axes;
+    for (int row = 0; row < 3; ++row) axes[row].setValue(columns[0][row], columns[1][row], columns[2][row]);
+    return axes;
+}
+
 }  // namespace
 
 void RaycastVehicle::Implementation::show(double dt) {
     drawn_step = dt;
+    const btTransform& pose = chassis.getCenterOfMassTransform();
     for (std::size_t i = 0; i < car.wheel_count; ++i) {
         const BodyWheel& wheel = car.wheels[i];
         const BodyWheelState& now = state.wheels[i];
@@ -55,8 +79,13 @@ void RaycastVehicle::Implementation::show(double dt) {
         btWheelInfo::RaycastInfo& ray = shown.m_raycastInfo;
         ray.m_suspensionLength = static_cast<btScalar>(wheel.strut.length - now.compression);
         shown_length[i] = ray.m_suspensionLength;
-        face.updateWheelTransform(static_cast<int>(i), false);
-        ray.m_isInContact = now.touches;  // which Bullet's transform has just denied
+        ray.m_hardPointWS = pose(shown.m_chassisConnectionPointCS);
+        ray.m_wheelDirectionWS = pose.getBasis() * shown.m_wheelDirectionCS;
+        ray.m_wheelAxleWS = pose.getBasis() * shown.m_wheelAxleCS;
+        shown.m_worldTransform.setBasis(wheelAxes(face, -ray.m_wheelDirectionWS, ray.m_wheelAxleWS,
+                                                  {static_cast<double>(shown.m_steering), 0, now.rotation}));
+        shown.m_worldTransform.setOrigin(ray.m_hardPointWS + ray.m_wheelDirectionWS * ray.m_suspensionLength);
+        ray.m_isInContact = now.touches;
         ray.m_groundObject = now.touches ? ground.handle : nullptr;
         const auto& [x, y, z] = now.contact_B;
         ray.m_contactPointWS = now.touches
@@ -104,24 +133,15 @@ btTransform RaycastVehicle::drawnWheel(int index) const {
     btTransform chassis = getChassisWorldTransform();
     if (const btMotionState* seen = self_->chassis.getMotionState()) seen->getWorldTransform(chassis);
     const double at = self_->instantDrawn();
-    const auto mix = [at](double from, double to) { return static_cast<btScalar>(from + at * (to - from)); };
+    const auto mix = [at](double from, double to) { return from + at * (to - from); };
     const ShownWheel &before = self_->drawn_before[i], &after = self_->drawn[i];
 
-    // As in Bullet's updateWheelTransform.
     const btWheelInfo& wheel = m_wheelInfo[index];
-    const btVector3 up = -wheel.m_wheelDirectionCS, &right = wheel.m_wheelAxleCS;
-    const btVector3 forward = up.cross(right).normalized();
-    btMatrix3x3 basis;
-    for (int row = 0; row < 3; ++row) {
-        basis[row][getRightAxis()] = -right[row];
-        basis[row][getUpAxis()] = up[row];
-        basis[row][getForwardAxis()] = forward[row];
-    }
-    const btMatrix3x3 turned = btMatrix3x3(btQuaternion(up, mix(before.steer, after.steer))) *
-                               btMatrix3x3(btQuaternion(right, -mix(before.rotation, after.rotation))) * basis;
-    const btVector3 centre =
-        wheel.m_chassisConnectionPointCS + wheel.m_wheelDirectionCS * mix(before.length, after.length);
-    return chassis * btTransform(turned, centre);
+    const btMatrix3x3 axes = wheelAxes(*this, -wheel.m_wheelDirectionCS, wheel.m_wheelAxleCS,
+                                       {mix(before.steer, after.steer), 0, mix(before.rotation, after.rotation)});
+    const btVector3 centre = wheel.m_chassisConnectionPointCS +
+                             wheel.m_wheelDirectionCS * static_cast<btScalar>(mix(before.length, after.length));
+    return chassis * btTransform(axes, centre);
 }
 
 // The speed is a private member of the base that only its own step sets: let it step without wheels.

@@ -26,10 +26,12 @@ struct Rounding {
 struct NearFaces {
     struct Face {
         std::array<Vector3, 3> corners_W;
-        Vector3 normal_W;  // unit vector, to either side
-        double area;       // m2
+        std::array<Vector3, 3> outward_W;  // unit vectors along the face, across each corner's edge to the next
+        Vector3 normal_W;                  // unit vector, to either side
+        double area;                       // m2
     };
     std::vector<Face> faces;
+    std::size_t met = 0;  // the face that the ray met last
     const btCollisionObject* object = nullptr;
     const btCollisionShape* shape = nullptr;
     btTransform pose;
