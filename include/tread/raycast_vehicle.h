@@ -103,6 +103,7 @@ struct RaycastVehicleState {
 };
 static_assert(std::is_trivially_copyable_v<RaycastVehicleState>);
 
+// Bullet's btRaycastVehicle on tread's tyres.
 class RaycastVehicle : public btRaycastVehicle {
 public:
     // `chassis` must not be null (std::invalid_argument) and must outlive the vehicle's steps; `raycaster` may be null.
@@ -134,6 +135,10 @@ public:
     // Groups and mask of the wheels' own rays; all unless set.
     void setCollisionFilter(int group, int mask);
 
+    // Edges between the triangles of a mesh or height field that are flatter than this are rounded under the wheels'
+    // own rays, over a third of the wheel's radius: 0.45 rad unless set, 0 for none.
+    void setEdgeAngle(double angle);
+
     // Tyre of one wheel from now on, in place of what tuning or file say.
     void setTyre(int wheel, const TyreParams& tyre);
 
@@ -143,6 +148,11 @@ public:
     Vector3 angularVelocity() const;
 
     WheelTelemetry telemetry(int wheel) const;
+
+    // Where to draw a wheel between two steps: at the chassis as its motion state shows it, with steering angle,
+    // suspension length and rotation of the same instant. Bullet's updateWheelTransform(wheel, true) takes only the
+    // chassis back to that instant.
+    btTransform drawnWheel(int wheel) const;
     const char* surfaceName(int wheel) const;
 
     // A restored vehicle repeats its steps bit for bit as long as inputs and ground are the same.
@@ -150,6 +160,8 @@ public:
     void restore(const RaycastVehicleState& state);
 
 private:
+    friend class RaycastFleet;
+    bool isHeldBy(const btCollisionWorld& world) const;
     struct Implementation;
     std::unique_ptr<Implementation> self_;
 };

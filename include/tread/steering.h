@@ -125,6 +125,7 @@ struct SteeringInput {
     double left_moment;  // N m, about the steering axes at the beginning of the step, positive to the left
     double right_moment;
     double aligning_stiffness;  // N m/rad, by which about the sum of these moments falls with the road-wheel angle
+    double turning_resistance;  // N m s/rad, by which at most about it falls at once with the rate of that angle
 };
 
 // Angles of the road wheels at both ends of the step.

@@ -6,6 +6,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "base/median.h"
+
 namespace tread {
 namespace {
 
@@ -43,14 +45,6 @@ double probabilityOf(const CaseAnswer& answer, const std::string& effect) {
         if (ranked.name == effect) return ranked.probability;
     }
     return 0;
-}
-
-double medianOf(std::vector<double> values) {
-    std::erase_if(values, [](double value) { return !std::isfinite(value); });
-    if (values.empty()) return 0;
-    std::sort(values.begin(), values.end());
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
 // The errors of the parameters of one effect, in standard deviations.
@@ -230,11 +224,11 @@ BlindScore score(const std::vector<CaseKey>& keys, const std::vector<CaseAnswer>
     score.figures = counter.figures;
     score.reliability = reliability(claims);
     score.calibration_error = calibrationError(score.reliability);
-    score.median_closure = medianOf(closures);
-    score.median_credible_set = medianOf(sets);
+    score.median_closure = median(closures);
+    score.median_credible_set = median(sets);
     if (!sets.empty())
         score.mean_credible_set = std::accumulate(sets.begin(), sets.end(), 0.0) / static_cast<double>(sets.size());
-    score.median_seconds = medianOf(seconds);
+    score.median_seconds = median(seconds);
     for (const double s : seconds) score.longest_seconds = std::max(score.longest_seconds, s);
     return score;
 }

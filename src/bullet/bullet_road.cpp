@@ -1,10 +1,10 @@
 #include "tread/bullet_road.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
-#include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include "bullet/convert.h"
+#include "bullet/ground_below.h"
 
 namespace tread {
 
@@ -17,22 +17,6 @@ inline namespace bullet_float32 {
 namespace {
 
 constexpr double kRayAbove = 0.5;  // m above the wheel centre: a wheel that is pressed below the ground still finds it
-
-// The closest ground under a ray. Refusing the car's own body before the exact test saves more than half of the cost of
-// a ray that starts inside it.
-struct GroundBelow : btCollisionWorld::ClosestRayResultCallback {
-    GroundBelow(const btVector3& from, const btVector3& to, const btCollisionObject& own)
-        : ClosestRayResultCallback(from, to), own_body(own) {
-        // Bullet's default caster is wrong by up to half a metre on boxes in single precision.
-        m_flags |= btTriangleRaycastCallback::kF_UseGjkConvexCastRaytest;
-        m_collisionFilterGroup = btBroadphaseProxy::AllFilter;
-    }
-    bool needsCollision(btBroadphaseProxy* proxy) const override {
-        const auto* object = static_cast<const btCollisionObject*>(proxy->m_clientObject);
-        return object != &own_body && object->hasContactResponse() && ClosestRayResultCallback::needsCollision(proxy);
-    }
-    const btCollisionObject& own_body;
-};
 
 }  // namespace
 

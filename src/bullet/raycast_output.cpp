@@ -1,5 +1,6 @@
 // What a RaycastVehicle shows: the stock vehicle's wheel infos and speed, and what it has beyond them.
 #include <BulletDynamics/Dynamics/btRigidBody.h>
+#include <LinearMath/btTransformUtil.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,9 +37,34 @@ double gripShown(const SlipShown& slip, double peak_ratio, double peak_angle) {
     return beyond > 1 ? 1 / beyond : 1;
 }
 
+btVector3 turned(const btVector3& v, const btVector3& axis, btScalar cosine, btScalar sine) {
+    return v * cosine + axis.cross(v) * sine + axis * (axis.dot(v) * (1 - cosine));
+}
+
+// The wheel's axes as Bullet's updateWheelTransform turns them: about the axle, then about the strut.
+btMatrix3x3 wheelAxes(const btRaycastVehicle& vehicle, const btVector3& up, const btVector3& right,
+                      const ShownWheel& pose) {
+    const auto cosine = static_cast<btScalar>(std::cos(pose.rotation));
+    const auto sine = static_cast<btScalar>(-std::sin(pose.rotation));
+    std::array<btVector3, 3> columns;
+    columns[static_cast<std::size_t>(vehicle.getRightAxis())] = -right;
+    columns[static_cast<std::size_t>(vehicle.getUpAxis())] = turned(up, right, cosine, sine);
+    columns[static_cast<std::size_t>(vehicle.getForwardAxis())] =
+        turned(up.cross(right).normalized(), right, cosine, sine);
+    if (pose.steer != 0) {
+        const auto c = static_cast<btScalar>(std::cos(pose.steer)), s = static_cast<btScalar>(std::sin(pose.steer));
+        for (btVector3& column : columns) column = turned(column, up, c, s);
+    }
+    btMatrix3x3 axes;
+    for (int row = 0; row < 3; ++row) axes[row].setValue(columns[0][row], columns[1][row], columns[2][row]);
+    return axes;
+}
+
 }  // namespace
 
 void RaycastVehicle::Implementation::show(double dt) {
+    drawn_step = dt;
+    const btTransform& pose = chassis.getCenterOfMassTransform();
     for (std::size_t i = 0; i < car.wheel_count; ++i) {
         const BodyWheel& wheel = car.wheels[i];
         const BodyWheelState& now = state.wheels[i];
@@ -46,11 +72,20 @@ void RaycastVehicle::Implementation::show(double dt) {
         btWheelInfo& shown = info(i);
         const btVector3 down = toBullet(Vector3(motion.orientation * wheel.down_B));
 
+        const ShownWheel draw{now.steer, wheel.strut.length - now.compression, now.rotation};
+        drawn_before[i] = i < wheels_drawn ? drawn[i] : draw;
+        drawn[i] = draw;
+
         btWheelInfo::RaycastInfo& ray = shown.m_raycastInfo;
         ray.m_suspensionLength = static_cast<btScalar>(wheel.strut.length - now.compression);
         shown_length[i] = ray.m_suspensionLength;
-        face.updateWheelTransform(static_cast<int>(i), false);
-        ray.m_isInContact = now.touches;  // which Bullet's transform has just denied
+        ray.m_hardPointWS = pose(shown.m_chassisConnectionPointCS);
+        ray.m_wheelDirectionWS = pose.getBasis() * shown.m_wheelDirectionCS;
+        ray.m_wheelAxleWS = pose.getBasis() * shown.m_wheelAxleCS;
+        shown.m_worldTransform.setBasis(wheelAxes(face, -ray.m_wheelDirectionWS, ray.m_wheelAxleWS,
+                                                  {static_cast<double>(shown.m_steering), 0, now.rotation}));
+        shown.m_worldTransform.setOrigin(ray.m_hardPointWS + ray.m_wheelDirectionWS * ray.m_suspensionLength);
+        ray.m_isInContact = now.touches;
         ray.m_groundObject = now.touches ? ground.handle : nullptr;
         const auto& [x, y, z] = now.contact_B;
         ray.m_contactPointWS = now.touches
@@ -69,6 +104,44 @@ void RaycastVehicle::Implementation::show(double dt) {
         const btScalar lean = -ray.m_contactNormalWS.dot(down);
         shown.m_clippedInvContactDotSuspension = lean > btScalar(0.1) ? 1 / lean : btScalar(10);
     }
+    wheels_drawn = car.wheel_count;
+}
+
+// Instant of the chassis' motion state, as a share of the last step: Bullet keeps its clock to itself, but has moved
+// the chassis by its velocity. At rest every instant shows the same.
+double RaycastVehicle::Implementation::instantDrawn() const {
+    constexpr double kStands = 1e-6;
+    if (!chassis.getMotionState() || !(drawn_step > 0)) return 1;
+    btTransform seen;
+    chassis.getMotionState()->getWorldTransform(seen);
+    const btTransform& last = chassis.getInterpolationWorldTransform();
+    btVector3 axis;
+    btScalar angle = 0;
+    btTransformUtil::calculateDiffAxisAngle(last, seen, axis, angle);
+    const Vector3 moved = fromBullet(seen.getOrigin() - last.getOrigin()), turned = fromBullet(axis * angle);
+    const Vector3 velocity = fromBullet(chassis.getInterpolationLinearVelocity());
+    const Vector3 spin = fromBullet(chassis.getInterpolationAngularVelocity());
+    const double square = velocity.squaredNorm() + spin.squaredNorm();
+    if (!(square > kStands)) return 1;
+    return std::clamp(1 + (moved.dot(velocity) + turned.dot(spin)) / square / drawn_step, 0.0, 2.0);
+}
+
+btTransform RaycastVehicle::drawnWheel(int index) const {
+    const auto i = static_cast<std::size_t>(index);
+    if (index < 0 || index >= getNumWheels()) return getChassisWorldTransform();
+    if (i >= self_->wheels_drawn) return m_wheelInfo[index].m_worldTransform;
+    btTransform chassis = getChassisWorldTransform();
+    if (const btMotionState* seen = self_->chassis.getMotionState()) seen->getWorldTransform(chassis);
+    const double at = self_->instantDrawn();
+    const auto mix = [at](double from, double to) { return from + at * (to - from); };
+    const ShownWheel &before = self_->drawn_before[i], &after = self_->drawn[i];
+
+    const btWheelInfo& wheel = m_wheelInfo[index];
+    const btMatrix3x3 axes = wheelAxes(*this, -wheel.m_wheelDirectionCS, wheel.m_wheelAxleCS,
+                                       {mix(before.steer, after.steer), 0, mix(before.rotation, after.rotation)});
+    const btVector3 centre = wheel.m_chassisConnectionPointCS +
+                             wheel.m_wheelDirectionCS * static_cast<btScalar>(mix(before.length, after.length));
+    return chassis * btTransform(axes, centre);
 }
 
 // The speed is a private member of the base that only its own step sets: let it step without wheels.

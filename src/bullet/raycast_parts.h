@@ -1,6 +1,7 @@
 // What a RaycastVehicle consists of, for the files that make up its step.
 #pragma once
 
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,13 @@ inline namespace bullet_float64 {
 inline namespace bullet_float32 {
 #endif
 
+// What a wheel shows of a step.
+struct ShownWheel {
+    double steer = 0;     // rad
+    double length = 0;    // m, of the suspension
+    double rotation = 0;  // rad
+};
+
 struct RaycastVehicle::Implementation {
     RaycastVehicle& face;
     btRigidBody& chassis;
@@ -25,6 +33,7 @@ struct RaycastVehicle::Implementation {
     std::array<std::optional<TyreParams>, kMostWheels> own_tyres{};
     SurfaceAt surface{};
     RayFilter filter{};
+    double edge_angle = Rounding{}.angle;
     double substep = 0.001;
 
     // What the car was made of, and the car.
@@ -35,14 +44,24 @@ struct RaycastVehicle::Implementation {
 
     ChassisMotion motion{};
     BodyLink link{};
-    double planned = 0;  // s, length of the step that the chassis' velocity was planned for; asleep 0
+    bool teleported = false;     // before this step
+    double simulated = 0;        // s, of this step; 0: it moved nothing
+    ChassisMotion start{};       // where this step began
+    ChassisMotion reached{};     // where it ended
+    std::mutex* rays = nullptr;  // held while a ray is cast; of a fleet with threads
+    double planned = 0;          // s, length of the step that the chassis' velocity was planned for; asleep 0
     Vector3 seen_velocity = Vector3::Zero();  // at the instant of the last step; `motion` is ahead of it
     Vector3 seen_angular_velocity = Vector3::Zero();
     WheeledBodyState state{};
     std::array<WheelDemand, kMostWheels> demands{};
     std::array<WheelGround, kMostWheels> grounds{};
+    std::array<NearFaces, kMostWheels> near{};
     std::array<Vector3, kMostWheels> impulses{};  // N s, of the ground on the wheels over the last step
     std::array<btScalar, kMostWheels> shown_length{};
+    std::array<ShownWheel, kMostWheels> drawn{};         // after the last step
+    std::array<ShownWheel, kMostWheels> drawn_before{};  // after the one before
+    double drawn_step = 0;                               // s, between them
+    std::size_t wheels_drawn = 0;
     std::size_t wheels_before = 0;
     bool asleep = false;
 
@@ -57,17 +76,26 @@ struct RaycastVehicle::Implementation {
 
     // raycast_step.cpp
     void step(const btCollisionWorld* world, double dt);
-    bool staysAsleep(const btCollisionWorld* world);
+    // The parts of a step. What changes what others see stands in `begin` and `finish`; `drive` only looks at the
+    // world.
+    bool begin(const btCollisionWorld* world, double dt);  // false: there is nothing to do
+    void drive(const btCollisionWorld* world, double dt);
+    void finish();
     void takeBackGravity(double dt);
     bool isTeleported(double dt) const;
-    void takeUp(const btCollisionWorld* world, double dt);
+    void takeUp(double dt);
+    void lookDown(const btCollisionWorld* world, double dt);
     void findGround(std::size_t wheel, const ChassisMotion& at, const btCollisionWorld* world, double dt);
-    void drive(const btCollisionWorld* world, double dt);
-    void pushGround(double dt);
+    void roll(const btCollisionWorld* world, double dt);
+    void pushGround();
+
+    // raycast_sleep.cpp
+    bool staysAsleep(const btCollisionWorld* world);
     void fallAsleepOrNot();
 
     // raycast_output.cpp
     void show(double dt);
+    double instantDrawn() const;
     void showSpeed(double dt);
 };
 }

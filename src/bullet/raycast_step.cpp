@@ -27,9 +27,8 @@ constexpr double kTeleportTurn = 0.25;  // rad
 constexpr double kPushed = 0.01;  // m/s
 // A wheel looks at the ground again when it has gone this share of its radius.
 constexpr double kLookAgain = 0.5;
-// Below these a vehicle may fall asleep; Bullet alone would stop one that rolls at walking pace.
-constexpr double kRestSpeed = 0.01;  // m/s
-constexpr double kRestSpin = 0.05;   // rad/s
+// The tyre's contact rounds the edges of the ground as far as this share of its radius.
+constexpr double kRounded = 0.33;
 
 // A wheel is steered along the way from one step to the next; forces come at once.
 WheelDemand between(const WheelDemand& a, const WheelDemand& b, double at) {
@@ -38,48 +37,46 @@ WheelDemand between(const WheelDemand& a, const WheelDemand& b, double at) {
     return demand;
 }
 
-bool same(const WheelDemand& a, const WheelDemand& b) {
-    return a.steer == b.steer && a.drive_torque == b.drive_torque && a.brake_torque == b.brake_torque &&
-           a.friction == b.friction;
-}
-
 }  // namespace
 
 void RaycastVehicle::Implementation::step(const btCollisionWorld* world, double dt) {
-    if (!(dt > 0) || !std::isfinite(dt)) return;
-    if (!chassis.isActive() && staysAsleep(world)) return;
+    if (!begin(world, dt)) return;
+    drive(world, dt);
+    finish();
+}
+
+bool RaycastVehicle::Implementation::begin(const btCollisionWorld* world, double dt) {
+    simulated = 0;
+    if (!(dt > 0) || !std::isfinite(dt)) return false;
+    if (!chassis.isActive() && staysAsleep(world)) return false;
     makeCar();
-    takeUp(world, dt);
+    takeUp(dt);
+    return true;
+}
+
+void RaycastVehicle::Implementation::drive(const btCollisionWorld* world, double dt) {
+    lookDown(world, dt);
     showSpeed(dt);
-    if (car.mass > 0 && motion.position_W.allFinite() && motion.orientation.coeffs().allFinite()) drive(world, dt);
-    fallAsleepOrNot();
+    const bool moves = car.mass > 0 && motion.position_W.allFinite() && motion.orientation.coeffs().allFinite();
+    start = motion;
+    if (moves) {
+        roll(world, std::min(dt, kLongestStep));
+        simulated = std::min(dt, kLongestStep);
+    }
+    reached = motion;
+    // The pose is Bullet's to change.
+    motion.position_W = start.position_W;
+    motion.orientation = start.orientation;
     show(dt);
 }
 
-// A sleeping car costs a look at its inputs and at the ground that it stands on.
-bool RaycastVehicle::Implementation::staysAsleep(const btCollisionWorld* world) {
-    if (chassis.getActivationState() != ISLAND_SLEEPING) return true;  // the game switched its simulation off
-    bool wakes = !asleep || wheelCount() != car.wheel_count;
-    if (!asleep) {
-        // Bullet has just stopped the chassis, wherever it stood.
-        wakes = !made;
-        asleep = true;
-        motion.velocity_W.setZero();
-        motion.angular_velocity_W.setZero();
-        link = {};
-        planned = 0;
-        state.acceleration_W = state.angular_acceleration_W = {};
-        for (std::size_t i = 0; i < wheelCount(); ++i) info(i).m_deltaRotation = 0;
+void RaycastVehicle::Implementation::finish() {
+    if (simulated > 0) {
+        giveMotion(chassis, link, start, reached, simulated);
+        planned = simulated;
+        pushGround();
     }
-    for (std::size_t i = 0; i < wheelCount() && !wakes; ++i) {
-        wakes = !same(demand(i), demands[i]) || !(tuningOf(info(i)) == tunings[i]);
-        if (world && !wakes) wakes = !isThere(grounds[i], *world);
-    }
-    if (!wakes) return true;
-    chassis.activate(true);
-    chassis.applyGravity();  // for what is left of this call of stepSimulation
-    asleep = false;
-    return false;
+    fallAsleepOrNot();
 }
 
 // Bullet has moved the chassis on with the velocity that was planned for a step of the length before, and with gravity
@@ -107,9 +104,9 @@ bool RaycastVehicle::Implementation::isTeleported(double dt) const {
            turned > kTeleportTurn + 1.2 * dt * static_cast<double>(chassis.getAngularVelocity().length());
 }
 
-// Takes the chassis' motion; a wheel that was put somewhere else starts anew there.
-void RaycastVehicle::Implementation::takeUp(const btCollisionWorld* world, double dt) {
-    const bool teleported = isTeleported(dt);
+// Takes the chassis' motion.
+void RaycastVehicle::Implementation::takeUp(double dt) {
+    teleported = isTeleported(dt);
     if (teleported) asleep = false;
     else takeBackGravity(dt);
     takeMotion(motion, link, chassis, Quaternion::Identity());
@@ -120,7 +117,10 @@ void RaycastVehicle::Implementation::takeUp(const btCollisionWorld* world, doubl
     }
     seen_velocity = motion.velocity_W;
     seen_angular_velocity = motion.angular_velocity_W;
+}
 
+// The ground under each wheel; one that was put somewhere else starts anew there.
+void RaycastVehicle::Implementation::lookDown(const btCollisionWorld* world, double dt) {
     for (std::size_t i = 0; i < car.wheel_count; ++i) {
         const bool added = i >= wheels_before;
         const bool reset = !added && info(i).m_raycastInfo.m_suspensionLength != shown_length[i];
@@ -146,27 +146,28 @@ void RaycastVehicle::Implementation::findGround(std::size_t wheel, const Chassis
                        .ahead = at.velocity_W.norm() * dt + 0.5 * radius,
                        .wheel = static_cast<int>(wheel)};
     const bool by_user = !own_rays || !world;
-    grounds[wheel] = castRay(ray, {chassis, world, by_user ? raycaster : nullptr, filter, surface});
+    const Rounding rounding{.angle = edge_angle, .reach = kRounded * radius};
+    const RaySource source{chassis, world, by_user ? raycaster : nullptr, filter, surface, rounding, near[wheel]};
+    const auto alone = rays ? std::unique_lock(*rays) : std::unique_lock<std::mutex>();
+    grounds[wheel] = castRay(ray, source);
 }
 
-void RaycastVehicle::Implementation::drive(const btCollisionWorld* world, double dt) {
-    const double simulated = std::min(dt, kLongestStep);
-    const int substeps = std::max(1, static_cast<int>(std::ceil(simulated / substep - 1e-6)));
-    const double h = simulated / substeps;
+// Moves `motion` to the end of the step.
+void RaycastVehicle::Implementation::roll(const btCollisionWorld* world, double dt) {
+    const int substeps = std::max(1, static_cast<int>(std::ceil(dt / substep - 1e-6)));
+    const double h = dt / substeps;
     std::array<WheelDemand, kMostWheels> next, begin, end;
     std::array<RoadContact, kMostWheels> planes;
     for (std::size_t i = 0; i < car.wheel_count; ++i) {
         next[i] = demand(i);
         impulses[i].setZero();
     }
-    const ChassisMotion start = motion;
     for (int k = 0; k < substeps; ++k) {
         for (std::size_t i = 0; i < car.wheel_count; ++i) {
             begin[i] = between(demands[i], next[i], static_cast<double>(k) / substeps);
             end[i] = between(demands[i], next[i], (k + 1.0) / substeps);
             const Vector3 gone = strutTop(motion, car.wheels[i]) - grounds[i].cast_at;
-            if (gone.norm() > kLookAgain * car.wheels[i].tyre.parameters.Ro)
-                findGround(i, motion, world, simulated - k * h);
+            if (gone.norm() > kLookAgain * car.wheels[i].tyre.parameters.Ro) findGround(i, motion, world, dt - k * h);
             planes[i] = grounds[i].plane;
             planes[i].point_W += (k + 1) * h * planes[i].velocity_W;
         }
@@ -185,43 +186,26 @@ void RaycastVehicle::Implementation::drive(const btCollisionWorld* world, double
         state = {};
         for (Vector3& impulse : impulses) impulse.setZero();
     }
-    giveMotion(chassis, link, start, motion, simulated);
-    planned = simulated;
-    pushGround(simulated);
-    // The pose is Bullet's to change.
-    motion.position_W = start.position_W;
-    motion.orientation = start.orientation;
 }
 
 // What the wheels push, they push back. A body that is so light that the tyres' springs would throw it about within one
 // step takes less than the whole.
-void RaycastVehicle::Implementation::pushGround(double dt) {
+void RaycastVehicle::Implementation::pushGround() {
     for (std::size_t i = 0; i < car.wheel_count; ++i) {
         btRigidBody* body = bodyUnder(grounds[i]);
         if (!body || body->getInvMass() <= 0 || impulses[i].isZero()) continue;
         const auto& [x, y, z] = state.wheels[i].contact_B;
-        const Vector3 contact = motion.position_W + motion.orientation * Vector3(x, y, z);
+        const Vector3 contact = reached.position_W + reached.orientation * Vector3(x, y, z);
         const btVector3 arm = toBullet(contact) - body->getCenterOfMassPosition();
         const btVector3 normal = toBullet(grounds[i].plane.normal_W);
         const btVector3 turn = (body->getInvInertiaTensorWorld() * arm.cross(normal)).cross(arm);
         const double inverse_mass = body->getInvMass() + static_cast<double>(normal.dot(turn));
         const TyreParams& tyre = car.wheels[i].tyre;
         const double stiffness = tyre.parameters.pz1 * tyre.lambda.Cz;
-        const double taken = std::min(1.0, 1 / (dt * dt * stiffness * inverse_mass));
+        const double taken = std::min(1.0, 1 / (simulated * simulated * stiffness * inverse_mass));
         body->activate();
         body->applyImpulse(toBullet(Vector3(-taken * impulses[i])), arm);
     }
-}
-
-// Bullet stops what has been slow for two seconds; what still rolls, or stands on what still moves, is kept awake.
-void RaycastVehicle::Implementation::fallAsleepOrNot() {
-    bool rests = motion.velocity_W.norm() < kRestSpeed && motion.angular_velocity_W.norm() < kRestSpeed;
-    for (std::size_t i = 0; i < car.wheel_count; ++i) {
-        rests &= std::abs(state.wheels[i].spin) < kRestSpin;
-        const btRigidBody* body = bodyUnder(grounds[i]);
-        rests &= !body || body->isStaticOrKinematicObject() || !body->isActive();
-    }
-    if (!rests) chassis.setDeactivationTime(0);
 }
 }
 }  // namespace tread

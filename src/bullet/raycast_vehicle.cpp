@@ -23,6 +23,7 @@ namespace {
 
 constexpr double kShortestSubstep = 1e-4;  // s
 constexpr double kLongestSubstep = 0.02;   // s: one step of a game
+constexpr double kSharpest = 1.5;          // rad, that an edge is rounded at
 
 btRigidBody& checked(btRigidBody* chassis) {
     if (!chassis)
@@ -32,12 +33,6 @@ btRigidBody& checked(btRigidBody* chassis) {
 
 bool isBulletsOwn(const btVehicleRaycaster* raycaster) {
     return !raycaster || typeid(*raycaster) == typeid(btDefaultVehicleRaycaster);
-}
-
-bool holds(const btCollisionWorld& world, const btCollisionObject& object) {
-    const auto& objects = world.getCollisionObjectArray();
-    const int place = object.getWorldArrayIndex();
-    return place >= 0 && place < objects.size() && objects[place] == &object;
 }
 
 }  // namespace
@@ -69,8 +64,14 @@ RaycastVehicle::RaycastVehicle(const btVehicleTuning& tuning, btRigidBody* chass
 
 RaycastVehicle::~RaycastVehicle() = default;
 
+bool RaycastVehicle::isHeldBy(const btCollisionWorld& world) const {
+    const auto& objects = world.getCollisionObjectArray();
+    const int place = self_->chassis.getWorldArrayIndex();
+    return place >= 0 && place < objects.size() && objects[place] == &self_->chassis;
+}
+
 void RaycastVehicle::updateAction(btCollisionWorld* world, btScalar step) {
-    if (world && holds(*world, self_->chassis)) self_->step(world, step);
+    if (world && isHeldBy(*world)) self_->step(world, step);
 }
 
 void RaycastVehicle::updateVehicle(btScalar step) {
@@ -87,6 +88,10 @@ void RaycastVehicle::setSurface(SurfaceAt surface) {
 
 void RaycastVehicle::setCollisionFilter(int group, int mask) {
     self_->filter = {group, mask};
+}
+
+void RaycastVehicle::setEdgeAngle(double angle) {
+    self_->edge_angle = angle >= 0 ? std::min(angle, kSharpest) : 0;
 }
 
 void RaycastVehicle::setTyre(int wheel, const TyreParams& tyre) {

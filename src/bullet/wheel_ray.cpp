@@ -2,7 +2,7 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
-#include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
+#include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "bullet/convert.h"
+#include "bullet/ground_below.h"
 
 namespace tread {
 
@@ -21,38 +22,28 @@ inline namespace bullet_float32 {
 
 namespace {
 
-struct GroundBelow : btCollisionWorld::ClosestRayResultCallback {
-    GroundBelow(const btVector3& from, const btVector3& to, const btRigidBody& own, const RayFilter& filter)
-        : ClosestRayResultCallback(from, to), chassis(own) {
-        // Bullet's default caster is wrong by up to half a metre on boxes in single precision.
-        if constexpr (sizeof(btScalar) == sizeof(float))
-            m_flags |= btTriangleRaycastCallback::kF_UseGjkConvexCastRaytest;
-        m_collisionFilterGroup = filter.group;
-        m_collisionFilterMask = filter.mask;
-    }
-    bool needsCollision(btBroadphaseProxy* proxy) const override {
-        const auto* object = static_cast<const btCollisionObject*>(proxy->m_clientObject);
-        return object != &chassis && object->hasContactResponse() && ClosestRayResultCallback::needsCollision(proxy) &&
-               chassis.checkCollideWith(object);
-    }
-    btScalar addSingleResult(btCollisionWorld::LocalRayResult& result, bool normal_in_world) override {
-        part = result.m_localShapeInfo ? result.m_localShapeInfo->m_shapePart : -1;
-        triangle = result.m_localShapeInfo ? result.m_localShapeInfo->m_triangleIndex : -1;
-        return ClosestRayResultCallback::addSingleResult(result, normal_in_world);
-    }
-    const btRigidBody& chassis;
-    int part = -1;
-    int triangle = -1;
-};
-
-// Where a ray enters a box, as a fraction of its way, and the face; Bullet's own answer is wrong by millimetres on
-// large boxes, and its normal by a hundredth. Nothing when it starts inside.
-struct BoxHit {
+// Where a ray meets a body, as a fraction of its way, and the normal there.
+struct Meets {
     double fraction;
     Vector3 normal_W;
 };
-std::optional<BoxHit> enterBox(const btCollisionObject& object, const Vector3& start, const Vector3& way) {
-    if (object.getCollisionShape()->getShapeType() != BOX_SHAPE_PROXYTYPE) return {};
+
+// Bullet makes two triangles of a plane for each ray.
+std::optional<Meets> meetPlane(const btCollisionObject& object, const Vector3& start, const Vector3& way) {
+    const auto& plane = static_cast<const btStaticPlaneShape&>(*object.getCollisionShape());
+    const btTransform& pose = object.getWorldTransform();
+    const Vector3 normal = fromBullet(pose.getBasis() * plane.getPlaneNormal());
+    const double above =
+        normal.dot(start - fromBullet(pose.getOrigin())) - static_cast<double>(plane.getPlaneConstant());
+    const double goes = normal.dot(way);
+    const double fraction = -above / goes;
+    if (!(fraction >= 0 && fraction <= 1)) return {};
+    return Meets{fraction, normal};
+}
+
+// Bullet's own answer is wrong by millimetres on large boxes, and its normal by a hundredth. Nothing when the ray
+// starts inside.
+std::optional<Meets> enterBox(const btCollisionObject& object, const Vector3& start, const Vector3& way) {
     const auto& box = static_cast<const btBoxShape&>(*object.getCollisionShape());
     const btMatrix3x3& basis = object.getWorldTransform().getBasis();
     const Vector3 half = fromBullet(box.getHalfExtentsWithMargin());
@@ -62,7 +53,10 @@ std::optional<BoxHit> enterBox(const btCollisionObject& object, const Vector3& s
     for (int k = 0; k < 3; ++k) {
         const Vector3 axis = fromBullet(basis.getColumn(k)).normalized();
         const double at = from.dot(axis), goes = way.dot(axis);
-        if (goes == 0) continue;  // Bullet has found that it meets the box: it passes between these faces
+        if (goes == 0) {
+            if (std::abs(at) > half[k]) return {};
+            continue;
+        }
         const double side = goes > 0 ? -1 : 1;
         const double in = (side * half[k] - at) / goes;
         if (in > enters) {
@@ -72,8 +66,49 @@ std::optional<BoxHit> enterBox(const btCollisionObject& object, const Vector3& s
         leaves = std::min(leaves, (-side * half[k] - at) / goes);
     }
     if (enters < 0 || enters > 1 || enters > leaves) return {};
-    return BoxHit{enters, normal};
+    return Meets{enters, normal};
 }
+
+// What a user's filter lets through, with the part of a shape that was hit; planes and boxes are met exactly.
+struct FilteredGround : GroundBelow {
+    FilteredGround(const Vector3& from, const Vector3& along, const btRigidBody& own, const RayFilter& filter)
+        : GroundBelow(toBullet(from), toBullet(Vector3(from + along)), own), chassis(own), start(from), way(along) {
+        m_collisionFilterGroup = filter.group;
+        m_collisionFilterMask = filter.mask;
+    }
+    // Bullet asks this of each object in the ray's way before it looks closer. Planes and boxes are done here.
+    bool needsCollision(btBroadphaseProxy* proxy) const override {
+        const auto* object = static_cast<const btCollisionObject*>(proxy->m_clientObject);
+        return GroundBelow::needsCollision(proxy) && chassis.checkCollideWith(object) &&
+               !const_cast<FilteredGround*>(this)->isDone(*object);
+    }
+    bool isDone(const btCollisionObject& object) {
+        const int shape = object.getCollisionShape()->getShapeType();
+        const bool plane = shape == STATIC_PLANE_PROXYTYPE;
+        if (!plane && shape != BOX_SHAPE_PROXYTYPE) return false;
+        const auto met = plane ? meetPlane(object, start, way) : enterBox(object, start, way);
+        if (met && met->fraction < static_cast<double>(m_closestHitFraction)) {
+            exact = met;
+            m_collisionObject = &object;
+            m_closestHitFraction = static_cast<btScalar>(met->fraction);
+            m_hitPointWorld = toBullet(Vector3(start + met->fraction * way));
+            m_hitNormalWorld = toBullet(met->normal_W);
+            part = triangle = -1;
+        }
+        return true;
+    }
+    btScalar addSingleResult(btCollisionWorld::LocalRayResult& result, bool normal_in_world) override {
+        exact.reset();
+        part = result.m_localShapeInfo ? result.m_localShapeInfo->m_shapePart : -1;
+        triangle = result.m_localShapeInfo ? result.m_localShapeInfo->m_triangleIndex : -1;
+        return ClosestRayResultCallback::addSingleResult(result, normal_in_world);
+    }
+    const btRigidBody& chassis;
+    Vector3 start, way;
+    std::optional<Meets> exact;  // of what was met last
+    int part = -1;
+    int triangle = -1;
+};
 
 // Height of a rough surface: bumps about a metre long, the same whenever one comes there.
 double bump(const Vector3& at, double amplitude) {
@@ -81,6 +116,10 @@ double bump(const Vector3& at, double amplitude) {
     return amplitude * (0.5 * std::sin(6.1 * at.x() + 2.3 * at.y() + 1.7 * at.z()) +
                         0.5 * std::sin(-2.9 * at.x() + 5.3 * at.y() + 3.1 * at.z() + 1));
 }
+
+// m/s: what is faster was put elsewhere. Bullet takes the way of a kinematic body within a step for its velocity, also
+// that from the origin to where a game puts a new one.
+constexpr double kFastestGround = 340;
 
 // Completes a ground whose plane is known.
 void describe(WheelGround& ground, const SurfaceQuery& query, const SurfaceAt& surface) {
@@ -94,8 +133,9 @@ void describe(WheelGround& ground, const SurfaceQuery& query, const SurfaceAt& s
     ground.pose = ground.object->getWorldTransform();
     if (const auto* body = btRigidBody::upcast(ground.object)) {
         if (body->isStaticObject() && !body->isKinematicObject()) return;
-        ground.plane.velocity_W =
+        const Vector3 velocity =
             fromBullet(body->getVelocityInLocalPoint(query.point - body->getCenterOfMassPosition()));
+        if (velocity.norm() < kFastestGround) ground.plane.velocity_W = velocity;
     }
 }
 
@@ -129,20 +169,21 @@ WheelGround castByUser(const WheelRay& ray, const RaySource& source) {
 WheelGround castIntoWorld(const WheelRay& ray, const RaySource& source) {
     WheelGround ground;
     const Vector3 start = ray.top_W - ray.raised * ray.down_W;
-    const double way = ray.raised + ray.length + ray.ahead;
-    const btVector3 from = toBullet(start), to = toBullet(Vector3(start + way * ray.down_W));
-    GroundBelow hit(from, to, source.chassis, source.filter);
-    source.world->rayTest(from, to, hit);
-    const Vector3 normal = fromBullet(hit.m_hitNormalWorld);
+    const Vector3 way = (ray.raised + ray.length + ray.ahead) * ray.down_W;
+    FilteredGround hit(start, way, source.chassis, source.filter);
+    source.world->rayTest(hit.m_rayFromWorld, hit.m_rayToWorld, hit);
+    const Vector3 normal = hit.exact ? hit.exact->normal_W : fromBullet(hit.m_hitNormalWorld);
     ground.plane.exists = hit.hasHit() && isUnit(normal);
     if (!ground.plane.exists) return ground;
     // Depth along the ray in double: the hit point itself is rounded to the world's precision.
     ground.handle = ground.object = const_cast<btCollisionObject*>(hit.m_collisionObject);
-    const auto box = enterBox(*ground.object, start, way * ray.down_W);
-    const double fraction = box ? box->fraction : static_cast<double>(hit.m_closestHitFraction);
-    ground.plane.point_W = start + fraction * way * ray.down_W;
-    ground.plane.normal_W = box ? box->normal_W : normal.normalized();
+    const double fraction = hit.exact ? hit.exact->fraction : static_cast<double>(hit.m_closestHitFraction);
+    ground.plane.point_W = start + fraction * way;
+    ground.plane.normal_W = normal.normalized();
     if (ground.plane.normal_W.dot(ray.down_W) > 0) ground.plane.normal_W = -ground.plane.normal_W;
+    if (hit.triangle >= 0 && source.rounding.angle > 0)
+        ground.plane.normal_W =
+            smoothNormal(source.near, *ground.object, ground.plane.point_W, ground.plane.normal_W, source.rounding);
     describe(ground, {ground.object, hit.part, hit.triangle, hit.m_hitPointWorld, ray.wheel}, source.surface);
     return ground;
 }

@@ -1,7 +1,7 @@
 // What lies under a wheel, found by a ray along its strut.
 #pragma once
 
-#include "tread/raycast_vehicle.h"
+#include "bullet/smooth_normal.h"
 
 namespace tread {
 
@@ -50,6 +50,8 @@ struct RaySource {
     btVehicleRaycaster* user;       // may be null
     RayFilter filter;
     const SurfaceAt& surface;
+    const Rounding& rounding;
+    NearFaces& near;  // of this wheel
 };
 WheelGround castRay(const WheelRay& ray, const RaySource& source);
 }

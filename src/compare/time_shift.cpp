@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/median.h"
 #include "log/resample.h"
 
 namespace tread {
@@ -12,15 +13,6 @@ namespace {
 
 constexpr std::size_t kFewestSamples = 16;  // a correlation over less says nothing
 constexpr double kLowestCorrelation = 0.5;  // below, the channels do not show the same thing
-
-double medianStep(std::span<const double> time) {
-    std::vector<double> steps;
-    for (std::size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
-    if (steps.empty()) return 0;
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    return *middle;
-}
 
 // Pearson's correlation coefficient; NaN when one of the two is constant.
 double correlation(std::span<const double> a, std::span<const double> b) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "base/median.h"
+
 namespace tread {
 namespace {
 
@@ -26,15 +28,7 @@ double shown(const Eigen::VectorXd& rows, const Filter& filter) {
     std::vector<double> left;
     for (Eigen::Index i = 0; i + width <= rows.size(); ++i)
         left.push_back(std::abs(weights.dot(rows.segment(i, width))));
-    const auto middle = left.begin() + static_cast<std::ptrdiff_t>(left.size() / 2);
-    std::nth_element(left.begin(), middle, left.end());
-    return *middle / (kMedianOfNormal * weights.norm());
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const double middle = values[values.size() / 2];
-    return std::isfinite(middle) ? middle : 0;
+    return median(std::move(left)) / (kMedianOfNormal * weights.norm());
 }
 
 // Of one channel in all drives.

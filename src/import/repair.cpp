@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
 #include "import/spikes.h"
 #include "import/time_base.h"
 #include "log/resample.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/did_you_mean.h"
+#include "base/median.h"
 #include "import/columns.h"
 #include "import/foreign_text.h"
 
@@ -120,15 +121,6 @@ void reportSteps(const Stretch& recording, std::vector<Change>& changes) {
 }
 
 }  // namespace
-
-double medianStep(const std::vector<double>& time) {
-    std::vector<double> steps;
-    for (std::size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
-    if (steps.empty()) return 0;
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    return *middle;
-}
 
 std::vector<double> timeOfRows(const ForeignTable& table, const ImportTime& how, std::vector<Change>& changes) {
     std::vector<double> time;

@@ -24,6 +24,4 @@ std::vector<double> timeOfRows(const ForeignTable& table, const ImportTime& how,
 std::vector<Stretch> recordingsOf(const std::vector<double>& time, const ForeignTable& table,
                                     const ImportRepairs& repairs, std::vector<Change>& changes);
 
-double medianStep(const std::vector<double>& time);
-
 }  // namespace tread

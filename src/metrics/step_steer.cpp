@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
 #include "metrics/channels.h"
 #include "metrics/manoeuvres.h"
 #include "metrics/metric_table.h"
@@ -34,12 +35,6 @@ struct Step {
     double rate;       // rad/s
     double direction() const { return amplitude < 0 ? -1 : 1; }
 };
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 // From the first to the last time at which the steering is within the band around the held value.
 struct Hold {

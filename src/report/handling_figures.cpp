@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
 #include "metrics/metrics.h"
 #include "metrics/sine_with_dwell.h"
 #include "report/cross_plot.h"
@@ -19,12 +20,6 @@ std::optional<double> metricNamed(const std::vector<Metric>& metrics, std::strin
         if (metric.name == name && std::isfinite(metric.value)) return metric.value;
     }
     return std::nullopt;
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 // A line of that slope through the middle of the points between two x; nothing without points there.

@@ -19,13 +19,15 @@ constexpr double kQuiet = 1e-6;      // m/s2 and rad/s2
 constexpr double kRideFrequency =
     24;                          // rad/s, at which the light body heaves: its suspension damps that nearly critically
 constexpr double kLightest = 9;  // mass of the body over that with which it settles
-constexpr double kRideDamping = 6;    // 1/s, of heave, roll and pitch
-constexpr double kDriftDamping = 25;  // 1/s, of a standing car along the road
-constexpr double kTorqueGain = 20;    // 1/s: how fast the torque at the wheels follows the need
-constexpr double kPullShows = 0.5;    // s, after which a pull to a side is not the settling's
-constexpr double kSideGain = 3;       // how much faster than its own the car finds its sideslip
-constexpr double kTrimRate = 3;       // 1/s: about how fast the hand wheel follows the need
-constexpr double kTypicalSlope = 20;  // 1/rad, cornering stiffness of a tyre over its load
+constexpr double kRideDamping = 6;          // 1/s, of heave, roll and pitch
+constexpr double kDriftDamping = 25;        // 1/s, of a standing car along the road
+constexpr double kBushDamping = 100;        // 1/s, of the recession of wheels
+constexpr double kTorqueGain = 20;          // 1/s: how fast the torque at the wheels follows the need
+constexpr double kPullShows = 0.1;          // s, after which a car that runs straight shows nothing to either side
+constexpr double kSideRate = 25;            // 1/s: about how fast the sideslip follows the need
+constexpr double kTrimRate = 15;            // 1/s: the same of the hand wheel
+constexpr double kTypicalSlope = 20;        // 1/rad, cornering stiffness of a tyre over its load
+constexpr double kTypicalRelaxation = 0.5;  // m, after which its side force has followed
 
 Vector3 vectorOf(const std::array<double, 3>& a) {
     return {a[0], a[1], a[2]};
@@ -104,6 +106,20 @@ double meanDrivenSpin(const VehicleState& state, double front_share) {
     return 0.5 * (front_share * (w[0].spin + w[1].spin) + (1 - front_share) * (w[2].spin + w[3].spin));
 }
 
+// What the hand wheel must stand at so that this angle is left behind its play.
+double beyondPlay(const SteeringParams& params, double angle) {
+    return angle + (angle > 0 ? 0.5 : angle < 0 ? -0.5 : 0) * params.play;
+}
+
+// The steering at rest again, where the hand wheel stands and with what yields.
+void rest(SteeringState& state, const VehicleParams& params) {
+    const SteeringState moved = state;
+    state = steadySteering(params.steering, moved.angle, params.front.track, params.wheelbase);
+    state.wheels = moved.wheels;
+    state.yielding = moved.yielding;
+    state.moment = moved.moment;
+}
+
 // Yaw acceleration over the hand-wheel angle, roughly, 1/(s2 rad).
 double yawByHandWheel(const VehicleParams& params) {
     const double b = params.wheelbase - params.front_axle_distance;
@@ -116,6 +132,7 @@ double yawByHandWheel(const VehicleParams& params) {
 Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, const Start& start) {
     Vehicle vehicle = car;
     for (AxleParams* axle : {&vehicle.params.front, &vehicle.params.rear}) axle->suspension.damper.friction = 0;
+    vehicle.params.steering.delay = vehicle.params.steering.lag = 0;
     const ChassisMotion place = placed(vehicle, surroundings, start);
     const bool rolls = start.speed != 0;
     const double front_share = vehicle.params.driveline.front_share;
@@ -123,7 +140,10 @@ Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, co
     const Vector3 forward = place.orientation * Vector3::UnitX();
     const Vector3 left = place.orientation * Vector3::UnitY();
     const Vector3 n = place.orientation * Vector3::UnitZ();
-    const double trim_gain = kTrimRate / yawByHandWheel(vehicle.params);
+    const double fastest = std::abs(start.speed) / kTypicalRelaxation;  // 1/s
+    const double trim_gain = std::min(kTrimRate, fastest) / yawByHandWheel(vehicle.params);
+    const double side_gain =
+        std::min(kSideRate, 2 * fastest) * std::abs(start.speed) / (kTypicalSlope * kStandardGravity);
     const double hastening = kRideFrequency / heaveFrequency(vehicle);
     const double lightness = std::clamp(hastening * hastening, 1.0, kLightest);
     const double step = hastening > 1 ? 0.002 : 0.001;  // s
@@ -133,6 +153,7 @@ Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, co
     double torque = 0;
     double quiet = 0;
     bool pulls = false;
+    double trim = 0;      // rad, hand wheel behind its play
     double sideways = 0;  // m/s, to the left
     for (double t = 0; t < kLongest && quiet < kQuietTime; t += step) {
         // Driveline in steady running at the torque sought.
@@ -144,6 +165,7 @@ Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, co
         advance(result.motion, state, vehicle, result.input, result.input, surroundings, step);
 
         // Hasten the ride, damp what is left.
+        for (std::size_t i = 0; i < kWheels; ++i) state.wheels[i].recession.rate *= 1 - kBushDamping * step;
         ChassisMotion& motion = result.motion;
         const Vector3 acceleration = vectorOf(state.acceleration_W);
         const Vector3 angular = vectorOf(state.angular_acceleration_W);
@@ -159,8 +181,9 @@ Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, co
             const double aside = acceleration.dot(left), turns = angular.dot(n);
             pulls |= t > kPullShows && std::max(std::abs(aside), std::abs(turns)) > kQuiet;
             if (pulls) {
-                sideways += kSideGain * step * aside;
-                result.input.steering_wheel_angle -= trim_gain * step * turns;
+                sideways += side_gain * step * aside;
+                trim -= trim_gain * step * turns;
+                result.input.steering_wheel_angle = beyondPlay(vehicle.params.steering, trim);
                 const double turned = (motion.orientation * Vector3::UnitX()).dot(left);
                 motion.orientation = (Quaternion(Eigen::AngleAxisd(-turned, n)) * motion.orientation).normalized();
             }
@@ -177,6 +200,7 @@ Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, co
     // Rest at last: what the settling left is below what matters.
     result.motion.velocity_W = place.velocity_W + sideways * left;
     result.motion.angular_velocity_W.setZero();
+    if (pulls) rest(state.steering, car.params);
     for (std::size_t i = 0; i < kWheels; ++i) {
         WheelState& wheel = state.wheels[i];
         wheel.rate = wheel.recession.rate = wheel.recession.acceleration = 0;

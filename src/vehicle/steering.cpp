@@ -121,7 +121,8 @@ SteeringMotion advance(SteeringState& state, const SteeringParams& params, const
     Mean mean = meanAngle(params, afterPlay(state.angle, params.play));
     if (yields) {
         const double compliance = params.rack_compliance + params.column_compliance * mean.slope * mean.slope;
-        mean.angle += state.yielding.advance(compliance, input.aligning_stiffness, moment, dt);
+        mean.angle +=
+            state.yielding.advance(compliance, input.aligning_stiffness, input.turning_resistance, moment, dt);
     }
     const RoadWheelAngles begin = state.wheels.angles;
     state.wheels = wheelsAt(params, mean.angle, input.track, input.wheelbase);

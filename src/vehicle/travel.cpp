@@ -72,7 +72,7 @@ PerWheel<WheelContact> advanceTravel(PerWheel<WheelState>& wheels, const Vehicle
         wheel.steer = steer[i] + lean.toe + yielding.toe;
         if (suspension.steer_by_aligning_moment != 0) {
             wheel.steer += wheel.moment_steer.advance(suspension.steer_by_aligning_moment, corner.aligning_stiffness,
-                                                      wheel.mz, dt);
+                                                      turningResistance(corner, wheel.spin, dt), wheel.mz, dt);
         }
         contacts[i] = wheelContact(end, corner, {wheel.recession.travel, 0, wheel.travel},
                                    lean.camber + yielding.camber, wheel.steer, road, i);

@@ -28,8 +28,18 @@ SteeringMotion steer(VehicleState& state, const Vehicle& vehicle, const VehicleI
         .wheelbase = params.wheelbase,
         .left_moment = steeringMoment(params.steering, left.fx, left.fy, left.mz, true),
         .right_moment = steeringMoment(params.steering, right.fx, right.fy, right.mz, false),
-        .aligning_stiffness = vehicle.corners[0].aligning_stiffness + vehicle.corners[1].aligning_stiffness};
+        .aligning_stiffness = vehicle.corners[0].aligning_stiffness + vehicle.corners[1].aligning_stiffness,
+        .turning_resistance = turningResistance(vehicle.corners[0], left.spin, dt) +
+                              turningResistance(vehicle.corners[1], right.spin, dt)};
     return advance(state.steering, params.steering, input, dt);
+}
+
+// Rate of the steer angle by what yields to the aligning moments.
+double yieldingRate(const VehicleState& state, std::size_t wheel) {
+    return state.wheels[wheel].moment_steer.rate + (axleOf(wheel) == 0 ? state.steering.yielding.rate : 0);
+}
+PerWheel<double> yieldingRates(const VehicleState& state) {
+    return {yieldingRate(state, 0), yieldingRate(state, 1), yieldingRate(state, 2), yieldingRate(state, 3)};
 }
 
 double middle(double begin, double end) {
@@ -88,6 +98,7 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
     const BodyFrame to = bodyFrame(next, state, surroundings.gravity_W);
 
     // Steering.
+    const PerWheel<double> yielding_begin = yieldingRates(state);
     const SteeringMotion front = steer(state, vehicle, begin, end, dt);
     const PerWheel<double> steer_begin{front.begin.left, front.begin.right, 0, 0};
     const PerWheel<double> steer_end{front.end.left, front.end.right, 0, 0};
@@ -117,11 +128,12 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
         WheelState& wheel = state.wheels[i];
         wheel.drive_torque = drive.wheel[i];
         wheel.brake_torque = brake.end[i];
-        steer_rate[i] = (steer_end[i] - steer_begin[i]) / dt;
+        steer_rate[i] = (steer_end[i] - steer_begin[i]) / dt + wheel.moment_steer.rate;
         tyres[i] = wheel.tyre;
         motion_begin[i] = wheel.motion;
         motion_end[i] =
             tyreMotion(contacts[i], to, contactSlopes(wheel, vehicle, i), wheel.rate, steer_rate[i], wheel.load);
+        motion_begin[i].psidot -= yieldingRate(state, i) - yielding_begin[i];  // it yields evenly over the step
         if (vehicle.recedes) recede(motion_end[i], wheel.recession, contacts[i]);
         wheel.motion = motion_end[i];
         torques[i] = {vehicle.corners[i].wheel_inertia, contacts[i].radius, wheel.drive_torque, brake.mean[i]};

@@ -83,6 +83,15 @@ TyreMotion tyreMotion(const WheelContact& contact, const BodyFrame& body, const 
     return motion;
 }
 
+double turningResistance(const Vehicle::Corner& corner, double spin, double dt) {
+    constexpr double kSteps = 3;  // an answer as late as that would still swing
+    const TyreCoefficients& p = corner.tyre.parameters;
+    const double force = p.cygyr * p.Ro * p.mt * spin;   // over the rate of turning (26)
+    const double couple = p.czgyr * p.Ro * p.mt * spin;  // over the speed of the patch (25)
+    // What slides in the patch damps it besides; at the limit of grip little does.
+    return std::max(couple * force, 0.0) / (p.mc / (kSteps * dt) + p.kFy);
+}
+
 TyreForces toIso(const TyreForces& paper) {
     return {paper.Fx, -paper.Fy, paper.Mx, -paper.My, -paper.Mz};
 }

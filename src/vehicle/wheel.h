@@ -48,6 +48,10 @@ TyreLoad tyreLoad(const TyreParams& tyre, const WheelContact& contact, const Bod
 TyreMotion tyreMotion(const WheelContact& contact, const BodyFrame& body, const Vector3& slopes, double rate,
                       double yaw_rate, double load);
 
+// By how much about, and rather too much, the aligning moment falls within a step with the rate at which the wheel is
+// turned, N m s/rad: the force (26) accelerates the contact patch, and its motion makes the couple (25).
+double turningResistance(const Vehicle::Corner& corner, double spin, double dt);
+
 // Forces of the tyre, converted from the paper's axes to ISO 8855 wheel axes.
 TyreForces toIso(const TyreForces& paper);
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "game_scene.h"
+#include "tread/raycast_fleet.h"
 
 namespace tread {
 namespace {
@@ -53,7 +54,7 @@ BENCHMARK(asleep<RaycastVehicle>)->Name("game_asleep/tread");
 
 // 1000 cars on the height field, one picture at 60 Hz; `real_time`: cars that one core drives in real time.
 template <class Vehicle>
-void thousand(benchmark::State& state) {
+void thousand(benchmark::State& state, int fleet_threads) {
     constexpr int kCars = 1000;
     scene::World world;
     game::Hills hills;
@@ -65,6 +66,16 @@ void thousand(benchmark::State& state) {
         cars.push_back(std::make_unique<scene::Car<Vehicle>>(world, setup));
         cars.back()->push(200);
     }
+    std::unique_ptr<RaycastFleet> fleet;
+    if constexpr (std::is_same_v<Vehicle, RaycastVehicle>) {
+        if (fleet_threads > 0) fleet = std::make_unique<RaycastFleet>(fleet_threads);
+        for (auto& car : cars) {
+            if (!fleet) break;
+            world.dynamics.removeVehicle(car->vehicle.get());
+            fleet->add(*car->vehicle);
+        }
+        if (fleet) world.dynamics.addAction(fleet.get());
+    }
     scene::run(world, 0.2, 60);
     double pictures = 0;
     for (auto _ : state) {
@@ -73,8 +84,6 @@ void thousand(benchmark::State& state) {
     }
     state.counters["real_time"] = benchmark::Counter(pictures * kCars / 60, benchmark::Counter::kIsRate);
 }
-BENCHMARK(thousand<btRaycastVehicle>)->Name("game_1000/stock")->Unit(benchmark::kMillisecond);
-BENCHMARK(thousand<RaycastVehicle>)->Name("game_1000/tread")->Unit(benchmark::kMillisecond);
 
 const bool registered = [] {
     const std::pair<const char*, Ground> grounds[] = {
@@ -83,6 +92,15 @@ const bool registered = [] {
         const std::string title = std::string("game_1kHz/") + name;
         benchmark::RegisterBenchmark((title + "/stock").c_str(), drives<btRaycastVehicle>, ground);
         benchmark::RegisterBenchmark((title + "/tread").c_str(), drives<RaycastVehicle>, ground);
+    }
+    using benchmark::kMillisecond;
+    benchmark::RegisterBenchmark("game_1000/stock", thousand<btRaycastVehicle>, 0)->Unit(kMillisecond);
+    benchmark::RegisterBenchmark("game_1000/tread", thousand<RaycastVehicle>, 0)->Unit(kMillisecond);
+    for (int threads : {1, 2}) {
+        const std::string title = "game_1000/fleet_of_threads_" + std::to_string(threads);
+        benchmark::RegisterBenchmark(title.c_str(), thousand<RaycastVehicle>, threads)
+            ->UseRealTime()
+            ->Unit(kMillisecond);
     }
     return true;
 }();

@@ -15,6 +15,9 @@ using namespace scene;
 using DropIn = Car<RaycastVehicle>;
 constexpr btScalar kNaN = std::numeric_limits<btScalar>::quiet_NaN();
 
+btTransform beside(double x) {
+    return btTransform(btQuaternion::getIdentity(), vector(x, 0, 0));
+}
 bool finite(const btVector3& v) {
     return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
 }
@@ -138,7 +141,7 @@ TEST(RaycastVehicleBadInput, WorldMayGoFirst) {
 TEST(RaycastVehicleBadInput, SecondWorldIsIgnored) {
     World world, other;
     world.addPlane();
-    DropIn car(world), twin(world, {.place = btTransform(btQuaternion::getIdentity(), vector(10, 0, 0))});
+    DropIn car(world), twin(world, {.place = beside(10)});
     other.dynamics.addAction(car.vehicle.get());
     for (DropIn* c : {&car, &twin}) c->push(3000);
     for (int i = 0; i < 60; ++i) {
@@ -195,6 +198,35 @@ TEST(RaycastVehicleBadInput, StepsOfZeroNaNAndASecond) {
     EXPECT_NEAR(car.place().y(), 0.5387, 0.01);
     world.dynamics.stepSimulation(100, 0);
     EXPECT_TRUE(finite(car));
+}
+
+// Bullet scales shapes, not masses: the car feels nothing of it.
+TEST(RaycastVehicleBadInput, ChassisMayBeScaledWhileDriving) {
+    World world;
+    world.addPlane();
+    DropIn car(world, {.speed = 10}), twin(world, {.speed = 10, .place = beside(10)});
+    run(world, 1, 60);
+    for (double scale : {1.2, 0.0, 0.5}) {
+        car.chassis->getCollisionShape()->setLocalScaling(vector(scale, scale, scale));
+        world.dynamics.updateSingleAabb(car.chassis.get());
+        run(world, 1, 60);
+        EXPECT_NEAR(car.place().y(), twin.place().y(), 1e-3);
+        EXPECT_NEAR(car.place().z(), twin.place().z(), 1e-3);
+    }
+}
+
+// A new kinematic body comes from the origin within one step, as far as Bullet knows.
+TEST(RaycastVehicleBadInput, GroundThatIsPutElsewhereDoesNotThrowTheCar) {
+    World world;
+    btRigidBody& platform = world.addBox(20, 0.5, 20, 0, vector(0, -0.5, 0));
+    platform.setCollisionFlags(platform.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+    platform.setActivationState(DISABLE_DEACTIVATION);
+    platform.setWorldTransform(btTransform(btQuaternion::getIdentity(), vector(60, -0.5, 40)));
+    DropIn car(world, {.place = btTransform(btQuaternion::getIdentity(), vector(60, 0, 40))});
+    car.brake(50);
+    run(world, 2, 60);
+    EXPECT_NEAR(car.place().x(), 60, 0.01);
+    EXPECT_NEAR(car.place().z(), 40, 0.01);
 }
 
 TEST(RaycastVehicleBadInput, TeleportByAKilometreKeepsTheSpeedAndNoForce) {

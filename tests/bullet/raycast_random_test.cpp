@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
 #include "bullet/random_drive.h"
 
 namespace tread {
@@ -24,6 +28,29 @@ TEST(RaycastVehicleRandom, DrivesStayFiniteAboveTheGroundAndWithinTheGrip) {
         EXPECT_GT(worst.wheel_steps, 80000);
         EXPECT_LE(worst.beyond_grip, 0.001 * static_cast<double>(worst.wheel_steps)) << "ground " << name;
     }
+}
+
+// The same for a minute each, on grounds and rates in turn: TREAD_RANDOM_SEEDS drives (24 unless set). Prints the
+// worst.
+TEST(RaycastVehicleRandomLong, MinutesStayFiniteAboveTheGroundAndWithinTheGrip) {
+    const char* asked = std::getenv("TREAD_RANDOM_SEEDS");
+    const unsigned seeds = asked ? static_cast<unsigned>(std::strtoul(asked, nullptr, 10)) : 24;
+    constexpr std::array kRates{20.0, 30.0, 60.0, 120.0, 240.0, 1000.0};
+    random_drive::Worst worst;
+    for (unsigned seed = 0; seed < seeds; ++seed) {
+        const double rate = kRates[seed / 4 % kRates.size()];
+        const random_drive::Worst one = random_drive::drive(1000 + seed, static_cast<Ground>(seed % 4), rate, 60);
+        worst.add(one);
+        EXPECT_TRUE(one.finite) << "seed " << seed;
+        EXPECT_GT(one.lowest_centre, 0) << "seed " << seed;
+        EXPECT_LT(one.fastest, 150) << "seed " << seed;
+    }
+    EXPECT_LE(worst.beyond_grip, 0.001 * static_cast<double>(worst.wheel_steps));
+    std::printf(
+        "%u drives of a minute: %s, lowest wheel centre %.3f m, fastest %.1f m/s, %ld of %ld wheel-steps beyond "
+        "1.05 of the grip\n",
+        seeds, worst.finite ? "finite" : "NOT FINITE", worst.lowest_centre, worst.fastest, worst.beyond_grip,
+        worst.wheel_steps);
 }
 
 // Without an engine the car's energy only falls, whatever is steered and braked.

@@ -124,6 +124,45 @@ TEST(RunAll, ARunThatFailsDoesNotStopTheOthers) {
     EXPECT_NE(contentOf(scratch.path("out/index.html")).find("b/report.html"), std::string::npos);
 }
 
+TEST(RunAll, AFaultyFileIsNamedAtItsPlaceAndDoesNotStopTheOthers) {
+    const Scratch scratch;
+    std::filesystem::create_directory(scratch.path("s"));
+    scratch.file("s/a.yaml", "title: faulty\nphases: [{until: {duraton: 0.1}}]\nspeed: 3\n");
+    scratch.file("s/b.yaml", "title: soon\nphases: [{until: {duration: 0.1}}]\n");
+    const Result result = runProgram({"run", kCar, "--all", scratch.path("s"), "-o", scratch.path("out")});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.out.find("1 of 2 scenarios driven"), 0u) << result.out;
+    EXPECT_NE(result.out.find("failed: " + scratch.path("s/a.yaml") + ":2:19: "), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("(and 1 more fault; `tread check` lists all)\n"), std::string::npos) << result.out;
+    const std::string page = contentOf(scratch.path("out/index.html"));
+    EXPECT_NE(page.find("a.yaml:2:19: "), std::string::npos);
+    EXPECT_NE(page.find("b/report.html"), std::string::npos);
+
+    // What concerns all of them is said once, before anything is driven.
+    const Result setting =
+        runProgram({"run", kCar, "--all", scratch.path("s"), "-o", scratch.path("none"), "--set", "mas=1500"});
+    EXPECT_EQ(setting.status, 2);
+    EXPECT_FALSE(std::filesystem::exists(scratch.path("none")));
+    EXPECT_EQ(setting.out, "");
+}
+
+TEST(RunAll, ALogIsRepeatedByTheScenariosThatRepeatOneAndRefusedByTheOthers) {
+    const Scratch scratch;
+    std::filesystem::create_directory(scratch.path("s"));
+    scratch.file("s/plain.yaml", "title: plain\nphases: [{until: {duration: 0.1}}]\n");
+    scratch.file("s/repeat.yaml",
+                 "title: repeat\nphases: [{steering: {replay: {channel: driver.steering_wheel_angle}}, "
+                 "until: {drive_end: true}}]\n");
+    ASSERT_EQ(runProgram({"run", kCar, kSource + "/scenarios/step_steer_80.yaml", "-o", scratch.path("drive")}).status,
+              0);
+    const Result result = runProgram(
+        {"run", kCar, "--all", scratch.path("s"), "-o", scratch.path("out"), "--log", scratch.path("drive/log.csv")});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.out.find("1 of 2 scenarios driven"), 0u) << result.out;
+    EXPECT_NE(result.out.find("found a log of a drive, but nothing that repeats it"), std::string::npos) << result.out;
+    EXPECT_TRUE(std::filesystem::exists(scratch.path("out/repeat/report.html")));
+}
+
 TEST(RunAll, AFolderWithoutScenariosAndNoScenarioAreRefused) {
     const Scratch scratch;
     const Result empty = runProgram({"run", kCar, "--all", scratch.folder()});

@@ -29,7 +29,7 @@ inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{
      {"suspension", "steering", "driveline", "engine", "gearbox", "differential", "brakes", "anti_lock",
       "stability_control", "aero", "compliance", "tyre_surroundings", "vehicle", "equilibrium", "load",
       "wheeled_body"}},
-    {"bullet", {"bullet_road", "bullet_ground", "bullet_vehicle", "raycast_vehicle"}},
+    {"bullet", {"bullet_road", "bullet_ground", "bullet_vehicle", "raycast_vehicle", "raycast_fleet"}},
 };
 
 // The sub-models of the car: they meet in vehicle.h and vehicle.cpp only.
@@ -48,6 +48,7 @@ inline const std::vector<Library> kLibraries{
     {"fmt", {"fmt/"}, kLab},
     {"nlohmann_json", {"nlohmann/"}, kLab},
     {"CLI11", {"CLI/"}, {"tools"}},
+    {"OpenGL, GLFW and stb", {"epoxy/", "GLFW/", "stb/"}, {"tools"}},
     {"matio", {"matio.h"}, {"import"}},
     {"OpenSSL", {"openssl/"}, {"diagnose"}},
 };

@@ -75,7 +75,7 @@ std::vector<RoadWheelAngles> followed(const SteeringParams& p, Driver driver, do
     std::vector<RoadWheelAngles> wheels;
     for (long k = 1; k <= std::lround(duration / dt); ++k) {
         const double t = static_cast<double>(k) * dt;
-        wheels.push_back(advance(state, p, {driver(t - dt), driver(t), false, kTrack, kWheelbase, 0, 0, 0}, dt).end);
+        wheels.push_back(advance(state, p, {driver(t - dt), driver(t), false, kTrack, kWheelbase, 0, 0, 0, 0}, dt).end);
     }
     return wheels;
 }
@@ -135,7 +135,7 @@ TEST(Steering, ComplianceTurnsTheWheelsByTheirMomentAtTheColumnOverTheRatioSquar
     SteeringState state = steadySteering(p, 0.3, kTrack, kWheelbase);
     RoadWheelAngles wheels;
     for (int k = 0; k < 200; ++k)
-        wheels = advance(state, p, {0.3, 0.3, false, kTrack, kWheelbase, -60, -40, 5000}, kStep).end;
+        wheels = advance(state, p, {0.3, 0.3, false, kTrack, kWheelbase, -60, -40, 5000, 0}, kStep).end;
     EXPECT_NEAR(wheels.left, 0.3 / 15 - 100 * (2e-5 + 0.009 / 225), 1e-12);
     EXPECT_NEAR(handWheelTorque(state, p, -60, -40), 100 / 15.0, 1e-9) << "holding against the wheels, to the left";
 }
@@ -160,9 +160,9 @@ TEST(Steering, TorqueAtTheHandWheelDoesTheWorkOfTheWheels) {
 TEST(Steering, DampingAndFrictionOpposeTheDriver) {
     const SteeringParams p{.ratio = 16, .damping = 0.5, .friction = 2};
     SteeringState state = steadySteering(p, 0, kTrack, kWheelbase);
-    advance(state, p, {0, 0.003, false, kTrack, kWheelbase, 0, 0, 0}, kStep);
+    advance(state, p, {0, 0.003, false, kTrack, kWheelbase, 0, 0, 0, 0}, kStep);
     EXPECT_NEAR(handWheelTorque(state, p, 0, 0), 0.5 * 3 + 2, 1e-9) << "turning to the left takes torque to the left";
-    advance(state, p, {0.003, 0.003, false, kTrack, kWheelbase, 0, 0, 0}, kStep);
+    advance(state, p, {0.003, 0.003, false, kTrack, kWheelbase, 0, 0, 0, 0}, kStep);
     EXPECT_EQ(handWheelTorque(state, p, 0, 0), 0);
 }
 
@@ -178,10 +178,10 @@ TEST(Steering, MomentsAboutTheAxisHaveTheSignsOfTrailAndScrub) {
 template <class Each>
 void letGo(const SteeringParams& p, double stiffness, double from, double duration, Each each) {
     SteeringState state = steadySteering(p, from, kTrack, kWheelbase);
-    advance(state, p, {from, from, false, kTrack, kWheelbase, -stiffness * from / p.ratio, 0, 0}, kStep);
+    advance(state, p, {from, from, false, kTrack, kWheelbase, -stiffness * from / p.ratio, 0, 0, 0}, kStep);
     for (double t = 0; t < duration; t += kStep) {
         const double moment = -stiffness * state.wheels.angles.left;
-        advance(state, p, {from, from, true, kTrack, kWheelbase, moment, 0, 0}, kStep);
+        advance(state, p, {from, from, true, kTrack, kWheelbase, moment, 0, 0, 0}, kStep);
         each(t + kStep, state.angle);
     }
 }
@@ -217,10 +217,10 @@ TEST(Steering, HandsOffFrictionHoldsTheWheelWhenItCan) {
 TEST(Steering, HandsThatComeBackTakeTheWheelWhereItIs) {
     const SteeringParams p{.ratio = 16, .inertia = 0.05};
     SteeringState state = steadySteering(p, 0, kTrack, kWheelbase);
-    for (int k = 0; k < 100; ++k) advance(state, p, {0, 0, true, kTrack, kWheelbase, 10, 10, 0}, kStep);
+    for (int k = 0; k < 100; ++k) advance(state, p, {0, 0, true, kTrack, kWheelbase, 10, 10, 0, 0}, kStep);
     const double angle = state.angle;
     EXPECT_GT(angle, 0.01);
-    const SteeringMotion motion = advance(state, p, {angle, angle, false, kTrack, kWheelbase, 10, 10, 0}, kStep);
+    const SteeringMotion motion = advance(state, p, {angle, angle, false, kTrack, kWheelbase, 10, 10, 0, 0}, kStep);
     EXPECT_NEAR(motion.begin.left, motion.end.left, 1e-15);
     EXPECT_EQ(state.angle, angle);
 }

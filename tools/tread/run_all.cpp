@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "base/number_text.h"
 #include "drive.h"
@@ -33,55 +35,102 @@ std::vector<Path> scenariosIn(const Path& folder) {
     return files;
 }
 
+// One scenario of the folder: what it drives, or the fault of its file.
+struct Planned {
+    std::string name;
+    RunRecord record;
+    std::string fault;  // empty: none
+};
+
+// All faults of a file in one sentence: the first, and how many there are.
+std::string sentenceOf(const LoadError& error) {
+    const std::size_t more = error.problems().size() - 1;
+    const std::string first = toText(error.problems().front());
+    if (more == 0) return first;
+    return fmt::format("{} (and {} more {}; `tread check` lists all)", first, more, more == 1 ? "fault" : "faults");
+}
+
+// All inputs are read before anything is driven. A faulty scenario does not stop the others; where none can be driven,
+// the fault is likely that of the car or of a setting: throws what was wrong with the first.
+std::vector<Planned> planned(const RunOptions& options) {
+    std::vector<Planned> all;
+    std::optional<LoadError> first;
+    for (const Path& file : scenariosIn(options.all)) {
+        RunOptions one = options;
+        one.scenario = file.string();
+        Planned plan{file.stem().string(), {}, ""};
+        try {
+            plan.record = readRunInputs(one);
+        } catch (const LoadError& error) {
+            plan.fault = sentenceOf(error);
+            if (!first) first = error;
+        }
+        all.push_back(std::move(plan));
+    }
+    const auto faulty = [](const Planned& plan) { return !plan.fault.empty(); };
+    if (std::all_of(all.begin(), all.end(), faulty)) throw LoadError(*first);
+    return all;
+}
+
+// The row of one scenario on the overview page, and what the command says of it.
+struct Outcome {
+    Overview::Entry entry;
+    nlohmann::json json;
+};
+
+Outcome failed(const std::string& name, const std::string& title, const std::string& why) {
+    return {{name, title, fmt::format("failed: {}", why), {}, {}, "", false}, {{"scenario", name}, {"failure", why}}};
+}
+
+// Throws Interrupted.
+Outcome drive(const Planned& plan, const Path& out, const TellShare& tell) {
+    const std::string& name = plan.name;
+    if (!plan.fault.empty()) return failed(name, name, plan.fault);
+    const std::string& title = plan.record.scenario.title;
+    try {
+        Driven driven = driveScenario(plan.record, out / name, tell);
+        return {{name, title, driven.answer, std::move(driven.metrics), driven.warnings, name + "/report.html", true},
+                {{"scenario", name}, {"result", std::move(driven.json)}}};
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        return failed(name, title, error.what());
+    }
+}
+
 }  // namespace
 
 int runAll(const RunOptions& options) {
-    // All inputs are read before anything is driven.
-    std::vector<RunRecord> records;
-    const std::vector<Path> files = scenariosIn(options.all);
-    for (const Path& file : files) {
-        RunOptions one = options;
-        one.scenario = file.string();
-        records.push_back(readRunInputs(one));
-    }
+    const std::vector<Planned> plans = planned(options);
     const Path out = options.output.empty() ? Path("out") : Path(options.output);
     listenToSignals();
 
     Overview overview;
     nlohmann::json list = nlohmann::json::array();
     std::string lines;
-    std::size_t driven_count = 0;
     {
-        Progress progress(static_cast<double>(files.size()), "scenarios");
-        for (std::size_t i = 0; i < files.size(); ++i) {
-            const std::string name = files[i].stem().string();
-            Overview::Entry entry{name, records[i].scenario.title, "", {}, {}, name + "/report.html", true};
-            nlohmann::json json{{"scenario", name}};
+        Progress progress(static_cast<double>(plans.size()), "scenarios");
+        for (std::size_t i = 0; i < plans.size(); ++i) {
             try {
-                const Driven driven = driveScenario(records[i], out / name,
-                                                    [&](double share) { progress.at(static_cast<double>(i) + share); });
-                entry.answer = driven.answer;
-                entry.metrics = driven.metrics;
-                entry.warnings = driven.warnings;
-                json["result"] = driven.json;
-                ++driven_count;
+                Outcome outcome =
+                    drive(plans[i], out, [&](double share) { progress.at(static_cast<double>(i) + share); });
+                lines += fmt::format("  {:<28} {}\n", plans[i].name, outcome.entry.answer);
+                list.push_back(std::move(outcome.json));
+                overview.entries.push_back(std::move(outcome.entry));
             } catch (const Interrupted& error) {
-                fmt::print(stderr, "tread run: {}: {}\n", name, error.what());
+                fmt::print(stderr, "tread run: {}: {}\n", plans[i].name, error.what());
                 return stoppedStatus();
-            } catch (const std::runtime_error& error) {
-                entry = {name, entry.title, fmt::format("failed: {}", error.what()), {}, {}, "", false};
-                json["failure"] = error.what();
             }
-            lines += fmt::format("  {:<28} {}\n", name, entry.answer);
-            list.push_back(std::move(json));
-            overview.entries.push_back(std::move(entry));
         }
     }
-    const std::string vehicle = records.front().vehicle.name;
+    const auto readable = std::find_if(plans.begin(), plans.end(), [](const Planned& p) { return p.fault.empty(); });
+    const auto driven = std::count_if(overview.entries.begin(), overview.entries.end(),
+                                      [](const Overview::Entry& entry) { return entry.driven; });
+    const std::string vehicle = readable->record.vehicle.name;
     overview.title = fmt::format("All manoeuvres of {}", vehicle);
-    overview.answer = fmt::format("{} of {} scenarios driven with the {}", driven_count, files.size(), vehicle);
+    overview.answer = fmt::format("{} of {} scenarios driven with the {}", driven, plans.size(), vehicle);
     overview.vehicle = vehicle;
-    overview.version = records.front().tread_version;
+    overview.version = readable->record.tread_version;
     writeFile(out / "index.html", overviewReport(overview));
     if (options.json) {
         printJson({{"answer", overview.answer}, {"scenarios", list}});
@@ -89,7 +138,8 @@ int runAll(const RunOptions& options) {
         print(fmt::format("{}\n{}Overview: {}\n", overview.answer, lines,
                           std::filesystem::absolute(out / "index.html").lexically_normal().string()));
     }
-    return driven_count == files.size() ? kYes : kRunFailed;
+    if (std::any_of(plans.begin(), plans.end(), [](const Planned& p) { return !p.fault.empty(); })) return kBadInput;
+    return driven == std::ssize(plans) ? kYes : kRunFailed;
 }
 
 }  // namespace tread::program

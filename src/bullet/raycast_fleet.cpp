@@ -1,0 +1,70 @@
+#include "tread/raycast_fleet.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
+
+#include <algorithm>
+
+#include "bullet/crew.h"
+#include "bullet/raycast_parts.h"
+
+namespace tread {
+
+#ifdef BT_USE_DOUBLE_PRECISION
+inline namespace bullet_float64 {
+#else
+inline namespace bullet_float32 {
+#endif
+
+struct RaycastFleet::Implementation {
+    explicit Implementation(int threads) : crew(std::max(threads, 1) - 1), many(threads > 1) {}
+
+    Crew crew;
+    bool many;
+    std::mutex rays{};  // Bullet's own stack of a ray is shared, unless it was built to be safe with threads
+    std::vector<RaycastVehicle*> vehicles{};
+    std::vector<RaycastVehicle*> awake{};  // in this step
+};
+
+RaycastFleet::RaycastFleet(int threads) : self_(new Implementation(threads)) {}
+
+RaycastFleet::~RaycastFleet() {
+    for (RaycastVehicle* vehicle : self_->vehicles) vehicle->self_->rays = nullptr;
+}
+
+void RaycastFleet::add(RaycastVehicle& vehicle) {
+    auto& all = self_->vehicles;
+    if (std::find(all.begin(), all.end(), &vehicle) != all.end()) return;
+    all.push_back(&vehicle);
+    vehicle.self_->rays = self_->many ? &self_->rays : nullptr;
+}
+
+void RaycastFleet::remove(RaycastVehicle& vehicle) {
+    if (std::erase(self_->vehicles, &vehicle) > 0) vehicle.self_->rays = nullptr;
+}
+
+int RaycastFleet::size() const {
+    return static_cast<int>(self_->vehicles.size());
+}
+
+void RaycastFleet::updateAction(btCollisionWorld* world, btScalar step) {
+    auto& awake = self_->awake;
+    awake.clear();
+    for (RaycastVehicle* vehicle : self_->vehicles) {
+        if (world && vehicle->isHeldBy(*world) && vehicle->self_->begin(world, step)) awake.push_back(vehicle);
+    }
+    const auto drive = [&](std::size_t i) { awake[i]->self_->drive(world, step); };
+    std::exception_ptr thrown;
+    try {
+        self_->crew.each(awake.size(), drive);
+    } catch (...) {
+        thrown = std::current_exception();
+    }
+    for (RaycastVehicle* vehicle : awake) vehicle->self_->finish();
+    if (thrown) std::rethrow_exception(thrown);
+}
+
+void RaycastFleet::debugDraw(btIDebugDraw* drawer) {
+    for (RaycastVehicle* vehicle : self_->vehicles) vehicle->debugDraw(drawer);
+}
+}
+}  // namespace tread
