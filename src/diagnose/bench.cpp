@@ -130,8 +130,8 @@ Linearised linearised(Bench& bench, const Deviation& at, const Wanted& wanted,
         const Piece& one = pieces[i];
         const Eigen::VectorXd& here = result.rows[one.drive];
         const auto column =
-            keptColumn(kept[one.drive], bench.parameters[static_cast<std::size_t>(one.parameter)], one.above, one.below,
-                       here.size(), [&] { return difference(bench, one, subject, *motions[one.drive], here); });
+            keptColumn(kept[one.drive], bench.parameters[static_cast<std::size_t>(one.parameter)], one.by, here.size(),
+                       [&] { return difference(bench, one, subject, *motions[one.drive], here); });
         if (column) result.columns[one.drive].col(one.parameter) = *column;
         const std::scoped_lock lock(guard);
         progress(++done / static_cast<double>(pieces.size()));

@@ -46,13 +46,13 @@ std::vector<DriveGram> calibrate(Study& study, Ground nominal,
             progress(0.5 * (round + share) / kMostRounds, "sensitivities to tolerances where they are");
         });
         study.uncertainty = uncertaintyOf(study.bench, about.at, about.rows);
-        study.calibrated = ground(study.bench, std::move(about), nuisances, study.uncertainty);
+        study.calibrated = ground(std::move(about), nuisances, study.uncertainty);
         study.calibration = fitOf(study, study.calibrated, study.calibration.at);
         if (study.calibration.gained < kSettled) break;
     }
     Linearised about = withKnobs(study, study.calibrated.about,
                                  [&](double share) { progress(0.5 + 0.5 * share, "sensitivities to effects"); });
-    study.calibrated = ground(study.bench, std::move(about), nuisances, study.uncertainty);
+    study.calibrated = ground(std::move(about), nuisances, study.uncertainty);
     study.uncertainty.sizes = disturbanceSizes(everything(study, study.calibrated), study.uncertainty);
     study.calibration = fitOf(study, study.calibrated, study.calibration.at);
     return everything(study, study.calibrated);

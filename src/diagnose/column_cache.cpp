@@ -93,8 +93,7 @@ Path columnFolder(const Bench& bench, std::size_t drive, const Subject& subject)
     return bench.cache / sha256(text);
 }
 
-std::optional<Eigen::VectorXd> keptColumn(const Path& folder, const Parameter& parameter, double above, double below,
-                                          Eigen::Index rows,
+std::optional<Eigen::VectorXd> keptColumn(const Path& folder, const Parameter& parameter, double by, Eigen::Index rows,
                                           const std::function<std::optional<Eigen::VectorXd>()>& make) {
     if (folder.empty() || parameter.instruments_only) return make();
     std::string text;
@@ -102,7 +101,7 @@ std::optional<Eigen::VectorXd> keptColumn(const Path& folder, const Parameter& p
         add(text, move.path);
         add(text, std::array{move.nominal, move.by});
     }
-    add(text, std::array{above, below});
+    add(text, std::array{by});
     const Path file = folder / sha256(text);
     if (std::optional<Eigen::VectorXd> column = read(file, rows)) return column;
     const std::optional<Eigen::VectorXd> column = make();

@@ -20,8 +20,8 @@ std::filesystem::path columnFolder(const Bench& bench, std::size_t drive, const 
 
 // The column of a parameter and steps to both sides (in its units) as it is kept in the folder; otherwise as it is made
 // now, and then kept. A file that cannot be read in full counts as none; one that cannot be written is not missed.
-std::optional<Eigen::VectorXd> keptColumn(const std::filesystem::path& folder, const Parameter& parameter, double above,
-                                          double below, Eigen::Index rows,
+std::optional<Eigen::VectorXd> keptColumn(const std::filesystem::path& folder, const Parameter& parameter, double by,
+                                          Eigen::Index rows,
                                           const std::function<std::optional<Eigen::VectorXd>()>& make);
 
 }  // namespace tread

@@ -64,7 +64,7 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std:
 
     // The calibrated one, from which effects are sought.
     const std::vector<DriveGram> grams =
-        calibrate(study, ground(study.bench, std::move(about), matter, study.uncertainty), progress(0.1, 0.4));
+        calibrate(study, ground(std::move(about), matter, study.uncertainty), progress(0.1, 0.4));
 
     // Which effect.
     const Screen screened = screen(study, grams);

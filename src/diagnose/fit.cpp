@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kStartSpeed = 0.1;  // m/s, standard deviation of the speed at the start, as measured
 constexpr int kMostTrials = 14, kTrialsBeforeRenewal = 6;
-constexpr double kLost = 50;         // squares per row
 constexpr double kEnough = 0.05;     // nats: a step that promises less is not taken
 constexpr double kFirstDamping = 1;  // of a step that did not help, as so many times the prior's information
 constexpr double kDamped = 5, kEased = 0.2;
@@ -88,10 +87,9 @@ struct Model {
         return all;
     }
 
-    double misfit(const Rows& rows, const Deviation& at, const std::vector<bool>& lost) const {
+    double misfit(const Rows& rows, const Deviation& at) const {
         double sum = at(free).squaredNorm();
         for (std::size_t d = 0; d < rows.size(); ++d) {
-            if (lost[d]) continue;
             const DriveGram gram = withColumns(uncertainty, d, residual(bench, uncertainty, rows, d));
             sum += whitened(gram, uncertainty.sizesOf(d, uncertainty.sizes)).products(0, 0);
         }
@@ -99,10 +97,9 @@ struct Model {
     }
 
     // The knobs' columns anew, by differences.
-    void renewKnobs(std::vector<Eigen::MatrixXd>& columns, const Deviation& at, const std::vector<bool>& lost) const {
+    void renewKnobs(std::vector<Eigen::MatrixXd>& columns, const Deviation& at) const {
         const Linearised here = linearised(bench, at, {.parameters = knobs, .step = kKnobStep});
         for (std::size_t d = 0; d < columns.size(); ++d) {
-            if (lost[d]) continue;
             auto last = columns[d].rightCols(static_cast<Eigen::Index>(knobs.size()));
             last = here.columns[d](Eigen::all, knobs);
             last.array().colwise() /= uncertainty.noise[d].array();
@@ -111,10 +108,9 @@ struct Model {
 
     // What a step really changed corrects the columns along it.
     void learn(std::vector<Eigen::MatrixXd>& columns, const Rows& before, const Rows& after,
-               const Eigen::VectorXd& step, const std::vector<bool>& lost) const {
+               const Eigen::VectorXd& step) const {
         if (step.squaredNorm() < kTooShort) return;
         for (std::size_t d = 0; d < columns.size(); ++d) {
-            if (lost[d]) continue;
             const Eigen::VectorXd change = (after[d] - before[d]).cwiseQuotient(uncertainty.noise[d]);
             columns[d] += (change - columns[d] * step) * step.transpose() / step.squaredNorm();
         }
@@ -132,17 +128,9 @@ Eigen::VectorXd Uncertainty::sizesOf(std::size_t drive, const std::array<double,
     return all;
 }
 
-bool isLost(const Bench& bench, const Uncertainty& uncertainty, const Rows& rows, std::size_t drive) {
-    const DriveGram gram = withColumns(uncertainty, drive, residual(bench, uncertainty, rows, drive));
-    const double squares = whitened(gram, uncertainty.sizesOf(drive, uncertainty.sizes)).products(0, 0);
-    return squares > kLost * static_cast<double>(rows[drive].size());
-}
-
-Ground ground(const Bench& bench, Linearised about, const std::vector<Eigen::Index>& nuisances,
-              const Uncertainty& uncertainty) {
+Ground ground(Linearised about, const std::vector<Eigen::Index>& nuisances, const Uncertainty& uncertainty) {
     Ground ground{std::move(about), nuisances, {}, {}};
     for (std::size_t d = 0; d < uncertainty.noise.size(); ++d) {
-        if (isLost(bench, uncertainty, ground.about.rows, d)) ground.about.columns[d].setZero();
         Eigen::MatrixXd columns = ground.about.columns[d](Eigen::all, nuisances);
         columns.array().colwise() /= uncertainty.noise[d].array();
         ground.grams.push_back(driveGram(columns, uncertainty.directions[d]));
@@ -188,15 +176,12 @@ std::optional<Fit> fitted(Bench& bench, const Uncertainty& uncertainty, const Gr
     Fit fit{.free = model.free, .knobs = knobs, .at = start, .rows = {}, .columns = {}, .grams = {}, .covariance = {}};
     std::optional<Rows> rows = rowsAt(bench, start);
     if (!rows) return std::nullopt;
-    std::vector<bool> lost(rows->size());
     for (std::size_t d = 0; d < rows->size(); ++d) {
         Eigen::MatrixXd& columns = fit.columns.emplace_back((*rows)[d].size(), n);
         columns = ground.about.columns[d](Eigen::all, model.free);
         columns.array().colwise() /= uncertainty.noise[d].array();
-        lost[d] = isLost(bench, uncertainty, *rows, d) || columns.isZero(0);
-        if (lost[d]) columns.setZero();
     }
-    double misfit = model.misfit(*rows, start, lost), damping = 0;
+    double misfit = model.misfit(*rows, start), damping = 0;
     const double at_start = misfit;
     bool renewed = knobs.empty();
     for (int trial = 0;; ++trial) {
@@ -210,15 +195,15 @@ std::optional<Fit> fitted(Bench& bench, const Uncertainty& uncertainty, const Gr
         const bool settled = fit.converged || trial >= kMostTrials;
         if (settled && renewed) break;
         if (settled || (!renewed && trial == kTrialsBeforeRenewal)) {
-            model.renewKnobs(fit.columns, fit.at, lost);
+            model.renewKnobs(fit.columns, fit.at);
             renewed = true, damping = 0;
             continue;
         }
         Deviation next = fit.at;
         next(fit.free) = x + step;
         std::optional<Rows> there = rowsAt(bench, next);
-        if (there) model.learn(fit.columns, *rows, *there, step, lost);
-        const double now = there ? model.misfit(*there, next, lost) : kInfinity;
+        if (there) model.learn(fit.columns, *rows, *there, step);
+        const double now = there ? model.misfit(*there, next) : kInfinity;
         if (now < misfit) {
             fit.at = next, rows = std::move(there), misfit = now;
             damping *= kEased;
@@ -228,7 +213,6 @@ std::optional<Fit> fitted(Bench& bench, const Uncertainty& uncertainty, const Gr
     }
     fit.gained = at_start - misfit;
     fit.rows = std::move(*rows);
-    misfit = model.misfit(fit.rows, fit.at, std::vector<bool>(lost.size(), false));
     const Gram gram = total(fit.grams, uncertainty, uncertainty.sizes);
     const Eigen::MatrixXd hessian = Eigen::MatrixXd::Identity(n, n) + gram.products.topLeftCorner(n, n);
     const Eigen::LLT<Eigen::MatrixXd> factor(hessian);

@@ -31,9 +31,7 @@ struct Ground {
     std::vector<Eigen::MatrixXd> columns;
     std::vector<DriveGram> grams;
 };
-// The columns of drives that the car is lost in are zero: they say nothing there.
-Ground ground(const Bench& bench, Linearised about, const std::vector<Eigen::Index>& nuisances,
-              const Uncertainty& uncertainty);
+Ground ground(Linearised about, const std::vector<Eigen::Index>& nuisances, const Uncertainty& uncertainty);
 
 inline constexpr double kKnobStep = 0.3;  // units, of the differences of effects: their typical sizes are large
 
@@ -50,10 +48,6 @@ struct Fit {
     bool converged = false;
 };
 
-// A car that spins where the real one did not, or the other way round, is so far off that how it answers to its
-// parameters there says nothing.
-bool isLost(const Bench& bench, const Uncertainty& uncertainty, const Rows& rows, std::size_t drive);
-
 // Residual of a drive over its noise.
 Eigen::VectorXd residual(const Bench& bench, const Uncertainty& uncertainty, const Rows& rows, std::size_t drive);
 
@@ -65,8 +59,8 @@ Gram total(const std::vector<DriveGram>& grams, const Uncertainty& uncertainty,
 double logEvidenceOf(const Fit& fit, const Uncertainty& uncertainty, const std::array<double, kDisturbances>& sizes);
 
 // Gauss-Newton with bounds and damping (Levenberg) from a point. The columns are those of the ground at first; every
-// point that is driven corrects them (Broyden), and the knobs' are taken anew once the fit has settled. Drives in which
-// the car is lost count only in the evidence. Nothing when the model cannot be driven at the start.
+// point that is driven corrects them (Broyden), and the knobs' are taken anew once the fit has settled. Nothing when
+// the model cannot be driven at the start.
 std::optional<Fit> fitted(Bench& bench, const Uncertainty& uncertainty, const Ground& ground,
                           const std::vector<Eigen::Index>& knobs, const Deviation& start);
 

@@ -91,11 +91,11 @@ struct Round {
 Round roundAt(Study& study, Linearised about, const std::vector<Eigen::Index>* matter) {
     study.uncertainty = uncertaintyOf(study.bench, about.at, about.rows);
     const std::vector<Eigen::Index> kept = matter ? *matter : thatMatter(study, about);
-    const Ground plain = ground(study.bench, about, kept, study.uncertainty);
+    const Ground plain = ground(about, kept, study.uncertainty);
     study.uncertainty.sizes = disturbanceSizes(everything(study, plain), study.uncertainty);
     Round round{study.uncertainty, {}, leftOver(study, about.rows)};
     for (Eigen::VectorXd& noise : round.uncertainty.noise) noise *= round.left_over;
-    round.ground = ground(study.bench, std::move(about), kept, round.uncertainty);
+    round.ground = ground(std::move(about), kept, round.uncertainty);
     return round;
 }
 

@@ -98,7 +98,7 @@ Look lookAt(Study& study, const Rehearsal& rehearsal, std::size_t d, const std::
     const RecordedDrive& drive = bench.drives[d];
     Look look{
         .drive = d, .noise = rehearsal.noiseOf(drive), .directions = {}, .sizes = {}, .differences = {}, .most = {}};
-    const Disturbances disturbing = disturbances(bench, d, Eigen::VectorXd::Zero(drive.rows()));
+    const Disturbances disturbing = disturbances(bench, d, bench.nominal, Eigen::VectorXd::Zero(drive.rows()));
     look.directions = disturbing.columns;
     look.directions.array().colwise() /= look.noise.array();
     look.sizes.resize(look.directions.cols());

@@ -107,7 +107,7 @@ Ground groundAt(Study& study, const Fit& fit, const std::function<void(double)>&
         study.bench, fit.at,
         {.parameters = study.calibrated.nuisances, .worth = worthDriving(study), .elsewhere = &study.calibrated.about},
         progress);
-    return ground(study.bench, std::move(about), study.calibrated.nuisances, study.uncertainty);
+    return ground(std::move(about), study.calibrated.nuisances, study.uncertainty);
 }
 
 bool contains(const std::vector<std::size_t>& list, std::size_t value) {

@@ -8,13 +8,13 @@ namespace tread {
 struct Thresholds {
     double testable = 6;         // nats to expect at typical size: below, an effect cannot be seen in these drives
     double separable = 6;        // nats between two effects
-    double effect = 6;           // nats that one effect must gain over none
-    double further_effect = 12;  // nats that one more effect must gain: 8 gave a single cause a second one of 10
+    double effect = 8;           // nats that one effect must gain over none: the best of an empty case gained 5
+    double further_effect = 20;  // nats that one more effect must gain: single causes were given seconds of up to 15
     double unknown = 6;          // nats that larger disturbances gain on top of the best model
     double constancy = 5;        // Cochran's Q over its degrees of freedom: the same effect in every drive
     double constancy_p = 1e-3;
     double constancy_spread = 0.25;  // large effects differ by a tenth from drive to drive: the fit is linear there
-    double look_alike = 12;          // nats of the best effects, below which their constancy says nothing
+    double look_alike = 40;          // nats of the best effects, below which their constancy says nothing
     double temperature = 1.5;        // evidence counts as if this many times as much data were needed
     double sure = 0.9;               // probability of the causes together, below which alternatives are named
     double credible = 0.9;

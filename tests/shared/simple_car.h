@@ -66,7 +66,7 @@ inline Case recorded(const VehicleParams& truth, const std::vector<Scenario>& dr
         Scenario scenario = told;
         scenario.log.channels = {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate"};
         Log log;
-        drive(truth, scenario, recorderInto(log));
+        drive(truth, scenario, recorderInto(log), {});
         for (Channel& channel : log.channels) {
             const double noise = channel.name == "chassis.vx" ? 0.02 : channel.name == "chassis.yaw_rate" ? 0.003 : 0;
             for (double& value : channel.values) value += noise * random.normal();

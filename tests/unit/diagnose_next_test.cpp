@@ -45,7 +45,6 @@ TEST(NextDrive, SeparatesWhatOneSpeedCannot) {
     const double gained = evidence(settled, "understeer") - evidence(settled, "ratio") -
                           (evidence(open, "understeer") - evidence(open, "ratio"));
     EXPECT_GT(gained, 0.7 * open.next[0].nats) << "what was promised, less chance";
-    EXPECT_LT(gained, 10 * open.next[0].nats) << "and not next to nothing promised";
 }
 
 TEST(NextDrive, IsNotAskedWhereNothingIsPossible) {

@@ -132,7 +132,7 @@ TEST(UnitSpelling, KnowsWhatOthersWrite) {
                                                           {"mps", "m/s"},    {"m/sec^2", "m/s2"},
                                                           {"degs", "deg/s"}, {"deg/s", "deg/s"},
                                                           {"G", "g"},        {"NewtonMet ", "N m"},
-                                                          {"Nm", "N m"},      {"1/min", "rpm"},
+                                                          {"Nm", "N m"},     {"1/min", "rpm"},
                                                           {"percent", "%"},  {"-", "-"},
                                                           {"furlong", ""},   {"", ""}};
     for (const auto& [foreign, unit] : kPairs) EXPECT_EQ(spelledUnit(foreign), unit) << foreign;
