@@ -166,7 +166,8 @@ void judge(Diagnosis& diagnosis, const Study& study, const Screen& screen, const
     const Constancy same = constancy(study, best.fit);
     const bool varies = same.degrees_of_freedom > 0 && same.q > kThresholds.constancy * same.degrees_of_freedom &&
                         same.p < kThresholds.constancy_p && same.spread > kThresholds.constancy_spread;
-    const bool looks_alike = varies && best.log_evidence >= kThresholds.look_alike;
+    const bool looks_alike =
+        varies && best.log_evidence >= kThresholds.look_alike && inflation.gain > kThresholds.look_alike_inflation;
     if (inflation.gain > kThresholds.unknown || looks_alike) {
         diagnosis.verdict = Verdict::unknown;
         // An effect whose value changes from drive to drive is what it is called only as far as that is chance.
