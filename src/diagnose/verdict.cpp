@@ -168,7 +168,8 @@ void judge(Diagnosis& diagnosis, const Study& study, const Screen& screen, const
                         same.p < kThresholds.constancy_p && same.spread > kThresholds.constancy_spread;
     const bool looks_alike =
         varies && best.log_evidence >= kThresholds.look_alike && inflation.gain > kThresholds.look_alike_inflation;
-    if (inflation.gain > kThresholds.unknown || looks_alike) {
+    const bool likely_unknown = diagnosis.probability_of_unknown > 0.5;
+    if (inflation.gain > kThresholds.unknown || looks_alike || likely_unknown) {
         diagnosis.verdict = Verdict::unknown;
         // An effect whose value changes from drive to drive is what it is called only as far as that is chance.
         if (looks_alike) {
