@@ -144,11 +144,10 @@ Linearised linearised(Bench& bench, const Deviation& at, const Wanted& wanted,
     return result;
 }
 
-Eigen::VectorXd startSpeedColumn(Bench& bench, std::size_t drive, const Subject& subject) {
-    const RecordedDrive& here = bench.drives[drive];
-    const auto now = motionAt(bench, drive, subject), faster = motionAt(bench, drive, subject, {.faster = kSpeedStep});
-    if (!now || !faster) return Eigen::VectorXd::Zero(here.rows());
-    return (readings(here, *faster, subject.instruments) - readings(here, *now, subject.instruments)) / kSpeedStep;
+Eigen::VectorXd startSpeedColumn(Bench& bench, std::size_t drive, const Subject& subject, const Eigen::VectorXd& rows) {
+    const std::optional<Log> faster = motionAt(bench, drive, subject, {.faster = kSpeedStep});
+    if (!faster) return Eigen::VectorXd::Zero(bench.drives[drive].rows());
+    return (readings(bench.drives[drive], *faster, subject.instruments) - rows) / kSpeedStep;
 }
 
 }  // namespace tread

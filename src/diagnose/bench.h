@@ -61,7 +61,7 @@ Linearised linearised(
     Bench& bench, const Deviation& at, const Wanted& wanted,
     const std::function<void(double)>& progress = [](double) {});
 
-// How the rows of a drive change with the speed at its start, s.
-Eigen::VectorXd startSpeedColumn(Bench& bench, std::size_t drive, const Subject& subject);
+// How the rows of a drive of the subject change with the speed at its start, s.
+Eigen::VectorXd startSpeedColumn(Bench& bench, std::size_t drive, const Subject& subject, const Eigen::VectorXd& rows);
 
 }  // namespace tread

@@ -1,6 +1,6 @@
 // What disturbs every real drive and no model: wind, unevenness, a hand that trembles. As generalised forces on the
 // car, piecewise linear over time (hats of half a second), so that what they do to the motion is as correlated in time
-// and across channels as it really is: what pushes aside is replayed with the nominal car.
+// and across channels as it really is: what pushes aside is replayed.
 #pragma once
 
 #include <Eigen/Dense>

@@ -6,25 +6,13 @@
 #include <optional>
 #include <span>
 
+#include "diagnose/noise.h"
+
 namespace tread {
 namespace {
 
-constexpr double kMedianOfNormal = 0.6745;
 constexpr std::array<std::size_t, 5> kReaches{50, 25, 12, 6, 3};  // samples to either side, the widest that fits
 constexpr double kLikeNoise = 1.3;                                // times the noise, that a parabola may leave
-
-// Standard deviation of the noise, by the median of third differences: what an input does slowly leaves none.
-double noiseOf(std::span<const double> values) {
-    std::vector<double> left;
-    for (std::size_t i = 3; i < values.size(); ++i) {
-        const double third = values[i] - 3 * values[i - 1] + 3 * values[i - 2] - values[i - 3];
-        if (std::isfinite(third)) left.push_back(std::abs(third));
-    }
-    if (left.empty()) return 0;
-    const auto middle = left.begin() + static_cast<std::ptrdiff_t>(left.size() / 2);
-    std::nth_element(left.begin(), middle, left.end());
-    return *middle / (kMedianOfNormal * std::sqrt(20.0));
-}
 
 // The middle of a parabola through evenly spaced values; nothing when they lie farther from it than noise does.
 std::optional<double> middleOf(std::span<const double> values, double noise) {
@@ -48,7 +36,7 @@ std::optional<double> middleOf(std::span<const double> values, double noise) {
 }  // namespace
 
 std::vector<double> quietened(const std::vector<double>& values) {
-    const double noise = noiseOf(values);
+    const double noise = noiseBehind(values, kThirdDifference);
     std::vector<double> result = values;
     if (noise == 0) return result;
     for (std::size_t i = 0; i < values.size(); ++i) {

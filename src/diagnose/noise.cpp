@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "base/median.h"
 
@@ -13,22 +14,14 @@ constexpr double kMedianOfNormal = 0.6745;
 constexpr double kModelError = 1e-3;  // of a channel's size: two step widths differ by about that
 constexpr Eigen::Index kFewRows = 12;
 
-// Filters of the rows, and what they make of white noise. The first passes 2 to 7 Hz, the second what is faster.
-using Filter = std::vector<double>;
-const Filter kBand{1, 1, -2, -2, 1, 1};
-const Filter kFast{1, -3, 3, -1};
+// The first filter passes 2 to 7 Hz of the rows, the second what is faster.
+constexpr std::array<double, 6> kBand{1, 1, -2, -2, 1, 1};
+constexpr std::span<const double> kFast = kThirdDifference;
 constexpr double kVibrationInFast = 2.3;  // of its variance at 8 Hz, against that of white noise
 
-// Standard deviation of the white noise that would leave this behind the filter, by the median: what happens now and
-// then is not noise.
-double shown(const Eigen::VectorXd& rows, const Filter& filter) {
-    const auto width = static_cast<Eigen::Index>(filter.size());
+double shown(const Eigen::VectorXd& rows, std::span<const double> filter) {
     if (rows.size() < kFewRows) return kInfinity;
-    const Eigen::Map<const Eigen::VectorXd> weights(filter.data(), width);
-    std::vector<double> left;
-    for (Eigen::Index i = 0; i + width <= rows.size(); ++i)
-        left.push_back(std::abs(weights.dot(rows.segment(i, width))));
-    return median(std::move(left)) / (kMedianOfNormal * weights.norm());
+    return noiseBehind({rows.data(), static_cast<std::size_t>(rows.size())}, filter);
 }
 
 // Of one channel in all drives.
@@ -38,6 +31,15 @@ struct Seen {
 };
 
 }  // namespace
+
+double noiseBehind(std::span<const double> values, std::span<const double> filter) {
+    std::vector<double> left;
+    for (std::size_t i = 0; i + filter.size() <= values.size(); ++i)
+        left.push_back(std::abs(
+            std::inner_product(filter.begin(), filter.end(), values.begin() + static_cast<std::ptrdiff_t>(i), 0.0)));
+    const double gain = std::sqrt(std::inner_product(filter.begin(), filter.end(), filter.begin(), 0.0));
+    return median(std::move(left)) / (kMedianOfNormal * gain);
+}
 
 std::vector<RowNoise> rowNoise(const std::vector<RecordedDrive>& drives, const Rows& nominal) {
     std::map<std::string, Seen> channels;

@@ -192,7 +192,6 @@ Search search(Study& study, const Screen& screen, const Progress& progress) {
             if (singles[i].fit.gained < kSettled) break;
         }
         if (singles[i].log_evidence > kThresholds.effect) grow(study, here, singles[i], zero, grown);
-        if (i == 0) result.ground = std::move(here);
     }
     result.candidates = std::move(singles);
     result.candidates.insert(result.candidates.end(), grown.begin(), grown.end());

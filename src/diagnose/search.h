@@ -17,7 +17,6 @@ struct Candidate {
 
 struct Search {
     std::vector<Candidate> candidates;  // best first; with and without effects
-    Ground ground;                      // linearised at the best candidate
     const Candidate& best() const { return candidates.front(); }
     const Candidate& none() const;
 };

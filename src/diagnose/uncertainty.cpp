@@ -16,7 +16,7 @@ Uncertainty uncertaintyOf(Bench& bench, const Deviation& at, const Rows& rows) {
     uncertainty.directions.resize(bench.drives.size());
     uncertainty.bare.resize(bench.drives.size());
     inParallel(bench.drives.size(), bench.threads, [&](std::size_t d) {
-        const Eigen::VectorXd by_start_speed = startSpeedColumn(bench, d, subject);
+        const Eigen::VectorXd by_start_speed = startSpeedColumn(bench, d, subject, rows[d]);
         uncertainty.disturbing[d] = disturbances(bench, d, subject, by_start_speed);
         const Eigen::MatrixXd& columns = uncertainty.disturbing[d].columns;
         Eigen::MatrixXd& all = uncertainty.directions[d];
