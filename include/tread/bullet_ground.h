@@ -13,15 +13,12 @@
 #include <memory>
 #include <vector>
 
+#include "tread/bullet_precision.h"
 #include "tread/height_field.h"
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 // The same triangles as those of HeightField::at, z up; nothing beyond the border.
 class BulletGround {
@@ -38,5 +35,5 @@ private:
     std::unique_ptr<btHeightfieldTerrainShape> shape_;
     btTransform place_;
 };
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

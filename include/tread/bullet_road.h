@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "tread/bullet_precision.h"
 #include "tread/road.h"
 #include "tread/wheels.h"
 
@@ -13,11 +14,7 @@ class btCollisionWorld;
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 // Casts a ray from above each wheel centre along gravity. The car's own body and objects without contact response
 // (triggers) are no ground. Between two beginStep() a wheel keeps the plane that its ray found.
@@ -40,5 +37,5 @@ private:
     mutable std::array<RoadContact, kWheels> found_;
     mutable std::array<bool, kWheels> known_{};
 };
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

@@ -18,6 +18,7 @@
 
 #include <memory>
 
+#include "tread/bullet_precision.h"
 #include "tread/vehicle.h"
 
 class btRigidBody;
@@ -26,11 +27,7 @@ namespace tread {
 
 // The precision of btScalar is part of every symbol below: a program built for the other one does not link, and the
 // linker names what is missing.
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 // Which axes of the body (0 x, 1 y, 2 z, as seen by Bullet) point where. The default is ISO 8855; games often have y
 // up.
@@ -75,5 +72,5 @@ private:
     struct Implementation;
     std::unique_ptr<Implementation> self_;
 };
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

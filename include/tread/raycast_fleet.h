@@ -9,15 +9,12 @@
 // each does exactly what it would do alone.
 #pragma once
 
+#include "tread/bullet_precision.h"
 #include "tread/raycast_vehicle.h"
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 // The action. Vehicles and world must outlive its steps; a vehicle may belong to one fleet.
 class RaycastFleet : public btActionInterface {
@@ -42,5 +39,5 @@ private:
     struct Implementation;
     std::unique_ptr<Implementation> self_;
 };
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

@@ -22,6 +22,7 @@
 #include <functional>
 #include <memory>
 
+#include "tread/bullet_precision.h"
 #include "tread/wheeled_body.h"
 
 class btCollisionObject;
@@ -29,11 +30,7 @@ class btCollisionObject;
 namespace tread {
 
 // The precision of btScalar is part of every symbol below: a program built for the other one does not link.
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 // What a wheel's ray found, for the game to say what lies there.
 struct SurfaceQuery {
@@ -165,5 +162,5 @@ private:
     struct Implementation;
     std::unique_ptr<Implementation> self_;
 };
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

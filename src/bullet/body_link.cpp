@@ -8,11 +8,7 @@
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 namespace {
 
@@ -55,5 +51,5 @@ void switchOffGyroscopicForces(btRigidBody& body) {
     body.setFlags(body.getFlags() & ~(BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT | BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD |
                                       BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY));
 }
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

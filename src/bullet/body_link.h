@@ -1,15 +1,12 @@
 // The link between a motion that is predicted in double precision and the rigid body that Bullet moves.
 #pragma once
 
+#include "tread/bullet_precision.h"
 #include "tread/bullet_vehicle.h"
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 // Velocities that the body will show after Bullet's step if nobody else pushes it.
 struct BodyLink {
@@ -28,5 +25,5 @@ void giveMotion(btRigidBody& body, BodyLink& link, const ChassisMotion& from, co
 
 // The body's gyroscopic moments are in the prediction: Bullet's own would count twice.
 void switchOffGyroscopicForces(btRigidBody& body);
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

@@ -6,11 +6,7 @@
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 BulletGround::BulletGround(const HeightField& field) {
     const std::size_t rows = field.rows();
@@ -32,5 +28,5 @@ BulletGround::BulletGround(const HeightField& field) {
     const double middle_z = 0.5 * (static_cast<double>(*lowest) + static_cast<double>(*highest));
     place_ = btTransform(btQuaternion::getIdentity(), toBullet(Vector3(middle_x, middle_y, middle_z)));
 }
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

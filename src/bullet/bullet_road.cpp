@@ -8,11 +8,7 @@
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 namespace {
 
@@ -61,5 +57,5 @@ RoadContact BulletRoad::cast(const Vector3& centre_W) const {
     contact.friction = 1;
     return contact;
 }
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

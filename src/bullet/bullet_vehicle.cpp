@@ -10,11 +10,7 @@
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 namespace {
 
@@ -168,5 +164,5 @@ void BulletVehicle::debugDraw(btIDebugDraw* drawer) {
         drawer->drawLine(world(ground), world(ground + kForceScale * force), btVector3(1, 0, 0));
     }
 }
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

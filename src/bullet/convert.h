@@ -4,15 +4,12 @@
 #include <LinearMath/btQuaternion.h>
 #include <LinearMath/btVector3.h>
 
+#include "tread/bullet_precision.h"
 #include "tread/vector.h"
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 inline Vector3 fromBullet(const btVector3& v) {
     return {v.x(), v.y(), v.z()};
@@ -28,5 +25,5 @@ inline btQuaternion toBullet(const Quaternion& q) {
     return {static_cast<btScalar>(q.x()), static_cast<btScalar>(q.y()), static_cast<btScalar>(q.z()),
             static_cast<btScalar>(q.w())};
 }
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

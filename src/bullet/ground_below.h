@@ -4,13 +4,11 @@
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 #include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 
+#include "tread/bullet_precision.h"
+
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 // Neither the car's own body nor a volume that only triggers. Refusing the own body before the exact test saves more
 // than half of the cost of a ray that starts inside it.
@@ -29,5 +27,5 @@ struct GroundBelow : btCollisionWorld::ClosestRayResultCallback {
     const btCollisionObject& own_body;
 };
 
-}  // inline namespace
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

@@ -9,11 +9,7 @@
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 namespace {
 
@@ -81,5 +77,5 @@ void RaycastVehicle::Implementation::makeCar() {
         car.wheels[i].partner = partnerOf(car, i, [&](std::size_t j) { return info(j).m_bIsFrontWheel; });
     prepareTyres(car);
 }
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

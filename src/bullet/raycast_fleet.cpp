@@ -9,11 +9,7 @@
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 struct RaycastFleet::Implementation {
     explicit Implementation(int threads) : crew(std::max(threads, 1) - 1), many(threads > 1) {}
@@ -66,5 +62,5 @@ void RaycastFleet::updateAction(btCollisionWorld* world, btScalar step) {
 void RaycastFleet::debugDraw(btIDebugDraw* drawer) {
     for (RaycastVehicle* vehicle : self_->vehicles) vehicle->debugDraw(drawer);
 }
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

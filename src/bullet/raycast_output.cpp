@@ -10,11 +10,7 @@
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 namespace {
 
@@ -182,5 +178,5 @@ const char* RaycastVehicle::surfaceName(int index) const {
     if (index < 0 || i >= self_->car.wheel_count || !self_->grounds[i].surface.name) return "";
     return self_->grounds[i].surface.name;
 }
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

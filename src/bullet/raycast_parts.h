@@ -8,14 +8,11 @@
 #include "bullet/body_link.h"
 #include "bullet/stock_tuning.h"
 #include "bullet/wheel_ray.h"
+#include "tread/bullet_precision.h"
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 // What a wheel shows of a step.
 struct ShownWheel {
@@ -98,5 +95,5 @@ struct RaycastVehicle::Implementation {
     double instantDrawn() const;
     void showSpeed(double dt);
 };
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

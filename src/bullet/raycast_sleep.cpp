@@ -8,11 +8,7 @@
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 namespace {
 
@@ -63,5 +59,5 @@ void RaycastVehicle::Implementation::fallAsleepOrNot() {
     }
     if (!rests) chassis.setDeactivationTime(0);
 }
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

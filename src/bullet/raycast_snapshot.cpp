@@ -8,11 +8,7 @@
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 namespace {
 
@@ -83,5 +79,5 @@ void RaycastVehicle::restore(const RaycastVehicleState& state) {
     s.makeCar();
     s.show(0);
 }
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

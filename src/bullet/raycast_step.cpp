@@ -11,11 +11,7 @@
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 namespace {
 
@@ -207,5 +203,5 @@ void RaycastVehicle::Implementation::pushGround() {
         body->applyImpulse(toBullet(Vector3(-taken * impulses[i])), arm);
     }
 }
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

@@ -13,11 +13,7 @@
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 namespace {
 
@@ -108,5 +104,5 @@ Vector3 RaycastVehicle::velocity() const {
 Vector3 RaycastVehicle::angularVelocity() const {
     return self_->seen_angular_velocity;
 }
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

@@ -12,11 +12,7 @@
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 namespace {
 
@@ -132,5 +128,5 @@ Vector3 smoothNormal(NearFaces& near, const btCollisionObject& object, const Vec
     const double length = sum.norm();
     return length > 0 ? Vector3(sum / length) : normal_W;
 }
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

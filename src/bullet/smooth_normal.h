@@ -7,15 +7,12 @@
 
 #include <vector>
 
+#include "tread/bullet_precision.h"
 #include "tread/raycast_vehicle.h"
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 struct Rounding {
     double angle = 0.45;  // rad, between faces: from here on an edge is one
@@ -45,5 +42,5 @@ Vector3 smoothNormal(NearFaces& near, const btCollisionObject& object, const Vec
 
 // Of a face, to the point.
 double distanceTo(const NearFaces::Face& face, const Vector3& point);
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

@@ -7,11 +7,7 @@
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 namespace {
 
@@ -137,5 +133,5 @@ WheelDemand demandOf(const btWheelInfo& info, const BodyWheel& wheel, double spi
     demand.friction = from_file ? 1 : frictionOf(info.m_frictionSlip);
     return demand;
 }
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

@@ -3,15 +3,12 @@
 
 #include <optional>
 
+#include "tread/bullet_precision.h"
 #include "tread/raycast_vehicle.h"
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 // What a wheel of the car is made of, as it was when it was made: a change of any of these makes it anew.
 struct WheelTuning {
@@ -34,5 +31,5 @@ BodyWheel wheelFromFile(const btWheelInfo& info, const VehicleParams& params, bo
 
 // The game's demand on a wheel that spins so fast. `from_file`: friction slip does not count.
 WheelDemand demandOf(const btWheelInfo& info, const BodyWheel& wheel, double spin, bool from_file);
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

@@ -14,11 +14,7 @@
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 namespace {
 
@@ -212,5 +208,5 @@ WheelGround castRay(const WheelRay& ray, const RaySource& source) {
     ground.known = true;
     return ground;
 }
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

@@ -2,14 +2,11 @@
 #pragma once
 
 #include "bullet/smooth_normal.h"
+#include "tread/bullet_precision.h"
 
 namespace tread {
 
-#ifdef BT_USE_DOUBLE_PRECISION
-inline namespace bullet_float64 {
-#else
-inline namespace bullet_float32 {
-#endif
+inline namespace TREAD_BULLET_PRECISION {
 
 struct WheelGround {
     RoadContact plane;
@@ -54,5 +51,5 @@ struct RaySource {
     NearFaces& near;  // of this wheel
 };
 WheelGround castRay(const WheelRay& ray, const RaySource& source);
-}
+}  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

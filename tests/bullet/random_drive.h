@@ -38,12 +38,7 @@ public:
         const auto at = [&](int i, int j) {
             return vector(i - 100, heights_[static_cast<std::size_t>(j * kSide + i)], j - 100);
         };
-        for (int j = 0; j + 1 < kSide; ++j) {
-            for (int i = 0; i + 1 < kSide; ++i) {
-                mesh_.addTriangle(at(i, j), at(i, j + 1), at(i + 1, j));
-                mesh_.addTriangle(at(i + 1, j), at(i, j + 1), at(i + 1, j + 1));
-            }
-        }
+        addGrid(mesh_, kSide, kSide, at);
         world.add(std::make_unique<btBvhTriangleMeshShape>(&mesh_, true));
     }
 

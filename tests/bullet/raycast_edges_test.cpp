@@ -23,13 +23,8 @@ public:
             const double x = grid * (i - 0.5 * (across_ - 1)), z = grid * (j - 0.5 * (along_ - 1));
             return vector(x, height(x, z), z);
         };
-        for (int j = 0; as_mesh && j + 1 < along_; ++j) {
-            for (int i = 0; i + 1 < across_; ++i) {
-                mesh_.addTriangle(at(i, j), at(i, j + 1), at(i + 1, j));
-                mesh_.addTriangle(at(i + 1, j), at(i, j + 1), at(i + 1, j + 1));
-            }
-        }
         if (as_mesh) {
+            addGrid(mesh_, across_, along_, at);
             world.add(std::make_unique<btBvhTriangleMeshShape>(&mesh_, true));
             return;
         }

@@ -15,10 +15,9 @@ namespace tread::layers {
 using Path = std::filesystem::path;
 
 // A file may include from its own layer and from those to its left.
-inline const std::vector<std::string> kOrder{"base",     "road",     "tyre",     "vehicle", "bullet",
-                                             "log",      "import",   "scenario", "run",     "compare",
-                                             "metrics",  "series",   "identify", "diagnose", "blind",
-                                             "campaign", "report",   "tools"};
+inline const std::vector<std::string> kOrder{"base",     "road",     "tyre",  "vehicle",  "bullet",  "log",
+                                             "import",   "scenario", "run",   "compare",  "metrics", "series",
+                                             "identify", "diagnose", "blind", "campaign", "report",  "tools"};
 
 // Public headers share one folder; each belongs to a layer.
 inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{
@@ -29,7 +28,8 @@ inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{
      {"suspension", "steering", "driveline", "engine", "gearbox", "differential", "brakes", "anti_lock",
       "stability_control", "aero", "compliance", "tyre_surroundings", "vehicle", "equilibrium", "load",
       "wheeled_body"}},
-    {"bullet", {"bullet_road", "bullet_ground", "bullet_vehicle", "raycast_vehicle", "raycast_fleet"}},
+    {"bullet",
+     {"bullet_precision", "bullet_road", "bullet_ground", "bullet_vehicle", "raycast_vehicle", "raycast_fleet"}},
 };
 
 // The sub-models of the car: they meet in vehicle.h and vehicle.cpp only.

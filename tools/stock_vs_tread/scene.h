@@ -18,6 +18,17 @@ inline btVector3 vector(double x, double y, double z) {
     return {scalar(x), scalar(y), scalar(z)};
 }
 
+// Two triangles for each cell of a grid, whose points are at(i, j): facing up where i goes along x and j along z.
+template <class At>
+void addGrid(btTriangleMesh& mesh, int across, int along, const At& at) {
+    for (int j = 0; j + 1 < along; ++j) {
+        for (int i = 0; i + 1 < across; ++i) {
+            mesh.addTriangle(at(i, j), at(i, j + 1), at(i + 1, j));
+            mesh.addTriangle(at(i + 1, j), at(i, j + 1), at(i + 1, j + 1));
+        }
+    }
+}
+
 constexpr double kGravity = 9.81;  // m/s2
 
 class World {
