@@ -11,8 +11,9 @@
 namespace tread {
 namespace {
 
-constexpr double kHat = 0.5;             // s, from hat to hat
-constexpr std::size_t kApart = 6;        // hats: after so many, a car has forgotten a push aside
+constexpr double kHat = 0.25;            // s, from hat to hat
+constexpr double kLingers = 0.5;         // s, correlation time
+constexpr std::size_t kApart = 12;       // hats: after so many, a car has forgotten a push aside
 constexpr double kLeastSlope = 0.1;      // of the tyres' slope at rest, that is left at the limit
 constexpr double kFollowsSpeed = 1.5;    // 1/s, how fast the driver who follows a speed corrects it
 constexpr double kSlipVelocity = 0.005;  // of the forward speed, at which the tyres' slope is taken
@@ -144,7 +145,26 @@ Eigen::MatrixXd trembling(const Course& course, const VehicleParams& car, const 
     return columns;
 }
 
+// Cholesky factor of the correlation of hats, each of variance one.
+Eigen::MatrixXd lingering(Eigen::Index hats) {
+    const double kept = std::exp(-kHat / kLingers), fresh = std::sqrt(1 - kept * kept);
+    Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(hats, hats);
+    for (Eigen::Index impulse = 0; impulse < hats; ++impulse) {
+        double left = impulse == 0 ? 1 : fresh;
+        for (Eigen::Index hat = impulse; hat < hats; ++hat, left *= kept) factor(hat, impulse) = left;
+    }
+    return factor;
+}
+
 }  // namespace
+
+Eigen::VectorXd Disturbances::hats(const Eigen::VectorXd& impulses) const {
+    const Eigen::Index each = lingering.cols();
+    Eigen::VectorXd heights(impulses.size());
+    for (Eigen::Index first = 0; first < impulses.size(); first += each)
+        heights.segment(first, each) = lingering * impulses.segment(first, each);
+    return heights;
+}
 
 Disturbances disturbances(Bench& bench, std::size_t index, const Subject& subject,
                           const Eigen::VectorXd& by_start_speed) {
@@ -165,6 +185,7 @@ Disturbances disturbances(Bench& bench, std::size_t index, const Subject& subjec
             result.times.push_back(peakOf(i));
         }
     }
+    result.lingering = lingering(hats);
     if (!motion) return result;
     course.rows = readings(drive, course.motion, subject.instruments);
     const auto of = [&](Disturbed kind) {
@@ -176,6 +197,8 @@ Disturbances disturbances(Bench& bench, std::size_t index, const Subject& subjec
     for (const Disturbed kind : {Disturbed::lateral, Disturbed::yaw, Disturbed::roll})
         of(kind) = aside(bench, index, subject, course, kind);
     of(Disturbed::steering) = trembling(course, car, of(Disturbed::lateral), of(Disturbed::yaw));
+    for (std::size_t kind = 0; kind < kDisturbances; ++kind)
+        of(static_cast<Disturbed>(kind)) = (of(static_cast<Disturbed>(kind)) * result.lingering).eval();
     return result;
 }
 

@@ -1,6 +1,7 @@
 // What disturbs every real drive and no model: wind, unevenness, a hand that trembles. As generalised forces on the
-// car, piecewise linear over time (hats of half a second), so that what they do to the motion is as correlated in time
-// and across channels as it really is: what pushes aside is replayed.
+// car that wander about zero (Ornstein-Uhlenbeck processes), piecewise linear over time (hats of a quarter of a second),
+// so that what they do to the motion is as correlated in time and across channels as it really is: what pushes aside is
+// replayed.
 #pragma once
 
 #include <Eigen/Dense>
@@ -17,9 +18,13 @@ inline constexpr std::array<std::string_view, 5> kDisturbedNames{"longitudinal",
 inline constexpr std::size_t kDisturbances = kDisturbedNames.size();
 
 struct Disturbances {
-    Eigen::MatrixXd columns;       // rows x hats, each of the usual size
+    Eigen::MatrixXd columns;       // rows x impulses, each of the usual size: what they do, and what lingers of them
     std::vector<Disturbed> kinds;  // of each column
-    std::vector<double> times;     // s, peak of each hat
+    std::vector<double> times;     // s, of each impulse
+    Eigen::MatrixXd lingering;     // of one kind: hats x impulses
+
+    // Heights of the hats, of all kinds, that these impulses build up.
+    Eigen::VectorXd hats(const Eigen::VectorXd& impulses) const;
 };
 
 // Of a drive of the subject; `by_start_speed`: its startSpeedColumn.

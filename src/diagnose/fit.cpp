@@ -101,8 +101,7 @@ struct Model {
         const Linearised here = linearised(bench, at, {.parameters = knobs, .step = kKnobStep});
         for (std::size_t d = 0; d < columns.size(); ++d) {
             auto last = columns[d].rightCols(static_cast<Eigen::Index>(knobs.size()));
-            last = here.columns[d](Eigen::all, knobs);
-            last.array().colwise() /= uncertainty.noise[d].array();
+            last = uncertainty.noise[d].over(here.columns[d](Eigen::all, knobs));
         }
     }
 
@@ -111,7 +110,7 @@ struct Model {
                const Eigen::VectorXd& step) const {
         if (step.squaredNorm() < kTooShort) return;
         for (std::size_t d = 0; d < columns.size(); ++d) {
-            const Eigen::VectorXd change = (after[d] - before[d]).cwiseQuotient(uncertainty.noise[d]);
+            const Eigen::VectorXd change = uncertainty.noise[d].over(after[d] - before[d]);
             columns[d] += (change - columns[d] * step) * step.transpose() / step.squaredNorm();
         }
     }
@@ -131,8 +130,7 @@ Eigen::VectorXd Uncertainty::sizesOf(std::size_t drive, const std::array<double,
 Ground ground(Linearised about, const std::vector<Eigen::Index>& nuisances, const Uncertainty& uncertainty) {
     Ground ground{std::move(about), nuisances, {}, {}};
     for (std::size_t d = 0; d < uncertainty.noise.size(); ++d) {
-        Eigen::MatrixXd columns = ground.about.columns[d](Eigen::all, nuisances);
-        columns.array().colwise() /= uncertainty.noise[d].array();
+        Eigen::MatrixXd columns = uncertainty.noise[d].over(ground.about.columns[d](Eigen::all, nuisances));
         ground.grams.push_back(driveGram(columns, uncertainty.directions[d]));
         ground.columns.push_back(std::move(columns));
     }
@@ -140,7 +138,7 @@ Ground ground(Linearised about, const std::vector<Eigen::Index>& nuisances, cons
 }
 
 Eigen::VectorXd residual(const Bench& bench, const Uncertainty& uncertainty, const Rows& rows, std::size_t drive) {
-    return (bench.drives[drive].measured - rows[drive]).cwiseQuotient(uncertainty.noise[drive]);
+    return uncertainty.noise[drive].over(bench.drives[drive].measured - rows[drive]);
 }
 
 Gram total(const std::vector<DriveGram>& grams, const Uncertainty& uncertainty,
@@ -176,11 +174,8 @@ std::optional<Fit> fitted(Bench& bench, const Uncertainty& uncertainty, const Gr
     Fit fit{.free = model.free, .knobs = knobs, .at = start, .rows = {}, .columns = {}, .grams = {}, .covariance = {}};
     std::optional<Rows> rows = rowsAt(bench, start);
     if (!rows) return std::nullopt;
-    for (std::size_t d = 0; d < rows->size(); ++d) {
-        Eigen::MatrixXd& columns = fit.columns.emplace_back((*rows)[d].size(), n);
-        columns = ground.about.columns[d](Eigen::all, model.free);
-        columns.array().colwise() /= uncertainty.noise[d].array();
-    }
+    for (std::size_t d = 0; d < rows->size(); ++d)
+        fit.columns.push_back(uncertainty.noise[d].over(ground.about.columns[d](Eigen::all, model.free)));
     double misfit = model.misfit(*rows, start), damping = 0;
     const double at_start = misfit;
     bool renewed = knobs.empty();

@@ -7,14 +7,14 @@
 
 #include "diagnose/bench.h"
 #include "diagnose/disturbance.h"
+#include "diagnose/noise.h"
 #include "identify/gram.h"
 
 namespace tread {
 
 // What all models share: how noisy the rows are, and what disturbs the drives. Disturbances are divided by the noise.
 struct Uncertainty {
-    std::vector<Eigen::VectorXd> noise;         // per drive, standard deviation of each row
-    std::vector<double> expected;               // per drive: squared deviations that a perfect model leaves
+    std::vector<RowNoise> noise;                // per drive
     std::vector<Disturbances> disturbing;       // per drive
     std::vector<Eigen::MatrixXd> directions;    // per drive: disturbances, then the speed at the start; over the noise
     std::vector<DriveGram> bare;                // per drive: products of the directions alone

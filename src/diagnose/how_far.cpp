@@ -18,7 +18,7 @@ constexpr double kLow = 0.05, kHigh = 0.95;
 
 // A drive and what is off in it, in units of the floor, for each stage of the model.
 struct Gaps {
-    std::vector<double> rows, floor, nominal, calibrated, extended;  // per drive: count, sums of squares
+    std::vector<double> floor, nominal, calibrated, extended;  // per drive: sums of squares
 };
 
 double sum(const std::vector<double>& values) {
@@ -28,17 +28,16 @@ double sum(const std::vector<double>& values) {
 }
 
 GapLevels levels(const Gaps& gaps) {
-    const double rows = sum(gaps.rows);
+    const double floor = sum(gaps.floor);
     const auto level = [&](const std::vector<double>& squares) {
-        return rows > 0 ? std::sqrt(sum(squares) / rows) : 0;
+        return floor > 0 ? std::sqrt(sum(squares) / floor) : 0;
     };
     return {level(gaps.nominal), level(gaps.calibrated), level(gaps.extended), level(gaps.floor)};
 }
 
-// What is off, in the metric of noise and disturbances: as many as there are rows for a perfect model.
+// What is off, in the metric of noise and disturbances.
 double squares(const Uncertainty& uncertainty, std::size_t drive, const Eigen::VectorXd& off) {
-    const Eigen::VectorXd scaled = off.cwiseQuotient(uncertainty.noise[drive]);
-    const DriveGram gram = driveGram(scaled, uncertainty.directions[drive]);
+    const DriveGram gram = driveGram(uncertainty.noise[drive].over(off), uncertainty.directions[drive]);
     return whitened(gram, uncertainty.sizesOf(drive, uncertainty.sizes)).products(0, 0);
 }
 
@@ -74,15 +73,14 @@ Gaps gapsOf(Bench& bench, const Uncertainty& uncertainty, const std::vector<Devi
             std::vector<Overlay>& overlays) {
     const std::size_t n = bench.drives.size();
     Gaps gaps;
-    for (std::vector<double>* one : {&gaps.rows, &gaps.floor, &gaps.nominal, &gaps.calibrated, &gaps.extended})
+    for (std::vector<double>* one : {&gaps.floor, &gaps.nominal, &gaps.calibrated, &gaps.extended})
         one->assign(n, 0);
     std::vector<Overlay> here(n);
     std::vector<Subject> subjects;
     for (const Deviation& stage : stages) subjects.push_back(bench.subjectAt(stage));
     inParallel(n, bench.threads, [&](std::size_t d) {
         const RecordedDrive& drive = bench.drives[d];
-        gaps.rows[d] = static_cast<double>(drive.rows());
-        gaps.floor[d] = uncertainty.expected[d];
+        gaps.floor[d] = uncertainty.noise[d].expected;
         std::vector<double>* const sums[] = {&gaps.nominal, &gaps.calibrated, &gaps.extended};
         Log* const logs[] = {&here[d].nominal, &here[d].calibrated, &here[d].extended};
         here[d].recording = drive.name;
@@ -129,10 +127,10 @@ void closure(HowFar& how_far, Bench& bench, const Uncertainty& uncertainty, cons
         if (!truth) continue;
         std::vector<double> before(n), after(n);
         for (std::size_t d = 0; d < n; ++d) {
-            const Eigen::VectorXd& noise = uncertainty.noise[d];
+            const RowNoise& noise = uncertainty.noise[d];
             const double floor = gaps.floor[d], beyond = gaps.extended[d] - floor - kSignificant * std::sqrt(2 * floor);
-            before[d] = ((*nominal)[d] - (*truth)[d]).cwiseQuotient(noise).squaredNorm();
-            after[d] = ((*answer)[d] - (*truth)[d]).cwiseQuotient(noise).squaredNorm() + std::max(0.0, beyond);
+            before[d] = noise.over((*nominal)[d] - (*truth)[d]).squaredNorm();
+            after[d] = noise.over((*answer)[d] - (*truth)[d]).squaredNorm() + std::max(0.0, beyond);
             before_sum += before[d], after_sum += after[d];
         }
         for (int again = 0; again < kResamples / kDraws; ++again) {

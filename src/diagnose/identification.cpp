@@ -77,7 +77,7 @@ double leftOver(const Study& study, const Rows& rows) {
         const DriveGram gram =
             driveGram(residual(study.bench, study.uncertainty, rows, d), study.uncertainty.directions[d]);
         sum += whitened(gram, study.uncertainty.sizesOf(d, study.uncertainty.sizes)).products(0, 0);
-        expected += study.uncertainty.expected[d];
+        expected += study.uncertainty.noise[d].expected;
     }
     return std::max(1.0, std::sqrt(sum / expected));
 }
@@ -94,7 +94,7 @@ Round roundAt(Study& study, Linearised about, const std::vector<Eigen::Index>* m
     const Ground plain = ground(about, kept, study.uncertainty);
     study.uncertainty.sizes = disturbanceSizes(everything(study, plain), study.uncertainty);
     Round round{study.uncertainty, {}, leftOver(study, about.rows)};
-    for (Eigen::VectorXd& noise : round.uncertainty.noise) noise *= round.left_over;
+    for (RowNoise& noise : round.uncertainty.noise) noise.deviation *= round.left_over;
     round.ground = ground(std::move(about), kept, round.uncertainty);
     return round;
 }

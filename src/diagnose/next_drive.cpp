@@ -59,20 +59,21 @@ public:
     Rehearsal& operator=(const Rehearsal&) = delete;
 
     // Noise of the rows of a drive: per channel as in the recordings.
-    Eigen::VectorXd noiseOf(const RecordedDrive& drive) const {
-        Eigen::VectorXd noise = Eigen::VectorXd::Ones(drive.rows());
+    RowNoise noiseOf(const RecordedDrive& drive) const {
+        RowNoise noise{.deviation = Eigen::VectorXd::Ones(drive.rows()), .ends = {}};
         for (const ObservedChannel& channel : drive.channels) {
             double sum = 0, count = 0;
             for (std::size_t d = 0; d < recorded_.size(); ++d) {
                 for (const ObservedChannel& known : recorded_[d].channels) {
                     const auto rows = static_cast<Eigen::Index>(known.times.size());
                     if (known.name != channel.name) continue;
-                    sum += study_.uncertainty.noise[d].segment(known.first_row, rows).sum();
+                    sum += study_.uncertainty.noise[d].deviation.segment(known.first_row, rows).sum();
                     count += static_cast<double>(rows);
                 }
             }
-            if (count > 0)
-                noise.segment(channel.first_row, static_cast<Eigen::Index>(channel.times.size())).array() = sum / count;
+            const auto rows = static_cast<Eigen::Index>(channel.times.size());
+            if (count > 0) noise.deviation.segment(channel.first_row, rows).array() = sum / count;
+            noise.ends.push_back(channel.first_row + rows);
         }
         return noise;
     }
@@ -86,7 +87,7 @@ private:
 // One manoeuvre: what disturbs it, and by how much the two cars of each question differ there, over the noise.
 struct Look {
     std::size_t drive = 0;
-    Eigen::VectorXd noise;
+    RowNoise noise;
     Eigen::MatrixXd directions;
     Eigen::VectorXd sizes;
     std::vector<Eigen::VectorXd> differences;  // per question; empty when one of the cars cannot be driven so
@@ -99,8 +100,7 @@ Look lookAt(Study& study, const Rehearsal& rehearsal, std::size_t d, const std::
     Look look{
         .drive = d, .noise = rehearsal.noiseOf(drive), .directions = {}, .sizes = {}, .differences = {}, .most = {}};
     const Disturbances disturbing = disturbances(bench, d, bench.nominal, Eigen::VectorXd::Zero(drive.rows()));
-    look.directions = disturbing.columns;
-    look.directions.array().colwise() /= look.noise.array();
+    look.directions = look.noise.over(disturbing.columns);
     look.sizes.resize(look.directions.cols());
     for (std::size_t i = 0; i < disturbing.kinds.size(); ++i)
         look.sizes(static_cast<Eigen::Index>(i)) =
@@ -116,7 +116,7 @@ Look lookAt(Study& study, const Rehearsal& rehearsal, std::size_t d, const std::
         const Eigen::VectorXd one = shown(question.one);
         if (last.size() == 0 || last != question.other) rows = shown(question.other), last = question.other;
         const bool driven = one.size() > 0 && rows.size() > 0 && (one - rows).allFinite();
-        look.differences.push_back(driven ? (one - rows).cwiseQuotient(look.noise).eval() : Eigen::VectorXd{});
+        look.differences.push_back(driven ? Eigen::VectorXd(look.noise.over(one - rows)) : Eigen::VectorXd{});
         look.most.push_back(
             driven ? 0.5 * whitened(driveGram(look.differences.back(), look.directions), look.sizes).products(0, 0)
                    : 0);
@@ -145,8 +145,7 @@ Answers answersOf(Study& study, const Look& look, const std::vector<Question>& q
     study.bench.drives = {all[look.drive]};
     const Linearised about = linearised(study.bench, study.bench.origin(), {.parameters = answers.parameters});
     study.bench.drives = std::move(all);
-    answers.columns = about.columns.front()(Eigen::all, answers.parameters);
-    answers.columns.array().colwise() /= look.noise.array();
+    answers.columns = look.noise.over(about.columns.front()(Eigen::all, answers.parameters));
     return answers;
 }
 
@@ -169,7 +168,7 @@ double natsOf(const Look& look, const Answers& answers, const Fit& fit, const Ei
             if (a >= 0 && b >= 0) covariance(i, j) = fit.covariance(a, b);
         }
     }
-    Eigen::MatrixXd columns(look.noise.size(), n + 1);
+    Eigen::MatrixXd columns(difference.size(), n + 1);
     columns << answers.columns(Eigen::all, places), difference;
     // Columns that are as uncertain as one unit each.
     columns.leftCols(n) = (columns.leftCols(n) * Eigen::MatrixXd(covariance.llt().matrixL())).eval();

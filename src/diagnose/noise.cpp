@@ -13,11 +13,9 @@ namespace {
 constexpr double kMedianOfNormal = 0.6745;
 constexpr double kModelError = 1e-3;  // of a channel's size: two step widths differ by about that
 constexpr Eigen::Index kFewRows = 12;
+constexpr double kOfWhite = 0.375;  // of the variance of white noise, that the binomial filter leaves
 
-// The first filter passes 2 to 7 Hz of the rows, the second what is faster.
-constexpr std::array<double, 6> kBand{1, 1, -2, -2, 1, 1};
-constexpr std::span<const double> kFast = kThirdDifference;
-constexpr double kVibrationInFast = 2.3;  // of its variance at 8 Hz, against that of white noise
+constexpr std::array<double, 6> kBand{1, 1, -2, -2, 1, 1};  // passes 2 to 7 Hz of the rows
 
 double shown(const Eigen::VectorXd& rows, std::span<const double> filter) {
     if (rows.size() < kFewRows) return kInfinity;
@@ -26,7 +24,7 @@ double shown(const Eigen::VectorXd& rows, std::span<const double> filter) {
 
 // Of one channel in all drives.
 struct Seen {
-    std::vector<double> band, fast;
+    std::vector<double> band;
     double size = 0;
 };
 
@@ -41,6 +39,21 @@ double noiseBehind(std::span<const double> values, std::span<const double> filte
     return median(std::move(left)) / (kMedianOfNormal * gain);
 }
 
+Eigen::MatrixXd RowNoise::over(const Eigen::Ref<const Eigen::MatrixXd>& rows) const {
+    Eigen::MatrixXd scaled = rows;
+    scaled.array().colwise() /= deviation.array();
+    Eigen::MatrixXd smooth = scaled;
+    Eigen::Index first = 0;
+    for (const Eigen::Index end : ends) {
+        for (Eigen::Index i = first; i < end; ++i) {
+            const Eigen::Index before = std::max(i - 1, first), after = std::min(i + 1, end - 1);
+            smooth.row(i) = 0.5 * scaled.row(i) + 0.25 * (scaled.row(before) + scaled.row(after));
+        }
+        first = end;
+    }
+    return smooth;
+}
+
 std::vector<RowNoise> rowNoise(const std::vector<RecordedDrive>& drives, const Rows& nominal) {
     std::map<std::string, Seen> channels;
     for (std::size_t d = 0; d < drives.size(); ++d) {
@@ -50,22 +63,21 @@ std::vector<RowNoise> rowNoise(const std::vector<RecordedDrive>& drives, const R
             const Eigen::VectorXd left = measured - nominal[d].segment(channel.first_row, count);
             Seen& seen = channels[channel.name];
             seen.band.push_back(std::min(shown(measured, kBand), shown(left, kBand)));
-            seen.fast.push_back(std::min(shown(measured, kFast), shown(left, kFast)));
             seen.size = std::max(seen.size, std::sqrt(measured.squaredNorm() / static_cast<double>(count)));
         }
     }
     std::vector<RowNoise> noise;
     for (const RecordedDrive& drive : drives) {
-        RowNoise& here = noise.emplace_back(RowNoise{Eigen::VectorXd(drive.rows())});
+        RowNoise& here = noise.emplace_back();
+        here.deviation.resize(drive.rows());
         for (const ObservedChannel& channel : drive.channels) {
             const Seen& seen = channels[channel.name];
-            const double white = median(seen.band), fast = median(seen.fast);
-            double deviation = std::max({channel.noise, white, kModelError * seen.size});
+            double deviation = std::max({channel.noise, median(seen.band), kModelError * seen.size});
             if (deviation == 0) deviation = 1;  // a channel that is zero throughout says nothing
-            const double vibration = std::max(0.0, fast * fast - white * white) / kVibrationInFast;
             const auto rows = static_cast<Eigen::Index>(channel.times.size());
             here.deviation.segment(channel.first_row, rows).setConstant(deviation);
-            here.expected += static_cast<double>(rows) * (1 + vibration / (deviation * deviation));
+            here.ends.push_back(channel.first_row + rows);
+            here.expected += kOfWhite * static_cast<double>(rows);
         }
     }
     return noise;

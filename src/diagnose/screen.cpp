@@ -66,8 +66,8 @@ std::vector<double> gainsOver(const Study& study, const Ground& ground, const Fi
     const std::vector<Eigen::Index> knobs = study.allKnobs();
     for (std::size_t d = 0; d < fit.rows.size(); ++d) {
         Eigen::MatrixXd further(fit.rows[d].size(), static_cast<Eigen::Index>(knobs.size()) + 1);
-        further.leftCols(further.cols() - 1) = ground.about.columns[d](Eigen::all, knobs);
-        further.leftCols(further.cols() - 1).array().colwise() /= study.uncertainty.noise[d].array();
+        further.leftCols(further.cols() - 1) =
+            study.uncertainty.noise[d].over(ground.about.columns[d](Eigen::all, knobs));
         further.rightCols(1) = residual(study.bench, study.uncertainty, fit.rows, d);
         const DriveGram free = driveGram(fit.columns[d], study.uncertainty.directions[d]);
         grams.push_back(extended(free, fit.columns[d], study.uncertainty.directions[d], further));

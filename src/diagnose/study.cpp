@@ -47,8 +47,7 @@ void expectDriven(const Bench& bench, const Linearised& about) {
 std::vector<Eigen::Index> thatMatter(const Study& study, const Linearised& about) {
     std::vector<double> matter(study.nuisances.size(), 0);
     for (std::size_t d = 0; d < about.columns.size(); ++d) {
-        Eigen::MatrixXd columns = about.columns[d](Eigen::all, study.nuisances);
-        columns.array().colwise() /= study.uncertainty.noise[d].array();
+        const Eigen::MatrixXd columns = study.uncertainty.noise[d].over(about.columns[d](Eigen::all, study.nuisances));
         const Gram gram = whitened(driveGram(columns, study.uncertainty.directions[d]),
                                    study.uncertainty.sizesOf(d, study.uncertainty.sizes));
         for (std::size_t i = 0; i < matter.size(); ++i)
@@ -65,8 +64,8 @@ std::vector<DriveGram> everything(const Study& study, const Ground& ground) {
     std::vector<DriveGram> grams;
     for (std::size_t d = 0; d < ground.grams.size(); ++d) {
         Eigen::MatrixXd further(ground.about.rows[d].size(), static_cast<Eigen::Index>(knobs.size()) + 1);
-        further.leftCols(further.cols() - 1) = ground.about.columns[d](Eigen::all, knobs);
-        further.leftCols(further.cols() - 1).array().colwise() /= study.uncertainty.noise[d].array();
+        further.leftCols(further.cols() - 1) =
+            study.uncertainty.noise[d].over(ground.about.columns[d](Eigen::all, knobs));
         further.rightCols(1) = residual(study.bench, study.uncertainty, ground.about.rows, d);
         grams.push_back(extended(ground.grams[d], ground.columns[d], study.uncertainty.directions[d], further));
     }

@@ -8,10 +8,7 @@ Uncertainty uncertaintyOf(Bench& bench, const Deviation& at, const Rows& rows) {
     const Subject subject = bench.subjectAt(at);
     Uncertainty uncertainty;
     uncertainty.sizes.fill(1);
-    for (RowNoise& noise : rowNoise(bench.drives, rows)) {
-        uncertainty.noise.push_back(std::move(noise.deviation));
-        uncertainty.expected.push_back(noise.expected);
-    }
+    uncertainty.noise = rowNoise(bench.drives, rows);
     uncertainty.disturbing.resize(bench.drives.size());
     uncertainty.directions.resize(bench.drives.size());
     uncertainty.bare.resize(bench.drives.size());
@@ -19,11 +16,11 @@ Uncertainty uncertaintyOf(Bench& bench, const Deviation& at, const Rows& rows) {
         const Eigen::VectorXd by_start_speed = startSpeedColumn(bench, d, subject, rows[d]);
         uncertainty.disturbing[d] = disturbances(bench, d, subject, by_start_speed);
         const Eigen::MatrixXd& columns = uncertainty.disturbing[d].columns;
-        Eigen::MatrixXd& all = uncertainty.directions[d];
-        all.resize(columns.rows(), columns.cols() + 1);
+        Eigen::MatrixXd all(columns.rows(), columns.cols() + 1);
         all << columns, by_start_speed;
-        all.array().colwise() /= uncertainty.noise[d].array();
+        all = uncertainty.noise[d].over(all);
         uncertainty.bare[d] = driveGram(Eigen::MatrixXd(all.rows(), 0), all);
+        uncertainty.directions[d] = std::move(all);
     });
     return uncertainty;
 }

@@ -129,10 +129,11 @@ MissingForce missingForce(const Study& study, const Fit& fit) {
         const Eigen::VectorXd size = study.uncertainty.sizesOf(d, sizes);
         const Eigen::MatrixXd scaled = study.uncertainty.directions[d] * size.asDiagonal();
         const Eigen::Index n = scaled.cols();
-        const Eigen::VectorXd force =
+        const Eigen::VectorXd impulses =
             (Eigen::MatrixXd::Identity(n, n) + scaled.transpose() * scaled)
                 .llt()
                 .solve(scaled.transpose() * residual(study.bench, study.uncertainty, fit.rows, d));
+        const Eigen::VectorXd force = disturbing.hats(impulses.head(n - 1));  // without the speed at the start
         for (std::size_t i = 0; i < disturbing.kinds.size(); ++i) {
             const double here = force(static_cast<Eigen::Index>(i)) * force(static_cast<Eigen::Index>(i));
             energy[static_cast<std::size_t>(disturbing.kinds[i])] += here;

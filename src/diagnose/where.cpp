@@ -99,7 +99,7 @@ void normalise(Shares& shares) {
 Eigen::VectorXd floorOf(const Uncertainty& uncertainty, std::size_t drive) {
     const Eigen::VectorXd sizes = uncertainty.sizesOf(drive, uncertainty.sizes);
     const Eigen::VectorXd disturbed = (uncertainty.directions[drive] * sizes.asDiagonal()).rowwise().squaredNorm();
-    return uncertainty.noise[drive].cwiseProduct((disturbed.array() + 1).sqrt().matrix());
+    return uncertainty.noise[drive].deviation.cwiseProduct((disturbed.array() + 1).sqrt().matrix());
 }
 
 WhereItLies whereItLies(const Study& study, const Search& found) {
