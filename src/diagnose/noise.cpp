@@ -11,7 +11,7 @@ namespace tread {
 namespace {
 
 constexpr double kMedianOfNormal = 0.6745;
-constexpr double kModelError = 1e-3;  // of a channel's size: two step widths differ by about that
+constexpr double kModelError = 3e-4;  // of a channel's size: two step widths differ by about that
 constexpr Eigen::Index kFewRows = 12;
 constexpr double kOfWhite = 0.375;  // of the variance of white noise, that the binomial filter leaves
 
