@@ -51,6 +51,9 @@ public:
     // Velocity of the air from the next step on, m/s, in the world. Still air until it is called.
     void setWind(const Vector3& velocity_W);
 
+    // Longest substep, s: 0.001 unless set; between 0.0001 and 0.02. Larger is cheaper and coarser.
+    void setSubstep(double longest);
+
     // Puts the car into a state, for example an equilibrium or a snapshot.
     void restore(const ChassisMotion& motion, const VehicleState& state, const VehicleInput& input);
 

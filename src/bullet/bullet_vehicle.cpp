@@ -7,14 +7,13 @@
 
 #include "bullet/body_link.h"
 #include "bullet/convert.h"
+#include "bullet/substep.h"
 
 namespace tread {
 
 inline namespace TREAD_BULLET_PRECISION {
 
 namespace {
-
-constexpr double kLongestSubstep = 0.001;  // s: 60 Hz and 1000 Hz then differ by rounding of the step alone
 
 Quaternion attitudeOf(const BodyAxes& axes) {
     Eigen::Matrix3d m;
@@ -37,6 +36,7 @@ struct BulletVehicle::Implementation {
     VehicleInput input;  // at the time of the last step
     VehicleInput next;   // at the end of the next one
     Vector3 wind = Vector3::Zero();
+    Substep substep{};
     BodyLink link;
 
     Vector3 gravity() const { return fromBullet(chassis.getGravity()); }
@@ -80,6 +80,10 @@ void BulletVehicle::setWind(const Vector3& velocity_W) {
     self_->wind = velocity_W;
 }
 
+void BulletVehicle::setSubstep(double longest) {
+    self_->substep.limit(longest);
+}
+
 void BulletVehicle::restore(const ChassisMotion& motion, const VehicleState& state, const VehicleInput& input) {
     self_->motion = motion;
     self_->state = state;
@@ -119,7 +123,7 @@ void BulletVehicle::plan(double dt) {
     s.road.beginStep();
     ChassisMotion end = s.motion;
     const Surroundings surroundings{s.road, s.gravity(), s.wind};
-    const int substeps = std::max(1, static_cast<int>(std::ceil(dt / kLongestSubstep - 1e-6)));
+    const int substeps = s.substep.within(dt);
     const auto inputAt = [&](int k) {
         VehicleInput input = s.input;
         const double share = static_cast<double>(k) / substeps;

@@ -7,6 +7,7 @@
 
 #include "bullet/body_link.h"
 #include "bullet/stock_tuning.h"
+#include "bullet/substep.h"
 #include "bullet/wheel_ray.h"
 #include "tread/bullet_precision.h"
 
@@ -31,7 +32,7 @@ struct RaycastVehicle::Implementation {
     SurfaceAt surface{};
     RayFilter filter{};
     double edge_angle = Rounding{}.angle;
-    double substep = 0.001;
+    Substep substep{};
 
     // What the car was made of, and the car.
     std::array<WheelTuning, kMostWheels> tunings{};

@@ -150,7 +150,7 @@ void RaycastVehicle::Implementation::findGround(std::size_t wheel, const Chassis
 
 // Moves `motion` to the end of the step.
 void RaycastVehicle::Implementation::roll(const btCollisionWorld* world, double dt) {
-    const int substeps = std::max(1, static_cast<int>(std::ceil(dt / substep - 1e-6)));
+    const int substeps = substep.within(dt);
     const double h = dt / substeps;
     std::array<WheelDemand, kMostWheels> next, begin, end;
     std::array<RoadContact, kMostWheels> planes;

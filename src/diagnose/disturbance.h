@@ -1,7 +1,7 @@
 // What disturbs every real drive and no model: wind, unevenness, a hand that trembles. As generalised forces on the
-// car that wander about zero (Ornstein-Uhlenbeck processes), piecewise linear over time (hats of a quarter of a second),
-// so that what they do to the motion is as correlated in time and across channels as it really is: what pushes aside is
-// replayed.
+// car that wander about zero (Ornstein-Uhlenbeck processes), piecewise linear over time (hats of a quarter of a
+// second), so that what they do to the motion is as correlated in time and across channels as it really is: what pushes
+// aside is replayed.
 #pragma once
 
 #include <Eigen/Dense>

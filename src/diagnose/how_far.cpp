@@ -73,8 +73,7 @@ Gaps gapsOf(Bench& bench, const Uncertainty& uncertainty, const std::vector<Devi
             std::vector<Overlay>& overlays) {
     const std::size_t n = bench.drives.size();
     Gaps gaps;
-    for (std::vector<double>* one : {&gaps.floor, &gaps.nominal, &gaps.calibrated, &gaps.extended})
-        one->assign(n, 0);
+    for (std::vector<double>* one : {&gaps.floor, &gaps.nominal, &gaps.calibrated, &gaps.extended}) one->assign(n, 0);
     std::vector<Overlay> here(n);
     std::vector<Subject> subjects;
     for (const Deviation& stage : stages) subjects.push_back(bench.subjectAt(stage));

@@ -23,8 +23,8 @@ struct RowNoise {
     std::vector<Eigen::Index> ends;  // of the rows of each channel
     double expected = 0;             // sum of squares that over() leaves of white noise
 
-    // Columns of rows over their noise, in which white noise of deviation 1 is what is slow, and ten times what vibrates
-    // at 8 Hz is no more than that: each row with half of its neighbours (binomial filter).
+    // Columns of rows over their noise, in which white noise of deviation 1 is what is slow, and ten times what
+    // vibrates at 8 Hz is no more than that: each row with half of its neighbours (binomial filter).
     Eigen::MatrixXd over(const Eigen::Ref<const Eigen::MatrixXd>& rows) const;
 };
 std::vector<RowNoise> rowNoise(const std::vector<RecordedDrive>& drives, const Rows& nominal);

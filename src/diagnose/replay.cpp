@@ -92,7 +92,7 @@ void holdGear(VehicleParams& vehicle, const RecordedDrive& drive) {
 Scenario replayOf(const RecordedDrive& drive, const Subject& subject, const Subject& nominal, double step) {
     Scenario scenario;
     scenario.title = drive.name;
-    scenario.step = step;
+    scenario.step = scenario.substep = step;
     scenario.road = changed(drive.recording->road, subject.road, nominal.road);
     scenario.wind = changed(drive.recording->wind, subject.wind, nominal.wind);
     scenario.start.speed = drive.speed < kStanding ? 0 : drive.speed;

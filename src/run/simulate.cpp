@@ -147,6 +147,7 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
     const std::unique_ptr<Road> road = makeRoad(scenario.road);
     const Equilibrium rest = startOf(params, scenario, {.road = *road, .wind_W = startingWind(scenario)});
     BulletVehicle car(params, world.chassis(), *road);
+    car.setSubstep(scenario.substep);
     car.restore(rest.motion, rest.state, rest.input);
     Pushed pushed(pushing, params);
     Driver driver(scenario, rest.input, {params.wheelbase, params.steering.ratio, params.steering.ratio_curve});

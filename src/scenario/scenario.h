@@ -81,6 +81,7 @@ struct Scenario {
     std::string description;
     std::string manoeuvre;
     double step = 0.001;
+    double substep = 0.001;
     double time_limit = 120;
     RoadParams road;
     WindParams wind;
@@ -98,6 +99,9 @@ struct Scenario {
         field(TREAD_FIELD(manoeuvre),
               About{"", "whose metrics are computed (see tread describe metrics); empty: none"});
         field(TREAD_FIELD(step), About{"s", "time step of the Bullet world", {1e-5, 0.05}});
+        field(
+            TREAD_FIELD(substep),
+            About{"s", "longest step of the car within one of the world: larger is cheaper and coarser", {1e-4, 0.02}});
         field(TREAD_FIELD(time_limit),
               About{"s", "time after which a manoeuvre that did not end has failed", kPositive});
         field(TREAD_FIELD(road), About{"", "road"});
