@@ -42,7 +42,7 @@ std::vector<DriveGram> calibrate(Study& study, Ground nominal,
     study.calibrated = std::move(nominal);
     const std::vector<Eigen::Index> nuisances = study.calibrated.nuisances;
     for (int round = 0; round < kMostRounds; ++round) {
-        Linearised about = linearised(study.bench, study.calibration.at, {.parameters = nuisances}, [&](double share) {
+        Linearised about = nuisancesAt(study, study.calibration.at, [&](double share) {
             progress(0.5 * (round + share) / kMostRounds, "sensitivities to tolerances where they are");
         });
         study.uncertainty = uncertaintyOf(study.bench, about.at, about.rows);

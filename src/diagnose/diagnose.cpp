@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <chrono>
+#include <cmath>
 
 #include "diagnose/calibrate.h"
 #include "diagnose/diagnosis.h"
@@ -65,6 +68,14 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std:
     // The calibrated one, from which effects are sought.
     const std::vector<DriveGram> grams =
         calibrate(study, ground(std::move(about), matter, study.uncertainty), progress(0.1, 0.4));
+
+    for (const RecordedDrive& drive : study.bench.drives) {
+        if (!std::isfinite(drive.until)) continue;
+        diagnosis.data_warnings.push_back(fmt::format(
+            "{}: the car, or the model of it, spins from {:.1f} s. What it does then depends on chance, so the rest is "
+            "left out. Drive this manoeuvre a little slower if its end matters.",
+            drive.name, drive.until));
+    }
 
     // Which effect.
     const Screen screened = screen(study, grams);

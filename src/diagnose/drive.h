@@ -31,6 +31,7 @@ struct RecordedDrive {
     std::vector<ObservedChannel> channels;
     Eigen::VectorXd measured;  // all rows
     double speed = 0;          // m/s, at the start, as measured
+    double until = kInfinity;  // s: what comes later says nothing about the car
 
     Eigen::Index rows() const { return measured.size(); }
     double duration() const { return time.back(); }

@@ -65,10 +65,8 @@ public:
             double sum = 0, count = 0;
             for (std::size_t d = 0; d < recorded_.size(); ++d) {
                 for (const ObservedChannel& known : recorded_[d].channels) {
-                    const auto rows = static_cast<Eigen::Index>(known.times.size());
-                    if (known.name != channel.name) continue;
-                    sum += study_.uncertainty.noise[d].deviation.segment(known.first_row, rows).sum();
-                    count += static_cast<double>(rows);
+                    const double one = study_.uncertainty.noise[d].deviation(known.first_row);
+                    if (known.name == channel.name && std::isfinite(one)) sum += one, count += 1;
                 }
             }
             const auto rows = static_cast<Eigen::Index>(channel.times.size());

@@ -75,9 +75,12 @@ std::vector<RowNoise> rowNoise(const std::vector<RecordedDrive>& drives, const R
             double deviation = std::max({channel.noise, median(seen.band), kModelError * seen.size});
             if (deviation == 0) deviation = 1;  // a channel that is zero throughout says nothing
             const auto rows = static_cast<Eigen::Index>(channel.times.size());
+            const auto telling = std::upper_bound(channel.times.begin(), channel.times.end(), drive.until);
+            const Eigen::Index told = telling - channel.times.begin();
             here.deviation.segment(channel.first_row, rows).setConstant(deviation);
+            here.deviation.segment(channel.first_row + told, rows - told).setConstant(kInfinity);
             here.ends.push_back(channel.first_row + rows);
-            here.expected += kOfWhite * static_cast<double>(rows);
+            here.expected += kOfWhite * static_cast<double>(told);
         }
     }
     return noise;

@@ -17,7 +17,8 @@ double noiseBehind(std::span<const double> values, std::span<const double> filte
 
 // Of one drive. `deviation` is the standard deviation of each row that is white noise: what the file tells of the
 // instrument, and not less than what the recordings show between 2 and 7 Hz that the model does not explain. Above that
-// engine and road shake the instruments: the faster a deviation, the less it says.
+// engine and road shake the instruments: the faster a deviation, the less it says. Rows that say nothing are infinitely
+// noisy.
 struct RowNoise {
     Eigen::VectorXd deviation;
     std::vector<Eigen::Index> ends;  // of the rows of each channel

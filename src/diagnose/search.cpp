@@ -18,8 +18,7 @@ constexpr double kSettled = 8;             // nats: a fit that gained less needs
 constexpr std::size_t kRelinearised = 2;   // best singles about which the nuisances are linearised anew
 constexpr std::size_t kFurtherRefits = 3;  // effects tried beside each of these
 constexpr std::size_t kMostEffects = 3;
-constexpr double kWorthDriving = 0.1;  // squared signal over noise of a nuisance of usual size
-constexpr double kStuck = 0.02;        // units: a knob that the fit left where it was
+constexpr double kStuck = 0.02;  // units: a knob that the fit left where it was
 
 using Progress = std::function<void(double, const std::string&)>;
 
@@ -89,25 +88,9 @@ std::optional<Candidate> refit(Study& study, const Ground& ground, const std::ve
     return best;
 }
 
-// Drives in which a nuisance makes a difference: only there is it worth a new look.
-std::vector<std::vector<bool>> worthDriving(const Study& study) {
-    const Ground& about = study.calibrated;
-    std::vector<std::vector<bool>> worth(about.nuisances.size(), std::vector<bool>(about.grams.size()));
-    for (std::size_t d = 0; d < about.grams.size(); ++d) {
-        const Gram gram = whitened(about.grams[d], study.uncertainty.sizesOf(d, study.uncertainty.sizes));
-        for (std::size_t i = 0; i < worth.size(); ++i)
-            worth[i][d] = gram.products(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) > kWorthDriving;
-    }
-    return worth;
-}
-
 // Nuisances linearised about a fit; the knobs keep their columns.
 Ground groundAt(Study& study, const Fit& fit, const std::function<void(double)>& progress) {
-    Linearised about = linearised(
-        study.bench, fit.at,
-        {.parameters = study.calibrated.nuisances, .worth = worthDriving(study), .elsewhere = &study.calibrated.about},
-        progress);
-    return ground(std::move(about), study.calibrated.nuisances, study.uncertainty);
+    return ground(nuisancesAt(study, fit.at, progress), study.calibrated.nuisances, study.uncertainty);
 }
 
 bool contains(const std::vector<std::size_t>& list, std::size_t value) {

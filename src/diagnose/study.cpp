@@ -12,7 +12,20 @@ namespace {
 constexpr double kSizeSpread = 0.5;  // of the logarithm of a size about that of the usual one
 constexpr double kLargestFactor = 3;
 constexpr int kSweeps = 6;
-constexpr double kNegligible = 0.01;  // nats that a nuisance of usual size makes of difference
+constexpr double kWorthDriving = 0.1;  // squared signal over noise of a nuisance of usual size
+constexpr double kNegligible = 0.01;   // nats that a nuisance of usual size makes of difference
+
+// Drives in which a nuisance makes a difference: only there is it worth a new look.
+std::vector<std::vector<bool>> worthDriving(const Study& study) {
+    const Ground& about = study.calibrated;
+    std::vector<std::vector<bool>> worth(about.nuisances.size(), std::vector<bool>(about.grams.size()));
+    for (std::size_t d = 0; d < about.grams.size(); ++d) {
+        const Gram gram = whitened(about.grams[d], study.uncertainty.sizesOf(d, study.uncertainty.sizes));
+        for (std::size_t i = 0; i < worth.size(); ++i)
+            worth[i][d] = gram.products(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) > kWorthDriving;
+    }
+    return worth;
+}
 
 }  // namespace
 
@@ -57,6 +70,13 @@ std::vector<Eigen::Index> thatMatter(const Study& study, const Linearised& about
     for (std::size_t i = 0; i < matter.size(); ++i)
         if (matter[i] > kNegligible) kept.push_back(study.nuisances[i]);
     return kept;
+}
+
+Linearised nuisancesAt(Study& study, const Deviation& at, const std::function<void(double)>& progress) {
+    return linearised(
+        study.bench, at,
+        {.parameters = study.calibrated.nuisances, .worth = worthDriving(study), .elsewhere = &study.calibrated.about},
+        progress);
 }
 
 std::vector<DriveGram> everything(const Study& study, const Ground& ground) {

@@ -49,6 +49,9 @@ std::vector<Eigen::Index> thatMatter(const Study& study, const Linearised& about
 // Of the drives on a bench about a point, whose rows are these; with disturbances of the usual sizes.
 Uncertainty uncertaintyOf(Bench& bench, const Deviation& at, const Rows& rows);
 
+// The drives about another point: nuisances anew where they make a difference, all else as about the calibrated car.
+Linearised nuisancesAt(Study& study, const Deviation& at, const std::function<void(double)>& progress);
+
 // Products of the nuisances, all knobs and the residual about a ground that knows the knobs' columns.
 std::vector<DriveGram> everything(const Study& study, const Ground& ground);
 

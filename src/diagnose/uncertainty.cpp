@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "diagnose/noise.h"
+#include "diagnose/spin.h"
 #include "diagnose/study.h"
 #include "identify/parallel.h"
 
@@ -8,6 +11,10 @@ Uncertainty uncertaintyOf(Bench& bench, const Deviation& at, const Rows& rows) {
     const Subject subject = bench.subjectAt(at);
     Uncertainty uncertainty;
     uncertainty.sizes.fill(1);
+    for (std::size_t d = 0; d < bench.drives.size(); ++d) {
+        RecordedDrive& drive = bench.drives[d];
+        drive.until = std::min({drive.until, spinBegins(drive, drive.measured), spinBegins(drive, rows[d])});
+    }
     uncertainty.noise = rowNoise(bench.drives, rows);
     uncertainty.disturbing.resize(bench.drives.size());
     uncertainty.directions.resize(bench.drives.size());

@@ -167,7 +167,8 @@ void judge(Diagnosis& diagnosis, const Study& study, const Screen& screen, const
     const bool varies = same.degrees_of_freedom > 0 && same.q > kThresholds.constancy * same.degrees_of_freedom &&
                         same.p < kThresholds.constancy_p && same.spread > kThresholds.constancy_spread;
     const bool looks_alike =
-        varies && best.log_evidence >= kThresholds.look_alike && inflation.gain > kThresholds.look_alike_inflation;
+        varies && best.log_evidence >= kThresholds.look_alike &&
+        inflation.gain > kThresholds.look_alike_inflation * static_cast<double>(study.bench.drives.size());
     const bool likely_unknown = diagnosis.probability_of_unknown > 0.5;
     if (inflation.gain > kThresholds.unknown || looks_alike || likely_unknown) {
         diagnosis.verdict = Verdict::unknown;

@@ -1,0 +1,39 @@
+#include "diagnose/spin.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tread {
+namespace {
+
+constexpr double kSpins = 0.3;   // rad, of sideslip in the window: twice what a car reaches that is still steered
+constexpr double kWindow = 1.5;  // s
+constexpr double kSlowest = 5;   // m/s, at which an angle of the velocity means much
+
+}  // namespace
+
+double spinBegins(const RecordedDrive& drive, const Eigen::VectorXd& rows) {
+    const auto find = [&](const char* name) {
+        return std::find_if(drive.channels.begin(), drive.channels.end(),
+                            [&](const ObservedChannel& channel) { return channel.name == name; });
+    };
+    const auto ay = find("chassis.ay"), yaw_rate = find("chassis.yaw_rate"), vx = find("chassis.vx");
+    const auto none = drive.channels.end();
+    if (ay == none || yaw_rate == none || vx == none) return kInfinity;
+    const std::vector<double>& times = ay->times;
+    if (times != yaw_rate->times || times != vx->times) return kInfinity;
+
+    const auto window = static_cast<std::size_t>(kWindow / kBlock);
+    std::vector<double> sideslip(times.size(), 0);
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        const double speed = std::max(rows(vx->first_row + row), kSlowest);
+        const double rate = rows(ay->first_row + row) / speed - rows(yaw_rate->first_row + row);
+        sideslip[i] = sideslip[i - 1] + rate * (times[i] - times[i - 1]);
+        const std::size_t before = i > window ? i - window : 0;
+        if (std::abs(sideslip[i] - sideslip[before]) > kSpins) return times[before];
+    }
+    return kInfinity;
+}
+
+}  // namespace tread
