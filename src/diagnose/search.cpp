@@ -105,8 +105,8 @@ bool tried(const std::vector<Candidate>& candidates, std::vector<std::size_t> ef
     });
 }
 
-// Adds effects to a candidate as long as they gain enough.
-void grow(Study& study, const Ground& ground, Candidate from, double none, std::vector<Candidate>& found) {
+// Adds effects to a candidate as long as they gain enough, each about the point where those before it are.
+void grow(Study& study, Ground ground, Candidate from, double none, std::vector<Candidate>& found) {
     while (from.effects.size() < kMostEffects) {
         const std::vector<double> gains = gainsOver(study, ground, from.fit);
         std::optional<Candidate> best;
@@ -124,6 +124,12 @@ void grow(Study& study, const Ground& ground, Candidate from, double none, std::
         }
         if (!best || best->log_evidence < from.log_evidence + kThresholds.further_effect) return;
         from = std::move(*best);
+        if (from.effects.size() == kMostEffects) return;
+        ground = groundAt(study, from.fit, [](double) {});
+        std::optional<Candidate> again = refit(study, ground, from.effects, from.fit.at, none);
+        if (!again) return;
+        std::erase_if(found, [&](const Candidate& one) { return one.effects == from.effects; });
+        found.push_back(from = std::move(*again));
     }
 }
 
@@ -174,7 +180,7 @@ Search search(Study& study, const Screen& screen, const Progress& progress) {
             singles[i] = std::move(*again);
             if (singles[i].fit.gained < kSettled) break;
         }
-        if (singles[i].log_evidence > kThresholds.effect) grow(study, here, singles[i], zero, grown);
+        if (singles[i].log_evidence > kThresholds.effect) grow(study, std::move(here), singles[i], zero, grown);
     }
     result.candidates = std::move(singles);
     result.candidates.insert(result.candidates.end(), grown.begin(), grown.end());
