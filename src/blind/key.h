@@ -35,6 +35,7 @@ struct BlindKey {
     std::string tread_version;
     std::uint64_t seed = 0;
     std::string vehicle;
+    std::string generator;  // another simulator that drove the cars; empty: tread
     std::vector<CaseKey> cases;
 };
 

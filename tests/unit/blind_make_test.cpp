@@ -161,7 +161,7 @@ TEST(BlindMake, RepeatsAreNotAlike) {
 }
 
 TEST(BlindMake, KeyReadsBack) {
-    BlindKey key{"0.1", 42, "car.yaml", {}};
+    BlindKey key{.tread_version = "0.1", .seed = 42, .vehicle = "car.yaml", .generator = "another", .cases = {}};
     key.cases.push_back(drawn(CaseKind::two, 1).key);
     key.cases.push_back(drawn(CaseKind::outside, 1).key);
     EXPECT_EQ(keyText(parseKey(keyText(key), "key.json")), keyText(key));
