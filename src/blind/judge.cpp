@@ -85,13 +85,6 @@ std::map<std::string, Log> cleanDrives(const Truth& truth, std::uint64_t seed, i
     return clean;
 }
 
-bool alike(const CaseKey& a, const CaseKey& b) {
-    BlindKey of_a, of_b;
-    of_a.cases = {a};
-    of_b.cases = {b};
-    return keyText(of_a) == keyText(of_b);
-}
-
 std::vector<Overlay> keptOverlays(const fs::path& answers, const std::string& name,
                                   const std::map<std::string, Log>& clean) {
     std::vector<Overlay> overlays;
@@ -152,7 +145,7 @@ void lookUp(std::vector<CaseAnswer>& found, const BlindKey& key, const fs::path&
         if (answer == found.end() || made.kind != CaseKind::one) continue;
         const int index = static_cast<int>(i);
         const DrawnCase drawn = drawnCase(key.seed, index, made.kind, nominal, shown, made.draw);
-        if (!alike(drawn.key, made)) continue;
+        if (drawn.key != made) continue;
         const std::map<std::string, Log> clean = cleanDrives(drawn.truth, key.seed, index);
         answer->closure_obtained = obtainedClosure(keptOverlays(answers, made.name, clean), clean);
     }

@@ -31,6 +31,7 @@ double axleStiffness(const Params& p, bool front) {
 Params simple() {
     Params p = compact();
     for (Axle* axle : {&p.front, &p.rear}) {
+        axle->unsprung_mass = 0;
         axle->compliance_steer = axle->toe_by_travel = axle->lift_area = 0;
         axle->tyre.rolling_resistance = axle->tyre.camber_stiffness = axle->tyre.trail = 0;
     }

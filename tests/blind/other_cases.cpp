@@ -8,9 +8,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 
+#include "blind/gauges.h"
 #include "blind/make.h"
 #include "blind/other_measure.h"
 #include "diagnose/sha256.h"
@@ -61,6 +63,36 @@ void base(const Options& options) {
         kIdentified);
 }
 
+// How far tread's car is from this one without noise and disturbances: root mean square in units of the instruments'
+// noise over means of 50 ms, as a diagnosis counts it.
+void gap(const Options& options) {
+    constexpr std::size_t kMean = 5;
+    tread::Truth car;
+    car.car.vehicle = tread::loadVehicle(options.vehicle);
+    fmt::print("{:<22}", "");
+    for (const tread::Gauge& gauge : tread::gauges()) {
+        const std::string name(gauge.channel);
+        if (!name.starts_with("driver.")) fmt::print("{:>10}", name.substr(name.find('.') + 1, 9));
+    }
+    for (const tread::Drive& drive : tread::blindDrives()) {
+        const tread::Log other = measure(asKnown(), drive, 1, tread::kIdeal);
+        const tread::Log own = tread::measure(car, drive, 1, tread::kIdeal);
+        fmt::print("\n{:<22}", drive.name);
+        for (const tread::Gauge& gauge : tread::gauges()) {
+            if (gauge.channel.starts_with("driver.")) continue;
+            const auto &x = other.find(gauge.channel)->values, &y = own.find(gauge.channel)->values;
+            double squares = 0, means = 0;
+            for (std::size_t i = 0; i + kMean <= std::min(x.size(), y.size()); i += kMean, ++means) {
+                double mean = 0;
+                for (std::size_t k = i; k < i + kMean; ++k) mean += (x[k] - y[k]) / kMean;
+                squares += mean * mean;
+            }
+            fmt::print("{:>10.2f}", std::sqrt(squares / means) * std::sqrt(kMean) / gauge.noise);
+        }
+    }
+    fmt::print("\n");
+}
+
 void make(const Options& options) {
     const tread::VehicleParams nominal = tread::loadVehicle(options.vehicle);
     const std::vector<tread::Effect> effects = plantable(tread::effectCatalogue(), nominal);
@@ -94,8 +126,10 @@ int main(int argc, char** argv) {
     other_car::Options options;
     CLI::App* base = app.add_subcommand("base", "drives from which to identify a nominal car");
     CLI::App* make = app.add_subcommand("make", "cases, as `tread blind make` makes them");
-    for (CLI::App* one : {base, make}) {
+    CLI::App* gap = app.add_subcommand("gap", "how far a car of tread is from the one that errs in nothing");
+    for (CLI::App* one : {base, make, gap})
         one->add_option("--vehicle", options.vehicle, "nominal car (YAML)")->required();
+    for (CLI::App* one : {base, make}) {
         one->add_option("-o,--output", options.output, "folder")->required();
     }
     make->add_option("--cases", options.cases, "number of cases")->required();
@@ -104,7 +138,9 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     CLI11_PARSE(app, argc, argv);
     try {
-        base->parsed() ? other_car::base(options) : other_car::make(options);
+        if (base->parsed()) other_car::base(options);
+        if (make->parsed()) other_car::make(options);
+        if (gap->parsed()) other_car::gap(options);
     } catch (const std::exception& error) {
         fmt::print(stderr, "other_cases: {}\n", error.what());
         return 2;

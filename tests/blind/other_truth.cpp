@@ -22,6 +22,7 @@ void addAxle(std::vector<SharedNumber>& all, const std::string& axle, Axle& a) {
     const auto same = [&](const char* path, double& value) { all.push_back({axle + path, {&value}, false}); };
     const auto factor = [&](const char* path, double& value) { all.push_back({axle + path, {&value}, true}); };
     factor(".track", a.track);
+    factor(".unsprung_mass", a.unsprung_mass);
     factor(".wheel_inertia", a.wheel_inertia);
     same(".suspension.spring", a.spring);
     same(".suspension.anti_roll_bar", a.anti_roll_bar);

@@ -44,6 +44,7 @@ struct Axle {
     double spring = 0, anti_roll_bar = 0;  // N/m, at the wheel; of the difference of both wheels' travel
     double damping = 0;                    // N s/m, at the wheel
     double roll_axis = 0.08;               // m, height
+    double unsprung_mass = 0;              // kg, of each wheel; does not roll
     double wheel_inertia = 1;              // kg m2, of each
     double compliance_steer = 0;           // rad/N of a wheel's side force
     double toe_by_travel = 0;              // rad/m, toe-in
@@ -58,7 +59,10 @@ struct Axle {
     double travelByRoll() const {
         return 0.5 * track * tyre.radial_stiffness / (spring + 2 * anti_roll_bar + tyre.radial_stiffness);
     }
-    double rollDamping() const { return 0.5 * track * track * damping; }
+    double rollDamping() const {  // N m s/rad; the tyres take their part of the roll
+        const double suspension = tyre.radial_stiffness / (spring + 2 * anti_roll_bar + tyre.radial_stiffness);
+        return 0.5 * track * track * damping * suspension * suspension;
+    }
 };
 
 using Line = std::vector<std::array<double, 2>>;  // of straight pieces
@@ -200,6 +204,25 @@ private:
     }
 
     double rearDistance() const { return p_.wheelbase - p_.front_distance; }
+    // What rolls, and the height of its centre of gravity over the roll axis.
+    struct Body {
+        double mass, arm, inertia;
+    };
+    Body body() const {
+        Body b{p_.mass, p_.mass * p_.height, p_.roll_inertia};
+        for (const Axle* a : {&p_.front, &p_.rear}) {
+            b.mass -= 2 * a->unsprung_mass;
+            b.arm -= 2 * a->unsprung_mass * a->tyre.loaded_radius;
+        }
+        const double height = b.arm / b.mass;
+        for (const Axle* a : {&p_.front, &p_.rear}) {
+            const double lower = p_.height - a->tyre.loaded_radius;
+            b.inertia -= 2 * a->unsprung_mass * (0.25 * a->track * a->track + lower * lower);
+        }
+        b.inertia -= b.mass * (height - p_.height) * (height - p_.height);
+        b.arm = height - (p_.front.roll_axis * rearDistance() + p_.rear.roll_axis * p_.front_distance) / p_.wheelbase;
+        return b;
+    }
     const Axle& axle(int wheel) const { return wheel < 2 ? p_.front : p_.rear; }
 
     // The air's velocity against the car, in its axes.
@@ -217,7 +240,8 @@ private:
             const Axle& a = axle(i);
             const double weight = p_.mass * kGravity * (i == 0 ? lr : lf) / p_.wheelbase - (i == 0 ? pitch : -pitch) -
                                   pressure * a.lift_area;
-            const double geometric = p_.mass * f.ay * (i == 0 ? lr : lf) / p_.wheelbase * a.roll_axis;
+            const double sprung = p_.mass * (i == 0 ? lr : lf) / p_.wheelbase - 2 * a.unsprung_mass;
+            const double geometric = f.ay * (sprung * a.roll_axis + 2 * a.unsprung_mass * a.tyre.loaded_radius);
             const double shift = (a.rollStiffness() * s[kRoll] + a.rollDamping() * s[kRollRate] + geometric) / a.track;
             f.load[i] = std::max(0.0, weight / 2 - shift);  // a turn to the left rolls to the right
             f.load[i + 1] = std::max(0.0, weight / 2 + shift);
@@ -251,7 +275,7 @@ private:
         const double steer =
             (front ? hand / p_.steering_ratio : 0) + a.compliance_steer * f.fy[i] + a.toe_by_travel * travel;
         // Contact point in wheel axes.
-        const double vx = s[kVx] - s[kYawRate] * y, vy = s[kVy] + s[kYawRate] * x;
+        const double vx = s[kVx] - s[kYawRate] * y, vy = s[kVy] + s[kYawRate] * x + s[kRollRate] * body_.arm;
         const double c = std::cos(steer), n = std::sin(steer);
         const double along = std::max(c * vx + n * vy, 0.1), across = -n * vx + c * vy;
         const double kappa = (s[kSpin + i] * a.tyre.rolling_radius - along) / along;
@@ -294,19 +318,18 @@ private:
         f.rate[kVx] = f.ax + s[kYawRate] * s[kVy];
         f.rate[kVy] = f.ay - s[kYawRate] * s[kVx];
         f.rate[kYawRate] = sum.moment / p_.yaw_inertia;
-        // Roll about the roll axis; positive with the right side down.
-        const double axis =
-            (p_.front.roll_axis * rearDistance() + p_.rear.roll_axis * p_.front_distance) / p_.wheelbase;
-        const double arm = p_.height - axis;
+        // Roll of the body about its centre of gravity, positive with the right side down: the side force acts at the
+        // roll axis.
         const double stiffness = p_.front.rollStiffness() + p_.rear.rollStiffness();
         const double damping = p_.front.rollDamping() + p_.rear.rollDamping();
         f.rate[kRoll] = s[kRollRate];
-        f.rate[kRollRate] =
-            (push_[3] + p_.mass * arm * (f.ay + kGravity * s[kRoll]) - stiffness * s[kRoll] - damping * s[kRollRate]) /
-            (p_.roll_inertia + p_.mass * arm * arm);
+        f.rate[kRollRate] = (push_[3] + body_.mass * body_.arm * (f.ay + kGravity * s[kRoll]) - stiffness * s[kRoll] -
+                             damping * s[kRollRate]) /
+                            body_.inertia;
     }
 
     Params p_;
+    Body body_ = body();
     Vector s_{};
     std::array<double, 4> push_{};
 };

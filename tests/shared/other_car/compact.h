@@ -17,6 +17,7 @@ inline Params compact() {
     front.anti_roll_bar = 15000;
     front.damping = 1675;
     front.roll_axis = 0.06;
+    front.unsprung_mass = 38;
     front.wheel_inertia = 1.0;
     front.compliance_steer = -5e-6;
     front.toe_by_travel = -3 * kDegree;
@@ -28,6 +29,7 @@ inline Params compact() {
     rear.anti_roll_bar = 8000;
     rear.damping = 1325;
     rear.roll_axis = 0.11;
+    rear.unsprung_mass = 34;
     rear.wheel_inertia = 0.95;
     rear.compliance_steer = 0.5e-6;
     rear.toe_by_travel = 2 * kDegree;
