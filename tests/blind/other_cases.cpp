@@ -1,10 +1,8 @@
 // Blind cases from a simulator that shares no vehicle code with tread (tests/shared/other_car): the diagnosis must
 // stand its ground where the structure of its model is not that of the car.
 //
-//   other_cases base --vehicle vehicles/compact.yaml -o base           drives of the car as it is known, without
-//   disturbance tread identify base/diagnosis.yaml -o identified                   the nominal car that a user would
-//   have other_cases make --vehicle identified/calibrated.yaml --cases 20 --seed 1 -o cases tread blind score cases
-//   cases.key.json -o score
+//   other_cases make --vehicle vehicles/compact.yaml --cases 20 --seed 1 -o cases
+//   tread blind score cases cases.key.json -o score
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -14,6 +12,7 @@
 
 #include "blind/gauges.h"
 #include "blind/make.h"
+#include "blind/other_match.h"
 #include "blind/other_measure.h"
 #include "diagnose/sha256.h"
 #include "shared/other_car/compact.h"
@@ -32,62 +31,31 @@ struct Options {
     std::uint64_t seed = 0;
 };
 
-// What a user would identify: what data sheets do not tell, and what the other structure needs to come near.
-constexpr const char* kIdentified = R"(tolerances:
-  - {path: "*.tyre.lambda.Ky", relative: 0.3}
-  - {path: "*.tyre.lambda.Kx", relative: 0.3}
-  - {path: "*.tyre.parameters.cFy", relative: 0.5}
-  - {path: "*.suspension.steer_by_lateral_force", absolute: 5e-6}
-  - {path: "*.suspension.anti_roll_bar", relative: 0.4}
-  - {path: "*.suspension.damper.*", relative: 0.4}
-  - {path: "inertia.roll", relative: 0.3}
-  - {path: "inertia.yaw", relative: 0.1}
-  - {path: "driveline.engine.*_scale", relative: 0.2}
-  - {path: "brakes.full_pedal_torque", relative: 0.1}
-fit: ["*.tyre.lambda.Ky", "*.tyre.lambda.Kx", "*.tyre.parameters.cFy", "*.suspension.steer_by_lateral_force",
-      "*.suspension.anti_roll_bar", "*.suspension.damper.bump", "*.suspension.damper.rebound", "inertia.roll",
-      "inertia.yaw", "driveline.engine.*_scale", "brakes.full_pedal_torque"]
-)";
-
-Truth asKnown() {
+Truth asKnown(const tread::VehicleParams& vehicle) {
     Truth truth;
     truth.car = compact();
-    return truth;
-}
-
-void base(const Options& options) {
-    const std::vector<tread::Drive> drives = tread::blindDrives();
-    tread::writeCase(
-        options.output, tread::loadVehicle(options.vehicle), tread::recordingsOf(drives, 1, 0),
-        [](const tread::BlindRecording& one) { return measure(asKnown(), *one.drive, one.seed, tread::kIdeal); },
-        kIdentified);
+    return matched(truth, vehicle);
 }
 
 // How far tread's car is from this one without noise and disturbances: root mean square in units of the instruments'
 // noise over means of 50 ms, as a diagnosis counts it.
 void gap(const Options& options) {
-    constexpr std::size_t kMean = 5;
-    tread::Truth car;
-    car.car.vehicle = tread::loadVehicle(options.vehicle);
+    const tread::VehicleParams vehicle = tread::loadVehicle(options.vehicle);
+    const Truth truth = asKnown(vehicle);
     fmt::print("{:<22}", "");
     for (const tread::Gauge& gauge : tread::gauges()) {
         const std::string name(gauge.channel);
         if (!name.starts_with("driver.")) fmt::print("{:>10}", name.substr(name.find('.') + 1, 9));
     }
     for (const tread::Drive& drive : tread::blindDrives()) {
-        const tread::Log other = measure(asKnown(), drive, 1, tread::kIdeal);
-        const tread::Log own = tread::measure(car, drive, 1, tread::kIdeal);
+        const tread::Log other = measure(truth, drive, 1, tread::kIdeal), own = drivenByTread(vehicle, drive);
         fmt::print("\n{:<22}", drive.name);
         for (const tread::Gauge& gauge : tread::gauges()) {
             if (gauge.channel.starts_with("driver.")) continue;
-            const auto &x = other.find(gauge.channel)->values, &y = own.find(gauge.channel)->values;
-            double squares = 0, means = 0;
-            for (std::size_t i = 0; i + kMean <= std::min(x.size(), y.size()); i += kMean, ++means) {
-                double mean = 0;
-                for (std::size_t k = i; k < i + kMean; ++k) mean += (x[k] - y[k]) / kMean;
-                squares += mean * mean;
-            }
-            fmt::print("{:>10.2f}", std::sqrt(squares / means) * std::sqrt(kMean) / gauge.noise);
+            const std::vector<double> x = means(other, gauge.channel), y = means(own, gauge.channel);
+            double squares = 0;
+            for (std::size_t i = 0; i < x.size(); ++i) squares += (x[i] - y[i]) * (x[i] - y[i]);
+            fmt::print("{:>10.2f}", std::sqrt(squares / static_cast<double>(x.size())) / noiseOfMeans(gauge));
         }
     }
     fmt::print("\n");
@@ -95,6 +63,7 @@ void gap(const Options& options) {
 
 void make(const Options& options) {
     const tread::VehicleParams nominal = tread::loadVehicle(options.vehicle);
+    const Truth known = asKnown(nominal);
     const std::vector<tread::Effect> effects = plantable(tread::effectCatalogue(), nominal);
     const std::vector<tread::Drive> drives = tread::blindDrives();
     tread::BlindKey key;
@@ -105,7 +74,7 @@ void make(const Options& options) {
         const auto index = static_cast<std::size_t>(i);
         tread::Random random(tread::seedOf(options.seed, index));
         const tread::CaseKind kind = tread::caseKind(options.kinds[index % options.kinds.size()]);
-        Drawn drawn = draw(asKnown(), nominal, effects, kind, random);
+        Drawn drawn = draw(known, nominal, effects, kind, random);
         drawn.key.name = fmt::format("case_{:03}", i + 1);
         tread::writeCase(fs::path(options.output) / drawn.key.name, nominal,
                          tread::recordingsOf(drives, options.seed, i),
@@ -124,21 +93,16 @@ void make(const Options& options) {
 int main(int argc, char** argv) {
     CLI::App app{"blind cases from another simulator"};
     other_car::Options options;
-    CLI::App* base = app.add_subcommand("base", "drives from which to identify a nominal car");
     CLI::App* make = app.add_subcommand("make", "cases, as `tread blind make` makes them");
     CLI::App* gap = app.add_subcommand("gap", "how far a car of tread is from the one that errs in nothing");
-    for (CLI::App* one : {base, make, gap})
-        one->add_option("--vehicle", options.vehicle, "nominal car (YAML)")->required();
-    for (CLI::App* one : {base, make}) {
-        one->add_option("-o,--output", options.output, "folder")->required();
-    }
+    for (CLI::App* one : {make, gap}) one->add_option("--vehicle", options.vehicle, "nominal car (YAML)")->required();
+    make->add_option("-o,--output", options.output, "folder")->required();
     make->add_option("--cases", options.cases, "number of cases")->required();
     make->add_option("--seed", options.seed, "another number, other cases")->required();
     make->add_option("--kinds", options.kinds, "one or none, repeated in this order");
     app.require_subcommand(1);
     CLI11_PARSE(app, argc, argv);
     try {
-        if (base->parsed()) other_car::base(options);
         if (make->parsed()) other_car::make(options);
         if (gap->parsed()) other_car::gap(options);
     } catch (const std::exception& error) {
