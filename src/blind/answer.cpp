@@ -65,6 +65,7 @@ CaseAnswer answerOf(const std::string& name, const Diagnosis& d) {
     answer.probability_of_unknown = d.probability_of_unknown;
     answer.testable = d.testable;
     answer.generalised_force = d.unexplained.generalised_force;
+    answer.baselines = d.baselines;
     answer.closure = d.how_far.closure;
     answer.closure_low = d.how_far.closure_low;
     answer.closure_high = d.how_far.closure_high;
@@ -98,6 +99,7 @@ std::string answerText(const CaseAnswer& a) {
                     {"probability_of_unknown", jsonOf(a.probability_of_unknown)},
                     {"testable", testable},
                     {"generalised_force", a.generalised_force},
+                    {"baselines", Json(baselinesJson(a.baselines))},
                     {"closure", jsonOf(a.closure)},
                     {"closure_low", jsonOf(a.closure_low)},
                     {"closure_high", jsonOf(a.closure_high)},
@@ -122,6 +124,8 @@ CaseAnswer parseAnswer(std::string_view text, const std::string& file) {
         a.probability_of_unknown = numberOf(json.at("probability_of_unknown"));
         for (const auto& [name, nats] : json.at("testable").items()) a.testable[name] = numberOf(nats);
         a.generalised_force = json.at("generalised_force");
+        if (const auto simpler = json.find("baselines"); simpler != json.end())  // older answers have none
+            a.baselines = {simpler->at("largest_reduction"), simpler->at("bic")};
         a.closure = numberOf(json.at("closure"));
         a.closure_low = numberOf(json.at("closure_low"));
         a.closure_high = numberOf(json.at("closure_high"));

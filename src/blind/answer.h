@@ -19,6 +19,7 @@ struct CaseAnswer {
     double probability_of_nothing = 0, probability_of_unknown = 0;
     std::map<std::string, double> testable;  // nats
     std::string generalised_force;
+    Baselines baselines;
     double closure = 0, closure_low = 0, closure_high = 0;
     double closure_obtained = std::numeric_limits<double>::quiet_NaN();  // against the car without its noise
     double seconds = 0;

@@ -135,7 +135,7 @@ std::vector<CaseAnswer> judge(const fs::path& cases, const fs::path& answers, co
 
 void lookUp(std::vector<CaseAnswer>& found, const BlindKey& key, const fs::path& cases, const fs::path& answers,
             const std::vector<Effect>& effects) {
-    if (key.cases.empty()) return;
+    if (key.cases.empty() || !key.generator.empty()) return;
     const VehicleParams nominal = loadVehicle(cases / key.cases.front().name / "vehicle.yaml");
     const std::vector<Effect> shown = shownEffects(nominal, effects);
     for (std::size_t i = 0; i < key.cases.size(); ++i) {
@@ -145,7 +145,7 @@ void lookUp(std::vector<CaseAnswer>& found, const BlindKey& key, const fs::path&
         if (answer == found.end() || made.kind != CaseKind::one) continue;
         const int index = static_cast<int>(i);
         const DrawnCase drawn = drawnCase(key.seed, index, made.kind, nominal, shown, made.draw);
-        if (keyText({"", 0, "", {drawn.key}}) != keyText({"", 0, "", {made}})) continue;
+        if (drawn.key != made) continue;
         const std::map<std::string, Log> clean = cleanDrives(drawn.truth, key.seed, index);
         answer->closure_obtained = obtainedClosure(keptOverlays(answers, made.name, clean), clean);
     }

@@ -28,7 +28,7 @@ std::vector<CaseAnswer> judge(const std::filesystem::path& cases, const std::fil
                               const Diagnoser& diagnose, const JudgeOptions& options = {});
 
 // Fills in `closure_obtained`, with the key: the cars are drawn again and driven without noise. Left out where the
-// catalogue or the nominal car is no longer that of the key.
+// catalogue or the nominal car is no longer that of the key, and where another simulator drove them.
 void lookUp(std::vector<CaseAnswer>& found, const BlindKey& key, const std::filesystem::path& cases,
             const std::filesystem::path& answers, const std::vector<Effect>& effects);
 

@@ -55,15 +55,22 @@ CaseKind caseKind(std::string_view name) {
 std::string keyText(const BlindKey& key) {
     Json cases = Json::array();
     for (const CaseKey& one : key.cases) cases.push_back(jsonOf(one));
-    const Json json{
-        {"tread_version", key.tread_version}, {"seed", key.seed}, {"vehicle", key.vehicle}, {"cases", cases}};
+    const Json json{{"tread_version", key.tread_version},
+                    {"seed", key.seed},
+                    {"vehicle", key.vehicle},
+                    {"generator", key.generator},
+                    {"cases", cases}};
     return json.dump(2) + "\n";
 }
 
 BlindKey parseKey(std::string_view text, const std::string& file) {
     try {
         const Json json = Json::parse(text);
-        BlindKey key{json.at("tread_version"), json.at("seed"), json.at("vehicle"), {}};
+        BlindKey key{.tread_version = json.at("tread_version"),
+                     .seed = json.at("seed"),
+                     .vehicle = json.at("vehicle"),
+                     .generator = json.value("generator", ""),
+                     .cases = {}};
         for (const Json& one : json.at("cases")) key.cases.push_back(caseOf(one));
         return key;
     } catch (const Json::exception& error) {

@@ -19,6 +19,7 @@ struct PlantedNumber {
     double nominal = 0;
     double value = 0;   // of the car that was driven, its small error included
     double change = 0;  // that the effect makes, in units of its typical size
+    bool operator==(const PlantedNumber&) const = default;
 };
 
 struct CaseKey {
@@ -29,12 +30,14 @@ struct CaseKey {
     std::string outsider;              // of none, in the kind `outside`
     std::vector<std::string> generalised_forces;   // of these one is where it must be found; none: an instrument
     std::map<std::string, PlantedNumber> numbers;  // of the effects, by path
+    bool operator==(const CaseKey&) const = default;
 };
 
 struct BlindKey {
     std::string tread_version;
     std::uint64_t seed = 0;
     std::string vehicle;
+    std::string generator;  // another simulator that drove the cars; empty: tread
     std::vector<CaseKey> cases;
 };
 

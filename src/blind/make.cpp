@@ -61,16 +61,16 @@ std::string diagnosisYaml(const std::vector<BlindRecording>& recordings) {
     return text;
 }
 
-void writeCase(const DrawnCase& drawn, const VehicleParams& nominal, const std::filesystem::path& place,
-               const std::vector<BlindRecording>& recordings) {
-    std::filesystem::create_directories(place);
-    for (const BlindRecording& one : recordings)
-        writeLog(place / (one.name + ".csv"), measure(drawn.truth, *one.drive, one.seed));
-    writeText(place / "vehicle.yaml", vehicleYaml(nominal));
-    writeText(place / "diagnosis.yaml", diagnosisYaml(recordings));
-}
-
 }  // namespace
+
+void writeCase(const std::filesystem::path& place, const VehicleParams& nominal,
+               const std::vector<BlindRecording>& recordings, const std::function<Log(const BlindRecording&)>& driven,
+               const std::string& more) {
+    std::filesystem::create_directories(place);
+    for (const BlindRecording& one : recordings) writeLog(place / (one.name + ".csv"), driven(one));
+    writeText(place / "vehicle.yaml", vehicleYaml(nominal));
+    writeText(place / "diagnosis.yaml", diagnosisYaml(recordings) + more);
+}
 
 std::vector<BlindRecording> recordingsOf(const std::vector<Drive>& drives, std::uint64_t seed, int index) {
     std::vector<BlindRecording> recordings;
@@ -94,7 +94,11 @@ DrawnCase drawnCase(std::uint64_t seed, int index, CaseKind kind, const VehicleP
 
 BlindKey makeCases(const BlindOrder& order, const VehicleParams& nominal, const std::vector<Effect>& effects,
                    const std::filesystem::path& folder, const std::function<void(int cases)>& progress) {
-    BlindKey key{order.tread_version, order.seed, order.vehicle, {}};
+    BlindKey key{.tread_version = order.tread_version,
+                 .seed = order.seed,
+                 .vehicle = order.vehicle,
+                 .generator = {},
+                 .cases = {}};
     const std::vector<Drive> drives = blindDrives();
     const std::vector<CaseKind> kinds = kindsOf(order);
     const std::vector<Effect> shown = shownEffects(nominal, effects);
@@ -103,7 +107,8 @@ BlindKey makeCases(const BlindOrder& order, const VehicleParams& nominal, const 
         for (int draw = 0;; ++draw) {
             const DrawnCase drawn = drawnCase(order.seed, i, kind, nominal, shown, draw);
             try {
-                writeCase(drawn, nominal, folder / drawn.key.name, recordingsOf(drives, order.seed, i));
+                writeCase(folder / drawn.key.name, nominal, recordingsOf(drives, order.seed, i),
+                          [&](const BlindRecording& one) { return measure(drawn.truth, *one.drive, one.seed); });
                 key.cases.push_back(drawn.key);
                 break;
             } catch (const SimulationError&) {  // a car that nobody would drive

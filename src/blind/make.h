@@ -38,4 +38,9 @@ struct BlindRecording {
 };
 std::vector<BlindRecording> recordingsOf(const std::vector<Drive>& drives, std::uint64_t seed, int index);
 
+// A case in its folder: the logs that are driven, the nominal car, and diagnosis.yaml, with `more` lines at its end.
+void writeCase(const std::filesystem::path& place, const VehicleParams& nominal,
+               const std::vector<BlindRecording>& recordings, const std::function<Log(const BlindRecording&)>& driven,
+               const std::string& more = {});
+
 }  // namespace tread

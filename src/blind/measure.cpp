@@ -68,6 +68,8 @@ Pushing pushing(const Truth& truth, const Conditions& conditions, std::uint64_t 
     };
 }
 
+}  // namespace
+
 void vibrate(Log& log, std::uint64_t seed) {
     Random random(seed);
     const double frequency = kVibration + kVibrationSpread * (2 * random.uniform() - 1);
@@ -81,8 +83,6 @@ void vibrate(Log& log, std::uint64_t seed) {
             shaken->values[i] += gauge.vibration * std::sin(2 * std::numbers::pi * frequency * time[i] + phase);
     }
 }
-
-}  // namespace
 
 Log measure(const Truth& truth, const Drive& drive, std::uint64_t seed, const Conditions& conditions) {
     Log log;

@@ -22,4 +22,7 @@ inline constexpr Conditions kIdeal{
 // Channels as gauges() has them and `driveline.gear`, 100 rows a second. Throws SimulationError.
 Log measure(const Truth& truth, const Drive& drive, std::uint64_t seed, const Conditions& conditions = {});
 
+// Adds what engine and road shake the instruments with.
+void vibrate(Log& log, std::uint64_t seed);
+
 }  // namespace tread

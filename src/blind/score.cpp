@@ -63,11 +63,15 @@ class Counter {
 public:
     Counter() {
         add("named_first", "one effect, testable: named first", 0.95);
+        add("largest_reduction_first", "  the same, by the largest reduction of the gap alone", 0);
+        add("bic_first", "  the same, by the information criterion BIC with free tolerances", 0);
         add("named_alone", "one effect, testable: named, and nothing else", 0);
         add("among_first_two", "one effect, testable: among the first two", 0);
         add("named_first_any", "one effect, testable or not: named first", 0);
         add("in_credible_set", "one effect: in the set that holds 90 %", 0.9);
         add("false_alarm", "no effect: false alarm", 0.02, false);
+        add("largest_reduction_false_alarm", "  the same, by the largest reduction of the gap alone", 0, false);
+        add("bic_false_alarm", "  the same, by the information criterion BIC with free tolerances", 0, false);
         add("pair_exact", "two effects: both named, and nothing else", 0.85);
         add("pair_one_first", "two effects: one of them named first", 0.98);
         add("detected", "something is wrong and testable: detected", 0);
@@ -94,12 +98,18 @@ public:
         count("in_credible_set", has(answer.credible_set, truth) || !testable(key, answer));
         if (!testable(key, answer)) return;
         count("named_first", first && named);
+        baselines("_first", answer, [&](const std::string& claim) { return claim == truth; });
         count("named_alone", answer.verdict == Verdict::explained && alike(answer.causes, key.effects));
         count("among_first_two", named && (first || (answer.effects.size() > 1 && answer.effects[1].name == truth)));
         if (std::isfinite(answer.closure_obtained) && blames(answer)) {
             count("closure_covered",
                   answer.closure_low <= answer.closure_obtained && answer.closure_obtained <= answer.closure_high);
         }
+    }
+
+    void none(const CaseAnswer& answer) {
+        count("false_alarm", alarms(answer));
+        baselines("_false_alarm", answer, [](const std::string& claim) { return claim != "none"; });
     }
 
     void two(const CaseKey& key, const CaseAnswer& answer) {
@@ -124,6 +134,14 @@ public:
     std::vector<Figure> figures;
 
 private:
+    // What simpler methods claim, where the answer tells it.
+    template <class Hit>
+    void baselines(const std::string& figure, const CaseAnswer& answer, Hit hit) {
+        const auto& [largest_reduction, bic] = answer.baselines;
+        if (!largest_reduction.empty()) count("largest_reduction" + figure, hit(largest_reduction));
+        if (!bic.empty()) count("bic" + figure, hit(bic));
+    }
+
     void add(const std::string& name, const std::string& what, double target, bool at_least = true) {
         figures.push_back({name, what, 0, 0, target, at_least});
     }
@@ -138,7 +156,7 @@ void countCase(Counter& counter, const CaseKey& key, const CaseAnswer& answer) {
             counter.two(key, answer);
             break;
         case CaseKind::none:
-            counter.count("false_alarm", alarms(answer));
+            counter.none(answer);
             break;
         case CaseKind::outside:
             counter.outside(key, answer);

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "diagnose/baselines.h"
 #include "diagnose/calibrate.h"
 #include "diagnose/diagnosis.h"
 #include "diagnose/how_far.h"
@@ -79,6 +80,7 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std:
 
     // Which effect.
     const Screen screened = screen(study, grams);
+    diagnosis.baselines = baselines(study);
     const Search found = search(study, screened, progress(0.4, 0.9));
     const Inflation larger = inflation(study, found.best().fit);
     judge(diagnosis, study, screened, found, larger);

@@ -68,6 +68,12 @@ struct Unexplained {
     std::string when;
 };
 
+// What simpler methods would answer: the name of one effect, or "none".
+struct Baselines {
+    std::string largest_reduction;  // of the squared gap, by one effect and nothing else
+    std::string bic;                // least Bayesian information criterion, tolerances free, disturbances unheard of
+};
+
 // Time histories for the report and the logs: measured, nominal, calibrated and with the effect.
 struct Overlay {
     std::string recording;
@@ -90,6 +96,7 @@ struct Diagnosis {
     Unexplained unexplained;
     std::vector<std::string> credible_set;
     std::map<std::string, double> constancy;  // p of one value in all drives
+    Baselines baselines;
     std::vector<std::string> data_warnings;
     double seconds = 0;
     int simulations = 0;

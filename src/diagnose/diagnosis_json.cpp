@@ -63,6 +63,10 @@ Json effectJson(const RankedEffect& effect) {
             {"parameters", parametersOf(effect)}};
 }
 
+Json baselinesJson(const Baselines& baselines) {
+    return {{"largest_reduction", baselines.largest_reduction}, {"bic", baselines.bic}};
+}
+
 Json diagnosisJson(const Diagnosis& d) {
     Json nuisance = Json::object();
     for (const auto& [path, n] : d.nuisance) nuisance[path] = {{"value", n.value}, {"sd", n.sd}, {"z", n.z}};
@@ -101,6 +105,7 @@ Json diagnosisJson(const Diagnosis& d) {
               {"when", d.unexplained.when}}},
             {"credible_set", d.credible_set},
             {"constancy", d.constancy},
+            {"baselines", baselinesJson(d.baselines)},
             {"data_warnings", d.data_warnings},
             {"seconds", d.seconds},
             {"simulations", d.simulations}};

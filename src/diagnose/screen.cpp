@@ -12,15 +12,6 @@ namespace {
 constexpr double kAlike = 0.9;  // cosine from which a pair is worth naming, when it is also not separable
 constexpr std::size_t kMostPairs = 30;
 
-// Places of an effect's knobs among all knobs.
-std::vector<Eigen::Index> placesOf(const Study& study, std::size_t effect) {
-    Eigen::Index first = 0;
-    for (std::size_t e = 0; e < effect; ++e) first += static_cast<Eigen::Index>(study.knobs[e].size());
-    std::vector<Eigen::Index> places(study.knobs[effect].size());
-    std::iota(places.begin(), places.end(), first);
-    return places;
-}
-
 // Linear evidence of knobs with these products; what lies beyond a bound counts only up to it.
 double gain(const Study& study, const Eigen::MatrixXd& products, std::size_t effect,
             const std::vector<Eigen::Index>& places, const Deviation& at) {
@@ -47,6 +38,14 @@ Eigen::MatrixXd withoutNuisances(const Gram& gram, std::size_t nuisances) {
 
 }  // namespace
 
+std::vector<Eigen::Index> placesOf(const Study& study, std::size_t effect) {
+    Eigen::Index first = 0;
+    for (std::size_t e = 0; e < effect; ++e) first += static_cast<Eigen::Index>(study.knobs[e].size());
+    std::vector<Eigen::Index> places(study.knobs[effect].size());
+    std::iota(places.begin(), places.end(), first);
+    return places;
+}
+
 Screen screen(const Study& study, const std::vector<DriveGram>& grams) {
     Screen result;
     const Gram gram = total(grams, study.uncertainty, study.uncertainty.sizes);
@@ -61,7 +60,8 @@ Screen screen(const Study& study, const std::vector<DriveGram>& grams) {
     return result;
 }
 
-std::vector<double> gainsOver(const Study& study, const Ground& ground, const Fit& fit) {
+Eigen::MatrixXd productsOver(const Study& study, const Ground& ground, const Fit& fit,
+                             const std::array<double, kDisturbances>& sizes) {
     std::vector<DriveGram> grams;
     const std::vector<Eigen::Index> knobs = study.allKnobs();
     for (std::size_t d = 0; d < fit.rows.size(); ++d) {
@@ -72,12 +72,16 @@ std::vector<double> gainsOver(const Study& study, const Ground& ground, const Fi
         const DriveGram free = driveGram(fit.columns[d], study.uncertainty.directions[d]);
         grams.push_back(extended(free, fit.columns[d], study.uncertainty.directions[d], further));
     }
-    Gram gram = total(grams, study.uncertainty, study.uncertainty.sizes);
+    Gram gram = total(grams, study.uncertainty, sizes);
     // The prior pulls the fitted parameters back: that is a gradient, too.
     const auto free = static_cast<Eigen::Index>(fit.free.size());
     gram.products.topRightCorner(free, 1) -= fit.at(fit.free);
     gram.products.bottomLeftCorner(1, free) = gram.products.topRightCorner(free, 1).transpose();
-    const Eigen::MatrixXd products = withoutNuisances(gram, fit.free.size());
+    return withoutNuisances(gram, fit.free.size());
+}
+
+std::vector<double> gainsOver(const Study& study, const Ground& ground, const Fit& fit) {
+    const Eigen::MatrixXd products = productsOver(study, ground, fit, study.uncertainty.sizes);
     std::vector<double> gains;
     for (std::size_t e = 0; e < study.effects.size(); ++e)
         gains.push_back(gain(study, products, e, placesOf(study, e), fit.at));

@@ -2,6 +2,7 @@
 // and told from the others?) and with them.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,14 @@ struct Screen {
     Eigen::MatrixXd products;           // of all knobs, then the residual; nuisances and disturbances projected out
 };
 Screen screen(const Study& study, const std::vector<DriveGram>& grams);
+
+// Places of an effect's knobs among all knobs.
+std::vector<Eigen::Index> placesOf(const Study& study, std::size_t effect);
+
+// Products of all knobs and then the residual of a fit, from the columns about `ground`; what the fit has free and
+// disturbances of these sizes projected out.
+Eigen::MatrixXd productsOver(const Study& study, const Ground& ground, const Fit& fit,
+                             const std::array<double, kDisturbances>& sizes);
 
 // Linear evidence that each effect would add to a fit that has some already, from the columns about `ground`.
 std::vector<double> gainsOver(const Study& study, const Ground& ground, const Fit& fit);

@@ -24,15 +24,18 @@ Car driven(const Params& params, double speed, double seconds, const std::functi
 double axleStiffness(const Params& p, bool front) {
     const Tyre& tyre = front ? p.front.tyre : p.rear.tyre;
     const double arm = front ? p.wheelbase - p.front_distance : p.front_distance;
-    const double load = p.mass * kGravity * arm / p.wheelbase / 2;
-    return 2 * tyre.stiffness * (1 + tyre.stiffness_by_load * (load / tyre.nominal_load - 1));
+    const double x = p.mass * kGravity * arm / p.wheelbase / 2 / tyre.stiffness_load;
+    return 2 * tyre.stiffness * 2 * x / (1 + x * x);  // sin(2 arctan x)
 }
 
 Params simple() {
     Params p = compact();
-    p.front.compliance_steer = p.rear.compliance_steer = 0;
-    p.front.tyre.rolling_resistance = p.rear.tyre.rolling_resistance = 0;
-    p.drag_area = p.drive_drag = 0;
+    for (Axle* axle : {&p.front, &p.rear}) {
+        axle->unsprung_mass = 0;
+        axle->compliance_steer = axle->toe_by_travel = axle->lift_area = 0;
+        axle->tyre.rolling_resistance = axle->tyre.camber_stiffness = axle->tyre.trail = 0;
+    }
+    p.drag_area = p.side_area = p.yaw_volume = p.drag_scale = 0;
     return p;
 }
 
@@ -54,7 +57,7 @@ TEST(OtherCar, RollAngleIsMomentOverStiffness) {
     const double axis =
         (p.front.roll_axis * (p.wheelbase - p.front_distance) + p.rear.roll_axis * p.front_distance) / p.wheelbase;
     const double arm = p.height - axis, ay = car.forces({.hand_wheel = 0.3}).ay;
-    const double stiffness = p.front.roll_stiffness + p.rear.roll_stiffness - p.mass * kGravity * arm;
+    const double stiffness = p.front.rollStiffness() + p.rear.rollStiffness() - p.mass * kGravity * arm;
     EXPECT_GT(ay, 2);
     EXPECT_NEAR(car.state()[kRoll], p.mass * ay * arm / stiffness, 0.01 * p.mass * ay * arm / stiffness);
 }
@@ -74,8 +77,13 @@ TEST(OtherCar, BrakesDecelerateTheMassAndTheWheels) {
     const Params p = simple();
     constexpr double kPedal = 0.2;
     const Car car = driven(p, 30, 1, [](double) { return Input{.brake = kPedal}; });
-    const double inertia = 2 * (p.front.wheel_inertia + p.rear.wheel_inertia) / (p.wheel_radius * p.wheel_radius);
-    const double expected = kPedal * p.brake_torque / p.wheel_radius / (p.mass + inertia);
+    const double front = 2 * p.front.wheel_inertia + p.engine_inertia * p.drive_ratio * p.drive_ratio;
+    const auto mass = [](double inertia, const Tyre& t) { return inertia / (t.rolling_radius * t.loaded_radius); };
+    const double wheels = mass(front, p.front.tyre) + mass(2 * p.rear.wheel_inertia, p.rear.tyre);
+    const double force =
+        kPedal * p.brake_torque *
+        (p.brake_front_share / p.front.tyre.loaded_radius + (1 - p.brake_front_share) / p.rear.tyre.loaded_radius);
+    const double expected = force / (p.mass + wheels);
     EXPECT_NEAR(-car.forces({.brake = kPedal}).ax, expected, 0.01 * expected);
 }
 
@@ -86,7 +94,7 @@ TEST(OtherCar, SideForceRelaxesOverItsLength) {
     constexpr double kSpeed = 20;
     Car car(p, kSpeed);
     const Input turned{.hand_wheel = 0.01};
-    const double time = p.front.tyre.relaxation / kSpeed;
+    const double length = axleStiffness(p, true) / 2 / p.front.tyre.carcass, time = length / kSpeed;
     for (int i = 0; i < static_cast<int>(std::lround(time / 1e-4)); ++i) car.step(turned, turned, 1e-4);
     EXPECT_NEAR(car.state()[kAlpha], (1 - std::exp(-1)) * 0.01 / p.steering_ratio, 0.05 * 0.01 / p.steering_ratio);
 }
@@ -95,7 +103,7 @@ TEST(OtherCar, TyreGivesItsFrictionAndNoMore) {
     const Tyre tyre = compact().front.tyre;
     double most = 0;
     for (int i = 0; i < 100; ++i) {
-        const TyreForce f = force(tyre, tyre.nominal_load, -0.003 * i, 0.004 * i);
+        const TyreForce f = force(tyre, tyre.nominal_load, 1, -0.003 * i, 0.004 * i, 0);
         most = std::max(most, std::hypot(f.fx, f.fy));
     }
     EXPECT_NEAR(most, tyre.friction * tyre.nominal_load, 0.01 * tyre.friction * tyre.nominal_load);

@@ -115,6 +115,14 @@ TEST_F(DiagnoseCommand, CheckSaysWhatOneRecordingAloneCannotTell) {
     expectWarned(checked(), "no recording is held out");
 }
 
+TEST_F(DiagnoseCommand, CheckFindsTheFileOfAnotherCar) {
+    recorded("a.csv", slalom());
+    diagnosis();
+    EXPECT_EQ(checked().out.find("With the file of another car"), std::string::npos);
+    diagnosis("vehicle_settings: [steering.ratio=5]\n");
+    expectWarned(checked(), "With the file of another car every effect would be fitted to that");
+}
+
 TEST_F(DiagnoseCommand, CheckFindsGaps) {
     Log log = slalom();
     for (std::size_t i = 200; i < 260; ++i) log.channels[3].values[i] = std::nan("");

@@ -66,6 +66,7 @@ inline Diagnosis sampleDiagnosis() {
     d.unexplained = {0.02, "lateral", "above 3 Hz"};
     d.credible_set = {"tyre_relaxation"};
     d.constancy = {{"tyre_relaxation", 0.44}, {"steering_delay", 0.002}};
+    d.baselines = {"steering_delay", "tyre_relaxation"};
     d.data_warnings = {
         "coast_down, chassis.roll: changes only at about 20 Hz: a slower source, held between its values."};
     d.seconds = 41;

@@ -100,6 +100,18 @@ TEST(BlindJudge, ClosureObtainedIsLookedUpInTheCarThatWasDriven) {
     EXPECT_LT(answers[0].closure_obtained, 1);
 }
 
+TEST(BlindJudge, CarsOfAnotherSimulatorAreNotDrawnAgain) {
+    const Scratch scratch;
+    BlindKey key = made(scratch, 1);
+    key.generator = "another simulator";
+    CaseAnswer answer;
+    answer.name = "case_001";
+    answer.closure_obtained = 0.5;
+    std::vector<CaseAnswer> answers{answer};
+    lookUp(answers, key, scratch.path("cases"), scratch.path("answers"), kEffects);
+    EXPECT_EQ(answers[0].closure_obtained, 0.5);
+}
+
 TEST(BlindReport, SaysTheFiguresAndTheHashOfTheKey) {
     CaseKey key;
     key.name = "case_001";

@@ -145,8 +145,7 @@ TEST(BlindMake, CaseIsDrawnAgainFromItsSeedAndKind) {
     const BlindKey key = makeCases(order, reference::compact(), kEffects, scratch.path("cases"));
     for (int i = 0; i < order.cases; ++i) {
         const CaseKey& made = key.cases[static_cast<std::size_t>(i)];
-        const BlindKey again{"", 0, "", {drawnCase(9, i, made.kind, reference::compact(), kEffects).key}};
-        EXPECT_EQ(keyText(again), keyText({"", 0, "", {made}}));
+        EXPECT_EQ(drawnCase(9, i, made.kind, reference::compact(), kEffects).key, made);
     }
 }
 
@@ -161,7 +160,7 @@ TEST(BlindMake, RepeatsAreNotAlike) {
 }
 
 TEST(BlindMake, KeyReadsBack) {
-    BlindKey key{"0.1", 42, "car.yaml", {}};
+    BlindKey key{.tread_version = "0.1", .seed = 42, .vehicle = "car.yaml", .generator = "another", .cases = {}};
     key.cases.push_back(drawn(CaseKind::two, 1).key);
     key.cases.push_back(drawn(CaseKind::outside, 1).key);
     EXPECT_EQ(keyText(parseKey(keyText(key), "key.json")), keyText(key));

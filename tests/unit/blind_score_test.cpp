@@ -97,6 +97,27 @@ TEST(BlindScore, FalseAlarmsArePairsUnknownsAndSinglesAlike) {
     EXPECT_EQ(result.figure("false_alarm").of, 4);
 }
 
+TEST(BlindScore, BaselinesAreCountedWhereTheyAreKnown) {
+    const std::vector<CaseKey> keys{keyOf("a", CaseKind::one, {"drag"}), keyOf("b", CaseKind::one, {"drag"}),
+                                    keyOf("c", CaseKind::none), keyOf("d", CaseKind::one, {"drag"})};
+    std::vector<CaseAnswer> answers{answerOf("a", Verdict::explained, {"drag"}),
+                                    answerOf("b", Verdict::explained, {"drag"}), answerOf("c", Verdict::nothing),
+                                    answerOf("d", Verdict::explained, {"drag"})};
+    answers[0].baselines = {.largest_reduction = "drag", .bic = "drag"};
+    answers[1].baselines = {.largest_reduction = "mass", .bic = "drag"};
+    answers[2].baselines = {.largest_reduction = "mass", .bic = "none"};
+    const BlindScore result = score(keys, answers);
+    EXPECT_EQ(result.figure("named_first").hits, 3);
+    EXPECT_EQ(result.figure("largest_reduction_first").hits, 1);
+    EXPECT_EQ(result.figure("largest_reduction_first").of, 2);
+    EXPECT_EQ(result.figure("bic_first").hits, 2);
+    EXPECT_EQ(result.figure("largest_reduction_false_alarm").hits, 1);
+    EXPECT_EQ(result.figure("bic_false_alarm").hits, 0);
+    EXPECT_EQ(result.figure("bic_false_alarm").of, 1);
+    const std::string text = scoreText(result);
+    EXPECT_NE(text.find("by the largest reduction"), std::string::npos) << text;
+}
+
 TEST(BlindScore, PairIsExactInAnyOrder) {
     const std::vector<CaseKey> keys{keyOf("a", CaseKind::two, {"drag", "mass"}),
                                     keyOf("b", CaseKind::two, {"drag", "mass"}),
@@ -158,6 +179,7 @@ TEST(BlindScore, AnswerReadsBack) {
     CaseAnswer answer = answerOf("a", Verdict::ambiguous, {"drag", "mass"});
     answer.effects[0].parameters["mass"].value = 1500;
     answer.closure_obtained = 0.9;
+    answer.baselines = {.largest_reduction = "mass", .bic = "none"};
     EXPECT_EQ(answerText(parseAnswer(answerText(answer), "a.json")), answerText(answer));
     EXPECT_THROW(parseAnswer("{}", "a.json"), LoadError);
 }

@@ -28,7 +28,8 @@ std::string withoutSlash(std::string folder) {
 }
 
 std::string madeOf(const BlindKey& key) {
-    return fmt::format("{} cases of seed {}, {}", key.cases.size(), key.seed, key.vehicle);
+    const std::string by = key.generator.empty() ? "" : ", driven by " + key.generator;
+    return fmt::format("{} cases of seed {}, {}{}", key.cases.size(), key.seed, key.vehicle, by);
 }
 
 // A case as `tread blind make` wrote it.
