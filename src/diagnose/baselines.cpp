@@ -37,8 +37,7 @@ Eigen::MatrixXd plainProducts(const Study& study) {
     Eigen::MatrixXd products = Eigen::MatrixXd::Zero(n + 1, n + 1);
     for (std::size_t d = 0; d < study.nominal.size(); ++d) {
         Eigen::MatrixXd columns(study.nominal[d].size(), n + 1);
-        columns.leftCols(n) = study.calibrated.about.columns[d](Eigen::all, knobs);
-        columns.leftCols(n).array().colwise() /= study.uncertainty.noise[d].array();
+        columns.leftCols(n) = study.uncertainty.noise[d].over(study.calibrated.about.columns[d](Eigen::all, knobs));
         columns.rightCols(1) = residual(study.bench, study.uncertainty, study.nominal, d);
         products += columns.transpose() * columns;
     }

@@ -72,10 +72,12 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std:
 
     for (const RecordedDrive& drive : study.bench.drives) {
         if (!std::isfinite(drive.until)) continue;
-        diagnosis.data_warnings.push_back(fmt::format(
-            "{}: the car, or the model of it, spins from {:.1f} s. What it does then depends on chance, so the rest is "
-            "left out. Drive this manoeuvre a little slower if its end matters.",
-            drive.name, drive.until));
+        diagnosis.data_warnings.push_back(
+            fmt::format("{}: from {:.1f} s on the car slides and its model does not, or the other way round. What they "
+                        "do then differs "
+                        "by more than any small cause explains, so it is left out. Drive a little slower if the end of "
+                        "this matters.",
+                        drive.name, drive.until));
     }
 
     // Which effect.

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "diagnose/noise.h"
-#include "diagnose/spin.h"
+#include "diagnose/sliding.h"
 #include "diagnose/study.h"
 #include "identify/parallel.h"
 
@@ -13,7 +13,7 @@ Uncertainty uncertaintyOf(Bench& bench, const Deviation& at, const Rows& rows) {
     uncertainty.sizes.fill(1);
     for (std::size_t d = 0; d < bench.drives.size(); ++d) {
         RecordedDrive& drive = bench.drives[d];
-        drive.until = std::min({drive.until, spinBegins(drive, drive.measured), spinBegins(drive, rows[d])});
+        drive.until = std::min(drive.until, slideApart(drive, rows[d]));
     }
     uncertainty.noise = rowNoise(bench.drives, rows);
     uncertainty.disturbing.resize(bench.drives.size());

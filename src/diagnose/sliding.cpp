@@ -1,4 +1,4 @@
-#include "diagnose/spin.h"
+#include "diagnose/sliding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,13 +6,13 @@
 namespace tread {
 namespace {
 
-constexpr double kSpins = 0.3;   // rad, of sideslip in the window: twice what a car reaches that is still steered
+constexpr double kApart = 0.08;  // rad in the window: as much as a car slips in all that still grips
 constexpr double kWindow = 1.5;  // s
 constexpr double kSlowest = 5;   // m/s, at which an angle of the velocity means much
 
 }  // namespace
 
-double spinBegins(const RecordedDrive& drive, const Eigen::VectorXd& rows) {
+double slideApart(const RecordedDrive& drive, const Eigen::VectorXd& model) {
     const auto find = [&](const char* name) {
         return std::find_if(drive.channels.begin(), drive.channels.end(),
                             [&](const ObservedChannel& channel) { return channel.name == name; });
@@ -23,15 +23,17 @@ double spinBegins(const RecordedDrive& drive, const Eigen::VectorXd& rows) {
     const std::vector<double>& times = ay->times;
     if (times != yaw_rate->times || times != vx->times) return kInfinity;
 
+    const auto rate = [&](const Eigen::VectorXd& rows, Eigen::Index row) {
+        const double speed = std::max(rows(vx->first_row + row), kSlowest);
+        return rows(ay->first_row + row) / speed - rows(yaw_rate->first_row + row);
+    };
     const auto window = static_cast<std::size_t>(kWindow / kBlock);
-    std::vector<double> sideslip(times.size(), 0);
+    std::vector<double> apart(times.size(), 0);
     for (std::size_t i = 1; i < times.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
-        const double speed = std::max(rows(vx->first_row + row), kSlowest);
-        const double rate = rows(ay->first_row + row) / speed - rows(yaw_rate->first_row + row);
-        sideslip[i] = sideslip[i - 1] + rate * (times[i] - times[i - 1]);
+        apart[i] = apart[i - 1] + (rate(drive.measured, row) - rate(model, row)) * (times[i] - times[i - 1]);
         const std::size_t before = i > window ? i - window : 0;
-        if (std::abs(sideslip[i] - sideslip[before]) > kSpins) return times[before];
+        if (std::abs(apart[i] - apart[before]) > kApart) return times[before];
     }
     return kInfinity;
 }
