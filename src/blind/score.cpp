@@ -72,8 +72,9 @@ public:
         add("false_alarm", "no effect: false alarm", 0.02, false);
         add("largest_reduction_false_alarm", "  the same, by the largest reduction of the gap alone", 0, false);
         add("bic_false_alarm", "  the same, by the information criterion BIC with free tolerances", 0, false);
-        add("pair_exact", "two effects: both named, and nothing else", 0.85);
-        add("pair_one_first", "two effects: one of them named first", 0.98);
+        add("pair_exact", "two effects, both testable: both named, and nothing else", 0.85);
+        add("pair_one_first", "two effects, one testable: one of them named first", 0.98);
+        add("pair_exact_any", "two effects, testable or not: both named, and nothing else", 0);
         add("detected", "something is wrong and testable: detected", 0);
         add("unknown", "effect outside the catalogue: called unknown", 0.9);
         add("unknown_force", "effect outside the catalogue, called unknown: right generalised force", 0.8);
@@ -113,9 +114,14 @@ public:
     }
 
     void two(const CaseKey& key, const CaseAnswer& answer) {
-        count("pair_exact", answer.verdict == Verdict::explained && alike(answer.causes, key.effects));
+        const bool exact = answer.verdict == Verdict::explained && alike(answer.causes, key.effects);
+        count("pair_exact_any", exact);
+        if (!testable(key, answer)) return;
         count("pair_one_first",
               alarms(answer) && !answer.effects.empty() && has(key.effects, answer.effects.front().name));
+        const bool both = std::all_of(key.effects.begin(), key.effects.end(),
+                                      [&](const std::string& effect) { return nats(answer, effect) >= kTestableNats; });
+        if (both) count("pair_exact", exact);
     }
 
     void outside(const CaseKey& key, const CaseAnswer& answer) {

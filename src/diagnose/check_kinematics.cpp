@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "base/median.h"
 #include "compare/time_shift.h"
 #include "diagnose/log_checks.h"
 
@@ -205,7 +206,8 @@ void checkCar(const LogChecks& checks) {
                  *steer = checks.values("driver.steering_wheel_angle");
     if (!vx || !yaw_rate || !steer) return;
     constexpr double kLeastUndersteer = -0.001, kMostUndersteer = 0.008;  // rad s2/m, of any road car
-    constexpr double kUncertain = 1.35;                                   // of ratio and wheelbase, and the transients
+    constexpr double kUncertain = 1.35;                                   // of ratio and wheelbase
+    constexpr double kSettling = 0.5, kHeld = 0.05;                       // s, rad: yaw follows the hand wheel by then
     const VehicleParams& car = checks.nominal.vehicle;
     const auto gain = [&](double understeer) {
         Values out(vx->size());
@@ -215,14 +217,17 @@ void checkCar(const LogChecks& checks) {
         }
         return out;
     };
+    const double step = medianStep(checks.time());
+    const auto before = static_cast<std::size_t>(step > 0 ? kSettling / step : 0);
     const auto gentle = [&](std::size_t i) {
-        return (*vx)[i] > kMoving && std::abs((*vx)[i] * (*yaw_rate)[i]) < kSliding;
+        const bool settled = i >= before && std::abs((*steer)[i] - (*steer)[i - before]) < kHeld;
+        return settled && (*vx)[i] > kMoving && std::abs((*vx)[i] * (*yaw_rate)[i]) < kSliding;
     };
     const Relation most = relation(gain(kMostUndersteer), *yaw_rate, gentle),
                    least = relation(gain(kLeastUndersteer), *yaw_rate, gentle);
     if (most.samples < kFewest || most.spread < 0.02 || most.correlation < kCorrelated) return;
-    if (least.slope < kUncertain && most.slope > 1 / kUncertain) return;
-    const double factor = least.slope >= kUncertain ? least.slope : most.slope;
+    if (least.factor < kUncertain && most.factor > 1 / kUncertain) return;
+    const double factor = least.factor >= kUncertain ? least.factor : most.factor;
     checks.warn(
         "chassis.yaw_rate",
         fmt::format("is {:.2g} times what this car's steering ratio and wheelbase give in gentle turns", factor),

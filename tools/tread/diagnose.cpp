@@ -41,7 +41,7 @@ int diagnose(const DiagnoseRequest& request) {
         options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
         diagnosis = tread::diagnose(inputs.nominal, inputs.file, inputs.logs, inputs.effects, options);
     }
-    diagnosis.data_warnings = inputs.warnings;
+    diagnosis.data_warnings.insert(diagnosis.data_warnings.begin(), inputs.warnings.begin(), inputs.warnings.end());
 
     std::filesystem::create_directories(out);
     writeStages(diagnosis.overlays, out / "logs");
