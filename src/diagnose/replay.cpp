@@ -42,13 +42,19 @@ double runIn(const RecordedDrive& drive) {
     return count > 0 && std::abs(sum / count) > kInTurn ? kRunIn : 0;
 }
 
-Curve speedProfile(const RecordedDrive& drive) {
+// How fast the car is when its instrument shows this.
+double speedBehind(double shown, const Instrument& instrument) {
+    return std::max(0.0, (shown - instrument.bias) / instrument.gain);
+}
+
+Curve speedProfile(const RecordedDrive& drive, const Instrument& instrument) {
     Curve curve;
     for (const ObservedChannel& channel : drive.channels) {
         if (channel.name != "chassis.vx") continue;
         for (std::size_t i = 0; i < channel.times.size(); ++i)
             curve.points.push_back(
-                {channel.times[i], std::max(0.0, drive.measured(channel.first_row + static_cast<Eigen::Index>(i)))});
+                {channel.times[i],
+                 speedBehind(drive.measured(channel.first_row + static_cast<Eigen::Index>(i)), instrument)});
     }
     return curve;
 }
@@ -61,7 +67,7 @@ Phase driven(const RecordedDrive& drive, const Instruments& instruments) {
     if (!steering.empty()) phase.steering = Table<Angle>{steering};
     if (drive.recording->speed == SpeedReplay::followed) {
         HoldSpeed follow = kFollow;
-        follow.profile = speedProfile(drive);
+        follow.profile = speedProfile(drive, instruments.speed);
         phase.throttle = follow;
     } else {
         const Curve throttle = driverInput(drive, "driver.throttle", instruments.throttle, Pedal::kLimits);
@@ -95,7 +101,7 @@ Scenario replayOf(const RecordedDrive& drive, const Subject& subject, const Subj
     scenario.step = scenario.substep = step;
     scenario.road = changed(drive.recording->road, subject.road, nominal.road);
     scenario.wind = changed(drive.recording->wind, subject.wind, nominal.wind);
-    scenario.start.speed = drive.speed < kStanding ? 0 : drive.speed;
+    scenario.start.speed = drive.speed < kStanding ? 0 : speedBehind(drive.speed, subject.instruments.speed);
     const Phase drive_phase = driven(drive, subject.instruments);
     const double run_in = runIn(drive);
     if (run_in > 0) {
