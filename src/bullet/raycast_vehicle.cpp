@@ -18,7 +18,7 @@ inline namespace TREAD_BULLET_PRECISION {
 namespace {
 
 constexpr double kShortestSubstep = 1e-4;  // s
-constexpr double kLongestSubstep = 0.02;   // s: one step of a game
+constexpr double kLongestGameStep = 0.02;  // s: one step of a game
 constexpr double kSharpest = 1.5;          // rad, that an edge is rounded at
 
 btRigidBody& checked(btRigidBody* chassis) {
@@ -75,7 +75,7 @@ void RaycastVehicle::updateVehicle(btScalar step) {
 }
 
 void RaycastVehicle::setSubstep(double longest) {
-    self_->substep = longest >= kShortestSubstep ? std::min(longest, kLongestSubstep) : kShortestSubstep;
+    self_->substep = longest >= kShortestSubstep ? std::min(longest, kLongestGameStep) : kShortestSubstep;
 }
 
 void RaycastVehicle::setSurface(SurfaceAt surface) {
