@@ -5,6 +5,7 @@
 
 #include "base/did_you_mean.h"
 #include "base/number_text.h"
+#include "base/trimmed.h"
 
 namespace tread::detail {
 namespace {
@@ -12,12 +13,6 @@ namespace {
 // What begins like a list or a map in a file is read as one; everything else is a word, whatever signs it holds.
 bool isFlow(std::string_view text) {
     return text.starts_with('[') || text.starts_with('{');
-}
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(' ');
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "base/did_you_mean.h"
 #include "base/number_text.h"
+#include "base/trimmed.h"
 
 namespace tread {
 namespace {
@@ -206,13 +207,6 @@ private:
     int factors_ = 0;
     bool has_offset_ = false;
 };
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view kSpaces = " \t\r\n";
-    const std::size_t first = text.find_first_not_of(kSpaces);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(kSpaces) - first + 1);
-}
 
 // How the wanted unit is named in a message.
 std::string wanted(std::string_view unit) {

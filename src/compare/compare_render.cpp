@@ -27,7 +27,7 @@ const ChannelComparison* firstToPart(const Comparison& comparison) {
     return first;
 }
 
-std::string joined(const std::vector<std::string>& names) {
+std::string commaSeparated(const std::vector<std::string>& names) {
     std::string out;
     for (const std::string& name : names) out += (out.empty() ? "" : ", ") + name;
     return out;
@@ -36,8 +36,8 @@ std::string joined(const std::vector<std::string>& names) {
 // A simulation has dozens of channels that no car logs.
 std::string fewOf(const std::vector<std::string>& names) {
     constexpr std::size_t kMost = 8;
-    if (names.size() <= kMost) return joined(names);
-    return joined({names.begin(), names.begin() + kMost}) + fmt::format(" and {} more", names.size() - kMost);
+    if (names.size() <= kMost) return commaSeparated(names);
+    return commaSeparated({names.begin(), names.begin() + kMost}) + fmt::format(" and {} more", names.size() - kMost);
 }
 
 std::string count(std::size_t number, std::string_view what) {
@@ -67,7 +67,7 @@ std::string answer(const Comparison& comparison) {
     }
     if (!comparison.missing.empty()) {
         return fmt::format("Different: {} missing ({})", count(comparison.missing.size(), "channel"),
-                           joined(comparison.missing));
+                           commaSeparated(comparison.missing));
     }
     return "Different: " + comparison.faults.front();
 }
@@ -113,7 +113,8 @@ nlohmann::json jsonOf(const ChannelComparison& channel) {
 std::vector<std::string> remarks(const Comparison& comparison) {
     std::vector<std::string> out = comparison.faults;
     out.insert(out.end(), comparison.notes.begin(), comparison.notes.end());
-    if (!comparison.missing.empty()) out.push_back("Only in the reference: " + joined(comparison.missing) + ".");
+    if (!comparison.missing.empty())
+        out.push_back("Only in the reference: " + commaSeparated(comparison.missing) + ".");
     if (!comparison.extra.empty()) out.push_back("Only in the candidate: " + fewOf(comparison.extra) + ".");
     return out;
 }

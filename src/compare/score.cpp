@@ -43,7 +43,7 @@ double corridorScore(Curve1 reference, Curve1 candidate, const ScoreParams& p) {
 }
 
 // Pearson's coefficient; -1 when one of the two is constant, so that no shift is found in it.
-double correlation(Curve1 a, Curve1 b) {
+double correlationOrLeast(Curve1 a, Curve1 b) {
     const auto n = static_cast<double>(a.size());
     double mean_a = 0, mean_b = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -75,11 +75,11 @@ Overlap overlap(Curve1 reference, Curve1 candidate, int late) {
 int bestShift(Curve1 reference, Curve1 candidate, int largest) {
     constexpr double kEqual = 1e-12;
     int best = 0;
-    double highest = correlation(reference, candidate);
+    double highest = correlationOrLeast(reference, candidate);
     for (int by = 1; by <= largest; ++by) {
         for (const int late : {by, -by}) {
             const Overlap both = overlap(reference, candidate, late);
-            const double found = correlation(both.reference, both.candidate);
+            const double found = correlationOrLeast(both.reference, both.candidate);
             if (found > highest + kEqual) {
                 highest = found;
                 best = late;

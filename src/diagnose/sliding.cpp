@@ -6,9 +6,9 @@
 namespace tread {
 namespace {
 
-constexpr double kApart = 0.08;  // rad in the window: as much as a car slips in all that still grips
-constexpr double kWindow = 1.5;  // s
-constexpr double kSlowest = 5;   // m/s, at which an angle of the velocity means much
+constexpr double kSlideApart = 0.08;  // rad in the window: as much as a car slips in all that still grips
+constexpr double kSlideWindow = 1.5;  // s
+constexpr double kSlowestSlide = 5;   // m/s, at which an angle of the velocity means much
 
 }  // namespace
 
@@ -24,16 +24,16 @@ double slideApart(const RecordedDrive& drive, const Eigen::VectorXd& model) {
     if (times != yaw_rate->times || times != vx->times) return kInfinity;
 
     const auto rate = [&](const Eigen::VectorXd& rows, Eigen::Index row) {
-        const double speed = std::max(rows(vx->first_row + row), kSlowest);
+        const double speed = std::max(rows(vx->first_row + row), kSlowestSlide);
         return rows(ay->first_row + row) / speed - rows(yaw_rate->first_row + row);
     };
-    const auto window = static_cast<std::size_t>(kWindow / kBlock);
+    const auto window = static_cast<std::size_t>(kSlideWindow / kBlock);
     std::vector<double> apart(times.size(), 0);
     for (std::size_t i = 1; i < times.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
         apart[i] = apart[i - 1] + (rate(drive.measured, row) - rate(model, row)) * (times[i] - times[i - 1]);
         const std::size_t before = i > window ? i - window : 0;
-        if (std::abs(apart[i] - apart[before]) > kApart) return times[before];
+        if (std::abs(apart[i] - apart[before]) > kSlideApart) return times[before];
     }
     return kInfinity;
 }

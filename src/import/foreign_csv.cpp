@@ -11,7 +11,6 @@
 namespace tread {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kSampleRows = 200;  // rows that show which delimiter the file has
 constexpr std::size_t kHeaderRows = 3;    // names, descriptions, units
 
@@ -213,12 +212,12 @@ private:
     }
 
     void readCell(ForeignColumn& column, int line, const TextCell& cell) {
-        const auto value = cell.text.empty() ? kNan : cellNumber(cell.text, dialect_.decimal_comma);
+        const auto value = cell.text.empty() ? kNoNumber : cellNumber(cell.text, dialect_.decimal_comma);
         if (!value && !column.not_a_number) {
             column.not_a_number = {table_.file, line, cell.column, column.name,
                                    "found " + quotedCell(cell.text) + ", which is not a number"};
         }
-        column.values.push_back(value.value_or(kNan));
+        column.values.push_back(value.value_or(kNoNumber));
     }
 
     ForeignTable& table_;

@@ -11,7 +11,6 @@
 namespace tread {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kLongestNumber = 64;
 
 // Latin-1 is the beginning of Unicode; the few signs of Windows-1252 between 0x80 and 0x9F are no units.
@@ -40,7 +39,7 @@ std::optional<double> plainNumber(std::string_view text) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (end != text.data() + text.size()) return {};
-    if (error != std::errc{} || !std::isfinite(value)) return kNan;  // inf, nan, beyond the range of a double
+    if (error != std::errc{} || !std::isfinite(value)) return kNoNumber;  // inf, nan, beyond the range of a double
     return value;
 }
 

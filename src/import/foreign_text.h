@@ -1,6 +1,7 @@
 // The text of a foreign log: its lines, cells and numbers, in UTF-8 whatever they were written in.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,8 @@
 namespace tread {
 
 inline constexpr std::size_t kMostImportFaults = 20;  // more than a person reads at once
+
+inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();  // of an empty or unreadable cell
 
 // Windows-1252 and Latin-1 become UTF-8, a byte order mark goes; says so in `notes`. Throws LoadError for what is no
 // text.

@@ -11,8 +11,6 @@
 namespace tread {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
 struct Section {
     int line = 0;
     std::vector<TextLine> lines;
@@ -108,7 +106,7 @@ private:
                 column.not_a_number = {table_.file, line.number, cells[i].column, column.name,
                                        "found " + quotedCell(cells[i].text) + ", which is not a number"};
             }
-            column.values.push_back(value.value_or(kNan));
+            column.values.push_back(value.value_or(kNoNumber));
         }
         table_.lines.push_back(line.number);
     }

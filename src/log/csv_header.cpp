@@ -3,22 +3,20 @@
 #include <algorithm>
 #include <set>
 
+#include "base/trimmed.h"
+
 namespace tread {
 namespace {
 
 constexpr std::size_t kQuotedLength = 40;  // enough to recognise a cell in a message
 
+constexpr std::string_view kBlanks = " \t";
+
 bool isBlank(char c) {
-    return c == ' ' || c == '\t';
+    return kBlanks.find(c) != kBlanks.npos;
 }
 bool isControl(char c) {
     return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-}
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
-    return text;
 }
 
 // One fault per column; the whole list is legal when all are empty.
@@ -44,7 +42,7 @@ Column columnOf(std::string_view cell) {
     const std::size_t bracket = cell.rfind('[');
     if (bracket == std::string_view::npos || cell.back() != ']') return {std::string(cell), ""};
     const std::string_view unit = cell.substr(bracket + 1, cell.size() - bracket - 2);
-    return {std::string(trimmed(cell.substr(0, bracket))), std::string(trimmed(unit))};
+    return {std::string(trimmed(cell.substr(0, bracket), kBlanks)), std::string(trimmed(unit, kBlanks))};
 }
 
 // Reads a quoted cell from its opening quote; leaves `at` behind the closing one.
@@ -115,7 +113,7 @@ std::vector<HeaderCell> splitHeader(std::string_view line) {
         }
         // Up to the comma: the cell itself, or what wrongly follows a closing quote.
         const std::size_t end = std::min(line.find(',', at), line.size());
-        if (end > at) cells.back().text += trimmed(line.substr(at, end - at));
+        if (end > at) cells.back().text += trimmed(line.substr(at, end - at), kBlanks);
         if (end == line.size()) return cells;
         at = end + 1;
     }

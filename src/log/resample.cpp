@@ -6,13 +6,13 @@
 namespace tread {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 // `right` is the first sample at or after t.
 double between(std::span<const double> time, std::span<const double> values, std::size_t right, double t) {
-    if (right == time.size()) return kNan;
+    if (right == time.size()) return kNoValue;
     if (time[right] == t) return values[right];
-    if (right == 0) return kNan;
+    if (right == 0) return kNoValue;
     const double share = (t - time[right - 1]) / (time[right] - time[right - 1]);
     return values[right - 1] + share * (values[right] - values[right - 1]);
 }

@@ -8,7 +8,7 @@
 namespace tread {
 namespace {
 
-std::string percent(double share) {
+std::string tenthsOfPercent(double share) {
     return fmt::format("{:.1f} %", 100 * share);
 }
 
@@ -22,15 +22,17 @@ std::vector<std::vector<Cell>> figureRows(const BlindScore& score) {
     for (const Figure& figure : score.figures) {
         const Interval interval = figure.interval();
         const bool tried = figure.of > 0;
-        rows.push_back({{.text = figure.what},
-                        {.text = fmt::format("{} of {}", figure.hits, figure.of), .number = true},
-                        {.text = tried ? percent(figure.share()) : "–", .number = true, .alarm = missed(figure)},
-                        {.text = tried ? fmt::format("{} to {}", percent(interval.low), percent(interval.high)) : "–",
-                         .number = true},
-                        {.text = figure.target > 0 ? fmt::format("{} {}", figure.at_least ? "at least" : "at most",
-                                                                 percent(figure.target))
-                                                   : "",
-                         .number = true}});
+        rows.push_back(
+            {{.text = figure.what},
+             {.text = fmt::format("{} of {}", figure.hits, figure.of), .number = true},
+             {.text = tried ? tenthsOfPercent(figure.share()) : "–", .number = true, .alarm = missed(figure)},
+             {.text =
+                  tried ? fmt::format("{} to {}", tenthsOfPercent(interval.low), tenthsOfPercent(interval.high)) : "–",
+              .number = true},
+             {.text = figure.target > 0 ? fmt::format("{} {}", figure.at_least ? "at least" : "at most",
+                                                      tenthsOfPercent(figure.target))
+                                        : "",
+              .number = true}});
     }
     return rows;
 }
@@ -69,9 +71,9 @@ std::string blindReport(const BlindReport& report) {
     HtmlPage page("Blind check of the diagnosis");
     const std::string text = scoreText(score);
     page.answer(text.substr(0, text.find('\n')));
-    page.cards({{"Single cause named first", percent(score.figure("named_first").share()), ""},
-                {"False alarms", percent(score.figure("false_alarm").share()), ""},
-                {"Unknown causes recognised", percent(score.figure("unknown").share()), ""},
+    page.cards({{"Single cause named first", tenthsOfPercent(score.figure("named_first").share()), ""},
+                {"False alarms", tenthsOfPercent(score.figure("false_alarm").share()), ""},
+                {"Unknown causes recognised", tenthsOfPercent(score.figure("unknown").share()), ""},
                 {"Calibration error", formatNumber(score.calibration_error, 2), ""},
                 {"Time of a diagnosis", formatNumber(score.median_seconds, 3), "s"}});
     page.keyValues(

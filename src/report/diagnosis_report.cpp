@@ -29,7 +29,7 @@ std::string badge(Verdict verdict) {
     return {};
 }
 
-std::string percent(double share) {
+std::string percentNumber(double share) {
     return fmt::format("{:.0f}", 100 * share);
 }
 
@@ -37,7 +37,7 @@ std::string percent(double share) {
 std::string largest(const Shares& shares) {
     const auto most = std::max_element(shares.begin(), shares.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });
-    return most == shares.end() ? "" : fmt::format("{} {} %", shownName(most->first), percent(most->second));
+    return most == shares.end() ? "" : fmt::format("{} {} %", shownName(most->first), percentNumber(most->second));
 }
 
 void addHead(HtmlPage& page, const DiagnosisReport& content) {
@@ -56,8 +56,9 @@ void addHead(HtmlPage& page, const DiagnosisReport& content) {
                      formatNumber(d.causes.empty() ? judged.floor : judged.extended, 3), ""});
     if (d.verdict == Verdict::unknown)
         cards.push_back({"probability of an unknown cause", formatNumber(100 * d.probability_of_unknown, 3), "%"});
-    cards.push_back({"of what can be closed is closed", percent(d.how_far.closure),
-                     fmt::format("% [{}, {}]", percent(d.how_far.closure_low), percent(d.how_far.closure_high))});
+    cards.push_back(
+        {"of what can be closed is closed", percentNumber(d.how_far.closure),
+         fmt::format("% [{}, {}]", percentNumber(d.how_far.closure_low), percentNumber(d.how_far.closure_high))});
     page.cards(cards);
     page.keyValues(
         {{"Where", fmt::format("{} of the gap; force: {}; band: {}; when: {}", largest(d.where.channels),
@@ -72,7 +73,7 @@ void addHead(HtmlPage& page, const DiagnosisReport& content) {
 
 void addUnexplained(HtmlPage& page, const Unexplained& rest) {
     if (rest.share < 0.005) return;
-    page.text(fmt::format("The best answer leaves {} % of the gap{}{}.", percent(rest.share),
+    page.text(fmt::format("The best answer leaves {} % of the gap{}{}.", percentNumber(rest.share),
                           rest.generalised_force.empty() ? "" : "; what acts there: " + rest.generalised_force,
                           rest.when.empty() ? "" : ", " + rest.when));
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kKeyMetrics = 4;  // of a scenario in the overview
 
-std::string withUnit(const std::string& name, const DisplayUnit& shown) {
+std::string columnTitle(const std::string& name, const DisplayUnit& shown) {
     const std::string unit = prettyUnit(shown.unit);
     return unit.empty() || unit == "-" ? name : fmt::format("{} [{}]", name, unit);
 }
@@ -42,8 +42,8 @@ std::string seriesReport(const SeriesReport& content) {
         std::find_if(content.runs.begin(), content.runs.end(), [](const auto& r) { return !r.metrics.empty(); });
     const std::vector<Metric> columns = full == content.runs.end() ? std::vector<Metric>{} : full->metrics;
     const DisplayUnit varied = displayUnit(content.unit);
-    std::vector<std::string> header{"Run", withUnit(content.number, varied), "Passed"};
-    for (const Metric& metric : columns) header.push_back(withUnit(metric.name, displayUnit(metric.unit)));
+    std::vector<std::string> header{"Run", columnTitle(content.number, varied), "Passed"};
+    for (const Metric& metric : columns) header.push_back(columnTitle(metric.name, displayUnit(metric.unit)));
     std::vector<std::vector<Cell>> rows;
     for (std::size_t i = 0; i < content.runs.size(); ++i) {
         const SeriesReport::Run& run = content.runs[i];

@@ -5,18 +5,13 @@
 
 #include "base/number_text.h"
 #include "base/text_file.h"
+#include "base/trimmed.h"
 
 namespace tread {
 namespace {
 
 constexpr double kEvenness = 1e-3;  // of the spacing, by which a coordinate may be off an equal step (rounded files)
 constexpr std::size_t kMostFaults = 20;  // more than a person reads at once
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 class Table {
 public:

@@ -7,17 +7,13 @@
 #include <map>
 #include <utility>
 
+#include "base/trimmed.h"
+
 namespace tread {
 namespace {
 
 constexpr std::string_view kBlank = " \t\r\f\v";
 constexpr std::string_view kComment = "$!";
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(kBlank);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
-}
 
 std::string_view withoutComment(std::string_view text) {
     return trimmed(text.substr(0, text.find_first_of(kComment)));

@@ -6,9 +6,6 @@ namespace {
 Vector3 toVector(const std::array<double, 3>& a) {
     return {a[0], a[1], a[2]};
 }
-std::array<double, 3> toArray(const Vector3& v) {
-    return {v.x(), v.y(), v.z()};
-}
 
 }  // namespace
 

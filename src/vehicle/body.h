@@ -6,6 +6,11 @@
 
 namespace tread {
 
+// How states keep a vector: trivially copyable.
+inline std::array<double, 3> toArray(const Vector3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
 // Force at the centre of gravity and moment about it, body axes.
 struct Wrench {
     Vector3 force_B = Vector3::Zero();

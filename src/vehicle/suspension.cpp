@@ -8,7 +8,7 @@ namespace tread {
 namespace {
 
 // Speed over which dry friction builds up. Small enough to be dry, large enough for the implicit wheel equation.
-constexpr double kFrictionSpeed = 0.005;  // m/s
+constexpr double kDamperFrictionSpeed = 0.005;  // m/s
 
 struct Push {
     double force = 0;
@@ -78,9 +78,9 @@ SuspensionForce forces(const SuspensionParams& params, const SuspensionInput& in
     const Line damper = damperForce(params.damper, input.rate);
     double friction = 0, friction_by_rate = 0;
     if (params.damper.friction != 0) {
-        const double slide = std::tanh(input.rate / kFrictionSpeed);
+        const double slide = std::tanh(input.rate / kDamperFrictionSpeed);
         friction = params.damper.friction * slide;
-        friction_by_rate = params.damper.friction / kFrictionSpeed * (1 - slide * slide);
+        friction_by_rate = params.damper.friction / kDamperFrictionSpeed * (1 - slide * slide);
     }
     total.force += damper.value + friction;
     total.by_rate += damper.slope + friction_by_rate;

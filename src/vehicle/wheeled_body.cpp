@@ -25,10 +25,6 @@ double length(double x, double y) {
     return std::sqrt(x * x + y * y);
 }
 
-std::array<double, 3> toArray(const Vector3& v) {
-    return {v.x(), v.y(), v.z()};
-}
-
 // Compression of the strut and load of the tyre at the end of the step; the touch there.
 Touch stand(BodyWheelState& state, const BodyWheel& wheel, const Frame& frame, const RoadContact& ground, double steer,
             double partner, double dt) {

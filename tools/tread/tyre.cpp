@@ -42,17 +42,17 @@ std::string counted(std::size_t count, std::string_view what) {
 }
 
 // What was done, in words and for programs.
-struct Outcome {
+struct TyreAnswer {
     std::string text;
     nlohmann::json json;
 };
 
-void addAnswer(Outcome& outcome, const std::string& answer) {
+void addAnswer(TyreAnswer& outcome, const std::string& answer) {
     outcome.text += answer + "\n";
     if (!outcome.json.contains("answer")) outcome.json["answer"] = answer;
 }
 
-void writeTable(Outcome& outcome, const TyreParams& tyre, const TyreOptions& options, Axes axes) {
+void writeTable(TyreAnswer& outcome, const TyreParams& tyre, const TyreOptions& options, Axes axes) {
     const bool transient = !options.transient.empty();
     const TransientOptions how{.axes = axes,
                                .linear = options.interpolate == "linear",
@@ -66,14 +66,14 @@ void writeTable(Outcome& outcome, const TyreParams& tyre, const TyreOptions& opt
         {"rows", rows}, {"axes", options.axes}, {"file", options.output}};
 }
 
-void writePage(Outcome& outcome, const TyreParams& tyre, const TyreOptions& options, Axes axes) {
+void writePage(TyreAnswer& outcome, const TyreParams& tyre, const TyreOptions& options, Axes axes) {
     std::size_t charts = 0;
     writeFile(options.plot, tyrePage({tyre, axes}, charts));
     addAnswer(outcome, fmt::format("Wrote {} of {} to {}", counted(charts, "chart"), tyreName(tyre), options.plot));
     outcome.json["plot"] = {{"charts", charts}, {"axes", options.axes}, {"file", options.plot}};
 }
 
-void describeTyre(Outcome& outcome, const TyreParams& tyre) {
+void describeTyre(TyreAnswer& outcome, const TyreParams& tyre) {
     const std::vector<TyreFact> facts = tyreFacts(tyre);
     outcome.text = overviewText(tyre, facts);
     outcome.json["answer"] = outcome.text.substr(0, outcome.text.find('\n'));
@@ -95,7 +95,7 @@ int tyre(const TyreOptions& given) {
     const Axes axes = options.axes == "iso" ? Axes::iso : Axes::paper;
 
     const bool table = !options.table.empty() || !options.transient.empty();
-    Outcome outcome;
+    TyreAnswer outcome;
     if (table) writeTable(outcome, params, options, axes);
     if (!options.plot.empty()) writePage(outcome, params, options, axes);
     if (!table && options.plot.empty()) describeTyre(outcome, params);

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kPercent = 0.01;
-constexpr double kSpeed = 20;                                   // m/s; steady-state curves do not depend on it
 constexpr double kWidestSlip = 50;                              // %
 constexpr double kWidestAngle = 15;                             // deg
 constexpr double kWidestCamber = 6;                             // deg
@@ -31,9 +30,9 @@ struct Point {
 TyreSteadyState at(const TyreView& view, const Point& point) {
     return steadyState(view.tyre, {.Fz = point.load,
                                    .gamma = point.camber * kDegree,
-                                   .Vx = kSpeed,
-                                   .Vsx = -point.slip * kPercent * kSpeed,
-                                   .Vsy = -std::tan(point.angle * kDegree) * kSpeed});
+                                   .Vx = kCurveSpeed,
+                                   .Vsx = -point.slip * kPercent * kCurveSpeed,
+                                   .Vsy = -std::tan(point.angle * kDegree) * kCurveSpeed});
 }
 
 // Forces in kN, in the axes of the view.

@@ -10,6 +10,8 @@
 
 namespace tread::program {
 
+inline constexpr double kCurveSpeed = 20;  // m/s; steady-state curves do not depend on it
+
 // A tyre seen in one of the axis systems.
 struct TyreView {
     const TyreParams& tyre;

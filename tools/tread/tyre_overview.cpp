@@ -7,11 +7,11 @@
 #include <numbers>
 
 #include "report/text.h"
+#include "tyre_figures.h"
 
 namespace tread::program {
 namespace {
 
-constexpr double kSpeed = 20;  // m/s; the slip characteristics do not depend on it
 constexpr double kPerDegree = std::numbers::pi / 180;
 
 // Slip between 0 and `highest` at which `force` is largest.
@@ -31,7 +31,7 @@ double slipOfPeak(double highest, Force force) {
 std::vector<TyreFact> tyreFacts(const TyreParams& tyre) {
     const TyreCoefficients& p = tyre.parameters;
     const auto at = [&](double kappa, double alpha) {
-        return steadyState(tyre, {p.Fzo, 0, kSpeed, -kappa * kSpeed, -alpha * kSpeed});
+        return steadyState(tyre, {p.Fzo, 0, kCurveSpeed, -kappa * kCurveSpeed, -alpha * kCurveSpeed});
     };
     const TyreSteadyState free = at(0, 0);
     const double peak_kappa = slipOfPeak(1, [&](double kappa) { return at(kappa, 0).Fx0; });
