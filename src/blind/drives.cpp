@@ -2,6 +2,8 @@
 
 #include <numbers>
 
+#include "blind/enum_named.h"
+
 namespace tread {
 namespace {
 
@@ -65,9 +67,15 @@ Phase slowRamp() {
     return phase;
 }
 
-}  // namespace
+// What a set leaves of the drives from which to learn.
+bool belongs(const Drive& drive, DriveSet set) {
+    const auto is = [&](std::string_view beginning) { return drive.name.starts_with(beginning); };
+    if (set == DriveSet::step_steers) return is("step_steer");
+    if (set == DriveSet::coast_and_accelerate) return is("coast_down") || is("acceleration");
+    return true;
+}
 
-std::vector<Drive> blindDrives() {
+std::vector<Drive> allDrives() {
     const SteeringSignal sweep = Sweep<Angle>{
         .amplitude = 20 * kDegree, .from = 0.2, .to = kSweepTo, .duration = 10, .law = SweepLaw::logarithmic};
     const SteeringSignal dwell = SineWithDwell<Angle>{.amplitude = 70 * kDegree, .frequency = 0.7, .dwell = 0.5};
@@ -83,6 +91,20 @@ std::vector<Drive> blindDrives() {
         heldOut(drive("sine_with_dwell_80", 80, {steering(4.5, dwell)})),
         heldOut(drive("power_on_in_turn_75", 75, {steering(2, turnTo(-45)), throttle(4, 1)})),
     };
+}
+
+}  // namespace
+
+DriveSet driveSet(std::string_view name) {
+    return enumNamed<DriveSet>(name, "the set of drives");
+}
+
+std::vector<Drive> blindDrives(DriveSet set) {
+    std::vector<Drive> drives = allDrives();
+    if (set == DriveSet::all) return drives;
+    std::erase_if(drives, [&](const Drive& drive) { return !drive.hold_out && !belongs(drive, set); });
+    for (Drive& drive : drives) drive.repeats = 1;
+    return drives;
 }
 
 }  // namespace tread

@@ -74,11 +74,11 @@ CaseAnswer answered(const fs::path& cases, const fs::path& answers, const std::s
 }
 
 // The held-out drives of a case without disturbance and noise, begun as they were.
-std::map<std::string, Log> cleanDrives(const Truth& truth, std::uint64_t seed, int index) {
+std::map<std::string, Log> cleanDrives(const Truth& truth, const std::vector<Drive>& drives, std::uint64_t seed,
+                                       int index) {
     Conditions conditions = kIdeal;
     conditions.speed_scatter = Conditions{}.speed_scatter;
     std::map<std::string, Log> clean;
-    const std::vector<Drive> drives = blindDrives();
     for (const BlindRecording& one : recordingsOf(drives, seed, index)) {
         if (one.drive->hold_out) clean[one.name] = measure(truth, *one.drive, one.seed, conditions);
     }
@@ -137,7 +137,8 @@ void lookUp(std::vector<CaseAnswer>& found, const BlindKey& key, const fs::path&
             const std::vector<Effect>& effects) {
     if (key.cases.empty() || !key.generator.empty()) return;
     const VehicleParams nominal = loadVehicle(cases / key.cases.front().name / "vehicle.yaml");
-    const std::vector<Effect> shown = shownEffects(nominal, effects);
+    const std::vector<Drive> drives = blindDrives(key.drives);
+    const std::vector<Effect> shown = shownEffects(nominal, effects, drives);
     for (std::size_t i = 0; i < key.cases.size(); ++i) {
         const CaseKey& made = key.cases[i];
         const auto answer =
@@ -146,7 +147,7 @@ void lookUp(std::vector<CaseAnswer>& found, const BlindKey& key, const fs::path&
         const int index = static_cast<int>(i);
         const DrawnCase drawn = drawnCase(key.seed, index, made.kind, nominal, shown, made.draw);
         if (drawn.key != made) continue;
-        const std::map<std::string, Log> clean = cleanDrives(drawn.truth, key.seed, index);
+        const std::map<std::string, Log> clean = cleanDrives(drawn.truth, drives, key.seed, index);
         answer->closure_obtained = obtainedClosure(keptOverlays(answers, made.name, clean), clean);
     }
 }

@@ -2,8 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/did_you_mean.h"
-#include "base/number_text.h"
+#include "blind/enum_named.h"
 #include "tread/problem.h"
 
 namespace tread {
@@ -42,14 +41,7 @@ CaseKey caseOf(const Json& json) {
 }  // namespace
 
 CaseKind caseKind(std::string_view name) {
-    constexpr auto kNames = enumNames(CaseKind{});
-    for (std::size_t i = 0; i < kNames.size(); ++i) {
-        if (kNames[i] == name) return static_cast<CaseKind>(i);
-    }
-    const std::vector<std::string_view> known(kNames.begin(), kNames.end());
-    throw LoadError(
-        {{"", 0, 0, "",
-          "found the kind of case " + quote(name) + ", expected one of " + listed(known) + didYouMean(name, known)}});
+    return enumNamed<CaseKind>(name, "the kind of case");
 }
 
 std::string keyText(const BlindKey& key) {
@@ -59,6 +51,7 @@ std::string keyText(const BlindKey& key) {
                     {"seed", key.seed},
                     {"vehicle", key.vehicle},
                     {"generator", key.generator},
+                    {"drives", enumNames(key.drives)[static_cast<std::size_t>(key.drives)]},
                     {"cases", cases}};
     return json.dump(2) + "\n";
 }
@@ -70,6 +63,7 @@ BlindKey parseKey(std::string_view text, const std::string& file) {
                      .seed = json.at("seed"),
                      .vehicle = json.at("vehicle"),
                      .generator = json.value("generator", ""),
+                     .drives = driveSet(json.value("drives", "all")),
                      .cases = {}};
         for (const Json& one : json.at("cases")) key.cases.push_back(caseOf(one));
         return key;

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "blind/drives.h"
+
 namespace tread {
 
 enum class CaseKind { one, two, none, outside, small };
@@ -38,6 +40,7 @@ struct BlindKey {
     std::uint64_t seed = 0;
     std::string vehicle;
     std::string generator;  // another simulator that drove the cars; empty: tread
+    DriveSet drives = DriveSet::all;
     std::vector<CaseKey> cases;
 };
 

@@ -98,10 +98,11 @@ BlindKey makeCases(const BlindOrder& order, const VehicleParams& nominal, const 
                  .seed = order.seed,
                  .vehicle = order.vehicle,
                  .generator = {},
+                 .drives = order.drives,
                  .cases = {}};
-    const std::vector<Drive> drives = blindDrives();
+    const std::vector<Drive> drives = blindDrives(order.drives);
     const std::vector<CaseKind> kinds = kindsOf(order);
-    const std::vector<Effect> shown = shownEffects(nominal, effects);
+    const std::vector<Effect> shown = shownEffects(nominal, effects, drives);
     for (int i = 0; i < order.cases; ++i) {
         const CaseKind kind = kinds[static_cast<std::size_t>(i)];
         for (int draw = 0;; ++draw) {

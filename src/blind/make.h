@@ -15,7 +15,8 @@ struct BlindOrder {
     int cases = 0;
     std::uint64_t seed = 0;
     std::vector<CaseKind> kinds = {};  // none: all, in the proportions of a check
-    std::string vehicle;               // file, for the key
+    DriveSet drives = DriveSet::all;
+    std::string vehicle;  // file, for the key
     std::string tread_version;
 };
 

@@ -3,12 +3,14 @@
 
 #include <vector>
 
+#include "blind/drives.h"
 #include "diagnose/effect.h"
 #include "tread/vehicle.h"
 
 namespace tread {
 
-// The effects whose typical size changes the readings of the drives of a blind case by more than their noise.
-std::vector<Effect> shownEffects(const VehicleParams& nominal, const std::vector<Effect>& effects);
+// The effects whose typical size changes the readings of these drives by more than their noise.
+std::vector<Effect> shownEffects(const VehicleParams& nominal, const std::vector<Effect>& effects,
+                                 const std::vector<Drive>& drives);
 
 }  // namespace tread

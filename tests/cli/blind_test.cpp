@@ -47,6 +47,16 @@ TEST(BlindCommand, UnknownKindIsRefusedWithTheKindsThatThereAre) {
     EXPECT_NE(made.err.find("outside"), std::string::npos) << made.err;
 }
 
+TEST(BlindCommand, FewDrivesAreMadeAndNamedInTheKey) {
+    const Scratch scratch;
+    const Result made = runProgram(make(scratch, {"--drives", "coast_and_accelerate"}));
+    ASSERT_EQ(made.status, 0) << made.err;
+    EXPECT_TRUE(std::filesystem::exists(scratch.path("cases/case_001/coast_down_120.csv")));
+    EXPECT_FALSE(std::filesystem::exists(scratch.path("cases/case_001/sine_sweep_90.csv")));
+    const auto key = nlohmann::json::parse(contentOf(scratch.path("cases.key.json")));
+    EXPECT_EQ(key.at("drives"), "coast_and_accelerate");
+}
+
 TEST(BlindCommand, FolderWithoutCasesIsRefused) {
     const Scratch scratch;
     scratch.file("key.json", "{}");

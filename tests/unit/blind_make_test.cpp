@@ -104,6 +104,24 @@ TEST(BlindMake, EveryDriveHoldsItsGearAndEndsInTime) {
     EXPECT_GE(held_out, 2);
 }
 
+TEST(BlindMake, SmallSetsOfDrivesAreTwoToLearnFromAndTheSameToJudge) {
+    const auto names = [](DriveSet set, bool held_out) {
+        std::vector<std::string> found;
+        for (const Drive& drive : blindDrives(set)) {
+            if (drive.hold_out != held_out) continue;
+            found.push_back(drive.name);
+            EXPECT_TRUE(set == DriveSet::all || drive.repeats == 1) << drive.name;
+        }
+        return found;
+    };
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(names(DriveSet::step_steers, false), (Names{"step_steer_80", "step_steer_110"}));
+    EXPECT_EQ(names(DriveSet::coast_and_accelerate, false), (Names{"coast_down_120", "acceleration_50"}));
+    for (const DriveSet set : {DriveSet::step_steers, DriveSet::coast_and_accelerate})
+        EXPECT_EQ(names(set, true), names(DriveSet::all, true));
+    EXPECT_THROW(driveSet("step_stear"), LoadError);
+}
+
 TEST(BlindMake, EveryOutsiderShowsInTheLogs) {
     const DrawnCase none = drawn(CaseKind::none, 1);
     const std::vector<Drive> drives = blindDrives();
@@ -160,7 +178,12 @@ TEST(BlindMake, RepeatsAreNotAlike) {
 }
 
 TEST(BlindMake, KeyReadsBack) {
-    BlindKey key{.tread_version = "0.1", .seed = 42, .vehicle = "car.yaml", .generator = "another", .cases = {}};
+    BlindKey key{.tread_version = "0.1",
+                 .seed = 42,
+                 .vehicle = "car.yaml",
+                 .generator = "another",
+                 .drives = DriveSet::step_steers,
+                 .cases = {}};
     key.cases.push_back(drawn(CaseKind::two, 1).key);
     key.cases.push_back(drawn(CaseKind::outside, 1).key);
     EXPECT_EQ(keyText(parseKey(keyText(key), "key.json")), keyText(key));

@@ -121,6 +121,7 @@ struct BlindMakeOptions {
     std::string key;  // file; empty: beside the folder, <folder>.key.json
     std::string vehicle = "vehicles/compact.yaml";
     std::vector<std::string> kinds;  // none: all
+    std::string drives = "all";
     bool json = false;
 };
 int blindMake(const BlindMakeOptions& options);

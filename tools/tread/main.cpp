@@ -130,6 +130,8 @@ void addBlindMake(CLI::App& app, BlindMakeOptions& o) {
     app.add_option("--key", o.key, "file for the sealed key (default: <folder>.key.json)");
     app.add_option("--vehicle", o.vehicle, "nominal car (default: vehicles/compact.yaml)");
     app.add_option("--kinds", o.kinds, "kinds of cases: one, two, none, outside, small (default: all)")->delimiter(',');
+    app.add_option("--drives", o.drives,
+                   "drives from which to learn: all, step_steers (two) or coast_and_accelerate (two) (default: all)");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
