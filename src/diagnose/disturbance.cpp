@@ -145,7 +145,8 @@ Eigen::MatrixXd trembling(const Course& course, const VehicleParams& car, const 
     return columns;
 }
 
-// Cholesky factor of the correlation of hats, each of variance one.
+}  // namespace
+
 Eigen::MatrixXd lingering(Eigen::Index hats) {
     const double kept = std::exp(-kHat / kLingers), fresh = std::sqrt(1 - kept * kept);
     Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(hats, hats);
@@ -155,8 +156,6 @@ Eigen::MatrixXd lingering(Eigen::Index hats) {
     }
     return factor;
 }
-
-}  // namespace
 
 Eigen::VectorXd Disturbances::hats(const Eigen::VectorXd& impulses) const {
     const Eigen::Index each = lingering.cols();

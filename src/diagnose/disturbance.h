@@ -27,6 +27,9 @@ struct Disturbances {
     Eigen::VectorXd hats(const Eigen::VectorXd& impulses) const;
 };
 
+// Cholesky factor of the correlation of so many hats, each of variance one: what an impulse leaves in them.
+Eigen::MatrixXd lingering(Eigen::Index hats);
+
 // Of a drive of the subject; `by_start_speed`: its startSpeedColumn.
 Disturbances disturbances(Bench& bench, std::size_t drive, const Subject& subject,
                           const Eigen::VectorXd& by_start_speed);

@@ -1,0 +1,122 @@
+// What the rows of a drive count for: their noise, what disturbs them, and where a drive ends that tells nothing more.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/random.h"
+#include "diagnose/disturbance.h"
+#include "diagnose/noise.h"
+#include "diagnose/replay.h"
+#include "diagnose/sliding.h"
+
+namespace tread {
+namespace {
+
+constexpr Eigen::Index kRows = 2000;
+
+RowNoise noiseOf(double deviation) {
+    return {.deviation = Eigen::VectorXd::Constant(kRows, deviation), .ends = {kRows}};
+}
+
+Eigen::VectorXd wave(double frequency) {
+    Eigen::VectorXd rows(kRows);
+    for (Eigen::Index i = 0; i < kRows; ++i)
+        rows(i) = std::sin(2 * std::numbers::pi * frequency * kBlock * static_cast<double>(i));
+    return rows;
+}
+
+double rms(const Eigen::MatrixXd& rows) {
+    return std::sqrt(rows.squaredNorm() / static_cast<double>(rows.size()));
+}
+
+TEST(RowNoise, WhatIsSlowCountsInFullAndVibrationATenth) {
+    const RowNoise noise = noiseOf(0.1);
+    EXPECT_NEAR(rms(noise.over(wave(0.5))) / rms(wave(0.5)), 10.0, 0.1);
+    EXPECT_NEAR(rms(noise.over(wave(8))) / rms(wave(8)), 0.95, 0.02) << "cos^2 of 72 degrees of what is slow";
+}
+
+TEST(RowNoise, ThreeEighthsOfWhiteNoiseAreLeft) {
+    Random random(3);
+    Eigen::VectorXd white(kRows);
+    for (double& value : white) value = 0.1 * random.normal();
+    EXPECT_NEAR(noiseOf(0.1).over(white).squaredNorm() / kRows, 0.375, 0.03);
+}
+
+TEST(RowNoise, ChannelsDoNotRunIntoEachOther) {
+    RowNoise noise{.deviation = Eigen::VectorXd::Ones(6), .ends = {3, 6}};
+    Eigen::VectorXd rows(6);
+    rows << 1, 1, 1, 0, 0, 0;
+    EXPECT_EQ(noise.over(rows), rows);
+}
+
+TEST(RowNoise, RowsThatSayNothingAreNothing) {
+    RowNoise noise = noiseOf(1);
+    noise.deviation.tail(100).setConstant(kInfinity);
+    EXPECT_EQ(noise.over(wave(1)).bottomRows(99).norm(), 0);
+}
+
+TEST(Disturbances, HatsAreCorrelatedAsTheProcessIs) {
+    // Ornstein-Uhlenbeck process of half a second, seen every quarter.
+    const Disturbances disturbing{.columns = {}, .kinds = {}, .times = {}, .lingering = lingering(20)};
+    const Eigen::MatrixXd covariance = disturbing.lingering * disturbing.lingering.transpose();
+    for (Eigen::Index i = 0; i < 20; ++i) {
+        for (Eigen::Index j = 0; j < 20; ++j)
+            EXPECT_NEAR(covariance(i, j), std::exp(-0.25 * std::abs(static_cast<double>(i - j)) / 0.5), 1e-12);
+    }
+    Eigen::VectorXd impulse = Eigen::VectorXd::Zero(40);
+    impulse(20) = 1;
+    EXPECT_EQ(disturbing.hats(impulse).head(20).norm(), 0) << "of another kind";
+    EXPECT_NEAR(disturbing.hats(impulse)(21), std::exp(-0.5), 1e-12);
+}
+
+// A steady turn at 20 m/s; `slips` rad/s of sideslip from 5 s on.
+RecordedDrive turning(double slips) {
+    RecordedDrive drive;
+    const std::size_t rows = 200;
+    std::vector<double> times;
+    for (std::size_t i = 0; i < rows; ++i) times.push_back((static_cast<double>(i) + 0.5) * kBlock);
+    drive.measured.resize(3 * static_cast<Eigen::Index>(rows));
+    for (const char* name : {"chassis.vx", "chassis.ay", "chassis.yaw_rate"}) {
+        const auto first = static_cast<Eigen::Index>(drive.channels.size() * rows);
+        drive.channels.push_back({.name = name, .measured = {}, .first_row = first, .times = times});
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        const auto row = static_cast<Eigen::Index>(i), n = static_cast<Eigen::Index>(rows);
+        drive.measured(row) = 20;
+        drive.measured(n + row) = 6;
+        drive.measured(2 * n + row) = 0.3 - (times[i] > 5 ? slips : 0);
+    }
+    return drive;
+}
+
+TEST(Sliding, ADriveEndsWhereTheCarBeginsToSlideAndItsModelDoesNot) {
+    const RecordedDrive drive = turning(0.2), model = turning(0);
+    // 0.08 rad are reached 0.4 s after the beginning, and the window looks back 1.5 s.
+    EXPECT_NEAR(slideApart(drive, model.measured), 5 + 0.4 - 1.5, 0.1);
+    EXPECT_NEAR(slideApart(model, drive.measured), 5 + 0.4 - 1.5, 0.1) << "or the other way round";
+}
+
+TEST(Sliding, CarsThatSlideAlikeDoNotEndTheDrive) {
+    EXPECT_EQ(slideApart(turning(0.2), turning(0.2).measured), kInfinity);
+    EXPECT_EQ(slideApart(turning(0.03), turning(0).measured), kInfinity) << "a gyro of so much bias is no slide";
+}
+
+TEST(Replay, ACarIsAsFastAsItsSpeedometerStandsFor) {
+    const Recording recording{.log = "a.csv"};
+    RecordedDrive drive = turning(0);
+    drive.recording = &recording;
+    drive.time = {0, 10};
+    drive.log = {{{"time", "s", {0, 10}}}};
+    drive.inputs = drive.log;
+    drive.speed = 20;
+    const Subject nominal;
+    Subject subject;
+    subject.instruments.speed = {.gain = 0.8, .bias = 4};
+    EXPECT_DOUBLE_EQ(replayOf(drive, subject, nominal, 0.004).start.speed, 20.0);
+    subject.instruments.speed = {.gain = 1, .bias = 4};
+    EXPECT_DOUBLE_EQ(replayOf(drive, subject, nominal, 0.004).start.speed, 16.0);
+}
+
+}  // namespace
+}  // namespace tread
