@@ -7,23 +7,18 @@
 #include <numbers>
 #include <optional>
 
-#include "base/median.h"
 #include "compare/time_shift.h"
 #include "diagnose/log_checks.h"
 
 namespace tread {
 namespace {
 
-constexpr double kMoving = 3;             // m/s: below, a car can do anything
-constexpr double kCorrelated = 0.8;       // from here two channels show the same thing
-constexpr int kFewest = 50;               // samples
 constexpr double kLongestDelay = 0.2;     // s, that is searched for
 constexpr double kDelay = 0.025;          // s, worth a word
 constexpr double kDelayOfSideslip = 0.1;  // s, that sideslip can make of lateral acceleration
 constexpr double kMuchLikelier = 3;       // by which a delay must explain what is left
 constexpr double kUnlike = 0.02;          // share of the variance, and is worth a word
 constexpr double kBraking = 1.5;          // m/s2
-constexpr double kSliding = 4;            // m/s2: beyond, wheels and yaw rate do as they like
 constexpr double kFactor = 0.25;          // relative difference that no slip of a wheel explains
 constexpr double kMuch = 1.5;             // and that no car explains
 
@@ -104,16 +99,16 @@ void checkDelay(const LogChecks& checks, Pair pair) {
 void check(const LogChecks& checks, const Pair& pair) {
     const Values* vx = checks.values("chassis.vx");
     const Relation r =
-        relation(pair.expected, *pair.measured, [&](std::size_t i) { return !vx || (*vx)[i] > kMoving; });
-    if (r.samples < kFewest || r.spread < pair.least) return;
-    if (r.correlation < -kCorrelated) {
+        relation(pair.expected, *pair.measured, [&](std::size_t i) { return !vx || (*vx)[i] > LogChecks::kMoving; });
+    if (r.samples < Relation::kFewest || r.spread < pair.least) return;
+    if (r.correlation < -Relation::kCorrelated) {
         checks.warn(pair.channel,
                     fmt::format("has the opposite sign of {} (correlation {:.2f})", pair.says, r.correlation),
                     "A car that turns to the other side than its model cannot be diagnosed",
                     "Turn the sign where it is imported: ISO 8855, x forward, y left, z up");
         return;
     }
-    if (r.correlation < kCorrelated) return;
+    if (r.correlation < Relation::kCorrelated) return;
     const double factor = std::abs(r.factor);
     const std::string look = lookOf(factor);
     if (pair.tolerance > 0 && (!look.empty() || std::abs(std::log(factor)) > std::log1p(pair.tolerance))) {
@@ -178,9 +173,10 @@ void checkSwappedWheels(const LogChecks& checks) {
         if (!yaw_rate || !l || !r) continue;
         Values difference(l->size());
         for (std::size_t i = 0; i < l->size(); ++i) difference[i] = (*r)[i] - (*l)[i];
-        const Relation turn =
-            relation(*yaw_rate, difference, [&](std::size_t i) { return !ax || std::abs((*ax)[i]) < kSliding; });
-        if (turn.samples < kFewest || turn.spread < 0.05 || turn.correlation > -kCorrelated) continue;
+        const Relation turn = relation(*yaw_rate, difference,
+                                       [&](std::size_t i) { return !ax || std::abs((*ax)[i]) < LogChecks::kSliding; });
+        if (turn.samples < Relation::kFewest || turn.spread < 0.05 || turn.correlation > -Relation::kCorrelated)
+            continue;
         checks.warn(left + " and " + right, "the inner wheel is the faster one in turns: left and right are swapped",
                     "Locking of differentials and unequal grip would be found with the wrong side",
                     "Swap both where they are imported");
@@ -194,45 +190,12 @@ void checkSwappedAccelerations(const LogChecks& checks) {
     if (!vx || !ax || !ay || !yaw_rate) return;
     const Values lateral = product(*vx, *yaw_rate);
     const Relation crossed = relation(lateral, *ax), straight = relation(lateral, *ay);
-    if (crossed.samples < kFewest || crossed.spread < 0.4 || std::abs(crossed.correlation) < kCorrelated) return;
+    if (crossed.samples < Relation::kFewest || crossed.spread < 0.4 ||
+        std::abs(crossed.correlation) < Relation::kCorrelated)
+        return;
     if (std::abs(straight.correlation) > 0.5 * std::abs(crossed.correlation)) return;
     checks.warn("chassis.ax and chassis.ay", "ax follows vx times yaw rate and ay does not: they are swapped",
                 "The model would be blamed in both directions", "Swap both where they are imported");
-}
-
-// Gentle cornering follows the geometry of any car: yaw rate = vx steer / (ratio (l + K vx^2)).
-void checkCar(const LogChecks& checks) {
-    const Values *vx = checks.values("chassis.vx"), *yaw_rate = checks.values("chassis.yaw_rate"),
-                 *steer = checks.values("driver.steering_wheel_angle");
-    if (!vx || !yaw_rate || !steer) return;
-    constexpr double kLeastUndersteer = -0.001, kMostUndersteer = 0.008;  // rad s2/m, of any road car
-    constexpr double kUncertain = 1.35;                                   // of ratio and wheelbase
-    constexpr double kSettling = 0.5, kHeld = 0.05;                       // s, rad: yaw follows the hand wheel by then
-    const VehicleParams& car = checks.nominal.vehicle;
-    const auto gain = [&](double understeer) {
-        Values out(vx->size());
-        for (std::size_t i = 0; i < out.size(); ++i) {
-            const double v = (*vx)[i];
-            out[i] = v * (*steer)[i] / car.steering.ratio / std::max(car.wheelbase + understeer * v * v, 0.5);
-        }
-        return out;
-    };
-    const double step = medianStep(checks.time());
-    const auto before = static_cast<std::size_t>(step > 0 ? kSettling / step : 0);
-    const auto gentle = [&](std::size_t i) {
-        const bool settled = i >= before && std::abs((*steer)[i] - (*steer)[i - before]) < kHeld;
-        return settled && (*vx)[i] > kMoving && std::abs((*vx)[i] * (*yaw_rate)[i]) < kSliding;
-    };
-    const Relation most = relation(gain(kMostUndersteer), *yaw_rate, gentle),
-                   least = relation(gain(kLeastUndersteer), *yaw_rate, gentle);
-    if (most.samples < kFewest || most.spread < 0.02 || most.correlation < kCorrelated) return;
-    if (least.factor < kUncertain && most.factor > 1 / kUncertain) return;
-    const double factor = least.factor >= kUncertain ? least.factor : most.factor;
-    checks.warn(
-        "chassis.yaw_rate",
-        fmt::format("is {:.2g} times what this car's steering ratio and wheelbase give in gentle turns", factor),
-        "With the file of another car every effect would be fitted to that",
-        "Check the vehicle, its steering ratio, and whether the recorded angle is that of the hand wheel");
 }
 
 }  // namespace
@@ -259,7 +222,6 @@ void checkKinematics(const LogChecks& checks) {
     for (const Pair& pair : pairsOf(checks)) check(checks, pair);
     checkSwappedWheels(checks);
     checkSwappedAccelerations(checks);
-    checkCar(checks);
 }
 
 }  // namespace tread

@@ -155,6 +155,7 @@ std::vector<DataWarning> dataWarnings(const DiagnosisFile& file, const std::vect
         checkInputs(checks);
         checkChannels(checks);
         checkKinematics(checks);
+        checkCar(checks);
     }
     checkResponses(found, logs);
     checkExcitation(found, logs);
