@@ -7,15 +7,13 @@
 #include "base/numbers.h"
 #include "diagnose/driver_inputs.h"
 #include "diagnose/observation.h"
+#include "scenario/run_in.h"
 
 namespace tread {
 namespace {
 
-constexpr double kRunIn = 3;            // s, in which a drive that begins in a turn is brought there
-constexpr double kRunInSteering = 1.5;  // s of these, in which the hand wheel is turned
-constexpr double kInTurn = 0.03;        // rad/s
-constexpr double kStanding = 0.3;       // m/s
-constexpr double kParked = 0.3;         // brake pedal of a standing car whose log has none
+constexpr double kStanding = 0.3;  // m/s
+constexpr double kParked = 0.3;    // brake pedal of a standing car whose log has none
 constexpr HoldSpeed kFollow{.proportional = 0.8, .integral = 0.5, .brake = 0.5};
 
 // What is changed on the subject against the nominal one, done to a road or wind that is known for this drive.
@@ -30,16 +28,6 @@ T changed(T known, const T& subject, const T& nominal) {
         }
     }
     return known;
-}
-
-double runIn(const RecordedDrive& drive) {
-    const Channel* yaw_rate = drive.log.find("chassis.yaw_rate");
-    if (!yaw_rate || drive.speed < kStanding) return 0;
-    double sum = 0, count = 0;
-    for (std::size_t i = 0; i < drive.time.size() && drive.time[i] < 2 * kBlock; ++i) {
-        if (std::isfinite(yaw_rate->values[i])) sum += yaw_rate->values[i], count += 1;
-    }
-    return count > 0 && std::abs(sum / count) > kInTurn ? kRunIn : 0;
 }
 
 // How fast the car is when its instrument shows this.
@@ -102,23 +90,14 @@ Scenario replayOf(const RecordedDrive& drive, const Subject& subject, const Subj
     scenario.road = changed(drive.recording->road, subject.road, nominal.road);
     scenario.wind = changed(drive.recording->wind, subject.wind, nominal.wind);
     scenario.start.speed = drive.speed < kStanding ? 0 : speedBehind(drive.speed, subject.instruments.speed);
-    const Phase drive_phase = driven(drive, subject.instruments);
-    const double run_in = runIn(drive);
-    if (run_in > 0) {
-        Phase phase;
-        phase.name = "into the turn";
-        const auto* steering = std::get_if<Table<Angle>>(&drive_phase.steering);
-        if (steering) phase.steering = Table<Angle>{Curve{{{0, 0}, {kRunInSteering, steering->points(0)}}}};
-        phase.throttle = HoldSpeed{.brake = 0.5};
-        phase.until.duration = run_in;
-        scenario.phases.push_back(std::move(phase));
-    }
+    scenario.phases.push_back(driven(drive, subject.instruments));
     if (scenario.start.speed == 0) {
-        const auto* brake = std::get_if<Table<Pedal>>(&drive_phase.brake);
+        const auto* brake = std::get_if<Table<Pedal>>(&scenario.phases.front().brake);
         scenario.start.brake = brake ? brake->points(0) : kParked;
     }
-    scenario.phases.push_back(drive_phase);
-    scenario.time_limit = run_in + drive.duration() + 1;
+    const Channel* yaw_rate = drive.log.find("chassis.yaw_rate");
+    if (yaw_rate && beginsInTurn(drive.speed, drive.time, yaw_rate->values)) runIntoTurn(scenario);
+    scenario.time_limit = drive.duration() + 1;
     scenario.log.rate = 1 / step;
     scenario.log.channels = {"chassis.pitch_rate"};
     for (const ObservedQuantity& quantity : observedQuantities()) scenario.log.channels.push_back(quantity.channel);
@@ -130,21 +109,7 @@ Log replayed(const RecordedDrive& drive, const Subject& subject, const Subject& 
     VehicleParams vehicle = subject.vehicle;
     holdGear(vehicle, drive);
     Log motion;
-    const double run_in = runIn(drive);
-    Pushing later = pushing;
-    if (pushing && run_in > 0) {
-        later = [&](double time, const VehicleInput& input, const VehicleOutput& car) {
-            return pushing(time - run_in, input, car);
-        };
-    }
-    simulate(vehicle, replayOf(drive, subject, nominal, step), recorderInto(motion), later);
-    if (run_in == 0) return motion;
-    const auto skipped = static_cast<std::ptrdiff_t>(std::lround(run_in / step));
-    for (Channel& channel : motion.channels) {
-        if (channel.values.size() <= static_cast<std::size_t>(skipped)) continue;
-        channel.values.erase(channel.values.begin(), channel.values.begin() + skipped);
-    }
-    for (double& t : motion.channels.front().values) t -= run_in;
+    simulate(vehicle, replayOf(drive, subject, nominal, step), recorderInto(motion), pushing);
     return motion;
 }
 

@@ -160,10 +160,10 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
     // Step by step: look, record, decide, move.
     const double dt = scenario.step;
     const long steps_per_row = std::lround(std::clamp(1 / (scenario.log.rate * dt), 1.0, kMostStepsPerRow));
-    for (long k = 0;; ++k) {
+    for (long k = -std::lround(scenario.start.run_in / dt);; ++k) {
         sample.time = static_cast<double>(k) * dt;
         const double yaw_before = sample.car.chassis.yaw;
-        const bool row_due = k % steps_per_row == 0;
+        const bool row_due = k >= 0 && k % steps_per_row == 0;
         const auto look = [&](bool at_everything) {
             if (at_everything) {
                 sample.car = car.output();

@@ -19,6 +19,7 @@ bool watchesCar(const SteeringSignal& signal) {
 
 Driver::Driver(const Scenario& scenario, const VehicleInput& initial, const KnownSteering& car)
     : scenario_(withReplaysRead(scenario)), held_(initial), hands_(car, Path(coursePath(scenario.course))) {
+    phase_start_ = seen_time_ = -scenario_.start.run_in;
     beginPhase();
 }
 

@@ -11,6 +11,7 @@
 #include "base/number_text.h"
 #include "base/yaml_session.h"
 #include "log/csv.h"
+#include "scenario/run_in.h"
 
 namespace tread {
 namespace {
@@ -94,8 +95,20 @@ bool repeatsDrive(const Scenario& scenario) {
     return found;
 }
 
-// Puts what the drive says where the scenario asks for it, and names it to the replays that name no log.
-void takeDrive(Scenario& scenario, Logs& logs) {
+// Whether the hand wheel repeats the drive from a moment at which that is in a turn.
+bool startsInTurn(const Scenario& scenario, const Log& drive) {
+    const auto* hand = std::get_if<Replay<Angle>>(&scenario.phases.front().steering);
+    const Channel* yaw_rate = drive.find("chassis.yaw_rate");
+    if (!hand || hand->file != scenario.drive || !yaw_rate || scenario.start.run_in > 0) return false;
+    const std::vector<double>& time = drive.channels.front().values;
+    const auto first = static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), hand->from) - time.begin());
+    return beginsInTurn(scenario.start.speed, std::span(time).subspan(first),
+                        std::span(yaw_rate->values).subspan(first));
+}
+
+// Puts what the drive says where the scenario asks for it, and names it to the replays that name no log. Whether the
+// car has to be brought into a turn first.
+bool takeDrive(Scenario& scenario, Logs& logs) {
     const bool repeats = repeatsDrive(scenario);
     if (scenario.drive.empty() == repeats) {
         logs.problems.push_back({scenario.drive, 0, 0, "scenario.drive",
@@ -104,9 +117,9 @@ void takeDrive(Scenario& scenario, Logs& logs) {
                                          : "found a log of a drive, but nothing that repeats it; expected a replay "
                                            "without a file, hold_speed.as_driven or until.drive_end"});
     }
-    if (!repeats || scenario.drive.empty()) return;
+    if (!repeats || scenario.drive.empty()) return false;
     const Curve speed = logs.points(Replay<Speed>{scenario.drive, "chassis.vx"}, "drive");
-    if (speed.empty()) return;
+    if (speed.empty()) return false;
     if (scenario.start.speed == 0) scenario.start.speed = speed(0);
     for (Phase& phase : scenario.phases) {
         if (auto* hold = std::get_if<HoldSpeed>(&phase.throttle); hold && hold->as_driven) {
@@ -118,7 +131,9 @@ void takeDrive(Scenario& scenario, Logs& logs) {
     forEachReplay(scenario, [&](auto&, auto& replay, const std::string&) {
         if (replay.file.empty()) replay.file = scenario.drive;
     });
+    const bool in_turn = startsInTurn(scenario, logs.log(scenario.drive));
     scenario.drive.clear();
+    return in_turn;
 }
 
 }  // namespace
@@ -133,12 +148,13 @@ void placeReplays(Scenario& scenario, const std::filesystem::path& folder) {
 
 Scenario withReplaysRead(Scenario scenario) {
     Logs logs;
-    takeDrive(scenario, logs);
+    const bool in_turn = takeDrive(scenario, logs);
     throwIfAny(std::move(logs.problems));
     forEachReplay(scenario, [&]<class Of>(auto& signal, const Replay<Of>& replay, const std::string& path) {
         signal = Table<Of>{logs.points(replay, path)};
     });
     throwIfAny(std::move(logs.problems));
+    if (in_turn) runIntoTurn(scenario);
     return scenario;
 }
 

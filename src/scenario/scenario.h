@@ -24,6 +24,7 @@ struct StartParams {
     double brake = 0;
     double parking_brake = 0;
     double drop = 0;
+    double run_in = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(speed), About{"m/s", "forward speed", kNonNegative});
@@ -31,6 +32,11 @@ struct StartParams {
         field(TREAD_FIELD(brake), About{"-", "brake pedal", kFraction});
         field(TREAD_FIELD(parking_brake), About{"-", "parking brake", kFraction});
         field(TREAD_FIELD(drop), About{"m", "height above equilibrium from which the car is dropped", kNonNegative});
+        field(TREAD_FIELD(run_in),
+              About{"s",
+                    "time of the first phase that passes before the manoeuvre's time 0 and is not logged; a replay of "
+                    "a log that begins in a turn sets it",
+                    kNonNegative});
     }
 
     static void check(const auto& self, auto&& complain) {
