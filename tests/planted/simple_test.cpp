@@ -40,11 +40,9 @@ Diagnosis diagnosed(const Subject& truth) {
     return diagnose(made.nominal, made.file, made.logs, someEffects());
 }
 
-// Share of the nominal car's gap to the true one, without noise, that the answer closes in the last drive.
+// Share of the nominal car's gap to the true one, without noise, that the answer closes.
 double obtainedClosure(const Diagnosis& d, const Subject& truth) {
-    const Log clean = simulate(truth.vehicle, someDrives().back().second);
-    const Overlay& overlay = d.overlays.back();
-    const auto gap = [&](const Log& model) {
+    const auto gap = [](const Log& model, const Log& clean) {
         double sum = 0;
         for (const planted::Noise& noise : kNoise) {
             const Channel *shown = model.find(noise.channel), *real = clean.find(noise.channel);
@@ -57,7 +55,14 @@ double obtainedClosure(const Diagnosis& d, const Subject& truth) {
         }
         return sum;
     };
-    return 1 - gap(overlay.extended) / gap(overlay.nominal);
+    double before = 0, after = 0;
+    const auto drives = someDrives();
+    for (std::size_t i = 0; i < drives.size(); ++i) {
+        const Log clean = simulate(truth.vehicle, drives[i].second);
+        before += gap(d.overlays.at(i).nominal, clean);
+        after += gap(d.overlays.at(i).extended, clean);
+    }
+    return 1 - after / before;
 }
 
 std::vector<std::string> only(const char* name) {

@@ -69,7 +69,7 @@ protected:
 TEST_F(KeptSensitivities, GiveTheSameAnswerToTheBitWithFewerSimulations) {
     const Diagnosis first = diagnosed(), second = diagnosed();
     EXPECT_EQ(textOf(first), textOf(second));
-    EXPECT_LT(second.simulations, first.simulations / 2);
+    EXPECT_LT(second.simulations, first.simulations * 2 / 3) << "what disturbs the drives is not kept";
 }
 
 TEST_F(KeptSensitivities, OfAnInterruptedDiagnosisAreTakenAndTheRestIsMade) {
