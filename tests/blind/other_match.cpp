@@ -24,8 +24,8 @@ std::vector<Free> freeNumbers(Truth& truth) {
     Params& p = truth.car;
     std::vector<Free> free;
     const auto relative = [&](double& value) { free.push_back({&value, 0.1 * std::abs(value)}); };
-    for (double* value : {&p.yaw_inertia, &p.roll_inertia, &p.drag_area, &p.brake_torque, &p.engine_inertia,
-                          &p.drive_scale, &p.drag_scale})
+    for (double* value : {&p.yaw_inertia, &p.roll_inertia, &p.pitch_inertia, &p.pitch_support, &p.drag_area,
+                          &p.brake_torque, &p.engine_inertia, &p.drive_scale, &p.drag_scale})
         relative(*value);
     for (Axle* axle : {&p.front, &p.rear}) {
         Tyre& tyre = axle->tyre;

@@ -89,6 +89,7 @@ std::vector<SharedNumber> sharedNumbers(Truth& truth) {
     factor("mass", p.mass);
     factor("inertia.yaw", p.yaw_inertia);
     factor("inertia.roll", p.roll_inertia);
+    factor("inertia.pitch", p.pitch_inertia);
     factor("wheelbase", p.wheelbase);
     same("front_axle_distance", p.front_distance);
     same("height", p.height);

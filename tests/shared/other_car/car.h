@@ -2,12 +2,12 @@
 // model that is diagnosed with is itself not that of the car.
 //
 // After R. Rajamani, Vehicle Dynamics and Control, 2nd ed. (2012), chapters 2, 4, 13 and 15, and M. Mitschke, H.
-// Wallentowitz, Dynamik der Kraftfahrzeuge, 4th ed. (2004): a rigid body that moves in the plane and rolls about an
-// axis fixed in it, four spinning wheels with slip that relaxes, loads shifted quasi-statically. The tyre is the
-// similarity method (H.B. Pacejka, Tyre and Vehicle Dynamics, 2nd ed. 2006, chapter 4): one magic formula for the slip
-// as a vector, camber as a shift of the slip angle, the trail of the brush model. Left out: pitch, vertical wheel
-// motion, twist of the shafts, moments of the tyres but for the trail. Plane road, steady wind. ISO 8855 axes.
-// Classical Runge-Kutta of fourth order.
+// Wallentowitz, Dynamik der Kraftfahrzeuge, 4th ed. (2004): a rigid body that moves in the plane, pitches and rolls
+// about an axis fixed in it, four spinning wheels with slip that relaxes, loads shifted as the springs take them. The
+// tyre is the similarity method (H.B. Pacejka, Tyre and Vehicle Dynamics, 2nd ed. 2006, chapter 4): one magic formula
+// for the slip as a vector, camber as a shift of the slip angle, the trail of the brush model. Left out: heave,
+// vertical wheel motion, twist of the shafts, moments of the tyres but for the trail. Plane road, steady wind. ISO 8855
+// axes. Classical Runge-Kutta of fourth order.
 #pragma once
 
 #include <algorithm>
@@ -59,6 +59,13 @@ struct Axle {
     double travelByRoll() const {
         return 0.5 * track * tyre.radial_stiffness / (spring + 2 * anti_roll_bar + tyre.radial_stiffness);
     }
+    double pitchRate() const {  // N/m at the axle
+        return 2 * spring * tyre.radial_stiffness / (spring + tyre.radial_stiffness);
+    }
+    double pitchDamping() const {  // N s/m at the axle
+        const double suspension = tyre.radial_stiffness / (spring + tyre.radial_stiffness);
+        return 2 * damping * suspension * suspension;
+    }
     double rollDamping() const {  // N m s/rad; the tyres take their part of the roll
         const double suspension = tyre.radial_stiffness / (spring + 2 * anti_roll_bar + tyre.radial_stiffness);
         return 0.5 * track * track * damping * suspension * suspension;
@@ -68,7 +75,8 @@ struct Axle {
 using Line = std::vector<std::array<double, 2>>;  // of straight pieces
 
 struct Params {
-    double mass = 1350, yaw_inertia = 1950, roll_inertia = 480;
+    double mass = 1350, yaw_inertia = 1950, roll_inertia = 480, pitch_inertia = 1750;
+    double pitch_support = 0.1;  // share of the longitudinal load transfer that the links carry past the springs
     double front_distance = 1.03, wheelbase = 2.62, height = 0.54;
     Axle front, rear;
     double steering_ratio = 16.5;
@@ -92,7 +100,7 @@ struct Input {
 };
 
 // x, y, yaw, vx, vy, yaw rate, roll, roll rate; spins; lateral and longitudinal slips as relaxed; steering and brakes
-// as they lag.
+// as they lag; pitch, pitch rate.
 enum State {
     kX,
     kY,
@@ -107,6 +115,8 @@ enum State {
     kKappa = kAlpha + 4,
     kSteer = kKappa + 4,
     kBrake,
+    kPitch,
+    kPitchRate,
     kStates
 };
 using Vector = std::array<double, kStates>;
@@ -231,9 +241,17 @@ private:
         return {c * p_.wind_x + n * p_.wind_y - s[kVx], -n * p_.wind_x + c * p_.wind_y - s[kVy]};
     }
 
+    // Of springs and dampers, for a nose that is down.
+    double pitchMoment(const Vector& s) const {
+        const double lf = p_.front_distance, lr = rearDistance();
+        const double stiffness = lf * lf * p_.front.pitchRate() + lr * lr * p_.rear.pitchRate();
+        const double damping = lf * lf * p_.front.pitchDamping() + lr * lr * p_.rear.pitchDamping();
+        return stiffness * s[kPitch] + damping * s[kPitchRate];
+    }
+
     void load(const Vector& s, Forces& f) const {
         const double lf = p_.front_distance, lr = rearDistance();
-        const double pitch = p_.mass * f.ax * p_.height / p_.wheelbase;
+        const double pitch = (p_.pitch_support * p_.mass * f.ax * p_.height - pitchMoment(s)) / p_.wheelbase;
         const auto [wind_x, wind_y] = air(s);
         const double pressure = 0.5 * p_.air_density * (wind_x * wind_x + wind_y * wind_y);
         for (int i = 0; i < 4; i += 2) {
@@ -322,6 +340,8 @@ private:
         // roll axis.
         const double stiffness = p_.front.rollStiffness() + p_.rear.rollStiffness();
         const double damping = p_.front.rollDamping() + p_.rear.rollDamping();
+        f.rate[kPitch] = s[kPitchRate];
+        f.rate[kPitchRate] = (-(1 - p_.pitch_support) * p_.mass * f.ax * p_.height - pitchMoment(s)) / p_.pitch_inertia;
         f.rate[kRoll] = s[kRollRate];
         f.rate[kRollRate] = (push_[3] + body_.mass * body_.arm * (f.ay + kGravity * s[kRoll]) - stiffness * s[kRoll] -
                              damping * s[kRollRate]) /
