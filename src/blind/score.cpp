@@ -107,11 +107,6 @@ public:
         }
     }
 
-    void none(const CaseAnswer& answer) {
-        count("false_alarm", alarms(answer));
-        baselines("_false_alarm", answer, [](const std::string& claim) { return claim != "none"; });
-    }
-
     void two(const CaseKey& key, const CaseAnswer& answer) {
         count("pair_exact", answer.verdict == Verdict::explained && alike(answer.causes, key.effects));
         count("pair_one_first",
@@ -131,9 +126,6 @@ public:
         count("small_blamed", alarms(answer) && !right);
     }
 
-    std::vector<Figure> figures;
-
-private:
     // What simpler methods claim, where the answer tells it.
     template <class Hit>
     void baselines(const std::string& figure, const CaseAnswer& answer, Hit hit) {
@@ -142,6 +134,9 @@ private:
         if (!bic.empty()) count("bic" + figure, hit(bic));
     }
 
+    std::vector<Figure> figures;
+
+private:
     void add(const std::string& name, const std::string& what, double target, bool at_least = true) {
         figures.push_back({name, what, 0, 0, target, at_least});
     }
@@ -156,7 +151,8 @@ void countCase(Counter& counter, const CaseKey& key, const CaseAnswer& answer) {
             counter.two(key, answer);
             break;
         case CaseKind::none:
-            counter.none(answer);
+            counter.count("false_alarm", alarms(answer));
+            counter.baselines("_false_alarm", answer, [](const std::string& claim) { return claim != "none"; });
             break;
         case CaseKind::outside:
             counter.outside(key, answer);

@@ -24,8 +24,8 @@ std::vector<Free> freeNumbers(Truth& truth) {
     Params& p = truth.car;
     std::vector<Free> free;
     const auto relative = [&](double& value) { free.push_back({&value, 0.1 * std::abs(value)}); };
-    for (double* value : {&p.yaw_inertia, &p.roll_inertia, &p.pitch_inertia, &p.pitch_support, &p.drag_area,
-                          &p.brake_torque, &p.engine_inertia, &p.drive_scale, &p.drag_scale})
+    for (double* value : {&p.yaw_inertia, &p.roll_inertia, &p.pitch_inertia, &p.drag_area, &p.brake_torque,
+                          &p.engine_inertia, &p.drive_scale, &p.drag_scale})
         relative(*value);
     for (Axle* axle : {&p.front, &p.rear}) {
         Tyre& tyre = axle->tyre;
@@ -37,6 +37,7 @@ std::vector<Free> freeNumbers(Truth& truth) {
         free.push_back({&axle->compliance_steer, 1e-6});
         free.push_back({&axle->toe_by_travel, 0.02});
         free.push_back({&axle->roll_axis, 0.02});
+        free.push_back({&axle->brake_support, 0.04});
     }
     return free;
 }
