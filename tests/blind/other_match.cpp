@@ -29,10 +29,10 @@ std::vector<Free> freeNumbers(Truth& truth) {
         relative(*value);
     for (Axle* axle : {&p.front, &p.rear}) {
         Tyre& tyre = axle->tyre;
-        for (double* value :
-             {&axle->damping, &axle->anti_roll_bar, &tyre.stiffness, &tyre.stiffness_load, &tyre.friction,
-              &tyre.friction_by_load, &tyre.slip_stiffness, &tyre.camber_stiffness, &tyre.trail, &tyre.curvature,
-              &tyre.carcass, &tyre.rolling_resistance, &tyre.loaded_radius, &tyre.rolling_radius})
+        for (double* value : {&axle->damping, &axle->anti_roll_bar, &tyre.stiffness, &tyre.stiffness_load,
+                              &tyre.friction, &tyre.friction_by_load, &tyre.slip_stiffness,
+                              &tyre.slip_stiffness_by_load, &tyre.camber_stiffness, &tyre.trail, &tyre.curvature,
+                              &tyre.carcass, &tyre.rolling_resistance, &tyre.loaded_radius, &tyre.rolling_radius})
             relative(*value);
         free.push_back({&axle->compliance_steer, 1e-6});
         free.push_back({&axle->toe_by_travel, 0.02});

@@ -176,7 +176,7 @@ private:
         const double load = std::max(f.load[i], 100.0);
         f.rate[kAlpha + i] =
             along * a.tyre.carcass / corneringStiffness(a.tyre, load) * (-std::atan2(across, along) - s[kAlpha + i]);
-        f.rate[kKappa + i] = along * a.tyre.carcass_x / (a.tyre.slip_stiffness * load) * (kappa - s[kKappa + i]);
+        f.rate[kKappa + i] = along * a.tyre.carcass_x / slipStiffness(a.tyre, load) * (kappa - s[kKappa + i]);
         const double camber = s[kRoll] + a.camber_by_travel * travel;
         const TyreForce tyre = force(a.tyre, f.load[i], p_.road_friction, s[kKappa + i], s[kAlpha + i], camber);
         f.fx[i] = tyre.fx;

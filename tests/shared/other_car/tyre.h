@@ -12,10 +12,11 @@ struct Tyre {
     double friction_by_load = -0.15;  // relative change over relative load
     double stiffness = 59800;         // N/rad, largest cornering stiffness, reached at
     double stiffness_load = 8500;     // N
-    double slip_stiffness = 21.5;     // longitudinal, over the load
-    double camber_stiffness = 1.39;   // 1/rad, camber thrust over the load
-    double trail = 0.0313;            // m, without slip, at the nominal load
-    double nominal_load = 4000;       // N
+    double slip_stiffness = 21.5;     // longitudinal, over the load, at the nominal load
+    double slip_stiffness_by_load = 0.24;
+    double camber_stiffness = 1.39;  // 1/rad, camber thrust over the load
+    double trail = 0.0313;           // m, without slip, at the nominal load
+    double nominal_load = 4000;      // N
     double shape = 1.19;
     double curvature = -1;
     double carcass = 141800;    // N/m, lateral
@@ -30,6 +31,10 @@ struct TyreForce {
     double fx, fy, trail;
 };
 
+inline double slipStiffness(const Tyre& tyre, double load) {
+    return tyre.slip_stiffness * load * (1 + tyre.slip_stiffness_by_load * (load / tyre.nominal_load - 1));
+}
+
 inline double corneringStiffness(const Tyre& tyre, double load) {
     return tyre.stiffness * std::sin(2 * std::atan(load / tyre.stiffness_load));
 }
@@ -40,7 +45,7 @@ inline TyreForce force(const Tyre& tyre, double load, double road_friction, doub
     const double relative = (load - tyre.nominal_load) / tyre.nominal_load;
     const double peak = load * road_friction * tyre.friction * (1 + tyre.friction_by_load * relative);
     const double stiffness = corneringStiffness(tyre, load);
-    const double along = tyre.slip_stiffness * load / stiffness * kappa;
+    const double along = slipStiffness(tyre, load) / stiffness * kappa;
     const double across = std::tan(alpha) - tyre.camber_stiffness * load / stiffness * camber;
     const double slip = std::hypot(along, across), trail = tyre.trail * load / tyre.nominal_load;
     if (slip < 1e-9) return {stiffness * along, stiffness * across, trail};
