@@ -108,11 +108,6 @@ public:
         }
     }
 
-    void none(const CaseAnswer& answer) {
-        count("false_alarm", alarms(answer));
-        baselines("_false_alarm", answer, [](const std::string& claim) { return claim != "none"; });
-    }
-
     void two(const CaseKey& key, const CaseAnswer& answer) {
         const bool exact = answer.verdict == Verdict::explained && alike(answer.causes, key.effects);
         count("pair_exact_any", exact);
@@ -137,9 +132,6 @@ public:
         count("small_blamed", alarms(answer) && !right);
     }
 
-    std::vector<Figure> figures;
-
-private:
     // What simpler methods claim, where the answer tells it.
     template <class Hit>
     void baselines(const std::string& figure, const CaseAnswer& answer, Hit hit) {
@@ -148,6 +140,9 @@ private:
         if (!bic.empty()) count("bic" + figure, hit(bic));
     }
 
+    std::vector<Figure> figures;
+
+private:
     void add(const std::string& name, const std::string& what, double target, bool at_least = true) {
         figures.push_back({name, what, 0, 0, target, at_least});
     }
@@ -162,7 +157,8 @@ void countCase(Counter& counter, const CaseKey& key, const CaseAnswer& answer) {
             counter.two(key, answer);
             break;
         case CaseKind::none:
-            counter.none(answer);
+            counter.count("false_alarm", alarms(answer));
+            counter.baselines("_false_alarm", answer, [](const std::string& claim) { return claim != "none"; });
             break;
         case CaseKind::outside:
             counter.outside(key, answer);

@@ -87,6 +87,16 @@ TEST(OtherCar, BrakesDecelerateTheMassAndTheWheels) {
     EXPECT_NEAR(-car.forces({.brake = kPedal}).ax, expected, 0.01 * expected);
 }
 
+TEST(OtherCar, BrakingPitchesTheNoseDownAndLoadsTheFront) {
+    const Params p = simple();
+    const Car car = driven(p, 30, 2, [](double) { return Input{.brake = 0.2}; });
+    const Forces f = car.forces({.brake = 0.2});
+    EXPECT_GT(car.state()[kPitch], 0.005);
+    const double front = p.mass * kGravity * (p.wheelbase - p.front_distance) / p.wheelbase;
+    const double shift = -p.mass * f.ax * p.height / p.wheelbase;
+    EXPECT_NEAR(f.load[0] + f.load[1] - front, shift, 0.01 * shift);
+}
+
 TEST(OtherCar, SideForceRelaxesOverItsLength) {
     // A front wheel that is turned at once has 63 % of its slip after one relaxation length.
     Params p = simple();

@@ -24,19 +24,20 @@ std::vector<Free> freeNumbers(Truth& truth) {
     Params& p = truth.car;
     std::vector<Free> free;
     const auto relative = [&](double& value) { free.push_back({&value, 0.1 * std::abs(value)}); };
-    for (double* value : {&p.yaw_inertia, &p.roll_inertia, &p.drag_area, &p.brake_torque, &p.engine_inertia,
-                          &p.drive_scale, &p.drag_scale})
+    for (double* value : {&p.yaw_inertia, &p.roll_inertia, &p.pitch_inertia, &p.drag_area, &p.brake_torque,
+                          &p.engine_inertia, &p.drive_scale, &p.drag_scale})
         relative(*value);
     for (Axle* axle : {&p.front, &p.rear}) {
         Tyre& tyre = axle->tyre;
-        for (double* value :
-             {&axle->damping, &axle->anti_roll_bar, &tyre.stiffness, &tyre.stiffness_load, &tyre.friction,
-              &tyre.friction_by_load, &tyre.slip_stiffness, &tyre.camber_stiffness, &tyre.trail, &tyre.curvature,
-              &tyre.carcass, &tyre.rolling_resistance, &tyre.loaded_radius, &tyre.rolling_radius})
+        for (double* value : {&axle->damping, &axle->anti_roll_bar, &tyre.stiffness, &tyre.stiffness_load,
+                              &tyre.friction, &tyre.friction_by_load, &tyre.slip_stiffness,
+                              &tyre.slip_stiffness_by_load, &tyre.camber_stiffness, &tyre.trail, &tyre.curvature,
+                              &tyre.carcass, &tyre.rolling_resistance, &tyre.loaded_radius, &tyre.rolling_radius})
             relative(*value);
         free.push_back({&axle->compliance_steer, 1e-6});
         free.push_back({&axle->toe_by_travel, 0.02});
         free.push_back({&axle->roll_axis, 0.02});
+        free.push_back({&axle->brake_support, 0.04});
     }
     return free;
 }

@@ -26,6 +26,7 @@ void addAxle(std::vector<SharedNumber>& all, const std::string& axle, Axle& a) {
     factor(".wheel_inertia", a.wheel_inertia);
     same(".suspension.spring", a.spring);
     same(".suspension.anti_roll_bar", a.anti_roll_bar);
+    same(".suspension.side_view_slope_braking", a.brake_support);
     same(".suspension.roll_centre_height", a.roll_axis);
     same(".suspension.toe_by_travel", a.toe_by_travel);
     same(".suspension.camber_by_travel", a.camber_by_travel);
@@ -89,6 +90,7 @@ std::vector<SharedNumber> sharedNumbers(Truth& truth) {
     factor("mass", p.mass);
     factor("inertia.yaw", p.yaw_inertia);
     factor("inertia.roll", p.roll_inertia);
+    factor("inertia.pitch", p.pitch_inertia);
     factor("wheelbase", p.wheelbase);
     same("front_axle_distance", p.front_distance);
     same("height", p.height);

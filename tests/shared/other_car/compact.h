@@ -16,6 +16,7 @@ inline Params compact() {
     front.spring = 22000;
     front.anti_roll_bar = 15000;
     front.damping = 1675;
+    front.brake_support = 0.06;
     front.roll_axis = 0.06;
     front.unsprung_mass = 38;
     front.wheel_inertia = 1.0;
@@ -28,6 +29,7 @@ inline Params compact() {
     rear.spring = 20000;
     rear.anti_roll_bar = 8000;
     rear.damping = 1325;
+    rear.brake_support = 0.15;
     rear.roll_axis = 0.11;
     rear.unsprung_mass = 34;
     rear.wheel_inertia = 0.95;
