@@ -32,13 +32,10 @@ std::vector<LinearEffect> effectsOf(const Study& study, const Eigen::MatrixXd& p
 
 // Products of the knobs' columns and the nominal car's residual, row by row.
 Eigen::MatrixXd plainProducts(const Study& study) {
-    const std::vector<Eigen::Index> knobs = study.allKnobs();
-    const auto n = static_cast<Eigen::Index>(knobs.size());
-    Eigen::MatrixXd products = Eigen::MatrixXd::Zero(n + 1, n + 1);
+    const auto all = static_cast<Eigen::Index>(study.allKnobs().size()) + 1;
+    Eigen::MatrixXd products = Eigen::MatrixXd::Zero(all, all);
     for (std::size_t d = 0; d < study.nominal.size(); ++d) {
-        Eigen::MatrixXd columns(study.nominal[d].size(), n + 1);
-        columns.leftCols(n) = study.uncertainty.noise[d].over(study.calibrated.about.columns[d](Eigen::all, knobs));
-        columns.rightCols(1) = residual(study.bench, study.uncertainty, study.nominal, d);
+        const Eigen::MatrixXd columns = knobsAndResidual(study, study.calibrated.about, study.nominal, d);
         products += columns.transpose() * columns;
     }
     return products;

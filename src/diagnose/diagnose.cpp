@@ -74,9 +74,8 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std:
         if (!std::isfinite(drive.until)) continue;
         diagnosis.data_warnings.push_back(
             fmt::format("{}: from {:.1f} s on the car slides and its model does not, or the other way round. What they "
-                        "do then differs "
-                        "by more than any small cause explains, so it is left out. Drive a little slower if the end of "
-                        "this matters.",
+                        "do then differs by more than any small cause explains, so it is left out. Drive a little "
+                        "slower if the end of this matters.",
                         drive.name, drive.until));
     }
 

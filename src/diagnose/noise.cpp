@@ -17,9 +17,9 @@ constexpr double kOfWhite = 0.375;  // of the variance of white noise, that the 
 
 constexpr std::array<double, 6> kBand{1, 1, -2, -2, 1, 1};  // passes 2 to 7 Hz of the rows
 
-double shown(const Eigen::VectorXd& rows, std::span<const double> filter) {
+double shown(const Eigen::VectorXd& rows) {
     if (rows.size() < kFewRows) return kInfinity;
-    return noiseBehind({rows.data(), static_cast<std::size_t>(rows.size())}, filter);
+    return noiseBehind({rows.data(), static_cast<std::size_t>(rows.size())}, kBand);
 }
 
 // Of one channel in all drives.
@@ -62,7 +62,7 @@ std::vector<RowNoise> rowNoise(const std::vector<RecordedDrive>& drives, const R
             const Eigen::VectorXd measured = drives[d].measured.segment(channel.first_row, count);
             const Eigen::VectorXd left = measured - nominal[d].segment(channel.first_row, count);
             Seen& seen = channels[channel.name];
-            seen.band.push_back(std::min(shown(measured, kBand), shown(left, kBand)));
+            seen.band.push_back(std::min(shown(measured), shown(left)));
             seen.size = std::max(seen.size, std::sqrt(measured.squaredNorm() / static_cast<double>(count)));
         }
     }

@@ -63,14 +63,10 @@ Screen screen(const Study& study, const std::vector<DriveGram>& grams) {
 Eigen::MatrixXd productsOver(const Study& study, const Ground& ground, const Fit& fit,
                              const std::array<double, kDisturbances>& sizes) {
     std::vector<DriveGram> grams;
-    const std::vector<Eigen::Index> knobs = study.allKnobs();
     for (std::size_t d = 0; d < fit.rows.size(); ++d) {
-        Eigen::MatrixXd further(fit.rows[d].size(), static_cast<Eigen::Index>(knobs.size()) + 1);
-        further.leftCols(further.cols() - 1) =
-            study.uncertainty.noise[d].over(ground.about.columns[d](Eigen::all, knobs));
-        further.rightCols(1) = residual(study.bench, study.uncertainty, fit.rows, d);
         const DriveGram free = driveGram(fit.columns[d], study.uncertainty.directions[d]);
-        grams.push_back(extended(free, fit.columns[d], study.uncertainty.directions[d], further));
+        grams.push_back(extended(free, fit.columns[d], study.uncertainty.directions[d],
+                                 knobsAndResidual(study, ground.about, fit.rows, d)));
     }
     Gram gram = total(grams, study.uncertainty, sizes);
     // The prior pulls the fitted parameters back: that is a gradient, too.

@@ -79,15 +79,19 @@ Linearised nuisancesAt(Study& study, const Deviation& at, const std::function<vo
         progress);
 }
 
-std::vector<DriveGram> everything(const Study& study, const Ground& ground) {
+Eigen::MatrixXd knobsAndResidual(const Study& study, const Linearised& about, const Rows& rows, std::size_t drive) {
     const std::vector<Eigen::Index> knobs = study.allKnobs();
+    Eigen::MatrixXd all(rows[drive].size(), static_cast<Eigen::Index>(knobs.size()) + 1);
+    all.leftCols(all.cols() - 1) = study.uncertainty.noise[drive].over(about.columns[drive](Eigen::all, knobs));
+    all.rightCols(1) = residual(study.bench, study.uncertainty, rows, drive);
+    return all;
+}
+
+std::vector<DriveGram> everything(const Study& study, const Ground& ground) {
     std::vector<DriveGram> grams;
     for (std::size_t d = 0; d < ground.grams.size(); ++d) {
-        Eigen::MatrixXd further(ground.about.rows[d].size(), static_cast<Eigen::Index>(knobs.size()) + 1);
-        further.leftCols(further.cols() - 1) =
-            study.uncertainty.noise[d].over(ground.about.columns[d](Eigen::all, knobs));
-        further.rightCols(1) = residual(study.bench, study.uncertainty, ground.about.rows, d);
-        grams.push_back(extended(ground.grams[d], ground.columns[d], study.uncertainty.directions[d], further));
+        grams.push_back(extended(ground.grams[d], ground.columns[d], study.uncertainty.directions[d],
+                                 knobsAndResidual(study, ground.about, ground.about.rows, d)));
     }
     return grams;
 }

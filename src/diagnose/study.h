@@ -52,6 +52,9 @@ Uncertainty uncertaintyOf(Bench& bench, const Deviation& at, const Rows& rows);
 // The drives about another point: nuisances anew where they make a difference, all else as about the calibrated car.
 Linearised nuisancesAt(Study& study, const Deviation& at, const std::function<void(double)>& progress);
 
+// Of one drive, over the noise: the columns of all knobs about a point, then the residual that these rows leave.
+Eigen::MatrixXd knobsAndResidual(const Study& study, const Linearised& about, const Rows& rows, std::size_t drive);
+
 // Products of the nuisances, all knobs and the residual about a ground that knows the knobs' columns.
 std::vector<DriveGram> everything(const Study& study, const Ground& ground);
 
