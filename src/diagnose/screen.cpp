@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "diagnose/thresholds.h"
+#include "identify/bounded_step.h"
 
 namespace tread {
 namespace {
@@ -12,19 +13,20 @@ namespace {
 constexpr double kAlike = 0.9;  // cosine from which a pair is worth naming, when it is also not separable
 constexpr std::size_t kMostPairs = 30;
 
-// Linear evidence of knobs with these products; what lies beyond a bound counts only up to it.
+// Linear evidence of knobs with these products, as far as their bounds let them.
 double gain(const Study& study, const Eigen::MatrixXd& products, std::size_t effect,
             const std::vector<Eigen::Index>& places, const Deviation& at) {
     const Eigen::Index n = static_cast<Eigen::Index>(places.size()), last = products.cols() - 1;
     const Eigen::MatrixXd information = products(places, places);
     const Eigen::VectorXd gradient = products(places, last);
     const Eigen::LLT<Eigen::MatrixXd> factor(Eigen::MatrixXd::Identity(n, n) + information);
-    Eigen::VectorXd best = factor.solve(gradient);
+    Eigen::VectorXd lowest(n), highest(n);
     for (Eigen::Index i = 0; i < n; ++i) {
         const Eigen::Index p = study.knobs[effect][static_cast<std::size_t>(i)];
         const Parameter& parameter = study.bench.parameters[static_cast<std::size_t>(p)];
-        best(i) = std::clamp(best(i), parameter.lowest - at(p), parameter.highest - at(p));
+        lowest(i) = parameter.lowest - at(p), highest(i) = parameter.highest - at(p);
     }
+    const Eigen::VectorXd best = boundedStep(information, gradient, Eigen::VectorXd::Zero(n), 0, lowest, highest);
     const double explained = gradient.dot(best) - 0.5 * (best.dot(information * best) + best.squaredNorm());
     return explained - factor.matrixLLT().diagonal().array().log().sum();
 }

@@ -7,8 +7,8 @@ namespace tread {
 struct Thresholds {
     double testable = 6;        // nats to expect at typical size: below, an effect cannot be seen in these drives
     double separable = 6;       // nats between two effects
-    double effect = 10;         // nats that one effect must gain over none: in empty cases the best gained 9
-    double further_effect = 8;  // nats that one more effect must gain
+    double effect = 7;          // nats that one effect must gain over none: in empty cases the best gained 9
+    double further_effect = 6;  // nats that one more effect must gain
     double unknown = 6;         // nats that larger disturbances gain on top of the best model
     double constancy = 5;       // Cochran's Q over its degrees of freedom: the same effect in every drive
     double constancy_p = 1e-3;

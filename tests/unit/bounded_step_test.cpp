@@ -1,0 +1,55 @@
+// The best step between bounds, against conditions that any minimum of a convex problem meets, and by hand.
+#include "identify/bounded_step.h"
+
+#include <gtest/gtest.h>
+
+#include "base/random.h"
+
+namespace tread {
+namespace {
+
+// How much more each parameter would like to move.
+Eigen::VectorXd pull(const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient, const Eigen::VectorXd& x,
+                     const Eigen::VectorXd& step) {
+    return gradient - x - step - information * step;
+}
+
+TEST(BoundedStep, LeavesNothingToGainWithinTheBounds) {
+    Random random(7);
+    constexpr Eigen::Index kSize = 6;
+    for (int trial = 0; trial < 200; ++trial) {
+        Eigen::MatrixXd rows(9, kSize);
+        Eigen::VectorXd gradient(kSize), x(kSize), lowest(kSize), highest(kSize);
+        for (double& one : rows.reshaped()) one = random.normal();
+        for (Eigen::Index i = 0; i < kSize; ++i) {
+            gradient(i) = 5 * random.normal();
+            x(i) = 0.3 * random.normal();
+            lowest(i) = x(i) - (random.uniform() < 0.3 ? 0 : random.uniform());
+            highest(i) = x(i) + random.uniform();
+        }
+        const Eigen::MatrixXd information = rows.transpose() * rows;
+        const Eigen::VectorXd step = boundedStep(information, gradient, x, 0, lowest, highest);
+        const Eigen::VectorXd left = pull(information, gradient, x, step);
+        for (Eigen::Index i = 0; i < kSize; ++i) {
+            const double at = x(i) + step(i);
+            EXPECT_GE(at, lowest(i) - 1e-12);
+            EXPECT_LE(at, highest(i) + 1e-12);
+            if (at > lowest(i) + 1e-9) EXPECT_GE(left(i), -1e-7) << "trial " << trial;
+            if (at < highest(i) - 1e-9) EXPECT_LE(left(i), 1e-7) << "trial " << trial;
+        }
+    }
+}
+
+// A delay and a lag that look nearly alike, both from zero upwards: the free optimum is one of them far up and the
+// other below zero. Cutting that off at zero would take a step that makes things worse.
+TEST(BoundedStep, DoesNotGoUphillWhenAPartnerMeetsItsBound) {
+    Eigen::MatrixXd information(2, 2);
+    information << 1000, 990, 990, 1000;
+    const Eigen::Vector2d gradient(1000, 900), zero(0, 0), far(10, 10);
+    const Eigen::VectorXd step = boundedStep(information, gradient, zero, 0, zero, far);
+    EXPECT_NEAR(step(0), 1000.0 / 1001, 1e-12);
+    EXPECT_EQ(step(1), 0);
+}
+
+}  // namespace
+}  // namespace tread
