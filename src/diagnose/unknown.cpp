@@ -1,7 +1,5 @@
 #include "diagnose/unknown.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -12,7 +10,6 @@ namespace {
 constexpr std::array<double, 6> kAllLarger{1.6, 2.5, 4, 8, 16, 50};
 constexpr std::array<double, 3> kOneLarger{4, 15, 50};
 constexpr double kLeastShare = 0.02;  // of the information, that a drive must carry to have a say
-constexpr double kReading = 15;       // times the usual size: with these the missing force is read off
 
 }  // namespace
 
@@ -114,40 +111,6 @@ double chiSquaredTail(double x, double degrees_of_freedom) {
         if (std::abs(d * c - 1) < kSmall) break;
     }
     return front * h;
-}
-
-MissingForce missingForce(const Study& study, const Fit& fit) {
-    std::array<double, kDisturbances> sizes = study.uncertainty.sizes;
-    for (double& size : sizes) size *= kReading;
-    // Steering is no force: what it would explain shows as lateral force and yaw moment of the front axle.
-    sizes[static_cast<std::size_t>(Disturbed::steering)] = 0;
-    std::array<double, kDisturbances> energy{};
-    double most = 0;
-    MissingForce result;
-    for (std::size_t d = 0; d < fit.rows.size(); ++d) {
-        const Disturbances& disturbing = study.uncertainty.disturbing[d];
-        const Eigen::VectorXd size = study.uncertainty.sizesOf(d, sizes);
-        const Eigen::MatrixXd scaled = study.uncertainty.directions[d] * size.asDiagonal();
-        const Eigen::Index n = scaled.cols();
-        const Eigen::VectorXd impulses =
-            (Eigen::MatrixXd::Identity(n, n) + scaled.transpose() * scaled)
-                .llt()
-                .solve(scaled.transpose() * residual(study.bench, study.uncertainty, fit.rows, d));
-        const Eigen::VectorXd force = disturbing.hats(impulses.head(n - 1));  // without the speed at the start
-        for (std::size_t i = 0; i < disturbing.kinds.size(); ++i) {
-            const double here = force(static_cast<Eigen::Index>(i)) * force(static_cast<Eigen::Index>(i));
-            energy[static_cast<std::size_t>(disturbing.kinds[i])] += here;
-            if (here <= most) continue;
-            most = here;
-            result.when = fmt::format("{}, about {:.1f} s", study.bench.drives[d].name, disturbing.times[i]);
-        }
-    }
-    const double sum = std::accumulate(energy.begin(), energy.end(), 0.0);
-    for (std::size_t kind = 0; kind < kDisturbances; ++kind) {
-        if (static_cast<Disturbed>(kind) == Disturbed::steering) continue;
-        result.shares[std::string(kDisturbedNames[kind])] = sum > 0 ? energy[kind] / sum : 0.25;
-    }
-    return result;
 }
 
 }  // namespace tread

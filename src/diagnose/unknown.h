@@ -1,9 +1,6 @@
 // Does something act that no effect of the catalogue explains?
 #pragma once
 
-#include <map>
-#include <string>
-
 #include "diagnose/search.h"
 
 namespace tread {
@@ -26,12 +23,5 @@ Constancy constancy(const Study& study, const Fit& fit);
 
 // P(X > x) of the chi-squared distribution.
 double chiSquaredTail(double x, double degrees_of_freedom);
-
-// The force that, by the disturbances' posterior, the model lacks: share of each kind, and when it acts most.
-struct MissingForce {
-    std::map<std::string, double> shares;
-    std::string when;
-};
-MissingForce missingForce(const Study& study, const Fit& fit);
 
 }  // namespace tread

@@ -5,7 +5,7 @@
 #include <complex>
 #include <numbers>
 
-#include "diagnose/unknown.h"
+#include "diagnose/missing_force.h"
 #include "log/resample.h"
 
 namespace tread {
