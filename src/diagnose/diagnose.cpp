@@ -89,7 +89,7 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std:
     tellNuisances(diagnosis, study, found.best().fit);
 
     // Where, and how far.
-    diagnosis.where = whereItLies(study, found);
+    diagnosis.where = whereItLies(study);
     howFar(diagnosis, study, found, drivesOf(file, logs, true));
     diagnosis.next = nextDrives(diagnosis, study, found, options.possible_next);
     options.progress(1, "done");

@@ -202,7 +202,7 @@ void tellGap(Identification& found, Study& study, Fit fit, std::vector<RecordedD
     search.candidates.push_back({.effects = {0}, .fit = std::move(fit), .fitted = true});
     search.candidates.push_back({.effects = {}, .fit = std::move(alone), .fitted = true});
     found.gap.causes = {kChosen};
-    found.gap.where = whereItLies(study, search);
+    found.gap.where = whereItLies(study);
     howFar(found.gap, study, search, std::move(held_out));
 }
 

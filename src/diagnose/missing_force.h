@@ -1,4 +1,4 @@
-// The force that a model lacks, read off the measured motion.
+// The force that the nominal car lacks, read off the measured motion.
 #pragma once
 
 #include <map>
@@ -9,13 +9,12 @@
 namespace tread {
 
 struct MissingForce {
-    std::map<std::string, double> shares;  // of each kind, in squares of its usual size; sum 1
+    std::map<std::string, double> shares;  // of each kind, sum 1; by how often and how clearly it acts
     std::string when;                      // it acts most
 };
 
-// By the posterior of disturbances so large that they, rather than the parameters, explain what a fit leaves: the
-// nuisances give back what they took over in the force's place. What noise and usual disturbances alone would show does
-// not count.
-MissingForce missingForce(const Study& study, const Fit& fit);
+// By the posterior of disturbances so large that they, and not the parameters, explain what the nominal car does not.
+// What noise, usual disturbances and tolerances would show by chance does not count.
+MissingForce missingForce(const Study& study);
 
 }  // namespace tread

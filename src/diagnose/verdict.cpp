@@ -153,7 +153,7 @@ void judge(Diagnosis& diagnosis, const Study& study, const Screen& screen, const
         diagnosis.testable[study.effects[e].name] = screen.detectability[e];
     const std::set<std::string> names = credible(study, all);
     diagnosis.credible_set.assign(names.begin(), names.end());
-    const MissingForce force = missingForce(study, found.none().fit);
+    const MissingForce force = missingForce(study);
     diagnosis.unexplained.generalised_force =
         std::max_element(force.shares.begin(), force.shares.end(), [](const auto& a, const auto& b) {
             return a.second < b.second;

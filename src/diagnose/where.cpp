@@ -102,7 +102,7 @@ Eigen::VectorXd floorOf(const Uncertainty& uncertainty, std::size_t drive) {
     return uncertainty.noise[drive].deviation.cwiseProduct((disturbed.array() + 1).sqrt().matrix());
 }
 
-WhereItLies whereItLies(const Study& study, const Search& found) {
+WhereItLies whereItLies(const Study& study) {
     WhereItLies where;
     double all = 0;
     for (std::size_t d = 0; d < study.bench.drives.size(); ++d) {
@@ -130,7 +130,7 @@ WhereItLies whereItLies(const Study& study, const Search& found) {
     for (Shares* shares : {&where.channels, &where.recordings, &where.phases, &where.bands, &where.regimes})
         normalise(*shares);
     for (auto& [name, shares] : where.channels_of_recording) normalise(shares, all);
-    where.generalised_force = missingForce(study, found.none().fit).shares;
+    where.generalised_force = missingForce(study).shares;
     return where;
 }
 
