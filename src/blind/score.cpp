@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/median.h"
+#include "diagnose/thresholds.h"
 
 namespace tread {
 namespace {
@@ -37,7 +38,7 @@ double nats(const CaseAnswer& answer, const std::string& effect) {
 // What this case can show: nothing may be answered where the drives show nothing.
 bool testable(const CaseKey& key, const CaseAnswer& answer) {
     return std::any_of(key.effects.begin(), key.effects.end(),
-                       [&](const std::string& effect) { return nats(answer, effect) >= kTestableNats; });
+                       [&](const std::string& effect) { return nats(answer, effect) >= kThresholds.testable; });
 }
 
 double probabilityOf(const CaseAnswer& answer, const std::string& effect) {
@@ -45,6 +46,20 @@ double probabilityOf(const CaseAnswer& answer, const std::string& effect) {
         if (ranked.name == effect) return ranked.probability;
     }
     return 0;
+}
+
+// Causes and the members of alternatives, which stand as "a and b".
+std::set<std::string> namedIn(const CaseAnswer& answer) {
+    std::set<std::string> names(answer.causes.begin(), answer.causes.end());
+    constexpr std::string_view kAnd = " and ";
+    for (std::string_view rest : answer.alternatives) {
+        for (std::size_t at = rest.find(kAnd); at != rest.npos; at = rest.find(kAnd)) {
+            names.emplace(rest.substr(0, at));
+            rest.remove_prefix(at + kAnd.size());
+        }
+        names.emplace(rest);
+    }
+    return names;
 }
 
 // The errors of the parameters of one effect, in standard deviations.
@@ -67,6 +82,7 @@ public:
         add("bic_first", "  the same, by the information criterion BIC with free tolerances", 0);
         add("named_alone", "one effect, testable: named, and nothing else", 0);
         add("among_first_two", "one effect, testable: among the first two", 0);
+        add("named_first_faint", "one effect that may show, but is not testable: named first", 0);
         add("named_first_any", "one effect, testable or not: named first", 0);
         add("in_credible_set", "one effect: in the set that holds 90 %", 0.9);
         add("false_alarm", "no effect: false alarm", 0.02, false);
@@ -96,8 +112,12 @@ public:
         const bool first = !answer.effects.empty() && answer.effects.front().name == truth;
         const bool named = alarms(answer);
         count("named_first_any", first && named);
-        count("in_credible_set", has(answer.credible_set, truth) || !testable(key, answer));
-        if (!testable(key, answer)) return;
+        count("in_credible_set",
+              has(answer.credible_set, truth) || (!testable(key, answer) && has(answer.credible_set, "none")));
+        if (!testable(key, answer)) {
+            if (nats(answer, truth) >= kThresholds.shows) count("named_first_faint", first && named);
+            return;
+        }
         count("named_first", first && named);
         baselines("_first", answer, [&](const std::string& claim) { return claim == truth; });
         count("named_alone", answer.verdict == Verdict::explained && alike(answer.causes, key.effects));
@@ -114,8 +134,9 @@ public:
         if (!testable(key, answer)) return;
         count("pair_one_first",
               alarms(answer) && !answer.effects.empty() && has(key.effects, answer.effects.front().name));
-        const bool both = std::all_of(key.effects.begin(), key.effects.end(),
-                                      [&](const std::string& effect) { return nats(answer, effect) >= kTestableNats; });
+        const bool both = std::all_of(key.effects.begin(), key.effects.end(), [&](const std::string& effect) {
+            return nats(answer, effect) >= kThresholds.testable;
+        });
         if (both) count("pair_exact", exact);
     }
 
@@ -170,39 +191,23 @@ void countCase(Counter& counter, const CaseKey& key, const CaseAnswer& answer) {
     if (key.kind == CaseKind::outside || testable(key, answer)) {
         if (key.kind != CaseKind::small) counter.count("detected", alarms(answer));
     }
-    if (const auto claim = claimOf(key, answer))
-        counter.count("wrong_confident", !claim->right && claim->probability > kConfident);
+    for (const Claim& claim : claimsOf(key, answer))
+        counter.count("wrong_confident", !claim.right && claim.probability > kConfident);
 }
 
 }  // namespace
 
-std::optional<Claim> claimOf(const CaseKey& key, const CaseAnswer& answer) {
-    switch (answer.verdict) {
-        case Verdict::explained: {
-            double least = 1;
-            for (const std::string& cause : answer.causes) least = std::min(least, probabilityOf(answer, cause));
-            return Claim{least, !key.effects.empty() && alike(answer.causes, key.effects)};
-        }
-        case Verdict::ambiguous: {
-            std::set<std::string> named(answer.causes.begin(), answer.causes.end());
-            named.insert(answer.alternatives.begin(), answer.alternatives.end());
-            double sum = 0;
-            for (const std::string& name : named) sum += probabilityOf(answer, name);
-            const bool right = !key.effects.empty() && std::all_of(key.effects.begin(), key.effects.end(),
-                                                                   [&](const auto& e) { return named.contains(e); });
-            return Claim{std::min(sum, 1.0), right};
-        }
-        case Verdict::nothing: {
-            const bool empty = key.kind == CaseKind::none || key.kind == CaseKind::small;
-            return Claim{answer.probability_of_nothing,
-                         empty || (key.kind != CaseKind::outside && !testable(key, answer))};
-        }
-        case Verdict::unknown:
-            return Claim{answer.probability_of_unknown, key.kind == CaseKind::outside};
-        case Verdict::not_testable:
-            break;
+std::vector<Claim> claimsOf(const CaseKey& key, const CaseAnswer& answer) {
+    std::vector<Claim> claims;
+    for (const std::string& name : namedIn(answer))
+        claims.push_back({probabilityOf(answer, name), has(key.effects, name)});
+    if (answer.verdict == Verdict::nothing) {
+        const bool shows = key.kind == CaseKind::outside || (key.kind != CaseKind::small && testable(key, answer));
+        claims.push_back({answer.probability_of_nothing, !shows});
     }
-    return std::nullopt;
+    if (answer.verdict == Verdict::unknown)
+        claims.push_back({answer.probability_of_unknown, key.kind == CaseKind::outside});
+    return claims;
 }
 
 const Figure& BlindScore::figure(std::string_view name) const {
@@ -227,7 +232,7 @@ BlindScore score(const std::vector<CaseKey>& keys, const std::vector<CaseAnswer>
         }
         const CaseAnswer& answer = *found;
         countCase(counter, key, answer);
-        if (const auto claim = claimOf(key, answer)) claims.push_back(*claim);
+        for (const Claim& claim : claimsOf(key, answer)) claims.push_back(claim);
         ++score.confusion[wordsOf(key)][wordsOf(answer)];
         seconds.push_back(answer.seconds);
         for (const RankedEffect& effect : answer.effects) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,9 +10,6 @@
 #include "blind/reliability.h"
 
 namespace tread {
-
-// An effect of which the drives show less than this at its typical size is not testable with them.
-inline constexpr double kTestableNats = 6;
 
 struct Figure {
     std::string name;  // in the JSON
@@ -26,8 +22,9 @@ struct Figure {
     Interval interval() const { return wilson(hits, of); }
 };
 
-// Nothing when the diagnosis claims nothing.
-std::optional<Claim> claimOf(const CaseKey& key, const CaseAnswer& answer);
+// What an answer claims: of every effect that it names, also as an alternative, that it is a cause; that nothing shows;
+// that something unknown acts.
+std::vector<Claim> claimsOf(const CaseKey& key, const CaseAnswer& answer);
 
 struct BlindScore {
     int cases = 0, failed = 0;

@@ -86,7 +86,8 @@ struct Diagnosis {
     std::string answer;  // in words
     std::vector<std::string> causes, alternatives;
     std::vector<RankedEffect> effects;  // best first
-    double probability_of_nothing = 0, probability_of_unknown = 0;
+    double probability_of_nothing = 0;  // none of the effects, or only such as these drives could not show
+    double probability_of_unknown = 0;
     WhereItLies where;
     HowFar how_far;
     std::map<std::string, NuisanceEstimate> nuisance;

@@ -103,7 +103,7 @@ std::vector<ConfusablePair> confusablePairs(const Study& study, const Screen& sc
     for (std::size_t a = 0; a < study.effects.size(); ++a) {
         for (std::size_t b = a + 1; b < study.effects.size(); ++b) {
             const double least = std::min(screen.detectability[a], screen.detectability[b]);
-            if (least < kThresholds.testable) continue;
+            if (least < kThresholds.shows) continue;
             const double alike = cosine(study, screen.products, a, b), apart = least * (1 - alike * alike);
             if (apart >= kThresholds.separable && alike < kAlike) continue;
             // The recording with the largest part of what the first leaves of the second.

@@ -109,11 +109,12 @@ bool tried(const std::vector<Candidate>& candidates, std::vector<std::size_t> ef
 void grow(Study& study, Ground ground, Candidate from, double none, std::vector<Candidate>& found) {
     while (from.effects.size() < kMostEffects) {
         const std::vector<double> gains = gainsOver(study, ground, from.fit);
+        const double enough = kThresholds.further_effect + kThresholds.doubt(2, from.log_evidence);
         std::optional<Candidate> best;
         std::size_t refits = 0;
         for (const std::size_t e : bestFirst(gains)) {
             if (contains(from.effects, e)) continue;
-            if (gains[e] < 0.5 * kThresholds.further_effect || refits++ == kFurtherRefits) break;
+            if (gains[e] < 0.5 * enough || refits++ == kFurtherRefits) break;
             std::vector<std::size_t> effects = from.effects;
             effects.push_back(e);
             if (tried(found, effects)) continue;
@@ -122,7 +123,7 @@ void grow(Study& study, Ground ground, Candidate from, double none, std::vector<
             found.push_back(*more);
             if (!best || more->log_evidence > best->log_evidence) best = more;
         }
-        if (!best || best->log_evidence < from.log_evidence + kThresholds.further_effect) return;
+        if (!best || best->log_evidence < from.log_evidence + enough) return;
         from = std::move(*best);
         if (from.effects.size() == kMostEffects) return;
         ground = groundAt(study, from.fit, [](double) {});

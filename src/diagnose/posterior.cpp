@@ -1,0 +1,87 @@
+#include "diagnose/posterior.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "diagnose/thresholds.h"
+
+namespace tread {
+namespace {
+
+constexpr std::size_t kMost = 4;  // effects of a candidate, none included
+
+// Prior probabilities of none, one, two and three causes of the catalogue, each split evenly over its members.
+constexpr std::array<double, kMost> kPrior{0.25, 0.45, 0.15, 0.05};
+constexpr double kPriorUnknown = 0.1;
+// Of the unknown causes, those that so many effects of the catalogue imitate.
+constexpr std::array<double, kMost> kImitated{0, 0.1, 0.1, 0.3};
+
+// Ways to choose so many of n effects.
+double choices(double n, std::size_t effects) {
+    double ways = 1;
+    for (std::size_t i = 0; i < effects; ++i)
+        ways *= std::max(1.0, n - static_cast<double>(i)) / static_cast<double>(i + 1);
+    return ways;
+}
+
+bool holds(const Candidate& candidate, std::size_t effect) {
+    return std::find(candidate.effects.begin(), candidate.effects.end(), effect) != candidate.effects.end();
+}
+
+template <class Of>
+double sumOf(const std::vector<Hypothesis>& hypotheses, Of&& of) {
+    double sum = 0;
+    for (const Hypothesis& one : hypotheses) {
+        if (of(one)) sum += one.probability;
+    }
+    return sum;
+}
+
+}  // namespace
+
+double Posterior::ofUnknown() const {
+    return sumOf(hypotheses, [](const Hypothesis& one) { return one.unknown(); });
+}
+
+double Posterior::of(std::size_t effect) const {
+    return sumOf(hypotheses, [&](const Hypothesis& one) { return !one.unknown() && holds(*one.candidate, effect); });
+}
+
+double Posterior::ofNothingThatShows(const Screen& screen) const {
+    return sumOf(hypotheses, [&](const Hypothesis& one) {
+        return !one.unknown() && std::all_of(one.candidate->effects.begin(), one.candidate->effects.end(),
+                                             [&](auto e) { return screen.detectability[e] < kThresholds.testable; });
+    });
+}
+
+Posterior posterior(const Study& study, const Search& found, const Inflation& inflation) {
+    const auto n = static_cast<double>(study.effects.size());
+    Posterior result;
+    std::vector<double> logs;
+    const auto add = [&](const Candidate* candidate, bool imitated, double prior, double evidence) {
+        result.hypotheses.push_back({candidate, imitated});
+        logs.push_back(std::log(prior) + evidence / kThresholds.temperature);
+    };
+    double strongest = -kInfinity;
+    for (const Candidate& one : found.candidates) {
+        const std::size_t count = std::min(one.effects.size(), kMost - 1);
+        const double ways = choices(n, count);
+        const double evidence = one.log_evidence - kThresholds.doubt(count, found.best().log_evidence);
+        strongest = std::max(strongest, evidence);
+        add(&one, false, kPrior[count] / ways, evidence);
+        if (count > 0 && one.fitted)
+            add(&one, true, kPriorUnknown * kImitated[count] / ways, evidence + imitationGain(study, one.fit));
+    }
+    add(nullptr, false, kPriorUnknown, strongest + inflation.gain - kThresholds.unknown);
+
+    const double most = *std::max_element(logs.begin(), logs.end());
+    double sum = 0;
+    for (double& one : logs) sum += one = std::exp(one - most);
+    for (std::size_t i = 0; i < logs.size(); ++i) result.hypotheses[i].probability = logs[i] / sum;
+    std::stable_sort(result.hypotheses.begin(), result.hypotheses.end(),
+                     [](const Hypothesis& a, const Hypothesis& b) { return a.probability > b.probability; });
+    return result;
+}
+
+}  // namespace tread
