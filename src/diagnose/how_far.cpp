@@ -6,6 +6,7 @@
 
 #include "base/random.h"
 #include "diagnose/replay.h"
+#include "diagnose/thresholds.h"
 #include "identify/parallel.h"
 
 namespace tread {
@@ -103,6 +104,7 @@ Deviation drawn(const Bench& bench, const Fit& fit, Random& random) {
     Eigen::VectorXd normal(n);
     for (Eigen::Index i = 0; i < n; ++i) normal(i) = random.normal();
     Deviation point = fit.at;
+    normal *= std::sqrt(kThresholds.temperature);
     point(fit.free) += fit.covariance.llt().matrixL() * normal;
     for (const Eigen::Index i : fit.free) {
         const Parameter& parameter = bench.parameters[static_cast<std::size_t>(i)];
@@ -112,8 +114,9 @@ Deviation drawn(const Bench& bench, const Fit& fit, Random& random) {
 }
 
 // How much of the nominal car's gap to the true one the answer closes. The true car is not known, but the posterior
-// says what it can be: each draw of it is driven and stands for the truth once. A gap that the answer leaves beyond its
-// floor in the recordings themselves is not closed whatever the posterior says.
+// says what it can be: each draw of it is driven and stands for the truth once, from a start as uncertain as the
+// replay's. A gap that the answer leaves beyond its floor in the recordings themselves is not closed whatever the
+// posterior says.
 void closure(HowFar& how_far, Bench& bench, const Uncertainty& uncertainty, const Gaps& gaps, const Fit& fit) {
     Random random(1);
     const std::size_t n = bench.drives.size();
@@ -128,8 +131,11 @@ void closure(HowFar& how_far, Bench& bench, const Uncertainty& uncertainty, cons
         for (std::size_t d = 0; d < n; ++d) {
             const RowNoise& noise = uncertainty.noise[d];
             const double floor = gaps.floor[d], beyond = gaps.extended[d] - floor - kSignificant * std::sqrt(2 * floor);
-            before[d] = noise.over((*nominal)[d] - (*truth)[d]).squaredNorm();
-            after[d] = noise.over((*answer)[d] - (*truth)[d]).squaredNorm() + std::max(0.0, beyond);
+            const Eigen::VectorXd sizes = uncertainty.sizesOf(d, uncertainty.sizes);
+            const Eigen::VectorXd start =
+                random.normal() * sizes(sizes.size() - 1) * uncertainty.directions[d].col(sizes.size() - 1);
+            before[d] = (noise.over((*nominal)[d] - (*truth)[d]) + start).squaredNorm();
+            after[d] = (noise.over((*answer)[d] - (*truth)[d]) + start).squaredNorm() + std::max(0.0, beyond);
             before_sum += before[d], after_sum += after[d];
         }
         for (int again = 0; again < kResamples / kDraws; ++again) {

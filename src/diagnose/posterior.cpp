@@ -71,7 +71,7 @@ Posterior posterior(const Study& study, const Search& found, const Inflation& in
         strongest = std::max(strongest, evidence);
         add(&one, false, kPrior[count] / ways, evidence);
         if (count > 0 && one.fitted)
-            add(&one, true, kPriorUnknown * kImitated[count] / ways, evidence + imitationGain(study, one.fit));
+            add(&one, true, kPriorUnknown * kImitated[count] / ways, evidence + imitationGain(study, one));
     }
     add(nullptr, false, kPriorUnknown, strongest + inflation.gain - kThresholds.unknown);
 

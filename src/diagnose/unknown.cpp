@@ -14,6 +14,8 @@ constexpr double kWider = 2;          // times the spread of an effect's size, t
 // Standard deviation of a value from drive to drive, as a share of it: of a true effect (the fit is linear there), and
 // of an imitation.
 constexpr double kSame = 0.1, kVaried = 0.5;
+constexpr double kJumps =
+    0.04;  // of what is explained, that may vary all the same: controllers and stops set in or not
 
 }  // namespace
 
@@ -92,18 +94,21 @@ Constancy constancy(const Study& study, const Fit& fit) {
     return result;
 }
 
-double imitationGain(const Study& study, const Fit& fit) {
+double imitationGain(const Study& study, const Candidate& candidate) {
     double gain = 0;
-    for (const Eigen::Index k : fit.knobs)
-        gain += 0.5 * fit.at(k) * fit.at(k) * (1 - 1 / (kWider * kWider)) - std::log(kWider);
-    const Constancy same = constancy(study, fit);
+    for (const Eigen::Index k : candidate.fit.knobs) {
+        const double size = candidate.fit.at(k);
+        gain += 0.5 * size * size * (1 - 1 / (kWider * kWider)) - std::log(kWider);
+    }
+    const Constancy same = constancy(study, candidate.fit);
     if (same.degrees_of_freedom == 0 || same.spread == 0) return gain;
     // Likelihood ratio of two spreads, as if every drive that has a say knew the value equally well.
     const double known = same.q / same.degrees_of_freedom / (same.spread * same.spread);  // squares over variance
     const double of_drive = known / (same.degrees_of_freedom + 1);
     const double as_same = 1 + kSame * kSame * of_drive, as_varied = 1 + kVaried * kVaried * of_drive;
-    return gain + 0.5 * same.q * (1 / as_same - 1 / as_varied) -
-           0.5 * same.degrees_of_freedom * std::log(as_varied / as_same);
+    const double varied =
+        0.5 * same.q * (1 / as_same - 1 / as_varied) - 0.5 * same.degrees_of_freedom * std::log(as_varied / as_same);
+    return gain + (varied > 0 ? std::max(0.0, varied - kJumps * candidate.log_evidence) : varied);
 }
 
 double chiSquaredTail(double x, double degrees_of_freedom) {
