@@ -22,6 +22,9 @@ struct Hypothesis {
 
 struct Posterior {
     std::vector<Hypothesis> hypotheses;  // the most probable first
+    // Times that evidence and variances must be divided by and multiplied with: Birge's ratio of the best model (what
+    // it leaves over what noise and disturbances would, in squares, not below 1) and the temperature.
+    double doubt = 1;
 
     double ofUnknown() const;
     double of(std::size_t effect) const;  // that it is one of the causes

@@ -20,15 +20,15 @@ std::string key(const Study& study, const std::vector<std::size_t>& effects) {
     return name.empty() ? "none" : name;
 }
 
-std::map<std::string, Estimate> estimates(const Study& study, const Fit& fit, const std::vector<Eigen::Index>& knobs) {
+std::map<std::string, Estimate> estimates(const Study& study, const Fit& fit, const std::vector<Eigen::Index>& knobs,
+                                          double doubt) {
     std::map<std::string, Estimate> result;
     for (std::size_t i = 0; i < fit.free.size(); ++i) {
         const Eigen::Index p = fit.free[i];
         if (std::find(knobs.begin(), knobs.end(), p) == knobs.end()) continue;
         const Parameter& parameter = study.bench.parameters[static_cast<std::size_t>(p)];
         const double units = fit.at(p);
-        const double sd = std::sqrt(kThresholds.temperature *
-                                    fit.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)));
+        const double sd = std::sqrt(doubt * fit.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)));
         constexpr double kNear = 1e-6;
         for (const Parameter::Move& move : parameter.moves) {
             Estimate one{.value = move.nominal + units * move.by,
@@ -53,7 +53,7 @@ void rankEffects(Diagnosis& diagnosis, const Study& study, const Search& found, 
             if (one.effects == std::vector<std::size_t>{e}) ranked.log_evidence = one.log_evidence;
         }
         if (best && best->fitted) {
-            ranked.parameters = estimates(study, best->fit, study.knobs[e]);
+            ranked.parameters = estimates(study, best->fit, study.knobs[e], posterior.doubt);
             const Constancy same = constancy(study, best->fit);
             if (same.degrees_of_freedom > 0) diagnosis.constancy[ranked.name] = same.p;
         }
@@ -80,11 +80,11 @@ std::set<std::string> credible(const Study& study, const Posterior& posterior) {
 }
 
 // The model of which every effect gains enough.
-const Candidate& chosenOf(const Search& found) {
+const Candidate& chosenOf(const Search& found, double surplus) {
     const auto merit = [&](const Candidate& one) {
         const std::size_t count = one.effects.size();
         return one.log_evidence - kThresholds.doubt(count, found.best().log_evidence) -
-               kThresholds.further_effect * static_cast<double>(count);
+               surplus * kThresholds.further_effect * static_cast<double>(count);
     };
     const Candidate* chosen = &found.best();
     for (const Candidate& one : found.candidates)
@@ -94,7 +94,7 @@ const Candidate& chosenOf(const Search& found) {
 
 // Names the causes, and what they cannot be told from.
 void blame(Diagnosis& diagnosis, const Study& study, const Search& found, const Posterior& posterior) {
-    const Candidate& chosen = chosenOf(found);
+    const Candidate& chosen = chosenOf(found, posterior.doubt / kThresholds.temperature);
     for (const std::size_t e : chosen.effects) diagnosis.causes.push_back(study.effects[e].name);
     double own = 0, rivals = 0;
     std::set<std::string> alternatives;
@@ -155,7 +155,8 @@ void judge(Diagnosis& diagnosis, const Study& study, const Screen& screen, const
     const Candidate& best = found.best();
     if (inflation.gain > kThresholds.unknown || diagnosis.probability_of_unknown > 0.5) {
         diagnosis.verdict = Verdict::unknown;
-    } else if (best.log_evidence < kThresholds.effect || best.effects.empty()) {
+    } else if (best.log_evidence * kThresholds.temperature < kThresholds.effect * probable.doubt ||
+               best.effects.empty()) {
         const bool seen = std::any_of(screen.detectability.begin(), screen.detectability.end(),
                                       [](double d) { return d >= kThresholds.shows; });
         diagnosis.verdict = seen ? Verdict::nothing : Verdict::not_testable;
