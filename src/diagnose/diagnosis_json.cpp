@@ -63,6 +63,13 @@ Json effectJson(const RankedEffect& effect) {
             {"parameters", parametersOf(effect)}};
 }
 
+Json confusableJson(const std::vector<ConfusablePair>& pairs) {
+    return listOf(pairs, [](const ConfusablePair& p) {
+        return Json{
+            {"a", p.a}, {"b", p.b}, {"cosine", p.cosine}, {"separation", p.separation}, {"manoeuvre", p.manoeuvre}};
+    });
+}
+
 Json baselinesJson(const Baselines& baselines) {
     return {{"largest_reduction", baselines.largest_reduction}, {"bic", baselines.bic}};
 }
@@ -87,14 +94,7 @@ Json diagnosisJson(const Diagnosis& d) {
               {"in_sample", d.how_far.in_sample}}},
             {"nuisance", nuisance},
             {"testable", d.testable},
-            {"confusable", listOf(d.confusable,
-                                  [](const ConfusablePair& p) {
-                                      return Json{{"a", p.a},
-                                                  {"b", p.b},
-                                                  {"cosine", p.cosine},
-                                                  {"separation", p.separation},
-                                                  {"manoeuvre", p.manoeuvre}};
-                                  })},
+            {"confusable", confusableJson(d.confusable)},
             {"next", listOf(d.next,
                             [](const NextDrive& n) {
                                 return Json{{"scenario", n.scenario}, {"separates", n.separates}, {"nats", n.nats}};
