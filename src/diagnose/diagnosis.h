@@ -79,6 +79,7 @@ struct Overlay {
     std::string recording;
     bool hold_out = false;
     Log measured, nominal, calibrated, extended;
+    Log allowed = {};  // standard deviation that the tolerances give the nominal car; empty for held-out drives
 };
 
 struct Diagnosis {
