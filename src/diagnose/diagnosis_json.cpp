@@ -27,13 +27,10 @@ Json levelsOf(const GapLevels& levels) {
 }
 
 Json whereOf(const WhereItLies& where) {
-    return {{"channels", where.channels},
-            {"recordings", where.recordings},
-            {"phases", where.phases},
-            {"bands", where.bands},
-            {"regimes", where.regimes},
-            {"generalised_force", where.generalised_force},
-            {"channels_of_recording", where.channels_of_recording}};
+    return {{"channels", where.channels},     {"recordings", where.recordings},
+            {"phases", where.phases},         {"bands", where.bands},
+            {"regimes", where.regimes},       {"generalised_force", where.generalised_force},
+            {"axle_force", where.axle_force}, {"channels_of_recording", where.channels_of_recording}};
 }
 
 // Of a list, each element as an object.

@@ -5,6 +5,7 @@
 #include <complex>
 #include <numbers>
 
+#include "diagnose/axle_force.h"
 #include "diagnose/unknown.h"
 #include "log/resample.h"
 
@@ -131,6 +132,7 @@ WhereItLies whereItLies(const Study& study, const Search& found) {
         normalise(*shares);
     for (auto& [name, shares] : where.channels_of_recording) normalise(shares, all);
     where.generalised_force = missingForce(study, found.none().fit).shares;
+    where.axle_force = axleForce(study, found.none().fit);
     return where;
 }
 

@@ -58,6 +58,7 @@ inline Diagnosis sampleDiagnosis() {
     d.where.bands = {{"below 0.3 Hz", 0.05}, {"0.3-1 Hz", 0.25}, {"1-3 Hz", 0.6}, {"above 3 Hz", 0.1}};
     d.where.regimes = {{"20-30 m/s", 0.7}, {"10-20 m/s", 0.3}};
     d.where.generalised_force = {{"yaw", 0.5}, {"lateral", 0.4}, {"roll", 0.07}, {"longitudinal", 0.03}};
+    d.where.axle_force = {{"front", 0.71}, {"rear", 0.29}};
     for (const auto& [recording, share] : d.where.recordings) {
         for (const auto& [channel, part] : d.where.channels)
             d.where.channels_of_recording[recording][channel] = share * part;
