@@ -14,7 +14,8 @@ Fit fitOf(Study& study, const Ground& ground, const Deviation& from) {
     return std::move(*found);
 }
 
-// Columns of all knobs: those that move nothing but uncertain numbers are mixtures of the nuisances' columns.
+}  // namespace
+
 Linearised withKnobs(Study& study, const Linearised& nuisances, const std::function<void(double)>& progress) {
     std::vector<Eigen::Index> own, mixed;
     for (const Eigen::Index knob : study.allKnobs()) {
@@ -32,8 +33,6 @@ Linearised withKnobs(Study& study, const Linearised& nuisances, const std::funct
     }
     return about;
 }
-
-}  // namespace
 
 std::vector<DriveGram> calibrate(Study& study, Ground nominal,
                                  const std::function<void(double, const std::string&)>& progress) {

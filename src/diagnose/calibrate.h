@@ -15,4 +15,8 @@ namespace tread {
 std::vector<DriveGram> calibrate(Study& study, Ground nominal,
                                  const std::function<void(double, const std::string&)>& progress);
 
+// The drives about the calibration with the columns of all knobs besides those of the nuisances. Knobs that move
+// nothing but uncertain numbers are mixtures of the nuisances' columns and are not driven.
+Linearised withKnobs(Study& study, const Linearised& nuisances, const std::function<void(double)>& progress);
+
 }  // namespace tread

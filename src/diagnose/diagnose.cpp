@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <chrono>
 #include <cmath>
 
@@ -8,27 +6,12 @@
 #include "diagnose/diagnosis.h"
 #include "diagnose/how_far.h"
 #include "diagnose/next_drive.h"
+#include "diagnose/sliding.h"
 #include "diagnose/verdict.h"
 #include "diagnose/where.h"
 
 namespace tread {
 namespace {
-
-void addParameters(Study& study, const DiagnosisFile& file, const std::vector<Effect>& effects) {
-    Bench& bench = study.bench;
-    bench.parameters = nuisances(bench.nominal, file.tolerances);
-    for (std::size_t i = 0; i < bench.parameters.size(); ++i) study.nuisances.push_back(static_cast<Eigen::Index>(i));
-    for (const Effect& effect : effects) {
-        std::vector<Eigen::Index> knobs;
-        for (Parameter& parameter : knobsOf(effect, bench.nominal)) {
-            knobs.push_back(static_cast<Eigen::Index>(bench.parameters.size()));
-            bench.parameters.push_back(std::move(parameter));
-        }
-        if (knobs.empty()) continue;
-        study.effects.push_back(effect);
-        study.knobs.push_back(std::move(knobs));
-    }
-}
 
 void tellNuisances(Diagnosis& diagnosis, const Study& study, const Fit& fit) {
     for (std::size_t i = 0; i < study.calibrated.nuisances.size(); ++i) {
@@ -58,26 +41,14 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std:
     addParameters(study, file, effects);
 
     // The nominal car: what its tolerances do, noise, disturbances.
-    const auto start = progress(0, 0.1);
-    Linearised about = linearised(study.bench, study.bench.origin(), {.parameters = study.nuisances},
-                                  [&](double share) { start(share, "sensitivities to tolerances"); });
-    expectDriven(study.bench, about);
-    study.nominal = about.rows;
-    study.uncertainty = uncertaintyOf(study.bench, study.bench.origin(), study.nominal);
+    Linearised about = aboutNominal(study, progress(0, 0.1));
     const std::vector<Eigen::Index> matter = thatMatter(study, about);
 
     // The calibrated one, from which effects are sought.
     const std::vector<DriveGram> grams =
         calibrate(study, ground(std::move(about), matter, study.uncertainty), progress(0.1, 0.4));
 
-    for (const RecordedDrive& drive : study.bench.drives) {
-        if (!std::isfinite(drive.until)) continue;
-        diagnosis.data_warnings.push_back(
-            fmt::format("{}: from {:.1f} s on the car slides and its model does not, or the other way round. What they "
-                        "do then differs by more than any small cause explains, so it is left out. Drive a little "
-                        "slower if the end of this matters.",
-                        drive.name, drive.until));
-    }
+    diagnosis.data_warnings = leftOut(study.bench.drives);
 
     // Which effect.
     const Screen screened = screen(study, grams);

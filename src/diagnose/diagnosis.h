@@ -32,6 +32,7 @@ using Shares = std::map<std::string, double>;  // sum to 1
 
 struct WhereItLies {
     Shares channels, recordings, phases, bands, regimes, generalised_force;
+    Shares axle_force;                                    // front, rear: side force that would do what is missing
     std::map<std::string, Shares> channels_of_recording;  // the heat map; all of them sum to 1
 };
 
@@ -79,6 +80,7 @@ struct Overlay {
     std::string recording;
     bool hold_out = false;
     Log measured, nominal, calibrated, extended;
+    Log allowed = {};  // standard deviation that the tolerances give the nominal car; empty for held-out drives
 };
 
 struct Diagnosis {

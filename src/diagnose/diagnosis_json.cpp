@@ -27,13 +27,10 @@ Json levelsOf(const GapLevels& levels) {
 }
 
 Json whereOf(const WhereItLies& where) {
-    return {{"channels", where.channels},
-            {"recordings", where.recordings},
-            {"phases", where.phases},
-            {"bands", where.bands},
-            {"regimes", where.regimes},
-            {"generalised_force", where.generalised_force},
-            {"channels_of_recording", where.channels_of_recording}};
+    return {{"channels", where.channels},     {"recordings", where.recordings},
+            {"phases", where.phases},         {"bands", where.bands},
+            {"regimes", where.regimes},       {"generalised_force", where.generalised_force},
+            {"axle_force", where.axle_force}, {"channels_of_recording", where.channels_of_recording}};
 }
 
 // Of a list, each element as an object.
@@ -63,6 +60,13 @@ Json effectJson(const RankedEffect& effect) {
             {"parameters", parametersOf(effect)}};
 }
 
+Json confusableJson(const std::vector<ConfusablePair>& pairs) {
+    return listOf(pairs, [](const ConfusablePair& p) {
+        return Json{
+            {"a", p.a}, {"b", p.b}, {"cosine", p.cosine}, {"separation", p.separation}, {"manoeuvre", p.manoeuvre}};
+    });
+}
+
 Json baselinesJson(const Baselines& baselines) {
     return {{"largest_reduction", baselines.largest_reduction}, {"bic", baselines.bic}};
 }
@@ -87,14 +91,7 @@ Json diagnosisJson(const Diagnosis& d) {
               {"in_sample", d.how_far.in_sample}}},
             {"nuisance", nuisance},
             {"testable", d.testable},
-            {"confusable", listOf(d.confusable,
-                                  [](const ConfusablePair& p) {
-                                      return Json{{"a", p.a},
-                                                  {"b", p.b},
-                                                  {"cosine", p.cosine},
-                                                  {"separation", p.separation},
-                                                  {"manoeuvre", p.manoeuvre}};
-                                  })},
+            {"confusable", confusableJson(d.confusable)},
             {"next", listOf(d.next,
                             [](const NextDrive& n) {
                                 return Json{{"scenario", n.scenario}, {"separates", n.separates}, {"nats", n.nats}};

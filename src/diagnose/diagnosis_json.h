@@ -14,6 +14,8 @@ std::optional<Verdict> verdictNamed(std::string_view name);
 
 nlohmann::ordered_json effectJson(const RankedEffect& effect);
 
+nlohmann::ordered_json confusableJson(const std::vector<ConfusablePair>& pairs);
+
 nlohmann::ordered_json baselinesJson(const Baselines& baselines);
 
 nlohmann::ordered_json diagnosisJson(const Diagnosis& diagnosis);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "diagnose/disturbance.h"
 #include "diagnose/observation.h"
 #include "diagnose/thresholds.h"
 
@@ -11,6 +12,7 @@ namespace tread {
 namespace {
 
 constexpr double kWorthNaming = 0.05;  // share, or probability of an effect
+constexpr double kMostly = 0.5;        // of the missing force: side forces are worth a word
 constexpr std::size_t kMostShares = 3, kMostEffects = 5;
 
 std::string wordsOf(const std::string& channel) {
@@ -31,6 +33,21 @@ std::string largest(const Shares& shares, bool channels = false) {
                             -100 * sorted[i].first);
     }
     return list.empty() ? "nowhere" : list;
+}
+
+// "; front axle side force 80 %", where side forces are most of what is missing.
+std::string axleOf(const WhereItLies& where) {
+    const auto share = [](const Shares& shares, std::string_view name) {
+        const auto found = shares.find(std::string(name));
+        return found == shares.end() ? 0.0 : found->second;
+    };
+    const auto kind = [&](Disturbed one) {
+        return share(where.generalised_force, kDisturbedNames[static_cast<std::size_t>(one)]);
+    };
+    if (kind(Disturbed::lateral) + kind(Disturbed::yaw) < kMostly) return {};
+    const double front = share(where.axle_force, "front");
+    return fmt::format("; {} axle side force {:.0f} %", front >= 0.5 ? "front" : "rear",
+                       100 * std::max(front, 1 - front));
 }
 
 std::string parametersOf(const RankedEffect& effect) {
@@ -75,8 +92,9 @@ std::string testableOf(const Diagnosis& d) {
 
 std::string diagnosisText(const Diagnosis& d) {
     std::string text = d.answer + "\n";
-    text += fmt::format("WHERE     {} of the gap; {}; {}; force: {}\n", largest(d.where.channels, true),
-                        largest(d.where.phases), largest(d.where.bands), largest(d.where.generalised_force));
+    text += fmt::format("WHERE     {} of the gap; {}; {}; force: {}{}\n", largest(d.where.channels, true),
+                        largest(d.where.phases), largest(d.where.bands), largest(d.where.generalised_force),
+                        axleOf(d.where));
     text += whichOf(d) + howFarOf(d);
     for (std::size_t i = 0; i < d.next.size(); ++i) {
         text += fmt::format("{}{} would separate {} by {:.0f} nats\n", i == 0 ? "NEXT      " : "          ",

@@ -42,11 +42,11 @@ Pushing pushes(const VehicleParams& car, Disturbed kind, std::size_t first) {
         const double size = hat(since, near);
         switch (kind) {
             case Disturbed::lateral:
-                return Push{.force = {0, size * kLateral * car.mass, 0}};
+                return Push{.force = {0, size * usualSize(kind, car), 0}};
             case Disturbed::yaw:
-                return Push{.moment = {0, 0, size * kYaw * car.inertia.yaw}};
+                return Push{.moment = {0, 0, size * usualSize(kind, car)}};
             default:
-                return Push{.moment = {size * kRoll * car.inertia.roll, 0, 0}};
+                return Push{.moment = {size * usualSize(kind, car), 0, 0}};
         }
     };
 }
@@ -146,6 +146,22 @@ Eigen::MatrixXd trembling(const Course& course, const VehicleParams& car, const 
 }
 
 }  // namespace
+
+double usualSize(Disturbed kind, const VehicleParams& car) {
+    switch (kind) {
+        case Disturbed::longitudinal:
+            return kLongitudinal * car.mass;
+        case Disturbed::lateral:
+            return kLateral * car.mass;
+        case Disturbed::yaw:
+            return kYaw * car.inertia.yaw;
+        case Disturbed::roll:
+            return kRoll * car.inertia.roll;
+        case Disturbed::steering:
+            return kSteering;
+    }
+    return 0;
+}
 
 Eigen::MatrixXd lingering(Eigen::Index hats) {
     const double kept = std::exp(-kHat / kLingers), fresh = std::sqrt(1 - kept * kept);

@@ -17,6 +17,9 @@ enum class Disturbed { longitudinal, lateral, yaw, roll, steering };
 inline constexpr std::array<std::string_view, 5> kDisturbedNames{"longitudinal", "lateral", "yaw", "roll", "steering"};
 inline constexpr std::size_t kDisturbances = kDisturbedNames.size();
 
+// Of a usual disturbance of a car: N along or aside, N m in yaw or roll, rad of the road wheels.
+double usualSize(Disturbed kind, const VehicleParams& car);
+
 struct Disturbances {
     Eigen::MatrixXd columns;       // rows x impulses, each of the usual size: what they do, and what lingers of them
     std::vector<Disturbed> kinds;  // of each column

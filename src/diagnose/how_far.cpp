@@ -42,14 +42,14 @@ double squares(const Uncertainty& uncertainty, std::size_t drive, const Eigen::V
     return whitened(gram, uncertainty.sizesOf(drive, uncertainty.sizes)).products(0, 0);
 }
 
-Log overlayOf(const RecordedDrive& drive, const Log* motion, const Instruments& instruments) {
+// Rows of a drive as a log; with no rows, only their times.
+Log logOf(const RecordedDrive& drive, const Eigen::VectorXd& rows) {
     Log log;
     std::set<double> every;
     for (const ObservedChannel& channel : drive.channels) every.insert(channel.times.begin(), channel.times.end());
     const std::vector<double> time(every.begin(), every.end());
     log.channels.push_back({"time", "s", time});
-    if (!motion) return log;
-    const Eigen::VectorXd rows = readings(drive, *motion, instruments);
+    if (rows.size() == 0) return log;
     for (const ObservedChannel& channel : drive.channels) {
         Channel column{channel.name, drive.log.find(channel.name)->unit, std::vector<double>(time.size(), kRequired)};
         for (std::size_t i = 0; i < channel.times.size(); ++i) {
@@ -88,10 +88,10 @@ Gaps gapsOf(Bench& bench, const Uncertainty& uncertainty, const std::vector<Devi
         here[d].measured = measuredOverlay(drive);
         for (std::size_t stage = 0; stage < stages.size(); ++stage) {
             const std::optional<Log> motion = motionAt(bench, d, subjects[stage]);
-            *logs[stage] = overlayOf(drive, motion ? &*motion : nullptr, subjects[stage].instruments);
             const Eigen::VectorXd rows =
-                motion ? readings(drive, *motion, subjects[stage].instruments) : Eigen::VectorXd::Zero(drive.rows());
-            (*sums[stage])[d] = squares(uncertainty, d, drive.measured - rows);
+                motion ? readings(drive, *motion, subjects[stage].instruments) : Eigen::VectorXd{};
+            *logs[stage] = logOf(drive, rows);
+            (*sums[stage])[d] = squares(uncertainty, d, motion ? drive.measured - rows : drive.measured);
         }
     });
     overlays.insert(overlays.end(), here.begin(), here.end());
@@ -179,6 +179,8 @@ void howFar(Diagnosis& diagnosis, Study& study, const Search& found, std::vector
     const std::vector<Deviation> stages{study.bench.origin(), found.none().fit.at, answer.fit.at};
     HowFar& how_far = diagnosis.how_far;
     const Gaps training = gapsOf(study.bench, study.uncertainty, stages, false, diagnosis.overlays);
+    for (std::size_t d = 0; d < study.allowed.size(); ++d)
+        diagnosis.overlays[d].allowed = logOf(study.bench.drives[d], study.allowed[d]);
     how_far.training = levels(training);
     how_far.in_sample = held_out.empty();
     const double floor = sum(training.floor);

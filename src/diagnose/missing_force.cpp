@@ -54,16 +54,43 @@ Reading reading(const Study& study, std::size_t drive, const std::array<double, 
     return result;
 }
 
+// Squares of the side force at the front and at the rear that a lateral force and a yaw moment amount to; what chance
+// shows of these is taken as if it knew nothing of the other.
+struct AxleSquares {
+    double front = 0, rear = 0;
+};
+
+AxleSquares axleSquares(const VehicleParams& car, const Reading& reading) {
+    const Eigen::Index each = reading.force.size() / static_cast<Eigen::Index>(kDisturbances);
+    const auto of = [&](const Eigen::VectorXd& values, Disturbed kind) -> Eigen::ArrayXd {
+        return values.segment(static_cast<Eigen::Index>(kind) * each, each).array();
+    };
+    const double l = car.wheelbase, a = car.front_axle_distance, b = l - a;
+    const double newton = usualSize(Disturbed::lateral, car), newton_metre = usualSize(Disturbed::yaw, car);
+    const auto squares = [&](double arm, double sign) {
+        const double force = newton * arm / l, moment = sign * newton_metre / l;
+        const Eigen::ArrayXd both =
+            force * of(reading.force, Disturbed::lateral) + moment * of(reading.force, Disturbed::yaw);
+        const Eigen::ArrayXd chance = force * force * of(reading.by_chance, Disturbed::lateral) +
+                                      moment * moment * of(reading.by_chance, Disturbed::yaw);
+        return (both.square() - chance).sum();
+    };
+    return {squares(b, 1), squares(a, -1)};
+}
+
 }  // namespace
 
 MissingForce missingForce(const Study& study) {
     const std::array<double, kDisturbances> sizes = readingSizes(study.uncertainty);
     std::array<double, kDisturbances> shown{};
     double most = -kInfinity;
+    AxleSquares axles;
     MissingForce result;
     for (std::size_t d = 0; d < study.bench.drives.size(); ++d) {
         const Disturbances& disturbing = study.uncertainty.disturbing[d];
         const Reading here = reading(study, d, sizes);
+        const AxleSquares of_drive = axleSquares(study.bench.nominal.vehicle, here);
+        axles.front += of_drive.front, axles.rear += of_drive.rear;
         for (std::size_t i = 0; i < disturbing.kinds.size(); ++i) {
             const auto hat = static_cast<Eigen::Index>(i);
             const double square = here.force(hat) * here.force(hat), chance = here.by_chance(hat) + kUninformed;
@@ -78,6 +105,9 @@ MissingForce missingForce(const Study& study) {
         if (static_cast<Disturbed>(kind) == Disturbed::steering) continue;
         result.shares[std::string(kDisturbedNames[kind])] = sum > 0 ? shown[kind] / sum : 0.25;
     }
+    const double front = std::max(0.0, axles.front), rear = std::max(0.0, axles.rear);
+    result.axles = {{"front", front + rear > 0 ? front / (front + rear) : 0.5},
+                    {"rear", front + rear > 0 ? rear / (front + rear) : 0.5}};
     return result;
 }
 

@@ -10,6 +10,7 @@ namespace tread {
 
 struct MissingForce {
     std::map<std::string, double> shares;  // of each kind, sum 1; by how often and how clearly it acts
+    std::map<std::string, double> axles;   // of the squared side force at `front` and `rear` that would do the same
     std::string when;                      // it acts most
 };
 

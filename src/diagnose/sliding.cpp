@@ -1,5 +1,7 @@
 #include "diagnose/sliding.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,6 +38,19 @@ double slideApart(const RecordedDrive& drive, const Eigen::VectorXd& model) {
         if (std::abs(apart[i] - apart[before]) > kSlideApart) return times[before];
     }
     return kInfinity;
+}
+
+std::vector<std::string> leftOut(std::span<const RecordedDrive> drives) {
+    std::vector<std::string> sentences;
+    for (const RecordedDrive& drive : drives) {
+        if (!std::isfinite(drive.until)) continue;
+        sentences.push_back(
+            fmt::format("{}: from {:.1f} s on the car slides and its model does not, or the other way round. What they "
+                        "do then differs by more than any small cause explains, so it is left out. Drive a little "
+                        "slower if the end of this matters.",
+                        drive.name, drive.until));
+    }
+    return sentences;
 }
 
 }  // namespace tread

@@ -2,6 +2,10 @@
 // round, what they do differs by more than any small cause explains.
 #pragma once
 
+#include <span>
+#include <string>
+#include <vector>
+
 #include "diagnose/drive.h"
 
 namespace tread {
@@ -9,5 +13,8 @@ namespace tread {
 // When they begin to, s; infinity when they do not. `model` are the rows of a model in the drive. The sideslip angle is
 // seen to change from lateral acceleration, yaw rate and speed; nothing can be said without one of these, or with gaps.
 double slideApart(const RecordedDrive& drive, const Eigen::VectorXd& model);
+
+// What is left out of the drives for that, a sentence or two each.
+std::vector<std::string> leftOut(std::span<const RecordedDrive> drives);
 
 }  // namespace tread

@@ -49,6 +49,33 @@ void begin(Bench& bench, const Subject& nominal, const DiagnosisFile& file, cons
         throw std::invalid_argument("every recording is held out, expected at least one from which to learn");
 }
 
+void addParameters(Study& study, const DiagnosisFile& file, const std::vector<Effect>& effects) {
+    Bench& bench = study.bench;
+    bench.parameters = nuisances(bench.nominal, file.tolerances);
+    for (std::size_t i = 0; i < bench.parameters.size(); ++i) study.nuisances.push_back(static_cast<Eigen::Index>(i));
+    for (const Effect& effect : effects) {
+        std::vector<Eigen::Index> knobs;
+        for (Parameter& parameter : knobsOf(effect, bench.nominal)) {
+            knobs.push_back(static_cast<Eigen::Index>(bench.parameters.size()));
+            bench.parameters.push_back(std::move(parameter));
+        }
+        if (knobs.empty()) continue;
+        study.effects.push_back(effect);
+        study.knobs.push_back(std::move(knobs));
+    }
+}
+
+Linearised aboutNominal(Study& study, const std::function<void(double, const std::string&)>& progress) {
+    Linearised about = linearised(study.bench, study.bench.origin(), {.parameters = study.nuisances},
+                                  [&](double share) { progress(share, "sensitivities to tolerances"); });
+    expectDriven(study.bench, about);
+    study.nominal = about.rows;
+    for (const Eigen::MatrixXd& columns : about.columns)
+        study.allowed.emplace_back(columns(Eigen::all, study.nuisances).rowwise().norm());
+    study.uncertainty = uncertaintyOf(study.bench, study.bench.origin(), study.nominal);
+    return about;
+}
+
 void expectDriven(const Bench& bench, const Linearised& about) {
     for (std::size_t d = 0; d < about.rows.size(); ++d) {
         if (about.rows[d].size() == 0)

@@ -18,6 +18,7 @@ struct Study {
     std::vector<Eigen::Index> nuisances;           // all, indices of parameters
     Uncertainty uncertainty;
     Rows nominal;       // what the nominal car does
+    Rows allowed;       // standard deviation of that by its tolerances
     Ground calibrated;  // about the nominal car with its parameters where the recordings want them, within tolerances
     Fit calibration;    // that brought it there
 
@@ -39,6 +40,12 @@ std::vector<RecordedDrive> drivesOf(const DiagnosisFile& file, const std::vector
 // Puts the nominal car and the recordings from which to learn on a bench; its parameters are added by whoever asks.
 void begin(Bench& bench, const Subject& nominal, const DiagnosisFile& file, const std::vector<Log>& logs,
            const DiagnoseOptions& options);
+
+// What may differ between the model and the car on the bench: all uncertain numbers, then the knobs of those effects.
+void addParameters(Study& study, const DiagnosisFile& file, const std::vector<Effect>& effects);
+
+// Drives the nominal car: its rows and what its tolerances do; noise and disturbances are those about it.
+Linearised aboutNominal(Study& study, const std::function<void(double, const std::string&)>& progress);
 
 // Throws when the nominal car could not be driven in one of the recordings.
 void expectDriven(const Bench& bench, const Linearised& about);

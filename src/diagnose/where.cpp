@@ -130,7 +130,9 @@ WhereItLies whereItLies(const Study& study) {
     for (Shares* shares : {&where.channels, &where.recordings, &where.phases, &where.bands, &where.regimes})
         normalise(*shares);
     for (auto& [name, shares] : where.channels_of_recording) normalise(shares, all);
-    where.generalised_force = missingForce(study).shares;
+    MissingForce missing = missingForce(study);
+    where.generalised_force = std::move(missing.shares);
+    where.axle_force = std::move(missing.axles);
     return where;
 }
 

@@ -17,9 +17,9 @@ std::string packTime(std::span<const double> time, const std::vector<std::size_t
     return packed(kept);
 }
 
-std::string packCurve(const TimeChart::Curve& curve, const std::vector<std::size_t>& rows) {
+std::string packValues(std::span<const double> values, double scale, const std::vector<std::size_t>& rows) {
     std::vector<float> kept;
-    for (const std::size_t row : rows) kept.push_back(static_cast<float>(curve.values[row] * curve.scale));
+    for (const std::size_t row : rows) kept.push_back(static_cast<float>(values[row] * scale));
     return packed(kept);
 }
 
@@ -29,6 +29,7 @@ std::string chartData(const TimeChart& chart) {
     std::vector<std::span<const double>> curves;
     for (const auto& curve : chart.curves)
         curves.push_back(curve.values.first(std::min(curve.values.size(), chart.time.size())));
+    if (chart.envelope) curves.insert(curves.end(), {chart.envelope->low, chart.envelope->high});
     const std::vector<std::size_t> rows = keepExtremes(curves, kMostRows);
 
     nlohmann::ordered_json json;
@@ -44,7 +45,13 @@ std::string chartData(const TimeChart& chart) {
                                   {"colour", hex(look.colour)},
                                   {"dashed", look.dashed || curve.dashed},
                                   {"width", curve.width},
-                                  {"values", packCurve(curve, rows)}});
+                                  {"values", packValues(curve.values, curve.scale, rows)}});
+    }
+    if (const auto& envelope = chart.envelope) {
+        json["envelope"] = {{"name", envelope->name},
+                            {"colour", hex(envelope->colour)},
+                            {"low", packValues(envelope->low, envelope->scale, rows)},
+                            {"high", packValues(envelope->high, envelope->scale, rows)}};
     }
     if (chart.band > 0) json["band"] = chart.band;
     json["marks"] = chart.marks;

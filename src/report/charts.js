@@ -4,11 +4,13 @@
 
     const {decode, format, element, read} = values;
 
-    function rowsOf(data) {
+    function rowsOf(data, packed) {
         const time = decode(data.time, Float64Array);
-        const curves = data.curves.map(curve => decode(curve.values, Float32Array));
+        const curves = packed.map(values => decode(values, Float32Array));
         return Array.from(time, (t, i) => [t].concat(curves.map(values => values[i])));
     }
+
+    const light = colour => colour + '30';  // nearly transparent
 
     // Names always, values while the cursor is on a chart.
     function legend(figure, data) {
@@ -23,14 +25,40 @@
                 item.append(line, curve.name, element('b', '', selected ? format(state.series[i].y) : ''));
                 out.append(item);
             });
+            if (data.envelope) {
+                const item = element('span'), patch = element('i', 'patch');
+                patch.style.background = light(data.envelope.colour);
+                item.append(patch, data.envelope.name);
+                out.append(item);
+            }
             figure.querySelector('.now').textContent =
                 state.x === undefined ? '' : 't = ' + Number(state.x.toFixed(4)) + ' s';
             return out;
         };
     }
 
-    function underlay(data) {
+    // The last two values of each row are the lower and the upper edge; where one of them is missing, there is a gap.
+    function drawEnvelope(canvas, area, chart, colour, rows) {
+        const edges = rows.map(row => [row[0], ...row.slice(-2)]);
+        canvas.save();
+        canvas.beginPath();
+        canvas.rect(area.x, area.y, area.w, area.h);
+        canvas.clip();
+        canvas.beginPath();
+        for (let from = 0, to; from < edges.length; from = to + 1) {
+            for (to = from; to < edges.length && edges[to].every(Number.isFinite);) ++to;
+            const part = edges.slice(from, to), back = part.slice().reverse();
+            const corners = part.map(([t, low]) => [t, low]).concat(back.map(([t, , high]) => [t, high]));
+            corners.forEach(([t, y], i) => canvas[i ? 'lineTo' : 'moveTo'](chart.toDomXCoord(t), chart.toDomYCoord(y)));
+        }
+        canvas.fillStyle = light(colour);
+        canvas.fill();
+        canvas.restore();
+    }
+
+    function underlay(data, rows) {
         return function (canvas, area, chart) {
+            if (data.envelope) drawEnvelope(canvas, area, chart, data.envelope.colour, rows);
             if (data.band) {
                 const top = chart.toDomYCoord(data.band), bottom = chart.toDomYCoord(-data.band);
                 canvas.fillStyle = 'rgba(26, 154, 107, 0.16)';
@@ -117,8 +145,9 @@
     }
 
     function draw(data, figure) {
-        const rows = rowsOf(data);
-        const chart = new Dygraph(figure.querySelector('.canvas'), rows, {
+        const drawn = data.curves.map(curve => curve.values), envelope = data.envelope;
+        const rows = rowsOf(data, envelope ? drawn.concat(envelope.low, envelope.high) : drawn);
+        const chart = new Dygraph(figure.querySelector('.canvas'), envelope ? rowsOf(data, drawn) : rows, {
             labels: ['time'].concat(data.curves.map((curve, i) => String(i))),  // shown names may repeat, these may not
             series: Object.fromEntries(data.curves.map((curve, i) => [String(i), {
                 color: curve.colour,
@@ -133,7 +162,7 @@
             labelsDiv: figure.querySelector('.legend'),
             legend: 'always',
             legendFormatter: legend(figure, data),
-            underlayCallback: underlay(data),
+            underlayCallback: underlay(data, rows),
             drawHighlightPointCallback: drawSelected,
             interactionModel: interactions(),
             axes: {

@@ -1,5 +1,7 @@
 #include "report/diagnosis_charts.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <deque>
 
@@ -12,6 +14,7 @@ namespace {
 
 constexpr std::size_t kChannels = 3;    // those with the largest shares of the gap
 constexpr std::size_t kRecordings = 4;  // held-out ones first
+constexpr double kDeviations = 2;       // half width of what the tolerances allow, in standard deviations
 
 // The channels that hold most of the gap, of those that were recorded in some drive.
 std::vector<std::string> worstChannels(const Diagnosis& diagnosis) {
@@ -45,7 +48,7 @@ struct Look {
     bool dashed;
     double width;
 };
-constexpr Look kLooks[] = {{"measured", &Overlay::measured, Colour::grey, false, 4},
+constexpr Look kLooks[] = {{"measured", &Overlay::measured, Colour::grey, false, 2.5},
                            {"nominal", &Overlay::nominal, Colour::vermillion, true, 1.5},
                            {"calibrated", &Overlay::calibrated, Colour::amber, false, 1.5},
                            {nullptr, &Overlay::extended, Colour::blue, false, 2}};
@@ -57,13 +60,35 @@ public:
         const Channel* found = log.find(channel);
         if (!found || log.samples() < 2) return nullptr;
         const std::vector<double>& own = log.channels.front().values;
-        kept_.push_back(own == time ? found->values : resample(own, found->values, time));
-        return &kept_.back();
+        return &kept(own == time ? found->values : resample(own, found->values, time));
+    }
+
+    const std::vector<double>& kept(std::vector<double> values) {
+        kept_.push_back(std::move(values));
+        return kept_.back();
     }
 
 private:
     std::deque<std::vector<double>> kept_;
 };
+
+// What the nominal car could do with its numbers elsewhere within their tolerances.
+std::optional<TimeChart::Envelope> allowedOf(const Overlay& overlay, const std::string& channel, double scale,
+                                             Curves& curves) {
+    const std::vector<double>& time = overlay.measured.channels.front().values;
+    const auto *middle = curves.on(time, overlay.nominal, channel), *sd = curves.on(time, overlay.allowed, channel);
+    if (!middle || !sd) return std::nullopt;
+    std::vector<double> low(*middle), high(*middle);
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        low[i] -= kDeviations * (*sd)[i];
+        high[i] += kDeviations * (*sd)[i];
+    }
+    return TimeChart::Envelope{.name = fmt::format("what the tolerances allow ({:.0f} sd)", kDeviations),
+                               .low = curves.kept(std::move(low)),
+                               .high = curves.kept(std::move(high)),
+                               .scale = scale,
+                               .colour = kLooks[1].colour};
+}
 
 TimeChart chartOf(const Overlay& overlay, const std::string& channel, const char* extended, Curves& curves) {
     const Log& measured = overlay.measured;
@@ -77,6 +102,7 @@ TimeChart chartOf(const Overlay& overlay, const std::string& channel, const char
             chart.curves.push_back(
                 {look.name ? look.name : extended, *values, shown.scale, look.colour, look.dashed, look.width});
     }
+    chart.envelope = allowedOf(overlay, channel, shown.scale, curves);
     return chart;
 }
 
@@ -90,6 +116,13 @@ void addOverlays(HtmlPage& page, const Diagnosis& diagnosis, const char* extende
             if (overlay->measured.find(channel)) charts.push_back(chartOf(*overlay, channel, extended, curves));
         }
     }
+    const bool bands = std::any_of(diagnosis.overlays.begin(), diagnosis.overlays.end(),
+                                   [](const Overlay& overlay) { return !overlay.allowed.channels.empty(); });
+    if (bands)
+        page.text(
+            "Shaded: what the nominal car could do with its numbers elsewhere within their tolerances. What was "
+            "measured outside of that by more than its noise, they hardly explain. Drives that were held out have "
+            "none.");
     if (diagnosis.overlays.size() > kRecordings)
         page.text("Held-out drives first, then those with most of the gap; the logs beside this page have all.");
     page.timeCharts(charts);

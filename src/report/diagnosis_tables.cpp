@@ -7,13 +7,13 @@
 #include <cmath>
 
 #include "diagnose/subject_paths.h"
+#include "diagnose/thresholds.h"
 #include "report/text.h"
 
 namespace tread {
 namespace {
 
 constexpr std::size_t kShown = 8;  // effects in the table; the others are only named
-constexpr double kTestable = 6;    // nats to expect, below which an effect cannot be seen
 constexpr double kNoteworthy = 1;  // standard deviations of its tolerance that a number was moved
 
 std::string percent(double share) {
@@ -198,7 +198,12 @@ void addWhere(HtmlPage& page, const WhereItLies& where) {
     addShares(page, {{"Phase", &where.phases},
                      {"Frequency", &where.bands},
                      {"Regime", &where.regimes},
-                     {"Missing force", &where.generalised_force}});
+                     {"Missing force", &where.generalised_force},
+                     {"Side force at the axle", &where.axle_force}});
+    page.text(
+        "Missing force: what would have to push the nominal car, its numbers within their tolerances, for it to go as "
+        "was measured. Side force at the axle: where it would push to do what is missing of lateral force and yaw "
+        "moment.");
 }
 
 void addLimits(HtmlPage& page, const Diagnosis& diagnosis) {
@@ -212,7 +217,7 @@ void addLimits(HtmlPage& page, const Diagnosis& diagnosis) {
         pairs.push_back({{shownName(pair.a)},
                          {shownName(pair.b)},
                          {formatNumber(pair.cosine, 2), true},
-                         {formatNumber(pair.separation, 2), true, pair.separation < kTestable},
+                         {formatNumber(pair.separation, 2), true, pair.separation < kThresholds.testable},
                          {pair.manoeuvre}});
     if (!pairs.empty()) {
         page.text("Pairs that look alike in these drives; separation in nats at typical size.");
@@ -220,7 +225,7 @@ void addLimits(HtmlPage& page, const Diagnosis& diagnosis) {
     }
     std::vector<std::string> hidden;
     for (const auto& [effect, nats] : diagnosis.testable) {
-        if (nats < kTestable) hidden.push_back(shownName(effect));
+        if (nats < kThresholds.testable) hidden.push_back(shownName(effect));
     }
     page.text(hidden.empty()
                   ? std::string("Every effect that was considered would show in these drives at its typical size.")

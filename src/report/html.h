@@ -2,6 +2,7 @@
 // without a network: style, script, chart library and values are all inside the file. Every string is escaped.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,10 +23,17 @@ struct TimeChart {
         bool dashed = false;
         double width = 1.5;  // pixels
     };
+    struct Envelope {  // shaded from low to high, behind the curves
+        std::string name;
+        std::span<const double> low, high;
+        double scale = 1;
+        Colour colour = Colour::grey;
+    };
     std::string title;
     std::string unit;  // as shown
     std::span<const double> time;
     std::vector<Curve> curves;
+    std::optional<Envelope> envelope = {};
     double band = 0;                 // half width of a shaded band around zero, 0 for none
     std::vector<double> marks = {};  // vertical lines at these moments
 };

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "cli/program.h"
@@ -31,12 +33,17 @@ protected:
     Scratch scratch;
 
     void recorded(const std::string& name, const Log& log) const { writeLog(scratch.path(name), log); }
-    std::string diagnosis(const std::string& more = "",
+    std::string diagnosis(const std::string& more = "effects: [steering_ratio]\n",
                           const std::string& recordings = "  - {log: a.csv, speed: followed}\n") const {
         return scratch.file("diagnosis.yaml",
                             "vehicle: " + sourceFile("vehicles/compact.yaml") + "\nrecordings:\n" + recordings + more);
     }
-    Result checked() const { return runProgram({"diagnose", scratch.path("diagnosis.yaml"), "--check"}); }
+    Result checked(const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> words{"diagnose", scratch.path("diagnosis.yaml"), "--check", "-o",
+                                       scratch.path("out")};
+        words.insert(words.end(), more.begin(), more.end());
+        return runProgram(words);
+    }
 
     void expectRefused(const Result& result, const std::string& words) const {
         EXPECT_EQ(result.status, 2);
@@ -111,15 +118,16 @@ TEST_F(DiagnoseCommand, CheckFindsInputsThatNeverMove) {
 TEST_F(DiagnoseCommand, CheckSaysWhatOneRecordingAloneCannotTell) {
     recorded("a.csv", slalom());
     diagnosis();
-    expectWarned(checked(), "only one recording is there to learn from");
-    expectWarned(checked(), "no recording is held out");
+    const Result result = checked();
+    expectWarned(result, "only one recording is there to learn from");
+    expectWarned(result, "no recording is held out");
 }
 
 TEST_F(DiagnoseCommand, CheckFindsTheFileOfAnotherCar) {
     recorded("a.csv", slalom());
     diagnosis();
     EXPECT_EQ(checked().out.find("With the file of another car"), std::string::npos);
-    diagnosis("vehicle_settings: [steering.ratio=5]\n");
+    diagnosis("vehicle_settings: [steering.ratio=5]\neffects: [steering_ratio]\n");
     expectWarned(checked(), "With the file of another car every effect would be fitted to that");
 }
 
@@ -129,6 +137,24 @@ TEST_F(DiagnoseCommand, CheckFindsGaps) {
     recorded("a.csv", log);
     diagnosis();
     expectWarned(checked(), "chassis.yaw_rate");
+}
+
+TEST_F(DiagnoseCommand, CheckSaysWhatTheDrivesCouldShowWithoutADiagnosis) {
+    recorded("a.csv", slalom());
+    diagnosis("effects: [steering_delay, brake_gain]\n");
+    const Result text = checked();
+    EXPECT_NE(firstLine(text.out).find("; 1 of 2 effects would be found"), std::string::npos) << text.out;
+    const std::size_t found = text.out.find("CAN FIND"), hidden = text.out.find("NOT SEEN");
+    ASSERT_TRUE(found < hidden && hidden != std::string::npos) << text.out;
+    EXPECT_LT(text.out.find("steering_delay", found), hidden);
+    EXPECT_NE(text.out.find("brake_gain", hidden), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(scratch.path("out/diagnosis.json")));
+
+    const nlohmann::json json = nlohmann::json::parse(checked({"--json"}).out);
+    EXPECT_EQ(json.at("can_be_found"), nlohmann::json::array({"steering_delay"}));
+    EXPECT_EQ(json.at("cannot_be_seen"), nlohmann::json::array({"brake_gain"}));
+    EXPECT_GT(json.at("testable").at("steering_delay"), 6);
+    EXPECT_LT(json.at("simulations").get<int>(), 80) << "sensitivities were kept by the first check";
 }
 
 TEST_F(DiagnoseCommand, InitWritesAFileThatCanBeRead) {

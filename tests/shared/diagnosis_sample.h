@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cmath>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "diagnose/diagnosis.h"
 
@@ -16,6 +19,14 @@ inline Log slalom(double late, double size) {
         log.channels[1].values.push_back(r);
         log.channels[2].values.push_back(22 * r);
     }
+    return log;
+}
+
+// The same values at every second of a slalom.
+inline Log constantly(const std::map<std::string, double>& values) {
+    Log log{{{"time", "s", {0, 1, 2, 3, 4, 5, 6, 7, 8}}}};
+    for (const auto& [name, value] : values)
+        log.channels.push_back({name, "", std::vector<double>(log.channels.front().values.size(), value)});
     return log;
 }
 
@@ -46,8 +57,8 @@ inline Diagnosis sampleDiagnosis() {
     d.where.phases = {{"transient steering", 0.8}, {"steady turning", 0.12}, {"straight", 0.08}};
     d.where.bands = {{"below 0.3 Hz", 0.05}, {"0.3-1 Hz", 0.25}, {"1-3 Hz", 0.6}, {"above 3 Hz", 0.1}};
     d.where.regimes = {{"20-30 m/s", 0.7}, {"10-20 m/s", 0.3}};
-    d.where.generalised_force = {
-        {"yaw moment", 0.5}, {"lateral force", 0.4}, {"roll moment", 0.07}, {"longitudinal force", 0.03}};
+    d.where.generalised_force = {{"yaw", 0.5}, {"lateral", 0.4}, {"roll", 0.07}, {"longitudinal", 0.03}};
+    d.where.axle_force = {{"front", 0.71}, {"rear", 0.29}};
     for (const auto& [recording, share] : d.where.recordings) {
         for (const auto& [channel, part] : d.where.channels)
             d.where.channels_of_recording[recording][channel] = share * part;
@@ -78,6 +89,7 @@ inline Diagnosis sampleDiagnosis() {
                         .calibrated = slalom(0.015, 1.01),
                         .extended = slalom(0.058, 1)};
         overlay.hold_out = overlay.recording == "double_lane_change";
+        if (!overlay.hold_out) overlay.allowed = constantly({{"chassis.yaw_rate", 0.02}, {"chassis.ay", 0.3}});
         d.overlays.push_back(overlay);
     }
     return d;

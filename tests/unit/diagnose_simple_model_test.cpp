@@ -1,6 +1,8 @@
 // The whole diagnosis on a car of two lines: fast, and its answer can be seen by eye.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "diagnose/diagnosis_json.h"
@@ -38,6 +40,25 @@ TEST(DiagnosisOfASimpleCar, AnswerIsTheSameToTheBitForOneAndTwoThreads) {
     Diagnosis one = diagnosed(14.5, 1), two = diagnosed(14.5, 2);
     one.seconds = two.seconds = 0;
     EXPECT_EQ(diagnosisJson(one).dump(), diagnosisJson(two).dump());
+}
+
+TEST(DiagnosisOfASimpleCar, TolerancesAllowWhatTheyDoToItsYawRate) {
+    simple_car::Case made = simple_car::recorded(16.5, 0.66, 3);
+    made.file.recordings.back().hold_out = true;
+    made.file.tolerances = {{.path = "steering.ratio", .relative = 0.2}};
+    const Diagnosis d =
+        diagnose(made.nominal, made.file, made.logs, {effect("drag", "aero.drag_area")}, simple_car::options());
+    ASSERT_EQ(d.overlays.size(), 3u);
+    EXPECT_TRUE(d.overlays.back().allowed.channels.empty()) << "held out";
+    for (std::size_t i = 0; i < 2; ++i) {
+        // Yaw rate goes with one over the ratio, whose standard deviation is a fifth over the root of three; the
+        // difference is taken over 0.6 of that.
+        const double sd = 0.2 / std::sqrt(3), expected = sd / (1 + 0.6 * sd);
+        const std::vector<double>&rate = d.overlays[i].nominal.find("chassis.yaw_rate")->values,
+              &allowed = d.overlays[i].allowed.find("chassis.yaw_rate")->values;
+        const auto most = std::max_element(rate.begin(), rate.end());
+        EXPECT_NEAR(allowed[static_cast<std::size_t>(most - rate.begin())], expected * *most, 0.05 * expected * *most);
+    }
 }
 
 // Sensitivities that were kept by a diagnosis, taken by the next.

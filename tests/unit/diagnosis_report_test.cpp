@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
+#include "diagnose/diagnosis_text.h"
 #include "diagnose/vehicle_with_effect.h"
 #include "report/diagnosis_report.h"
 #include "shared/diagnosis_sample.h"
+#include "shared/page_charts.h"
 #include "shared/scratch.h"
 #include "shared/vehicle_run.h"
 
@@ -59,6 +63,44 @@ TEST(DiagnosisPage, NamesOfTheUserCannotBreakIt) {
     EXPECT_FALSE(contains(html, "<script>alert"));
     EXPECT_FALSE(contains(html, "<td class=\"\"><b>"));
     EXPECT_TRUE(contains(html, "&lt;/figure&gt; (held out)"));
+}
+
+TEST(DiagnosisPage, ShadesWhatTheTolerancesAllowWhereThatIsKnown) {
+    const std::string html = page(shared::sampleDiagnosis());
+    const nlohmann::json charts = chartsOf(html);
+    ASSERT_EQ(charts.size(), 4u);
+    for (const nlohmann::json& chart : charts) {
+        const bool held_out = chart.at("title").get<std::string>().find("(held out)") != std::string::npos;
+        ASSERT_EQ(chart.contains("envelope"), !held_out) << chart.at("title");
+        if (held_out) continue;
+        EXPECT_EQ(chart.at("envelope").at("name"), "what the tolerances allow (2 sd)");
+        const auto low = unpacked<float>(chart.at("envelope").at("low")),
+                   high = unpacked<float>(chart.at("envelope").at("high")),
+                   nominal = unpacked<float>(chart.at("curves").at(1).at("values"));
+        const bool yaw_rate = chart.at("title").get<std::string>().ends_with("yaw rate");
+        const double half = yaw_rate ? 2 * 0.02 * 180 / std::numbers::pi : 2 * 0.3;  // deg/s, m/s2
+        ASSERT_EQ(low.size(), nominal.size());
+        for (std::size_t i = 0; i < nominal.size(); ++i) {
+            EXPECT_NEAR(high[i] - nominal[i], half, 1e-4);
+            EXPECT_NEAR(nominal[i] - low[i], half, 1e-4);
+        }
+    }
+}
+
+TEST(DiagnosisPage, HasNoShadingInItsWordsWithoutOneInItsCharts) {
+    Diagnosis d = shared::sampleDiagnosis();
+    EXPECT_TRUE(contains(page(d), "Shaded: "));
+    for (Overlay& overlay : d.overlays) overlay.allowed = {};
+    EXPECT_FALSE(contains(page(d), "Shaded: "));
+}
+
+TEST(DiagnosisText, NamesTheAxleOnlyWhereSideForcesAreMostOfWhatIsMissing) {
+    Diagnosis d = shared::sampleDiagnosis();
+    EXPECT_TRUE(contains(diagnosisText(d), "force: yaw 50 %, lateral 40 %, roll 7 %; front axle side force 71 %"));
+    d.where.axle_force = {{"front", 0.2}, {"rear", 0.8}};
+    EXPECT_TRUE(contains(diagnosisText(d), "rear axle side force 80 %"));
+    d.where.generalised_force = {{"longitudinal", 0.9}, {"lateral", 0.1}};
+    EXPECT_FALSE(contains(diagnosisText(d), "axle side force"));
 }
 
 TEST(CarWithEffect, HasTheFittedNumbersOfTheCausesAndReadsBack) {

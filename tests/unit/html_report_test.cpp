@@ -10,8 +10,8 @@
 #include "report/html.h"
 #include "report/overlay_report.h"
 #include "report/run_report.h"
-#include "shared/base64.h"
 #include "shared/markup.h"
+#include "shared/page_charts.h"
 
 namespace tread {
 namespace {
@@ -71,14 +71,6 @@ RunReport reportOf(const Log& log) {
             .scenario = "step_steer",
             .version = "1",
             .log = log};
-}
-
-nlohmann::json chartsOf(const std::string& page) {
-    const std::string begin = "<script id=\"chart-data\" type=\"application/json\">";
-    const auto from = page.find(begin);
-    if (from == std::string::npos) return nlohmann::json::array();
-    const auto to = page.find("</script>", from);
-    return nlohmann::json::parse(page.substr(from + begin.size(), to - from - begin.size()));
 }
 
 const nlohmann::json* chartNamed(const nlohmann::json& charts, const std::string& title) {

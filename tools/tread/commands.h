@@ -80,7 +80,7 @@ struct DiagnoseRequest {
     std::string init;     // folder of logs for which a first diagnosis.yaml is written; empty: none
     std::string vehicle;  // that it names; without init: nominal car in place of the file's
     int threads = 0;      // 0: one per core
-    bool check = false;   // the data only
+    bool check = false;   // the data and what they could show, no diagnosis
     bool json = false;
 };
 int diagnose(const DiagnoseRequest& request);

@@ -27,16 +27,16 @@ int diagnose(const DiagnoseRequest& request) {
     if (request.file.empty())
         throw LoadError({{"tread diagnose", 0, 0, "", "found no file, expected diagnosis.yaml, or --init FOLDER"}});
     const DiagnosisInputs inputs = readDiagnosisInputs(request.file, request.data, request.vehicle);
-    if (request.check) return checkData(inputs, request.json);
+    const Path out = request.output.empty() ? Path("out") : Path(request.output);
+    DiagnoseOptions options;
+    options.threads = request.threads;
+    options.cache = out / "cache";
+    if (request.check) return checkData(inputs, options, request.json);
     for (const std::string& warning : inputs.warnings) fmt::print(stderr, "tread diagnose: {}\n", warning);
 
-    const Path out = request.output.empty() ? Path("out") : Path(request.output);
     Diagnosis diagnosis;
     {
         Progress bar(100, "%");
-        DiagnoseOptions options;
-        options.threads = request.threads;
-        options.cache = out / "cache";
         options.possible_next = shippedDrives();
         options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
         diagnosis = tread::diagnose(inputs.nominal, inputs.file, inputs.logs, inputs.effects, options);

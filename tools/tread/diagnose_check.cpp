@@ -3,26 +3,61 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
+#include "diagnose/diagnosis_json.h"
+#include "diagnose/precheck.h"
 #include "output.h"
+#include "progress.h"
 
 namespace tread::program {
 namespace {
 
-std::string answer(const DiagnosisInputs& inputs) {
-    const std::size_t n = inputs.logs.size(), w = inputs.warnings.size();
-    const std::string drives = fmt::format("{} recording{}", n, n == 1 ? "" : "s");
-    return w == 0 ? drives + (n == 1 ? " is fine" : " are fine")
-                  : fmt::format("{} warning{} about {}", w, w == 1 ? "" : "s", drives);
+struct Checked {
+    std::vector<std::string> warnings;  // of the data, and of drives that the nominal car cannot repeat
+    Precheck precheck;
+    Visibility groups;
+};
+
+Checked check(const DiagnosisInputs& inputs, DiagnoseOptions options) {
+    Checked checked{inputs.warnings, {}, {}};
+    Progress bar(100, "%");
+    options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
+    try {
+        checked.precheck = precheck(inputs.nominal, inputs.file, inputs.logs, inputs.effects, options);
+    } catch (const std::invalid_argument& error) {
+        checked.warnings.push_back(
+            fmt::format("{}; so nothing can be said of what the drives could show. Look at "
+                        "the warnings before this one, and at the file of the car.",
+                        error.what()));
+    }
+    const std::vector<std::string>& more = checked.precheck.warnings;
+    checked.warnings.insert(checked.warnings.end(), more.begin(), more.end());
+    checked.groups = visibility(checked.precheck.testable);
+    return checked;
 }
 
-// The effects that the car has numbers for, and those that it has not.
-std::vector<std::string> applying(const DiagnosisInputs& inputs, bool wanted) {
+std::string answer(std::size_t recordings, const Checked& checked) {
+    const std::size_t warnings = checked.warnings.size(), effects = checked.precheck.testable.size();
+    std::string words = fmt::format("{} recording{}", recordings, recordings == 1 ? "" : "s");
+    words = warnings == 0 ? words + (recordings == 1 ? " is fine" : " are fine")
+                          : fmt::format("{} warning{} about {}", warnings, warnings == 1 ? "" : "s", words);
+    if (effects == 0) return words;
+    return fmt::format("{}; {} of {} effect{} would be found", words, checked.groups.found.size(), effects,
+                       effects == 1 ? "" : "s");
+}
+
+std::vector<std::string> namesOf(const Visibility::Group& group) {
+    std::vector<std::string> names;
+    for (const auto& [name, nats] : group) names.push_back(name);
+    return names;
+}
+
+std::vector<std::string> effectsWithoutNumbers(const DiagnosisInputs& inputs) {
     std::vector<std::string> names;
     for (const Effect& effect : inputs.effects) {
-        if (applies(effect, inputs.nominal) == wanted) names.push_back(effect.name);
+        if (!applies(effect, inputs.nominal)) names.push_back(effect.name);
     }
     return names;
 }
@@ -43,22 +78,28 @@ DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const st
     return inputs;
 }
 
-int checkData(const DiagnosisInputs& inputs, bool json) {
-    const std::string words = answer(inputs);
-    const std::vector<std::string> without = applying(inputs, false);
+int checkData(const DiagnosisInputs& inputs, DiagnoseOptions options, bool json) {
+    const Checked checked = check(inputs, std::move(options));
+    const std::string words = answer(inputs.logs.size(), checked);
+    const std::vector<std::string> without = effectsWithoutNumbers(inputs);
     if (json) {
         printJson({{"answer", words},
-                   {"data_warnings", inputs.warnings},
-                   {"effects", applying(inputs, true)},
-                   {"not_of_this_car", without}});
+                   {"data_warnings", checked.warnings},
+                   {"testable", checked.precheck.testable},
+                   {"confusable", confusableJson(checked.precheck.confusable)},
+                   {"can_be_found", namesOf(checked.groups.found)},
+                   {"may_show", namesOf(checked.groups.perhaps)},
+                   {"cannot_be_seen", namesOf(checked.groups.hidden)},
+                   {"not_of_this_car", without},
+                   {"simulations", checked.precheck.simulations}});
     } else {
         std::string text = words + "\n";
-        for (const std::string& warning : inputs.warnings) text += "  " + warning + "\n";
-        text += fmt::format("{} effects are considered", inputs.effects.size() - without.size());
-        if (!without.empty()) text += fmt::format("; this car has no numbers for {}", fmt::join(without, ", "));
-        print(text + "\n");
+        for (const std::string& warning : checked.warnings) text += "  " + warning + "\n";
+        text += precheckText(checked.precheck);
+        if (!without.empty()) text += fmt::format("This car has no numbers for {}\n", fmt::join(without, ", "));
+        print(text);
     }
-    return inputs.warnings.empty() ? kYes : kNo;
+    return checked.warnings.empty() ? kYes : kNo;
 }
 
 }  // namespace tread::program

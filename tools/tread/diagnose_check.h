@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "diagnose/data_checks.h"
+#include "diagnose/diagnosis.h"
 #include "diagnose/diagnosis_file.h"
 
 namespace tread::program {
@@ -20,8 +21,8 @@ struct DiagnosisInputs {
 };
 DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const std::string& vehicle);
 
-// Prints what the data checks found and which of the effects apply to the car; kNo when there are warnings.
-int checkData(const DiagnosisInputs& inputs, bool json);
+// Prints what the data checks found and what the drives could show of each effect; kNo when there are warnings.
+int checkData(const DiagnosisInputs& inputs, DiagnoseOptions options, bool json);
 
 // Writes a first diagnosis.yaml for the logs of a folder, and says what is left to fill in.
 int initDiagnosis(const Path& folder, const std::string& vehicle);

@@ -87,7 +87,8 @@ void addTyre(CLI::App& app, TyreOptions& o) {
 
 void addDiagnose(CLI::App& app, DiagnoseRequest& o) {
     app.add_option("file", o.file, "what is asked: nominal car, recordings, tolerances (YAML)");
-    app.add_flag("--check", o.check, "look only whether the recordings are fit for it; status 1 with warnings");
+    app.add_flag("--check", o.check,
+                 "look only whether the recordings are fit for it and what they could show; status 1 with warnings");
     app.add_option("--init", o.init, "write a first diagnosis.yaml for the logs of this folder");
     app.add_option("--vehicle", o.vehicle,
                    "nominal car (YAML): for --init, or in place of the file's car and vehicle_settings");

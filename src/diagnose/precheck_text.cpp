@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diagnose/precheck.h"
+#include "diagnose/thresholds.h"
+
+namespace tread {
+namespace {
+
+constexpr double kStandsOut = 6;  // nats, below which nothing is told from chance
+constexpr double kAlike = 0.5;    // cosine: pairs below are hard to tell apart because one of them hardly shows
+constexpr std::size_t kMostPairs = 12, kWidth = 116, kIndent = 10;
+
+// Words after a headline, with the lines beneath it indented.
+std::string paragraph(const char* headline, const std::vector<std::string>& words) {
+    std::string text, line = fmt::format("{:<{}}", headline, kIndent);
+    for (const std::string& word : words) {
+        if (line.size() + word.size() > kWidth && line.size() > kIndent) {
+            text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+            line = std::string(kIndent, ' ');
+        }
+        line += word + " ";
+    }
+    return text + line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+}
+
+// "CAN FIND  grip 340, mass 120"; nothing without effects.
+std::string groupText(const char* headline, const std::string& meaning, const Visibility::Group& group) {
+    if (group.empty()) return {};
+    std::vector<std::string> words{meaning};
+    for (std::size_t i = 0; i < group.size(); ++i)
+        words.push_back(fmt::format("{} {:.{}f}{}", group[i].first, group[i].second, group[i].second < 10 ? 1 : 0,
+                                    i + 1 < group.size() ? "," : ""));
+    return paragraph(headline, words);
+}
+
+std::string pairsText(const std::vector<ConfusablePair>& pairs) {
+    std::string text;
+    std::size_t shown = 0;
+    for (const ConfusablePair& pair : pairs) {
+        if (pair.cosine < kAlike || shown == kMostPairs) continue;
+        text += fmt::format("{:<{}}{} and {} ({:.2f} alike): {:.1f} nats apart, most of it in {}\n",
+                            shown++ == 0 ? "ALIKE" : "", kIndent, pair.a, pair.b, pair.cosine, pair.separation,
+                            pair.manoeuvre);
+    }
+    return text;
+}
+
+}  // namespace
+
+Visibility visibility(const std::map<std::string, double>& testable) {
+    Visibility groups;
+    for (const auto& one : testable) {
+        if (one.second >= kThresholds.testable) groups.found.push_back(one);
+        else (one.second >= kStandsOut ? groups.perhaps : groups.hidden).push_back(one);
+    }
+    for (Visibility::Group* group : {&groups.found, &groups.perhaps, &groups.hidden})
+        std::stable_sort(group->begin(), group->end(),
+                         [](const auto& a, const auto& b) { return a.second > b.second; });
+    return groups;
+}
+
+std::string precheckText(const Precheck& precheck) {
+    const Visibility groups = visibility(precheck.testable);
+    std::string text = groupText("CAN FIND", "nats of evidence to expect at typical size:", groups.found);
+    text +=
+        groupText("MAY SHOW", fmt::format("if larger than is typical (from {:.0f} nats):", kStandsOut), groups.perhaps);
+    text += groupText("NOT SEEN", "too little in these drives:", groups.hidden);
+    return text + pairsText(precheck.confusable);
+}
+
+}  // namespace tread
