@@ -6,6 +6,7 @@
 
 #include "log/resample.h"
 #include "metrics/series.h"
+#include "metrics/smoothing.h"
 
 namespace tread {
 namespace {
