@@ -60,6 +60,15 @@ TEST(TimeSeries, TheParabolaFindsAPeakBetweenSamples) {
     EXPECT_NEAR(lowest(increments(v, 0, -1), 0, 1).value, -3, 1e-12);
 }
 
+TEST(TimeSeries, TheLargestSampleAndTheRangeKnowNoParabola) {
+    const TimeSeries v{{0, 1, 2, 3}, {0, 2, 1.9, -4}};
+    EXPECT_GT(highest(v, 0, 2).value, 2);
+    EXPECT_DOUBLE_EQ(largestSample(v), 4);
+    EXPECT_DOUBLE_EQ(range(v).least, -4);
+    EXPECT_DOUBLE_EQ(range(v).most, 2);
+    EXPECT_DOUBLE_EQ(range(v).width(), 6);
+}
+
 TEST(TimeSeries, TurningPointsAreThoseOfASineAndSmallSwingsAreLeftOut) {
     const TimeSeries v =
         sampled(100, 2, [](double t) { return std::sin(2 * std::numbers::pi * t) + 0.1 * std::sin(100 * t); });
