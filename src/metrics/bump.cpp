@@ -8,6 +8,7 @@
 #include "metrics/channels.h"
 #include "metrics/manoeuvres.h"
 #include "metrics/metric_table.h"
+#include "metrics/smoothing.h"
 
 namespace tread {
 namespace {
@@ -53,18 +54,6 @@ MetricTable<Bump> table() {
     };
 }
 
-double largestMagnitude(const TimeSeries& series) {
-    double largest = 0;
-    for (double value : series.value) largest = std::max(largest, std::abs(value));
-    return largest;
-}
-
-// Least and largest sample: no parabola at the edges where a wheel leaves the road.
-std::pair<double, double> range(const TimeSeries& series) {
-    const auto [least, most] = std::minmax_element(series.value.begin(), series.value.end());
-    return {*least, *most};
-}
-
 double timeBelow(const TimeSeries& series, double level) {
     double below = 0;
     for (std::size_t i = 1; i < series.size(); ++i) {
@@ -80,6 +69,7 @@ double findLoads(Bump& bump, const Log& log) {
         const std::string name = fmt::format("wheel.{}.load", wheel);
         const TimeSeries load = channels(log, kName, {name}).front();
         const double begin = load.begin(), still = mean(load, begin, begin + kBefore);
+        // Samples: no parabola at the edges where a wheel leaves the road.
         const auto [low, high] = range(load);
         const auto [low_at_first, high_at_first] = range(part(load, begin, begin + kBefore));
         if (still <= 0 || std::max(high_at_first - still, still - low_at_first) > kEven * still)
@@ -113,9 +103,9 @@ void refuseOtherCauses(const Log& log) {
         if (!acceleration) continue;
         const TimeSeries slow = averaged(*acceleration, 0.25);
         constexpr double kMost = 1.5;  // m/s2
-        if (largestMagnitude(slow) > kMost)
+        if (largestSample(slow) > kMost)
             notFound(kName, fmt::format("{} reaches {:.2g} m/s2, looked for at most {:.2g} m/s2", name,
-                                        largestMagnitude(slow), kMost));
+                                        largestSample(slow), kMost));
     }
 }
 
@@ -129,8 +119,8 @@ Bump findBump(const Log& log) {
     bump.speed = mean(needed[0], az.begin(), az.begin() + kBefore);
     bump.highest_az = highest(az, first, az.end()).value;
     bump.lowest_az = lowest(az, first, az.end()).value;
-    bump.pitch_rate = largestMagnitude(needed[2]);
-    bump.roll_rate = largestMagnitude(needed[3]);
+    bump.pitch_rate = largestSample(needed[2]);
+    bump.roll_rate = largestSample(needed[3]);
     double last = first;
     for (double level : {kCalm, -kCalm})
         last = std::max(last, lastCrossing(az, level, first, az.end()).value_or(first));

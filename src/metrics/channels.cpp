@@ -60,6 +60,19 @@ std::optional<TimeSeries> sideslip(const Log& log, std::string_view manoeuvre) {
     return lateral;
 }
 
+std::optional<TimeSeries> frontLessRear(const Log& log, std::string_view manoeuvre, std::string_view quantity) {
+    const auto wheel = [&](std::string_view name) {
+        return channelIfThere(log, manoeuvre, fmt::format("wheel.{}.{}", name, quantity));
+    };
+    auto out = wheel("front_left");
+    const auto fr = wheel("front_right"), rl = wheel("rear_left"), rr = wheel("rear_right");
+    if (!out || !fr || !rl || !rr) return {};
+    for (std::size_t i = 0; i < out->size(); ++i) {
+        out->value[i] = 0.5 * (out->value[i] + fr->value[i] - rl->value[i] - rr->value[i]);
+    }
+    return out;
+}
+
 void notFound(std::string_view manoeuvre, std::string_view why) {
     throw MetricError(fmt::format("no {} in this log: {}", manoeuvre, why));
 }

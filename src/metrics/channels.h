@@ -32,6 +32,9 @@ TimeSeries speed(const Log& log, std::string_view manoeuvre);
 // chassis.sideslip, or the angle of the velocity when only chassis.vy is logged.
 std::optional<TimeSeries> sideslip(const Log& log, std::string_view manoeuvre);
 
+// Mean over left and right of a quantity of the front wheels, less that of the rear wheels.
+std::optional<TimeSeries> frontLessRear(const Log& log, std::string_view manoeuvre, std::string_view quantity);
+
 // Ends the search for a manoeuvre with a sentence.
 [[noreturn]] void notFound(std::string_view manoeuvre, std::string_view why);
 

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "metrics/channels.h"
 #include "metrics/manoeuvres.h"
 #include "metrics/metric_table.h"
+#include "metrics/smoothing.h"
 
 namespace tread {
 namespace {
@@ -52,10 +52,9 @@ Crosswind findCrosswind(const Log& log) {
         {"driver.steering_wheel_angle", "chassis.x", "chassis.y", "chassis.yaw", "chassis.yaw_rate", "chassis.ay"});
     const TimeSeries yaw_rate = cleaned(needed[4], kResponseHalfWidth), ay = cleaned(needed[5], kResponseHalfWidth);
     const TimeSeries& hand = needed[0];
-    const auto [least, most] = std::minmax_element(hand.value.begin(), hand.value.end());
-    if (*most - *least > kFixed) {
-        notFound(kName, fmt::format("the steering wheel moves by {:.2g} deg, looked for fixed steering",
-                                    kDegrees * (*most - *least)));
+    if (const double moved = range(hand).width(); moved > kFixed) {
+        notFound(kName,
+                 fmt::format("the steering wheel moves by {:.2g} deg, looked for fixed steering", kDegrees * moved));
     }
     const double largest = farthest(ay, ay.begin(), ay.end());
     if (std::abs(largest) < kLeast) {

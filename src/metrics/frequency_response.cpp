@@ -44,73 +44,25 @@ bool restsAtBothEnds(const TimeSeries& series) {
     return at_ends <= kRest * largest;
 }
 
-double largestOf(const TimeSeries& series) {
-    double largest = 0;
-    for (double value : series.value) largest = std::max(largest, std::abs(value));
-    return largest;
-}
-
 std::vector<double> raster() {
     std::vector<double> frequencies;
     for (int i = 0; kLowest + i * kSpacing <= kHighest + 1e-9; ++i) frequencies.push_back(kLowest + i * kSpacing);
     return frequencies;
 }
 
-// What lies between, along the points: the value of `quantity` at a frequency.
-double between(const std::vector<FrequencyPoint>& points, double frequency, auto&& quantity) {
-    constexpr double kRounding = 1e-9;  // Hz
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        const double left = points[i].frequency, right = points[i + 1].frequency;
-        if (frequency < left - kRounding || frequency > right + kRounding) continue;
-        const double share = (frequency - left) / (right - left);
-        return (1 - share) * quantity(i) + share * quantity(i + 1);
-    }
-    return kUndefined;
-}
-
-// Phase lags without jumps, rad.
-std::vector<double> lags(const std::vector<FrequencyPoint>& points) {
-    std::vector<double> out;
-    for (const FrequencyPoint& point : points) {
-        double lag = -std::arg(point.transfer);
-        const double near = out.empty() ? 0 : out.back();
-        lag -= 2 * std::numbers::pi * std::round((lag - near) / (2 * std::numbers::pi));
-        out.push_back(lag);
-    }
-    return out;
-}
-
-// First frequency at which a quantity of the points passes a level; NaN when it does not.
-double firstPassage(const std::vector<FrequencyPoint>& points, double level, auto&& quantity) {
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        const double left = quantity(i) - level, right = quantity(i + 1) - level;
-        if (left == right || (left > 0) == (right > 0)) continue;
-        return points[i].frequency + left / (left - right) * (points[i + 1].frequency - points[i].frequency);
-    }
-    return kUndefined;
-}
-
-using Points = std::vector<FrequencyPoint>;
-
-const FrequencyPoint& peakOf(const Points& points) {
-    return *std::max_element(points.begin(), points.end(), [](const FrequencyPoint& a, const FrequencyPoint& b) {
-        return std::abs(a.transfer) < std::abs(b.transfer);
-    });
-}
-
-MetricTable<SteeringResponse> answerTable(Points SteeringResponse::*answer, std::string_view what,
+MetricTable<SteeringResponse> answerTable(FrequencyCurve SteeringResponse::*answer, std::string_view what,
                                           std::string_view words, const std::string& unit) {
     MetricTable<SteeringResponse> lines;
     const auto name = [&](std::string_view metric) { return fmt::format("{}_{}", what, metric); };
-    const auto gain = [answer](const SteeringResponse& r) {
-        return [&points = r.*answer](std::size_t i) { return std::abs(points[i].transfer); };
-    };
+    const auto lowest_gain = [answer](const SteeringResponse& r) { return std::abs((r.*answer).front().transfer); };
     lines.push_back({{name("lowest_gain"), unit,
                       fmt::format("{} over steering-wheel angle at the lowest frequency of the steering", words)},
-                     [gain](const SteeringResponse& r) { return gain(r)(0); }});
+                     lowest_gain});
     lines.push_back(
         {{name("peak_ratio"), "-", fmt::format("largest gain of the {} over that at the lowest frequency", words)},
-         [answer, gain](const SteeringResponse& r) { return std::abs(peakOf(r.*answer).transfer) / gain(r)(0); }});
+         [answer, lowest_gain](const SteeringResponse& r) {
+             return std::abs(peakOf(r.*answer).transfer) / lowest_gain(r);
+         }});
     lines.push_back({{name("peak_frequency"), "Hz", fmt::format("where the gain of the {} is largest", words)},
                      [answer](const SteeringResponse& r) { return peakOf(r.*answer).frequency; }});
     lines.push_back(
@@ -119,15 +71,12 @@ MetricTable<SteeringResponse> answerTable(Points SteeringResponse::*answer, std:
               "where the gain of the {} has fallen to 1/sqrt(2) of that at the lowest frequency; undefined when "
               "it does not",
               words)},
-         [answer, gain](const SteeringResponse& r) {
-             return firstPassage(r.*answer, gain(r)(0) / std::numbers::sqrt2, gain(r));
+         [answer, lowest_gain](const SteeringResponse& r) {
+             return frequencyOfGain(r.*answer, lowest_gain(r) / std::numbers::sqrt2);
          }});
     lines.push_back({{name("lag_frequency"), "Hz",
                       fmt::format("where the {} lags by {:.0f} deg; undefined when it does not", words, kPhase)},
-                     [answer](const SteeringResponse& r) {
-                         const auto lag = lags(r.*answer);
-                         return firstPassage(r.*answer, kPhase / kDegrees, [&](std::size_t i) { return lag[i]; });
-                     }});
+                     [answer](const SteeringResponse& r) { return frequencyOfLag(r.*answer, kPhase / kDegrees); }});
     for (const double frequency : kFrequencies) {
         const auto at_frequency = [&](std::string_view metric) {
             return fmt::format("{}_{}_{:.1f}Hz", what, metric, frequency);
@@ -175,23 +124,12 @@ MetricTable<SteeringResponse> table() {
 
 }  // namespace
 
-double gainAt(const Points& points, double frequency) {
-    return between(points, frequency, [&](std::size_t i) { return std::abs(points[i].transfer); });
-}
-double phaseLagAt(const Points& points, double frequency) {
-    const auto lag = lags(points);
-    return between(points, frequency, [&](std::size_t i) { return lag[i]; });
-}
-double coherenceAt(const Points& points, double frequency) {
-    return between(points, frequency, [&](std::size_t i) { return points[i].coherence; });
-}
-
 SteeringResponse steeringResponse(const Log& log) {
     const auto needed =
         channels(log, kName, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
     const TimeSeries& steering = needed[0];
     const double level = mean(steering, steering.begin(), steering.begin() + kRestTime);
-    const double largest = largestOf(increments(steering, level));
+    const double largest = largestSample(increments(steering, level));
     if (largest < kSmallest) {
         notFound(kName, fmt::format("the steering wheel moves by {:.2g} deg only, looked for at least {:.2g} deg",
                                     kDegrees * largest, kDegrees * kSmallest));
@@ -220,11 +158,11 @@ SteeringResponse steeringResponse(const Log& log) {
     found.settings.segment = whole ? 0 : kSegment;
     found.segments = segments(steering, found.settings);
     found.speed = mean(needed[1], steering.begin(), steering.end());
-    found.largest_ay = largestOf(needed[3]);
+    found.largest_ay = largestSample(needed[3]);
 
     // The band about its strongest frequency in which the steering has power.
     const auto all = frequencyResponses(steering, std::array{needed[2], needed[3]}, raster(), found.settings);
-    const Points& power = all[0];
+    const FrequencyCurve& power = all[0];
     const auto strongest =
         std::max_element(power.begin(), power.end(), [](const auto& a, const auto& b) { return a.input < b.input; });
     auto first = strongest, last = strongest;

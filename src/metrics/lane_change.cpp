@@ -8,6 +8,7 @@
 #include "metrics/channels.h"
 #include "metrics/manoeuvres.h"
 #include "metrics/metric_table.h"
+#include "metrics/smoothing.h"
 #include "scenario/cones.h"
 
 namespace tread {

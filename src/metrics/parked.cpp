@@ -39,12 +39,6 @@ MetricTable<Standing> table() {
     };
 }
 
-double largestMagnitude(const TimeSeries& series) {
-    double largest = 0;
-    for (double value : series.value) largest = std::max(largest, std::abs(value));
-    return largest;
-}
-
 Standing findStanding(const Log& log) {
     const auto needed = channels(log, kName, {"chassis.x", "chassis.y", "chassis.vx"});
     const double from = needed[0].begin() + kSettling, to = needed[0].end();
@@ -54,7 +48,7 @@ Standing findStanding(const Log& log) {
     }
     const TimeSeries v = part(speed(log, kName), from, to), x = part(needed[0], from, to),
                      y = part(needed[1], from, to);
-    const double fastest = largestMagnitude(v);
+    const double fastest = largestSample(v);
     if (fastest > kFastest) {
         notFound(kName,
                  fmt::format("the car moves at up to {:.2g} m/s, looked for at most {:.2g} m/s", fastest, kFastest));

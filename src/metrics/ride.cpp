@@ -95,11 +95,10 @@ Ride findRide(const Log& log) {
         notFound(kName, fmt::format("the car drives {:.2g} m/s, looked for at least {:.2g} m/s", ride.speed, kSlowest));
     }
     if (const auto hand = channelIfThere(log, kName, "driver.steering_wheel_angle")) {
-        const TimeSeries held = part(*hand, from, to);
-        const auto [least, most] = std::minmax_element(held.value.begin(), held.value.end());
-        if (kDegrees * (*most - *least) > kMostSteering) {
-            notFound(kName, fmt::format("the hand wheel turns by {:.2g} deg, looked for at most {:.2g} deg",
-                                        kDegrees * (*most - *least), kMostSteering));
+        const double turned = kDegrees * range(part(*hand, from, to)).width();
+        if (turned > kMostSteering) {
+            notFound(kName, fmt::format("the hand wheel turns by {:.2g} deg, looked for at most {:.2g} deg", turned,
+                                        kMostSteering));
         }
     }
     if (ride.vertical < kSmooth) {

@@ -22,6 +22,13 @@ struct Instant {
     double value;
 };
 
+struct Range {
+    double least;
+    double most;
+
+    double width() const { return most - least; }
+};
+
 struct Line {
     double offset;  // value at x = 0
     double slope;
@@ -29,8 +36,8 @@ struct Line {
 
 double at(const TimeSeries& series, double t);                      // held beyond the ends
 double integral(const TimeSeries& series, double from, double to);  // within the series
-double mean(const TimeSeries& series, double from, double to);      // time-weighted; at(from) when the interval is empty
-TimeSeries part(const TimeSeries& series, double from, double to);      // the samples within, and the values at both ends
+double mean(const TimeSeries& series, double from, double to);  // time-weighted; at(from) when the interval is empty
+TimeSeries part(const TimeSeries& series, double from, double to);  // the samples within, and the values at both ends
 TimeSeries increments(const TimeSeries& series, double level, double factor = 1);  // factor (value - level)
 
 // First time from `from` on at which the series reaches the level, from either side.
@@ -42,26 +49,14 @@ std::optional<double> lastCrossing(const TimeSeries& series, double level, doubl
 Instant highest(const TimeSeries& series, double from, double to);
 Instant lowest(const TimeSeries& series, double from, double to);
 
+// Of the samples themselves, without a parabola.
+double largestSample(const TimeSeries& series);  // magnitude
+Range range(const TimeSeries& series);
+
 // Where the series turns back by at least `swing`, alternately up and down; not its first and last sample.
 std::vector<Instant> turningPoints(const TimeSeries& series, double swing);
 
 // Least-squares line.
 Line fitLine(std::span<const double> x, std::span<const double> y);
-
-// Standard deviation of white measurement noise, from fourth differences: nearly blind to the signal itself.
-double noise(const TimeSeries& series);
-
-// Local parabola over +-half_width around each sample: its value, and its slope. Fewer than five samples in reach: the
-// series itself, and its plain differences.
-TimeSeries smoothed(const TimeSeries& series, double half_width);
-TimeSeries derivative(const TimeSeries& series, double half_width);
-
-// Mean over +-half_width: rounds corners, but never goes beyond the values around.
-TimeSeries averaged(const TimeSeries& series, double half_width);
-
-// Smoothed when there is noise to speak of; a simulated log stays as it is, corners and all.
-bool isNoisy(const TimeSeries& series);
-TimeSeries cleaned(const TimeSeries& series, double half_width);
-TimeSeries cleanDerivative(const TimeSeries& series, double half_width);
 
 }  // namespace tread

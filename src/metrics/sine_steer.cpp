@@ -11,6 +11,7 @@
 #include "metrics/channels.h"
 #include "metrics/manoeuvres.h"
 #include "metrics/metric_table.h"
+#include "metrics/smoothing.h"
 
 namespace tread {
 namespace {
@@ -90,8 +91,7 @@ std::vector<double> halfWaves(const TimeSeries& steering, const std::vector<Inst
 
 Sine findSine(const TimeSeries& steering) {
     const double middle = steering.value.front();
-    const auto [low, high] = std::minmax_element(steering.value.begin(), steering.value.end());
-    const double amplitude = 0.5 * (*high - *low);
+    const double amplitude = 0.5 * range(steering).width();
     if (amplitude < kSmallest) {
         notFound(kName, fmt::format("the steering wheel moves by +-{:.2g} deg only, looked for at least {:.2g} deg",
                                     kDegrees * amplitude, kDegrees * kSmallest));

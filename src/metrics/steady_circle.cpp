@@ -9,6 +9,7 @@
 #include "metrics/channels.h"
 #include "metrics/manoeuvres.h"
 #include "metrics/metric_table.h"
+#include "metrics/smoothing.h"
 
 namespace tread {
 namespace {
@@ -81,8 +82,7 @@ Circle findCircle(const Log& log) {
                  fmt::format("the steering moves faster than {:.0f} deg/s most of the time, looked for slow changes",
                              kDegrees * kFastestSteering));
     }
-    const auto [least, most] = std::minmax_element(circle.steering.value.begin(), circle.steering.value.end());
-    const auto swings = turningPoints(circle.steering, std::max(std::abs(*least), std::abs(*most))).size();
+    const auto swings = turningPoints(circle.steering, largestSample(circle.steering)).size();
     if (swings > kMostSwings) {
         notFound(kName, fmt::format("the steering swings to and fro {} times, looked for slow changes", swings));
     }
@@ -119,6 +119,12 @@ double gradient(const Circle& circle, const Quantity& quantity) {
     return sum / static_cast<double>(circle.turns.size());
 }
 
+double channelGradient(const Circle& circle, const std::optional<TimeSeries>& channel) {
+    if (!channel) return kUndefined;
+    const TimeSeries clean = cleaned(*channel, kHalfWidth);
+    return gradient(circle, [&](std::size_t i) { return clean.value[i]; });
+}
+
 Method methodOf(const Circle& circle) {
     const double radius =
         variation(circle, [&](std::size_t i) { return circle.yaw_rate.value[i] / circle.v.value[i]; });
@@ -128,27 +134,15 @@ Method methodOf(const Circle& circle) {
     return radius <= steering ? Method::constant_radius : Method::constant_steering;
 }
 
-// Mean over left and right of a channel of the front wheels, less that of the rear wheels.
-std::optional<TimeSeries> frontLessRear(const Log& log, const std::string& what) {
-    const auto wheel = [&](const char* which) {
-        return channelIfThere(log, kName, std::string("wheel.") + which + "." + what);
-    };
-    auto out = wheel("front_left");
-    const auto fr = wheel("front_right"), rl = wheel("rear_left"), rr = wheel("rear_right");
-    if (!out || !fr || !rl || !rr) return {};
-    for (std::size_t i = 0; i < out->size(); ++i) {
-        out->value[i] = 0.5 * (out->value[i] + fr->value[i] - rl->value[i] - rr->value[i]);
-    }
-    return cleaned(*out, kHalfWidth);
-}
-
 std::optional<TimeSeries> roadWheelAngle(const Log& log, const Circle& circle, const KnownCar& car) {
     if (car.knowsRatio()) {
         TimeSeries road = circle.steering;
         for (double& angle : road.value) angle = car.roadWheelAngle(angle);
         return road;
     }
-    return frontLessRear(log, "steer");
+    auto road = frontLessRear(log, kName, "steer");
+    if (road) road = cleaned(*road, kHalfWidth);
+    return road;
 }
 
 // K = d(delta - L / R) / d ay, from the first of these that the log allows. rad per m/s2.
@@ -164,18 +158,12 @@ double understeer(const Log& log, const Circle& circle, const KnownCar& car, Met
     }
     // delta - L / R is also the front slip angle less the rear one, counted positive where the tyre pushes into the
     // turn.
-    if (const auto slip = frontLessRear(log, "slip_angle")) {
+    if (const auto slip = frontLessRear(log, kName, "slip_angle")) {
         const TimeSeries front = *channelIfThere(log, kName, "wheel.front_left.slip_angle");
         const double sign = gradient(circle, [&](std::size_t i) { return front.value[i]; }) < 0 ? -1 : 1;
-        return sign * gradient(circle, [&](std::size_t i) { return slip->value[i]; });
+        return sign * channelGradient(circle, slip);
     }
     return kUndefined;
-}
-
-double channelGradient(const Circle& circle, const std::optional<TimeSeries>& channel) {
-    if (!channel) return kUndefined;
-    const TimeSeries clean = cleaned(*channel, kHalfWidth);
-    return gradient(circle, [&](std::size_t i) { return clean.value[i]; });
 }
 
 // Means over the samples of the regression.
@@ -234,8 +222,6 @@ MetricTable<SteadyCircle> table() {
 SteadyCircle findSteadyCircle(const Log& log, const KnownCar& car) {
     const Circle circle = findCircle(log);
     const Method method = methodOf(circle);
-    double largest = 0;
-    for (double ay : circle.ay.value) largest = std::max(largest, std::abs(ay));
     return {.method = method,
             .means = meansOf(circle),
             .understeer = understeer(log, circle, car, method),
@@ -244,7 +230,7 @@ SteadyCircle findSteadyCircle(const Log& log, const KnownCar& car) {
                                   : gradient(circle, [&](std::size_t i) { return circle.steering.value[i]; }),
             .roll = channelGradient(circle, channelIfThere(log, kName, "chassis.roll")),
             .sideslip = channelGradient(circle, sideslip(log, kName)),
-            .largest_ay = largest};
+            .largest_ay = largestSample(circle.ay)};
 }
 
 }  // namespace

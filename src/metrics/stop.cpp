@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "metrics/channels.h"
+#include "metrics/smoothing.h"
 
 namespace tread {
 namespace {

@@ -46,24 +46,20 @@ MetricTable<StraightRunning> table() {
     };
 }
 
-double range(const TimeSeries& series) {
-    const auto [least, most] = std::minmax_element(series.value.begin(), series.value.end());
-    return *most - *least;
-}
-
 StraightRunning findStraightRunning(const Log& log) {
     const auto needed = channels(log, kName,
                                  {"driver.steering_wheel_angle", "chassis.x", "chassis.y", "chassis.yaw",
                                   "chassis.yaw_rate", "chassis.ay", "chassis.vx"});
     const TimeSeries &hand = needed[0], &x = needed[1], &y = needed[2];
     const double begin = x.begin(), end = x.end(), late = std::max(begin, end - kAtLast);
-    if (range(hand) > kFixed) {
-        notFound(kName,
-                 fmt::format("the hand wheel turns by {:.2g} deg, looked for a fixed one", kDegrees * range(hand)));
+    if (range(hand).width() > kFixed) {
+        notFound(kName, fmt::format("the hand wheel turns by {:.2g} deg, looked for a fixed one",
+                                    kDegrees * range(hand).width()));
     }
     const double speed = mean(needed[6], begin, end);
-    if (!(speed > 0) || range(needed[6]) > kConstantSpeed * speed)
-        notFound(kName, fmt::format("the speed changes by {:.2g} m/s, looked for a constant one", range(needed[6])));
+    if (!(speed > 0) || range(needed[6]).width() > kConstantSpeed * speed)
+        notFound(kName,
+                 fmt::format("the speed changes by {:.2g} m/s, looked for a constant one", range(needed[6]).width()));
     const double push = std::max(highest(needed[5], begin, end).value, -lowest(needed[5], begin, end).value);
     if (push > kGentle)
         notFound(kName, fmt::format("the lateral acceleration reaches {:.2g} m/s2, looked for at most {:.2g} m/s2",

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "metrics/channels.h"
+#include "metrics/smoothing.h"
 
 namespace tread {
 namespace {
@@ -74,9 +75,7 @@ TurnDisturbance turnDisturbance(const Log& log, std::string_view name, double on
         if (t < onset || t > end || v.value[i] < kSlowestRatio) continue;
         d.peak_yaw_ratio = std::max(d.peak_yaw_ratio, direction * yaw_rate.value[i] * d.radius / v.value[i]);
     }
-    const TimeSeries hand = part(needed[3], onset, end);
-    const auto [least, most] = std::minmax_element(hand.value.begin(), hand.value.end());
-    d.steering_range = *most - *least;
+    d.steering_range = range(part(needed[3], onset, end)).width();
     return d;
 }
 

@@ -9,6 +9,7 @@
 #include "metrics/channels.h"
 #include "metrics/manoeuvres.h"
 #include "metrics/metric_table.h"
+#include "metrics/smoothing.h"
 
 namespace tread {
 namespace {

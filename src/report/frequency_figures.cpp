@@ -7,10 +7,9 @@
 namespace tread {
 namespace {
 
-using Points = std::vector<FrequencyPoint>;
-using Value = double (*)(const Points&, double frequency);
+using Value = double (*)(const FrequencyCurve&, double frequency);
 
-Series curve(std::string name, const Points& points, Value value, double scale, Colour colour) {
+Series curve(std::string name, const FrequencyCurve& points, Value value, double scale, Colour colour) {
     Series series{.name = std::move(name), .x = {}, .y = {}, .colour = colour};
     for (const FrequencyPoint& point : points) {
         series.x.push_back(point.frequency);

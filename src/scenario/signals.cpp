@@ -5,20 +5,13 @@
 #include <cstdint>
 #include <numbers>
 
+#include "base/random.h"
+
 namespace tread {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kFadeIn = 1;  // s: a random signal begins without a jump
-
-// A reproducible number from 0 up to 1 for each index: SplitMix64 (Steele, Lea, Flood, OOPSLA 2014).
-double uniform(std::uint64_t seed, std::uint64_t index) {
-    std::uint64_t z = (seed << 32) + (index + 1) * 0x9e3779b97f4a7c15;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-    z ^= z >> 31;
-    return static_cast<double>(z >> 11) * 0x1p-53;
-}
 
 // Keep, and what watches the car.
 template <class Other>
@@ -73,12 +66,11 @@ double at(const Pulse<Of>& signal, double held, double elapsed) {
 template <class Of>
 double at(const Noise<Of>& signal, double held, double elapsed) {
     const double width = (signal.to - signal.from) / signal.lines;
-    const auto seed = static_cast<std::uint64_t>(signal.seed);
+    Random random(static_cast<std::uint64_t>(signal.seed));
     double sum = 0;
     for (int line = 0; line < signal.lines; ++line) {
-        const auto index = 2 * static_cast<std::uint64_t>(line);
-        const double frequency = signal.from + width * (line + uniform(seed, index));
-        sum += std::sin(kTurn * (frequency * elapsed + uniform(seed, index + 1)));
+        const double frequency = signal.from + width * (line + random.uniform());
+        sum += std::sin(kTurn * (frequency * elapsed + random.uniform()));
     }
     return held + std::min(1.0, elapsed / kFadeIn) * signal.rms * std::sqrt(2.0 / signal.lines) * sum;
 }

@@ -65,19 +65,28 @@ double between(tread::Random& random, double low, double high) {
     return low + (high - low) * random.uniform();
 }
 
-// Changes the number at each path as the truth changes.
-void plant(const Effect& effect, Subject& as_drawn, const Subject& nominal, Drawn& drawn, tread::Random& random) {
-    const std::vector<SharedNumber> shared = sharedNumbers(drawn.truth);
-    drawn.key.effects = {effect.name};
+struct Change {
+    Parameter parameter;
+    double units;
+};
+
+// Errors of everything that is known to a tolerance only.
+std::vector<Change> errors(const Subject& nominal, tread::Random& random) {
+    const double most = std::sqrt(3.0);  // of the uniform distribution, in its standard deviations
+    std::vector<Change> all;
+    for (const Parameter& uncertain : tread::nuisances(nominal, {}))
+        all.push_back({uncertain, std::clamp(between(random, -most, most), uncertain.lowest, uncertain.highest)});
+    return all;
+}
+
+std::vector<Change> changesOf(const Effect& effect, const Subject& nominal, tread::Random& random) {
     const double size = between(random, kSmallest, kLargest);
+    std::vector<Change> all;
     for (const Parameter& knob : tread::knobsOf(effect, nominal)) {
         const double sign = knob.lowest == 0 ? 1 : knob.highest == 0 ? -1 : random.uniform() < 0.5 ? -1 : 1;
-        const double units = std::clamp(sign * size, knob.lowest, knob.highest);
-        change(shared, knob, units);
-        tread::move(as_drawn, knob, units);
-        for (const Parameter::Move& move : knob.moves)
-            drawn.key.numbers[move.path] = {move.nominal, *tread::numberAt(as_drawn, move.path), units};
+        all.push_back({knob, std::clamp(sign * size, knob.lowest, knob.highest)});
     }
+    return all;
 }
 
 }  // namespace
@@ -138,20 +147,27 @@ std::vector<Effect> plantable(const std::vector<Effect>& effects, const tread::V
 Drawn draw(const Truth& known, const tread::VehicleParams& nominal, const std::vector<Effect>& effects,
            tread::CaseKind kind, tread::Random& random) {
     const Subject as_known{.vehicle = nominal, .road = {}, .wind = {}, .instruments = {}};
-    Subject as_drawn = as_known;
+    std::vector<Change> changes = errors(as_known, random), planted;
     Drawn drawn{known, {}};
     drawn.key.kind = kind;
-    const std::vector<SharedNumber> shared = sharedNumbers(drawn.truth);
-    const double most = std::sqrt(3.0);  // of the uniform distribution, in its standard deviations
-    for (const Parameter& uncertain : tread::nuisances(as_known, {})) {
-        const double units = std::clamp(between(random, -most, most), uncertain.lowest, uncertain.highest);
-        change(shared, uncertain, units);
-        tread::move(as_drawn, uncertain, units);
+    if (kind != tread::CaseKind::none) {
+        if (effects.empty()) throw std::invalid_argument("the other car can show none of these effects");
+        const auto which = static_cast<std::size_t>(random.uniform() * static_cast<double>(effects.size()));
+        drawn.key.effects = {effects[which].name};
+        planted = changesOf(effects[which], as_known, random);
+        changes.insert(changes.end(), planted.begin(), planted.end());
     }
-    if (kind == tread::CaseKind::none) return drawn;
-    if (effects.empty()) throw std::invalid_argument("the other car can show none of these effects");
-    const auto which = static_cast<std::size_t>(random.uniform() * static_cast<double>(effects.size()));
-    plant(effects[which], as_drawn, as_known, drawn, random);
+    // The number at each path changes as the truth does.
+    Subject as_drawn = as_known;
+    const std::vector<SharedNumber> shared = sharedNumbers(drawn.truth);
+    for (const auto& [parameter, units] : changes) {
+        change(shared, parameter, units);
+        tread::move(as_drawn, parameter, units);
+    }
+    for (const auto& [knob, units] : planted) {
+        for (const Parameter::Move& move : knob.moves)
+            drawn.key.numbers[move.path] = {move.nominal, *tread::numberAt(as_drawn, move.path), units};
+    }
     return drawn;
 }
 

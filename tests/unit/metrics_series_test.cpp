@@ -6,6 +6,7 @@
 
 #include "log/resample.h"
 #include "metrics/series.h"
+#include "metrics/smoothing.h"
 
 namespace tread {
 namespace {
@@ -57,6 +58,15 @@ TEST(TimeSeries, TheParabolaFindsAPeakBetweenSamples) {
     EXPECT_NEAR(highest(v, 0, 1).time, 0.513, 1e-12);
     EXPECT_NEAR(highest(v, 0, 1).value, 3, 1e-12);
     EXPECT_NEAR(lowest(increments(v, 0, -1), 0, 1).value, -3, 1e-12);
+}
+
+TEST(TimeSeries, TheLargestSampleAndTheRangeKnowNoParabola) {
+    const TimeSeries v{{0, 1, 2, 3}, {0, 2, 1.9, -4}};
+    EXPECT_GT(highest(v, 0, 2).value, 2);
+    EXPECT_DOUBLE_EQ(largestSample(v), 4);
+    EXPECT_DOUBLE_EQ(range(v).least, -4);
+    EXPECT_DOUBLE_EQ(range(v).most, 2);
+    EXPECT_DOUBLE_EQ(range(v).width(), 6);
 }
 
 TEST(TimeSeries, TurningPointsAreThoseOfASineAndSmallSwingsAreLeftOut) {

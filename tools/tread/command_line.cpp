@@ -1,0 +1,175 @@
+#include "command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/number_text.h"
+#include "commands.h"
+#include "describable.h"
+
+namespace tread::program {
+namespace {
+
+void addSettings(CLI::App& app, std::vector<std::string>& settings, const std::string& meaning) {
+    // One value each, or files that follow would be taken for settings.
+    app.add_option("--set", settings, meaning)->allow_extra_args(false);
+}
+
+void addRun(CLI::App& app, RunOptions& o) {
+    app.add_option("vehicle", o.vehicle, "vehicle file (YAML)")->required();
+    CLI::Option* scenario = app.add_option("scenario", o.scenario, "scenario file (YAML)");
+    app.add_option("--all", o.all, "folder: drive all its scenarios, with one page that links the reports")
+        ->excludes(scenario);
+    app.add_option("--log", o.log, "log of the drive that the scenario repeats (CSV)");
+    app.add_option("-o,--output", o.output, "folder for log, metrics and report (default: out/<scenario>, or out)");
+    addSettings(app, o.settings, "path=value, for example front.suspension.spring=\"25 kN/m\" or scenario.step=0.002");
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addCompare(CLI::App& app, CompareOptions& o) {
+    app.add_option("reference", o.reference, "log to compare with (CSV)")->required();
+    app.add_option("new", o.candidate, "log to judge (CSV)")->required();
+    app.add_option("--tolerances", o.tolerances, "tolerances per channel (YAML)");
+    app.add_option("--report", o.report, "write an overlay report (HTML) with a replay of all cars");
+    app.add_option(
+        "--envelope", o.envelope,
+        "iso19364: do measurements (reference) lie within the boundaries around a simulation (new)? Or a file");
+    app.add_option("--score", o.score, "iso18571: how alike are the curves? Or a file");
+    app.add_option("--repeat", o.repeats,
+                   "further log: another measurement for --envelope and --score, drawn but not judged in --report");
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addMetrics(CLI::App& app, MetricsOptions& o) {
+    app.add_option("log", o.log, "log (CSV)")->required();
+    app.add_option("--manoeuvre", o.manoeuvre, "name of the manoeuvre (default: found from the log)");
+    app.add_option("--scenario", o.scenario, "scenario file that was driven: lanes of its course");
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addImport(CLI::App& app, ImportOptions& o) {
+    app.add_option("file", o.file, "foreign log (.vbo, .mat, text table) or tyre property file (.tir)")->required();
+    app.add_option("--map", o.map, "mapping from its columns to channels (YAML; default: guessed from the names)");
+    app.add_option("--init", o.init, "write the guessed mapping to this file, to be edited, and no log");
+    app.add_option("-o,--output", o.output, "log or tyre file to write (default: <file>.csv or .yaml, in this folder)");
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addTyre(CLI::App& app, TyreOptions& o) {
+    app.add_option("tyre", o.tyre, "tyre file (YAML or .tir)")->required();
+    app.add_option("--axes", o.axes, "axes of the table: paper (y right, z down) or iso (ISO 8855: y left, z up)")
+        ->check(CLI::IsMember({"paper", "iso"}));
+    app.add_option(
+        "--table", o.table,
+        "steady state at the points of this table (CSV); its lambda_* columns replace the tyre file's factors, "
+        "they do not multiply them");
+    app.add_option("--transient", o.transient, "contact-patch transients under the motion of this table (CSV)");
+    app.add_option("-o,--output", o.output, "table to write (default: standard output)");
+    app.add_option("--plot", o.plot, "page of curves to write (HTML)");
+    app.add_option("--substeps", o.substeps, "integration steps per sample")->check(CLI::Range(1, 10000));
+    app.add_option("--interpolate", o.interpolate, "motion between samples: hold or linear")
+        ->check(CLI::IsMember({"hold", "linear"}));
+    app.add_flag("--standstill", o.standstill,
+                 "with the standstill extension that the car uses (default: the paper alone)");
+    addSettings(app, o.settings, "path=value, for example lambda.mux=0.8");
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addDiagnose(CLI::App& app, DiagnoseRequest& o) {
+    app.add_option("file", o.file, "what is asked: nominal car, recordings, tolerances (YAML)");
+    app.add_flag("--check", o.check,
+                 "look only whether the recordings are fit for it and what they could show; status 1 with warnings");
+    app.add_option("--init", o.init, "write a first diagnosis.yaml for the logs of this folder");
+    app.add_option("--vehicle", o.vehicle,
+                   "nominal car (YAML): for --init, or in place of the file's car and vehicle_settings");
+    app.add_option("--data", o.data, "folder of the logs (default: that of the file)");
+    app.add_option("-o,--output", o.output, "folder for the answer and the simulated drives (default: out)");
+    app.add_option("--threads", o.threads, "threads (default: one per core)")->check(CLI::Range(0, 1000));
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addIdentify(CLI::App& app, IdentifyRequest& o) {
+    app.add_option("file", o.file, "nominal car, recordings, tolerances: as for tread diagnose (YAML)")->required();
+    app.add_option("--fit", o.fit, "paths of the numbers to fit, with * for any characters (default: fit of the file)")
+        ->delimiter(',');
+    app.add_option("--vehicle", o.vehicle, "nominal car in place of the file's car and vehicle_settings (YAML)");
+    app.add_option("--data", o.data, "folder of the logs (default: that of the file)");
+    app.add_option("-o,--output", o.output, "folder for calibrated.yaml, identify.json and the report (default: out)");
+    app.add_option("--threads", o.threads, "threads (default: one per core)")->check(CLI::Range(0, 1000));
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addDescribe(CLI::App& app, DescribeOptions& o) {
+    app.add_option("what", o.what, listed(describableNames(false)))->required();
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addCheck(CLI::App& app, CheckOptions& o) {
+    app.add_option("files", o.files, "YAML, .tir or CSV files")->required();
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addSchema(CLI::App& app, SchemaOptions& o) {
+    app.add_option("what", o.what, listed(describableNames(true)))->required();
+    app.add_option("-o,--output", o.output, "file to write (default: standard output)");
+}
+
+void addBlindMake(CLI::App& app, BlindMakeOptions& o) {
+    app.add_option("--cases", o.cases, "number of cases")->required()->check(CLI::Range(1, 999));
+    app.add_option("--seed", o.seed, "another number, other cases")->required();
+    app.add_option("-o,--output", o.output, "folder for the cases, new or empty")->required();
+    app.add_option("--key", o.key, "file for the sealed key (default: <folder>.key.json)");
+    app.add_option("--vehicle", o.vehicle, "nominal car (default: vehicles/compact.yaml)");
+    app.add_option("--kinds", o.kinds, "kinds of cases: one, two, none, outside, small (default: all)")->delimiter(',');
+    app.add_option("--drives", o.drives,
+                   "drives from which to learn: all, step_steers (two) or coast_and_accelerate (two) (default: all)");
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addBlindScore(CLI::App& app, BlindScoreOptions& o) {
+    app.add_option("cases", o.cases, "folder of the cases")->required();
+    app.add_option("key", o.key, "sealed key (JSON), opened when all cases are diagnosed")->required();
+    app.add_option("-o,--output", o.output, "folder for answers, score.json and report.html; goes on where it stopped")
+        ->required();
+    app.add_option("--jobs", o.jobs, "cases at a time (default: one per core)")->check(CLI::Range(1, 256));
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+template <class Options>
+void addCommand(CLI::App& app, const std::string& name, const std::string& meaning,
+                void (*add_options)(CLI::App&, Options&), int (*run_command)(const Options&), int& status) {
+    CLI::App* const command = app.add_subcommand(name, meaning);
+    const auto options = std::make_shared<Options>();
+    add_options(*command, *options);
+    command->callback([=, &status] { status = run_command(*options); });
+}
+
+}  // namespace
+
+void addCommands(CLI::App& app, int& status) {
+    addCommand(app, "run", "drive a manoeuvre and write log, metrics and report", addRun, run, status);
+    addCommand(app, "compare", "compare two logs; status 1 when they differ", addCompare, compare, status);
+    addCommand(app, "metrics", "the standards' metrics of a log", addMetrics, metrics, status);
+    addCommand(app, "import", "make a log of a VBOX, MATLAB or text file, a tyre of a .tir file", addImport, import,
+               status);
+    addCommand(app, "tyre", "forces of a tyre at given points, transients, curves", addTyre, tyre, status);
+    addCommand(app, "diagnose", "where a car and its model differ, which effect causes it, how far it closes the gap",
+               addDiagnose, diagnose, status);
+    addCommand(app, "identify", "fit numbers of a car to recordings and write the calibrated car", addIdentify,
+               identify, status);
+    CLI::App* const blind = app.add_subcommand("blind", "how good is the diagnosis? cars whose fault is sealed");
+    blind->require_subcommand(1);
+    addCommand(*blind, "make", "make cases: logs of cars with sealed faults, and the key", addBlindMake, blindMake,
+               status);
+    addCommand(*blind, "score", "diagnose the cases, then open the key and score the answers", addBlindScore,
+               blindScore, status);
+    addCommand(app, "describe", "all fields with units, meaning, limits and defaults", addDescribe, describe, status);
+    addCommand(app, "check",
+               "check files: vehicles, tyres, scenarios, mappings, tolerances, logs; status 2 when one has faults",
+               addCheck, check, status);
+    addCommand(app, "schema", "JSON Schema of a file, for editors", addSchema, schema, status);
+}
+
+}  // namespace tread::program
