@@ -8,8 +8,7 @@
 namespace tread {
 namespace {
 
-constexpr double kStandsOut = 6;  // nats, below which nothing is told from chance
-constexpr double kAlike = 0.5;    // cosine: pairs below are hard to tell apart because one of them hardly shows
+constexpr double kAlike = 0.5;  // cosine: pairs below are hard to tell apart because one of them hardly shows
 constexpr std::size_t kMostPairs = 12, kWidth = 116, kIndent = 10;
 
 // Words after a headline, with the lines beneath it indented.
@@ -53,7 +52,7 @@ Visibility visibility(const std::map<std::string, double>& testable) {
     Visibility groups;
     for (const auto& one : testable) {
         if (one.second >= kThresholds.testable) groups.found.push_back(one);
-        else (one.second >= kStandsOut ? groups.perhaps : groups.hidden).push_back(one);
+        else (one.second >= kThresholds.shows ? groups.perhaps : groups.hidden).push_back(one);
     }
     for (Visibility::Group* group : {&groups.found, &groups.perhaps, &groups.hidden})
         std::stable_sort(group->begin(), group->end(),
@@ -64,8 +63,8 @@ Visibility visibility(const std::map<std::string, double>& testable) {
 std::string precheckText(const Precheck& precheck) {
     const Visibility groups = visibility(precheck.testable);
     std::string text = groupText("CAN FIND", "nats of evidence to expect at typical size:", groups.found);
-    text +=
-        groupText("MAY SHOW", fmt::format("if larger than is typical (from {:.0f} nats):", kStandsOut), groups.perhaps);
+    text += groupText("MAY SHOW", fmt::format("if larger than is typical (from {:.0f} nats):", kThresholds.shows),
+                      groups.perhaps);
     text += groupText("NOT SEEN", "too little in these drives:", groups.hidden);
     return text + pairsText(precheck.confusable);
 }

@@ -80,11 +80,15 @@ TEST(BlindScore, SingleCauseIsNamedFirstAloneOrNot) {
 }
 
 TEST(BlindScore, EffectThatNoDriveShowsCountsOnlyWhereItSaysSo) {
-    const BlindScore result = score({keyOf("a", CaseKind::one, {"faint"})}, {answerOf("a", Verdict::nothing)});
+    CaseAnswer says_so = answerOf("a", Verdict::nothing), silent = answerOf("b", Verdict::nothing);
+    says_so.credible_set = {"none"};
+    const BlindScore result =
+        score({keyOf("a", CaseKind::one, {"faint"}), keyOf("b", CaseKind::one, {"faint"})}, {says_so, silent});
     EXPECT_EQ(result.figure("named_first").of, 0);
-    EXPECT_EQ(result.figure("named_first_any").of, 1);
+    EXPECT_EQ(result.figure("named_first_any").of, 2);
     EXPECT_EQ(result.figure("detected").of, 0);
     EXPECT_EQ(result.figure("in_credible_set").hits, 1);
+    EXPECT_EQ(result.figure("in_credible_set").of, 2);
 }
 
 TEST(BlindScore, FalseAlarmsArePairsUnknownsAndSinglesAlike) {
@@ -151,6 +155,34 @@ TEST(BlindScore, WrongAndConfidentIsCountedOverEveryClaim) {
                      answerOf("c", Verdict::explained, {"drag"}, 0.99)});
     EXPECT_EQ(result.figure("wrong_confident").hits, 1);
     EXPECT_EQ(result.figure("wrong_confident").of, 3);
+}
+
+TEST(BlindScore, EveryNamedEffectClaimsItsOwnProbability) {
+    const CaseKey pair = keyOf("a", CaseKind::two, {"drag", "mass"});
+    CaseAnswer answer = answerOf("a", Verdict::ambiguous, {"drag", "mu"}, 0.9);
+    answer.effects[1].probability = 0.6;
+    answer.effects.push_back({.name = "mass", .probability = 0.4, .parameters = {}});
+    answer.alternatives = {"drag and mass"};
+    std::map<double, bool> right;
+    for (const Claim& claim : claimsOf(pair, answer)) right[claim.probability] = claim.right;
+    EXPECT_EQ(right, (std::map<double, bool>{{0.9, true}, {0.6, false}, {0.4, true}}));
+}
+
+TEST(BlindScore, NothingIsARightClaimWhereNothingCouldShow) {
+    CaseAnswer nothing = answerOf("a", Verdict::nothing), unknown = answerOf("a", Verdict::unknown);
+    nothing.probability_of_nothing = 0.9;
+    unknown.probability_of_unknown = 0.7;
+    const auto right = [](const CaseKey& key, const CaseAnswer& answer) {
+        const std::vector<Claim> claims = claimsOf(key, answer);
+        return claims.size() == 1 && claims.front().right;
+    };
+    EXPECT_TRUE(right(keyOf("a", CaseKind::none), nothing));
+    EXPECT_TRUE(right(keyOf("a", CaseKind::small, {"drag"}), nothing));
+    EXPECT_TRUE(right(keyOf("a", CaseKind::one, {"faint"}), nothing));
+    EXPECT_FALSE(right(keyOf("a", CaseKind::one, {"drag"}), nothing));
+    EXPECT_FALSE(right(keyOf("a", CaseKind::outside), nothing));
+    EXPECT_TRUE(right(keyOf("a", CaseKind::outside), unknown));
+    EXPECT_FALSE(right(keyOf("a", CaseKind::none), unknown));
 }
 
 TEST(BlindScore, ParameterErrorsAreInStandardDeviations) {

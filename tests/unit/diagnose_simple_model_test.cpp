@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -34,6 +35,20 @@ TEST(DiagnosisOfASimpleCar, AnotherSteeringRatioIsNamedWithItsSize) {
 TEST(DiagnosisOfASimpleCar, NominalCarHasNothingBeyondTolerance) {
     const Diagnosis d = diagnosed(16.5, 2);
     EXPECT_EQ(d.verdict, Verdict::nothing) << d.answer;
+}
+
+// Something that a ratio imitates in each drive alone, but not with one value in all.
+TEST(DiagnosisOfASimpleCar, WhatChangesFromDriveToDriveIsUnknown) {
+    const double drag = loadVehicle(sourceFile("vehicles/compact.yaml")).aero.drag_area;
+    simple_car::Case made = simple_car::recorded(16.5, drag, 3);
+    constexpr std::array<double, 3> kRatios{13.5, 15, 18};
+    for (std::size_t d = 0; d < kRatios.size(); ++d) made.logs[d] = simple_car::recorded(kRatios[d], drag, 5).logs[d];
+    const Diagnosis d =
+        diagnose(made.nominal, made.file, made.logs,
+                 {effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")}, simple_car::options(2));
+    EXPECT_EQ(d.verdict, Verdict::unknown) << d.answer;
+    EXPECT_TRUE(d.causes.empty());
+    EXPECT_GT(d.probability_of_unknown, 0.5);
 }
 
 TEST(DiagnosisOfASimpleCar, AnswerIsTheSameToTheBitForOneAndTwoThreads) {

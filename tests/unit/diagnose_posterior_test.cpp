@@ -1,0 +1,76 @@
+// Probabilities of causes, against Bayes' rule by hand.
+#include "diagnose/posterior.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "diagnose/thresholds.h"
+
+namespace tread {
+namespace {
+
+constexpr double kT = kThresholds.temperature;
+constexpr Inflation kNoMore{.gain = -1000, .sizes = {}};
+
+Study studyOf(std::size_t effects) {
+    Study study;
+    for (std::size_t e = 0; e < effects; ++e) study.effects.push_back({.name = "e" + std::to_string(e)});
+    return study;
+}
+
+Candidate judged(std::vector<std::size_t> effects, double log_evidence) {
+    return {.effects = std::move(effects), .log_evidence = log_evidence, .fit = {}, .fitted = false};
+}
+
+TEST(Posterior, OfOneEffectIsItsShareOfPriorTimesEvidence) {
+    const Study study = studyOf(10);
+    const Search found{{judged({3}, 5), judged({7}, 2), judged({}, 0)}};
+    const double none = 0.25, first = 0.045 * std::exp(5 / kT), second = 0.045 * std::exp(2 / kT);
+    const Posterior result = posterior(study, found, kNoMore);
+    EXPECT_NEAR(result.of(3), first / (none + first + second), 1e-12);
+    EXPECT_NEAR(result.of(7), second / (none + first + second), 1e-12);
+    EXPECT_EQ(result.of(4), 0);
+    EXPECT_LT(result.ofUnknown(), 1e-12);
+    EXPECT_EQ(result.hypotheses.front().candidate, &found.candidates.front());
+}
+
+TEST(Posterior, OfAPairCountsForBothAndIsSplitOverAllPairs) {
+    const Study study = studyOf(10);
+    const Search found{{judged({3, 7}, 12), judged({3}, 5), judged({}, 0)}};
+    const double doubted = kThresholds.further_share * 12;
+    const double none = 0.25, one = 0.045 * std::exp(5 / kT), two = 0.15 / 45 * std::exp((12 - doubted) / kT);
+    const Posterior result = posterior(study, found, kNoMore);
+    EXPECT_NEAR(result.of(7), two / (none + one + two), 1e-12);
+    EXPECT_NEAR(result.of(3), (one + two) / (none + one + two), 1e-12);
+}
+
+TEST(Posterior, OfUnknownGrowsWithWhatLargerDisturbancesGain) {
+    const Study study = studyOf(10);
+    const Search found{{judged({3}, 5), judged({}, 0)}};
+    const double gain = 8;
+    const double none = 0.25, one = 0.045 * std::exp(5 / kT),
+                 unknown = 0.1 * std::exp((5 + gain - kThresholds.unknown) / kT);
+    const Posterior result = posterior(study, found, {.gain = gain, .sizes = {}});
+    EXPECT_NEAR(result.ofUnknown(), unknown / (none + one + unknown), 1e-12);
+}
+
+TEST(Posterior, EffectsThatDrivesCannotShowAreNothingThatShows) {
+    const Study study = studyOf(10);
+    Screen screen;
+    screen.detectability.assign(10, kThresholds.testable - 1);
+    screen.detectability[7] = kThresholds.testable;
+    const Search found{{judged({3}, 1), judged({7}, 1), judged({}, 0)}};
+    const Posterior result = posterior(study, found, kNoMore);
+    EXPECT_NEAR(result.ofNothingThatShows(screen), 1 - result.of(7), 1e-12);
+}
+
+// The nats n to expect of an effect come with a standard deviation of sqrt(2 n) and cost ln(1 + 2 n) / 2.
+TEST(Thresholds, WhatIsTestableIsFoundNineteenTimesInTwenty) {
+    const double n = kThresholds.testable;
+    const double least = n - 0.5 * std::log(1 + 2 * n) - 1.645 * std::sqrt(2 * n);
+    EXPECT_NEAR(least, kThresholds.effect, 0.2);
+}
+
+}  // namespace
+}  // namespace tread
