@@ -10,6 +10,7 @@ namespace tread {
 namespace {
 
 constexpr double kReading = 15;       // times the usual size: with these the force is read off
+constexpr double kClear = 4;          // times the mean square by chance: two standard deviations
 constexpr double kUninformed = 0.05;  // squares of usual sizes: a drive that says less says nothing
 
 // Steering is no force: what it would explain shows as lateral force and yaw moment of the front axle.
@@ -20,9 +21,32 @@ std::array<double, kDisturbances> readingSizes(const Uncertainty& uncertainty) {
     return sizes;
 }
 
-// The force of a drive, as heights of hats in usual sizes, and the mean squares that chance alone would show.
+// The side force that a lateral force and a yaw moment, as heights of hats in usual sizes, amount to at one end of the
+// car.
+struct AxleArm {
+    double force, moment;  // N of the axle per usual size
+
+    static AxleArm front(const VehicleParams& car) { return of(car, car.wheelbase - car.front_axle_distance, 1); }
+    static AxleArm rear(const VehicleParams& car) { return of(car, car.front_axle_distance, -1); }
+    static AxleArm of(const VehicleParams& car, double arm, double sign) {
+        return {usualSize(Disturbed::lateral, car) * arm / car.wheelbase,
+                sign * usualSize(Disturbed::yaw, car) / car.wheelbase};
+    }
+
+    Eigen::VectorXd squares(const Eigen::VectorXd& heights) const {
+        const Eigen::Index each = heights.size() / static_cast<Eigen::Index>(kDisturbances);
+        const auto kind = [&](Disturbed one) { return heights.segment(static_cast<Eigen::Index>(one) * each, each); };
+        return (force * kind(Disturbed::lateral) + moment * kind(Disturbed::yaw)).cwiseAbs2();
+    }
+};
+
+// Per hat: the force of a drive in usual sizes, the squares of side force at the axles, N2; and what chance alone would
+// show of these in the mean.
 struct Reading {
     Eigen::VectorXd force, by_chance;
+    struct AtAxle {
+        Eigen::VectorXd squares, by_chance;
+    } front, rear;
 };
 
 Reading reading(const Study& study, std::size_t drive, const std::array<double, kDisturbances>& sizes) {
@@ -38,8 +62,14 @@ Reading reading(const Study& study, std::size_t drive, const std::array<double, 
     const auto heights = [&](const Eigen::VectorXd& solved) {
         return disturbing.hats(large.cwiseProduct(solved).head(impulses));
     };
+    const AxleArm front = AxleArm::front(study.bench.nominal.vehicle),
+                  rear = AxleArm::rear(study.bench.nominal.vehicle);
     const Eigen::VectorXd left = residual(study.bench, uncertainty, study.nominal, drive);
-    Reading result{heights(factor.solve(scaled.transpose() * left)), Eigen::VectorXd::Zero(impulses)};
+    Reading result;
+    result.force = heights(factor.solve(scaled.transpose() * left));
+    result.by_chance = Eigen::VectorXd::Zero(impulses);
+    result.front.squares = front.squares(result.force), result.rear.squares = rear.squares(result.force);
+    result.front.by_chance = result.rear.by_chance = Eigen::VectorXd::Zero(result.front.squares.size());
     // Chance is white noise, whose products with the directions vary as these do with each other, usual pushes, and
     // what tolerances do.
     const Eigen::MatrixXd pushed = scaled.transpose() * directions * usual.asDiagonal();
@@ -49,33 +79,21 @@ Reading reading(const Study& study, std::size_t drive, const std::array<double, 
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(spread);
     for (Eigen::Index i = 0; i < n; ++i) {
         const double variance = std::max(0.0, axes.eigenvalues()(i));
-        result.by_chance += variance * heights(axes.eigenvectors().col(i)).cwiseAbs2();
+        const Eigen::VectorXd one = heights(axes.eigenvectors().col(i));
+        result.by_chance += variance * one.cwiseAbs2();
+        result.front.by_chance += variance * front.squares(one);
+        result.rear.by_chance += variance * rear.squares(one);
     }
     return result;
 }
 
-// Squares of the side force at the front and at the rear that a lateral force and a yaw moment amount to; what chance
-// shows of these is taken as if it knew nothing of the other.
-struct AxleSquares {
-    double front = 0, rear = 0;
-};
-
-AxleSquares axleSquares(const VehicleParams& car, const Reading& reading) {
-    const Eigen::Index each = reading.force.size() / static_cast<Eigen::Index>(kDisturbances);
-    const auto of = [&](const Eigen::VectorXd& values, Disturbed kind) -> Eigen::ArrayXd {
-        return values.segment(static_cast<Eigen::Index>(kind) * each, each).array();
-    };
-    const double l = car.wheelbase, a = car.front_axle_distance, b = l - a;
-    const double newton = usualSize(Disturbed::lateral, car), newton_metre = usualSize(Disturbed::yaw, car);
-    const auto squares = [&](double arm, double sign) {
-        const double force = newton * arm / l, moment = sign * newton_metre / l;
-        const Eigen::ArrayXd both =
-            force * of(reading.force, Disturbed::lateral) + moment * of(reading.force, Disturbed::yaw);
-        const Eigen::ArrayXd chance = force * force * of(reading.by_chance, Disturbed::lateral) +
-                                      moment * moment * of(reading.by_chance, Disturbed::yaw);
-        return (both.square() - chance).sum();
-    };
-    return {squares(b, 1), squares(a, -1)};
+// Squares of the side force at both axles, as long as one of them is more than chance.
+void addClear(const Reading& reading, double& front, double& rear) {
+    for (Eigen::Index i = 0; i < reading.front.squares.size(); ++i) {
+        const auto clear = [&](const Reading::AtAxle& axle) { return axle.squares(i) > kClear * axle.by_chance(i); };
+        if (!clear(reading.front) && !clear(reading.rear)) continue;
+        front += reading.front.squares(i), rear += reading.rear.squares(i);
+    }
 }
 
 }  // namespace
@@ -84,13 +102,12 @@ MissingForce missingForce(const Study& study) {
     const std::array<double, kDisturbances> sizes = readingSizes(study.uncertainty);
     std::array<double, kDisturbances> shown{};
     double most = -kInfinity;
-    AxleSquares axles;
+    double front = 0, rear = 0;
     MissingForce result;
     for (std::size_t d = 0; d < study.bench.drives.size(); ++d) {
         const Disturbances& disturbing = study.uncertainty.disturbing[d];
         const Reading here = reading(study, d, sizes);
-        const AxleSquares of_drive = axleSquares(study.bench.nominal.vehicle, here);
-        axles.front += of_drive.front, axles.rear += of_drive.rear;
+        addClear(here, front, rear);
         for (std::size_t i = 0; i < disturbing.kinds.size(); ++i) {
             const auto hat = static_cast<Eigen::Index>(i);
             const double square = here.force(hat) * here.force(hat), chance = here.by_chance(hat) + kUninformed;
@@ -105,7 +122,6 @@ MissingForce missingForce(const Study& study) {
         if (static_cast<Disturbed>(kind) == Disturbed::steering) continue;
         result.shares[std::string(kDisturbedNames[kind])] = sum > 0 ? shown[kind] / sum : 0.25;
     }
-    const double front = std::max(0.0, axles.front), rear = std::max(0.0, axles.rear);
     result.axles = {{"front", front + rear > 0 ? front / (front + rear) : 0.5},
                     {"rear", front + rear > 0 ? rear / (front + rear) : 0.5}};
     return result;

@@ -13,18 +13,19 @@ namespace {
 constexpr double kT = kThresholds.temperature;
 constexpr Inflation kNoMore{.gain = -1000, .sizes = {}};
 
-Study studyOf(std::size_t effects) {
-    Study study;
-    for (std::size_t e = 0; e < effects; ++e) study.effects.push_back({.name = "e" + std::to_string(e)});
-    return study;
-}
+struct TenEffects : Study {
+    TenEffects() {
+        for (int e = 0; e < 10; ++e)
+            effects.push_back({.name = "e" + std::to_string(e), .question = {}, .source = {}, .knobs = {}});
+    }
+};
 
 Candidate judged(std::vector<std::size_t> effects, double log_evidence) {
     return {.effects = std::move(effects), .log_evidence = log_evidence, .fit = {}, .fitted = false};
 }
 
 TEST(Posterior, OfOneEffectIsItsShareOfPriorTimesEvidence) {
-    const Study study = studyOf(10);
+    const TenEffects study;
     const Search found{{judged({3}, 5), judged({7}, 2), judged({}, 0)}};
     const double none = 0.25, first = 0.045 * std::exp(5 / kT), second = 0.045 * std::exp(2 / kT);
     const Posterior result = posterior(study, found, kNoMore);
@@ -36,7 +37,7 @@ TEST(Posterior, OfOneEffectIsItsShareOfPriorTimesEvidence) {
 }
 
 TEST(Posterior, OfAPairCountsForBothAndIsSplitOverAllPairs) {
-    const Study study = studyOf(10);
+    const TenEffects study;
     const Search found{{judged({3, 7}, 12), judged({3}, 5), judged({}, 0)}};
     const double doubted = kThresholds.further_share * 12;
     const double none = 0.25, one = 0.045 * std::exp(5 / kT), two = 0.15 / 45 * std::exp((12 - doubted) / kT);
@@ -46,7 +47,7 @@ TEST(Posterior, OfAPairCountsForBothAndIsSplitOverAllPairs) {
 }
 
 TEST(Posterior, OfUnknownGrowsWithWhatLargerDisturbancesGain) {
-    const Study study = studyOf(10);
+    const TenEffects study;
     const Search found{{judged({3}, 5), judged({}, 0)}};
     const double gain = 8;
     const double none = 0.25, one = 0.045 * std::exp(5 / kT),
@@ -56,7 +57,7 @@ TEST(Posterior, OfUnknownGrowsWithWhatLargerDisturbancesGain) {
 }
 
 TEST(Posterior, EffectsThatDrivesCannotShowAreNothingThatShows) {
-    const Study study = studyOf(10);
+    const TenEffects study;
     Screen screen;
     screen.detectability.assign(10, kThresholds.testable - 1);
     screen.detectability[7] = kThresholds.testable;

@@ -59,8 +59,8 @@ TEST(Precheck, PromisesTheNatsThatDiagnosesFindWhenTheEffectIsThereAtItsTypicalS
     constexpr std::uint64_t kCars = 5;
     double promised = 0, found = 0;
     for (std::uint64_t seed = 1; seed <= kCars; ++seed) {
-        const simple_car::Case made = simple_car::recorded(
-            truth, {simple_car::slalom(15), simple_car::slalom(20), simple_car::slalom(25)}, seed);
+        const simple_car::Case made =
+            simple_car::recorded(truth, {simple_car::slalom(15), simple_car::slalom(20), simple_car::slalom(25)}, seed);
         promised += checked(made, {understeer}).testable.at("understeer") / kCars;
         const Diagnosis d = diagnose(made.nominal, made.file, made.logs, {understeer}, simple_car::options());
         found += d.effects.front().log_evidence / kCars;
