@@ -68,21 +68,9 @@ void addParameters(Study& study, const DiagnosisFile& file) {
     }
 }
 
-// A model that cannot be right leaves more than noise. So that it is not forced onto what it cannot explain, all that
-// is uncertain in the recordings is taken as larger by as much (Birge's ratio); while the car is still far off, that
-// keeps the fit near what is known before.
-double leftOver(const Study& study, const Rows& rows) {
-    double sum = 0, expected = 0;
-    for (std::size_t d = 0; d < rows.size(); ++d) {
-        const DriveGram gram =
-            driveGram(residual(study.bench, study.uncertainty, rows, d), study.uncertainty.directions[d]);
-        sum += whitened(gram, study.uncertainty.sizesOf(d, study.uncertainty.sizes)).products(0, 0);
-        expected += study.uncertainty.noise[d].expected;
-    }
-    return std::max(1.0, std::sqrt(sum / expected));
-}
-
-// The study about a point: what is uncertain there, and the sensitivities made ready for a fit.
+// The study about a point: what is uncertain there, and the sensitivities made ready for a fit. So that a model that
+// cannot be right is not forced onto what it cannot explain, all that is uncertain in the recordings is taken as larger
+// by as much as it leaves; while the car is still far off, that keeps the fit near what is known before.
 struct Round {
     Uncertainty uncertainty;  // larger by `left_over` than the study's
     Ground ground;
@@ -91,8 +79,8 @@ struct Round {
 Round roundAt(Study& study, Linearised about, const std::vector<Eigen::Index>* matter) {
     study.uncertainty = uncertaintyOf(study.bench, about.at, about.rows);
     const std::vector<Eigen::Index> kept = matter ? *matter : thatMatter(study, about);
-    const Ground plain = ground(about, kept, study.uncertainty);
-    study.uncertainty.sizes = disturbanceSizes(everything(study, plain), study.uncertainty);
+    study.calibrated = ground(about, kept, study.uncertainty);
+    study.uncertainty.sizes = disturbanceSizes(everything(study, study.calibrated), study.uncertainty);
     Round round{study.uncertainty, {}, leftOver(study, about.rows)};
     for (RowNoise& noise : round.uncertainty.noise) noise.deviation *= round.left_over;
     round.ground = ground(std::move(about), kept, round.uncertainty);
@@ -126,10 +114,7 @@ std::optional<Settled> settled(Study& study, const Progress& progress) {
         else if (std::any_of(about.rows.begin(), about.rows.end(), [](const auto& r) { return r.size() == 0; })) break;
         if (i == 0) study.nominal = about.rows;
         Round round = roundAt(study, std::move(about), i == 0 ? nullptr : &study.calibrated.nuisances);
-        if (i == 0) {
-            study.calibrated.nuisances = round.ground.nuisances;
-            wanted.parameters = together(round.ground.nuisances, knobs);
-        }
+        if (i == 0) wanted.parameters = together(round.ground.nuisances, knobs);
         std::optional<Fit> fit = fitted(study.bench, round.uncertainty, round.ground, knobs, at);
         if (!fit) break;
         const double moved = (fit->at - at)(knobs).cwiseAbs().maxCoeff();

@@ -29,16 +29,6 @@ bool holds(const Candidate& candidate, std::size_t effect) {
     return std::find(candidate.effects.begin(), candidate.effects.end(), effect) != candidate.effects.end();
 }
 
-// Birge's ratio (1932): a model whose structure is not that of the car leaves more than noise, and what it says of
-// anything is that much less certain.
-double surplus(const Study& study, const Fit& fit) {
-    const Gram gram = total(fit.grams, study.uncertainty, study.uncertainty.sizes);
-    double expected = 0;
-    for (const RowNoise& noise : study.uncertainty.noise) expected += noise.expected;
-    const Eigen::Index residual = gram.products.cols() - 1;
-    return expected > 0 ? std::max(1.0, gram.products(residual, residual) / expected) : 1;
-}
-
 template <class Of>
 double sumOf(const std::vector<Hypothesis>& hypotheses, Of&& of) {
     double sum = 0;
@@ -68,7 +58,8 @@ double Posterior::ofNothingThatShows(const Screen& screen) const {
 Posterior posterior(const Study& study, const Search& found, const Inflation& inflation) {
     const auto n = static_cast<double>(study.effects.size());
     Posterior result;
-    result.doubt = kThresholds.temperature * surplus(study, found.best().fit);
+    const double left_over = leftOver(study, found.best().fit.rows);
+    result.doubt = kThresholds.temperature * left_over * left_over;
     std::vector<double> logs;
     const auto add = [&](const Candidate* candidate, bool imitated, double prior, double evidence) {
         result.hypotheses.push_back({candidate, imitated});

@@ -22,8 +22,8 @@ struct Hypothesis {
 
 struct Posterior {
     std::vector<Hypothesis> hypotheses;  // the most probable first
-    // Times that evidence and variances must be divided by and multiplied with: Birge's ratio of the best model (what
-    // it leaves over what noise and disturbances would, in squares, not below 1) and the temperature.
+    // By which evidence is divided and variances are multiplied: what the best model leaves over what noise and
+    // disturbances would, in squares, times the temperature.
     double doubt = 1;
 
     double ofUnknown() const;

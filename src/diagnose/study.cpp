@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -121,6 +122,17 @@ std::vector<DriveGram> everything(const Study& study, const Ground& ground) {
                                  knobsAndResidual(study, ground.about, ground.about.rows, d)));
     }
     return grams;
+}
+
+double leftOver(const Study& study, const Rows& rows) {
+    double sum = 0, expected = 0;
+    for (std::size_t d = 0; d < rows.size(); ++d) {
+        const DriveGram gram =
+            driveGram(residual(study.bench, study.uncertainty, rows, d), study.uncertainty.directions[d]);
+        sum += whitened(gram, study.uncertainty.sizesOf(d, study.uncertainty.sizes)).products(0, 0);
+        expected += study.uncertainty.noise[d].expected;
+    }
+    return expected > 0 ? std::max(1.0, std::sqrt(sum / expected)) : 1;
 }
 
 std::array<double, kDisturbances> disturbanceSizes(const std::vector<DriveGram>& grams,

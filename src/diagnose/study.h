@@ -65,6 +65,10 @@ Eigen::MatrixXd knobsAndResidual(const Study& study, const Linearised& about, co
 // Products of the nuisances, all knobs and the residual about a ground that knows the knobs' columns.
 std::vector<DriveGram> everything(const Study& study, const Ground& ground);
 
+// Times the noise that the rows of a model leave (the root of Birge's ratio, 1932; not below 1): a model whose
+// structure is not that of the car leaves more, and what it says of anything is that much less certain.
+double leftOver(const Study& study, const Rows& rows);
+
 // Sizes of the disturbances under which the recordings are most likely, whatever mixture of nuisances and effects is
 // true; near the usual ones unless the recordings say otherwise.
 std::array<double, kDisturbances> disturbanceSizes(const std::vector<DriveGram>& grams, const Uncertainty& uncertainty);
