@@ -6,9 +6,11 @@
 #include <array>
 #include <numeric>
 
+#include "base/random.h"
 #include "blind/gauges.h"
 #include "blind/measure.h"
 #include "diagnose/diagnosis.h"
+#include "diagnose/parameter.h"
 #include "places/places.h"
 #include "tread/load.h"
 
@@ -18,7 +20,10 @@ namespace {
 constexpr double kSize = 1.3;  // of the typical size: what a test of a few drives can ask
 constexpr std::size_t kDrives = 2;
 constexpr std::size_t kRivals = 2;  // rows of the catalogue on either side
-constexpr double kShown = 2000;     // squares of the change over the noise: less cannot be told from tolerances
+constexpr std::array<const char*, 4> kUncertain{"mass", "inertia.yaw", "front.tyre.lambda.Ky",
+                                                "brakes.full_pedal_torque"};
+constexpr double kTolerance = 0.02;
+constexpr double kShown = 2000;  // squares of the change over the noise: less cannot be told from tolerances
 
 // The compact car with what its file leaves out, so that every row has something to move.
 VehicleParams completeCar() {
@@ -81,25 +86,17 @@ Diagnosis diagnosed(const Truth& truth, const VehicleParams& car, const std::vec
         logs.push_back(measure(truth, drives[d], 100 + d));
     }
     file.tolerances.push_back({"*", 0, 0});
-    for (const char* uncertain : {"mass", "inertia.yaw", "front.tyre.lambda.Ky", "brakes.full_pedal_torque"})
-        file.tolerances.push_back({uncertain, 0.02, 0});
+    for (const char* uncertain : kUncertain) file.tolerances.push_back({uncertain, kTolerance, 0});
     Subject nominal;
     nominal.vehicle = car;
     return diagnose(nominal, file, logs, effects);
 }
-
-// Rows that the diagnosis does not name yet, from two drives and at this size: called unknown because their value
-// seems to change from drive to drive where tyres saturate, or not told from their neighbours. Each is a fault to mend,
-// not a property of the effect.
-constexpr std::array<std::string_view, 1> kNotNamedYet{"brake_delay"};
 
 class CatalogueRow : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(CatalogueRow, IsNamedWhereItsDrivesShowIt) {
     const std::vector<Effect>& all = effectCatalogue();
     const Effect& effect = all[GetParam()];
-    if (std::find(kNotNamedYet.begin(), kNotNamedYet.end(), effect.name) != kNotNamedYet.end())
-        GTEST_SKIP() << effect.name << " is not named yet";
     const VehicleParams car = completeCar();
     Truth nominal, truth;
     nominal.car.vehicle = truth.car.vehicle = car;
@@ -137,6 +134,29 @@ std::vector<std::size_t> rows() {
 
 INSTANTIATE_TEST_SUITE_P(Planted, CatalogueRow, testing::ValuesIn(rows()),
                          [](const auto& row) { return effectCatalogue()[row.param].name; });
+
+// A car that errs only within its tolerances, against the whole catalogue.
+class PlantedNothing : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(PlantedNothing, IsBlamedOnNoEffect) {
+    const VehicleParams car = completeCar();
+    Truth truth;
+    truth.car.vehicle = car;
+    Random random(GetParam());
+    for (const char* uncertain : kUncertain)
+        *numberAt(truth.car, uncertain) *= 1 + kTolerance * (2 * random.uniform() - 1);
+    const std::vector<Drive> drives = blindDrives();
+    std::vector<std::size_t> chosen;
+    for (std::size_t d = 0; d < drives.size(); ++d)
+        if (drives[d].name == "step_steer_80" || drives[d].name == "braking_in_turn_90") chosen.push_back(d);
+    ASSERT_EQ(chosen.size(), kDrives);
+    const Diagnosis d = diagnosed(truth, car, effectCatalogue(), chosen);
+    EXPECT_EQ(d.verdict, Verdict::nothing) << d.answer;
+    EXPECT_TRUE(d.causes.empty());
+    EXPECT_GT(d.probability_of_nothing, 0.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Planted, PlantedNothing, testing::Values(1u, 2u, 3u));
 
 }  // namespace
 }  // namespace tread
