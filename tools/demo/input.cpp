@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rate_slider.h"
+
 namespace tread::demo {
 namespace {
 
@@ -26,7 +28,11 @@ double mostSteer(double speed) {
 
 }  // namespace
 
-Input::Input(GLFWwindow* window) : window_(window) {}
+Input::Input(GLFWwindow* window) : window_(window) {
+    // A key that is let go before the next picture has been pressed all the same.
+    glfwSetInputMode(window, GLFW_STICKY_KEYS, GLFW_TRUE);
+    glfwSetInputMode(window, GLFW_STICKY_MOUSE_BUTTONS, GLFW_TRUE);
+}
 
 bool Input::held(int key) const {
     return glfwGetKey(window_, key) == GLFW_PRESS;
@@ -49,6 +55,7 @@ Wishes Input::wishes() {
     wishes.pause = pressed(GLFW_KEY_P);
     wishes.rate_steps = (pressed(GLFW_KEY_EQUAL) || pressed(GLFW_KEY_KP_ADD)) -
                         (pressed(GLFW_KEY_MINUS) || pressed(GLFW_KEY_KP_SUBTRACT));
+    wishes.rate = slid();
     for (std::size_t i = 0; i < enumNames(Place{}).size(); ++i) {
         if (pressed(GLFW_KEY_1 + static_cast<int>(i))) wishes.place = static_cast<Place>(i);
     }
@@ -65,6 +72,22 @@ Wishes Input::wishes() {
     wishes.next_camera |= pushed(GLFW_GAMEPAD_BUTTON_X);
     wishes.rate_steps += pushed(GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER) - pushed(GLFW_GAMEPAD_BUTTON_LEFT_BUMPER);
     return wishes;
+}
+
+// The slider is taken by a click on it and kept until the button is let go, wherever the mouse is.
+std::optional<double> Input::slid() {
+    double x = 0, y = 0;
+    int window = 0, picture = 0, height = 0;
+    glfwGetCursorPos(window_, &x, &y);
+    glfwGetWindowSize(window_, &window, &height);
+    glfwGetFramebufferSize(window_, &picture, &height);
+    const bool down = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
+    if (window == 0) return std::nullopt;
+    const double pixels = static_cast<double>(picture) / window;
+    const RateSlider slider(picture);
+    slides_ = down && (slides_ || (!mouse_before_ && slider.holds(pixels * x, pixels * y)));
+    mouse_before_ = down;
+    return slides_ ? std::optional(slider.rateAt(pixels * x)) : std::nullopt;
 }
 
 Pedals Input::pedals(double speed, double seconds) {

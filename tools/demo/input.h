@@ -19,7 +19,8 @@ struct Wishes {
     bool help = false;
     bool next_camera = false;
     bool pause = false;
-    int rate_steps = 0;  // up or down the list of rates
+    int rate_steps = 0;          // up or down the list of rates
+    std::optional<double> rate;  // Hz, where the slider is held
     std::optional<Place> place;
 };
 
@@ -34,16 +35,18 @@ public:
 private:
     bool held(int key) const;
     bool pressed(int key);
+    std::optional<double> slid();
     void addGamepad(Pedals& pedals, double most_steer);
 
     GLFWwindow* window_;
     std::array<bool, 512> before_{};
     std::array<bool, 16> buttons_before_{};
     double steer_ = 0;
+    bool mouse_before_ = false, slides_ = false;
 };
 
 inline constexpr std::array<std::string_view, 3> kKeys{
-    "W A S D or arrows: drive     Space: handbrake     Tab: stock or tread     + -: steps per second",
+    "W A S D or arrows: drive     Space: handbrake     Tab: stock or tread     + -, slider: steps per second",
     "1 plane  2 hill  3 kerbs  4 ice  5 platform  6 jump     R: back     C: camera     F: arrows     P: pause     H: "
     "hide this",
     "Gamepad: left stick, triggers, A handbrake, Y stock or tread, shoulders steps per second, back: reset"};

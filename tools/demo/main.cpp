@@ -70,15 +70,15 @@ Frame frameOf(const Drive& drive, const Show& show, const View& view, const Mesh
               double pictures) {
     const Car& car = drive.car;
     const bool stock = car.kind() == Kind::stock;
-    Frame frame{drive.track, car,   drive.shown, view.eye,
-                view.target, marks, arrows,      stock ? "btRaycastVehicle (stock)" : "tread::RaycastVehicle",
+    Frame frame{drive.track, car,         drive.shown,
+                view.eye,    view.target, marks,
+                arrows,      drive.rate,  stock ? "btRaycastVehicle (stock)" : "tread::RaycastVehicle",
                 {},          {}};
     const bool rests = !car.chassis().isActive();
-    frame.lines = {
-        print("%.0f km/h%s", 3.6 * std::abs(car.speed()), rests ? ", asleep" : ""),
-        print("world at %.0f steps/s", drive.rate) + (pictures > 0 ? print(", %.0f pictures/s", pictures) : ""),
-        "front: " + std::string(car.ground(0)) + " | " + std::string(car.ground(1)),
-        "rear: " + std::string(car.ground(2)) + " | " + std::string(car.ground(3))};
+    frame.lines = {print("%.0f km/h%s", 3.6 * std::abs(car.speed()), rests ? ", asleep" : ""),
+                   pictures > 0 ? print("%.0f pictures/s", pictures) : print("%.1f s", drive.time),
+                   "front: " + std::string(car.ground(0)) + " | " + std::string(car.ground(1)),
+                   "rear: " + std::string(car.ground(2)) + " | " + std::string(car.ground(3))};
     frame.lines.push_back("grid 1 m, bold lines 10 m");
     if (show.paused) frame.lines.push_back("paused (P)");
     if (show.arrows)
@@ -122,6 +122,7 @@ void obey(const Wishes& wishes, Drive& drive, Show& show, Chase& chase) {
         chase.cut();
     }
     drive.changeRate(wishes.rate_steps);
+    drive.rate = wishes.rate.value_or(drive.rate);
     show.arrows ^= wishes.arrows;
     show.help ^= wishes.help;
     show.paused ^= wishes.pause;

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "rate_slider.h"
 #include "shaders.h"
 
 namespace tread::demo {
@@ -16,6 +17,7 @@ constexpr Colour kWhite{0.95F, 0.96F, 0.97F}, kGrey{0.72F, 0.75F, 0.78F};
 constexpr float kNear = 0.3F, kFar = 900, kFieldOfView = 0.9F;  // m, rad
 constexpr float kLightReach = 32;                               // m, to each side of the car
 constexpr int kSamples = 4;
+constexpr float kSliderPanel = 14;  // pixels, beside the slider
 
 Vector3f floats(const btVector3& v) {
     return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
@@ -148,13 +150,25 @@ void Picture::addSigns(const Frame& frame, const Matrix& view, int width, int he
         const float y = 0.5F * static_cast<float>(height) * (1 - seen.y() / seen.w());
         const float half = 0.5F * text_.width(sign.text, 0.9F);
         if (x - half < kPanelRight && y < kPanelBottom) continue;
+        if (x + half > RateSlider(width).left() - kSliderPanel && y < RateSlider::kBottom + 18) continue;
         text_.addPanel(x - half - 6, y - 18, x + half + 6, y + 6);
         text_.add(x - half, y, sign.text, kWhite, 0.9F);
     }
 }
 
+void Picture::addRateSlider(double rate, int width) {
+    const RateSlider slider(width);
+    const float left = slider.left(), right = slider.right(), at = slider.placeOf(rate), middle = RateSlider::kMiddle;
+    text_.addPanel(left - kSliderPanel, RateSlider::kTop, right + kSliderPanel, RateSlider::kBottom);
+    text_.add(left, RateSlider::kTop + 24, "steps per second: " + std::to_string(static_cast<int>(rate)), kWhite);
+    text_.addBar(left, middle - 2, right, middle + 2, kGrey);
+    text_.addBar(at - RateSlider::kHalfHandle, middle - RateSlider::kHalfHeight, at + RateSlider::kHalfHandle,
+                 middle + RateSlider::kHalfHeight, kWhite);
+}
+
 void Picture::drawText(const Frame& frame, const Matrix& view, int width, int height) {
     addSigns(frame, view, width, height);
+    addRateSlider(frame.rate, width);
     constexpr float kLine = 23, kLeft = 28;
     float widest = text_.width(frame.headline, 1.3F);
     for (const std::string& line : frame.lines) widest = std::max(widest, text_.width(line));

@@ -16,6 +16,7 @@ struct Frame {
     btVector3 eye, target;
     const Mesh& marks;   // on the ground
     const Mesh& arrows;  // over everything
+    double rate;         // Hz, of the world's steps
     std::string headline;
     std::vector<std::string> lines;
     std::vector<std::string> help;
@@ -33,6 +34,7 @@ public:
 private:
     void drawThings(const Program& program, const Frame& frame) const;
     void addSigns(const Frame& frame, const Matrix& view, int width, int height);
+    void addRateSlider(double rate, int width);
     void drawText(const Frame& frame, const Matrix& view, int width, int height);
 
     Program depth_, scene_, sky_;

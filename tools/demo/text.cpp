@@ -107,6 +107,11 @@ void Text::addPanel(float left, float top, float right, float bottom) {
     addQuad({left, top, -1, -1, 0.03F, 0.04F, 0.06F, 0.62F}, {right, bottom, -1, -1, 0.03F, 0.04F, 0.06F, 0.62F});
 }
 
+void Text::addBar(float left, float top, float right, float bottom, const Colour& colour) {
+    const auto [r, g, b] = colour;
+    addQuad({left, top, -1, -1, r, g, b, 1}, {right, bottom, -1, -1, r, g, b, 1});
+}
+
 float Text::width(std::string_view text, float size) const {
     float width = 0;
     for (const char letter : text) {

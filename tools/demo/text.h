@@ -19,6 +19,7 @@ public:
     // Pixels from the top left corner to the baseline's beginning; the size is a factor on 20 pixels.
     void add(float x, float y, std::string_view text, const Colour& colour, float size = 1);
     void addPanel(float left, float top, float right, float bottom);
+    void addBar(float left, float top, float right, float bottom, const Colour& colour);
     float width(std::string_view text, float size = 1) const;
     // Draws what was added since.
     void draw(int width, int height);
