@@ -12,9 +12,10 @@
 namespace tread {
 namespace {
 
-constexpr int kDraws = 12;          // of the posterior, each driven
-constexpr int kResamples = 400;     // of the recordings, spread over the draws
-constexpr double kSignificant = 2;  // standard deviations by which a gap must exceed its floor
+constexpr int kDraws = 12;            // of the posterior, each driven
+constexpr int kResamples = 400;       // of the recordings, spread over the draws
+constexpr double kStartError = 0.03;  // m/s: what a line through the first half second of speeds leaves
+constexpr double kSignificant = 2;    // standard deviations by which a gap must exceed its floor
 constexpr double kLow = 0.05, kHigh = 0.95;
 
 // A drive and what is off in it, in units of the floor, for each stage of the model.
@@ -131,9 +132,8 @@ void closure(HowFar& how_far, Bench& bench, const Uncertainty& uncertainty, cons
         for (std::size_t d = 0; d < n; ++d) {
             const RowNoise& noise = uncertainty.noise[d];
             const double floor = gaps.floor[d], beyond = gaps.extended[d] - floor - kSignificant * std::sqrt(2 * floor);
-            const Eigen::VectorXd sizes = uncertainty.sizesOf(d, uncertainty.sizes);
-            const Eigen::VectorXd start =
-                random.normal() * sizes(sizes.size() - 1) * uncertainty.directions[d].col(sizes.size() - 1);
+            const Eigen::MatrixXd& directions = uncertainty.directions[d];
+            const Eigen::VectorXd start = random.normal() * kStartError * directions.rightCols(1);
             before[d] = (noise.over((*nominal)[d] - (*truth)[d]) + start).squaredNorm();
             after[d] = (noise.over((*answer)[d] - (*truth)[d]) + start).squaredNorm() + std::max(0.0, beyond);
             before_sum += before[d], after_sum += after[d];
