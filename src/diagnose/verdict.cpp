@@ -115,7 +115,11 @@ std::string inWords(const Diagnosis& d) {
         for (const std::string& name : names) list += (list.empty() ? "" : between) + name;
         return list;
     };
-    const double p = d.effects.empty() ? 0 : d.effects.front().probability;
+    double p = 1;  // of the least certain cause
+    for (const RankedEffect& effect : d.effects) {
+        if (std::find(d.causes.begin(), d.causes.end(), effect.name) != d.causes.end())
+            p = std::min(p, effect.probability);
+    }
     switch (d.verdict) {
         case Verdict::explained:
             return fmt::format("The gap is caused by {} (p = {:.2f})", listed(d.causes, " and "), p);

@@ -46,9 +46,11 @@ void addHead(HtmlPage& page, const DiagnosisReport& content) {
     page.answer(d.answer + ".", badge(d.verdict), good);
     const GapLevels& judged = d.how_far.in_sample ? d.how_far.training : d.how_far.held_out;
     std::vector<Card> cards;
-    if (!d.effects.empty() && !d.causes.empty())
-        cards.push_back({"probability of " + shownName(d.causes.front()),
-                         formatNumber(100 * d.effects.front().probability, 3), "%"});
+    for (const RankedEffect& effect : d.effects) {
+        if (std::find(d.causes.begin(), d.causes.end(), effect.name) != d.causes.end())
+            cards.push_back(
+                {"probability of " + shownName(effect.name), formatNumber(100 * effect.probability, 3), "%"});
+    }
     const std::string where = d.how_far.in_sample ? "in the same drives" : "in held-out drives";
     cards.push_back({"gap " + where + ", in noise units: nominal", formatNumber(judged.nominal, 3), ""});
     cards.push_back({"after the known uncertainties", formatNumber(judged.calibrated, 3), ""});
