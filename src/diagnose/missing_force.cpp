@@ -108,7 +108,10 @@ MissingForce missingForce(const Study& study) {
         const Disturbances& disturbing = study.uncertainty.disturbing[d];
         const Reading here = reading(study, d, sizes);
         addClear(here, front, rear);
+        const bool followed = study.bench.drives[d].recording->speed == SpeedReplay::followed;
         for (std::size_t i = 0; i < disturbing.kinds.size(); ++i) {
+            // A driver who follows the measured speed makes what is missing along the car his own.
+            if (followed && disturbing.kinds[i] == Disturbed::longitudinal) continue;
             const auto hat = static_cast<Eigen::Index>(i);
             const double square = here.force(hat) * here.force(hat), chance = here.by_chance(hat) + kUninformed;
             shown[static_cast<std::size_t>(disturbing.kinds[i])] += std::max(0.0, std::log(square / chance));
