@@ -50,8 +50,9 @@ double Posterior::of(std::size_t effect) const {
 
 double Posterior::ofNothingThatShows(const Screen& screen) const {
     return sumOf(hypotheses, [&](const Hypothesis& one) {
-        return !one.unknown() && std::all_of(one.candidate->effects.begin(), one.candidate->effects.end(),
-                                             [&](auto e) { return screen.detectability[e] < kThresholds.testable; });
+        if (one.unknown() || one.candidate->log_evidence >= kThresholds.effect) return false;
+        return std::all_of(one.candidate->effects.begin(), one.candidate->effects.end(),
+                           [&](auto e) { return screen.detectability[e] < kThresholds.testable; });
     });
 }
 

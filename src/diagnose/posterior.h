@@ -28,7 +28,7 @@ struct Posterior {
 
     double ofUnknown() const;
     double of(std::size_t effect) const;  // that it is one of the causes
-    // That no effect is the cause, or one so small that these drives could not show it at its typical size.
+    // That no effect is the cause, or one that has not shown and that these drives could not show at its typical size.
     double ofNothingThatShows(const Screen& screen) const;
 };
 

@@ -64,6 +64,10 @@ TEST(Posterior, EffectsThatDrivesCannotShowAreNothingThatShows) {
     const Search found{{judged({3}, 1), judged({7}, 1), judged({}, 0)}};
     const Posterior result = posterior(study, found, kNoMore);
     EXPECT_NEAR(result.ofNothingThatShows(screen), 1 - result.of(7), 1e-12);
+    // One that is larger than that and does show is not nothing.
+    const Search shown{{judged({3}, kThresholds.effect + 1), judged({}, 0)}};
+    const Posterior with_it = posterior(study, shown, kNoMore);
+    EXPECT_NEAR(with_it.ofNothingThatShows(screen), 1 - with_it.of(3), 1e-12);
 }
 
 // The nats n to expect of an effect come with a standard deviation of sqrt(2 n) and cost ln(1 + 2 n) / 2.
