@@ -55,12 +55,13 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std:
     diagnosis.baselines = baselines(study);
     const Search found = search(study, screened, progress(0.4, 0.9));
     const Inflation larger = inflation(study, found.best().fit);
-    judge(diagnosis, study, screened, found, larger);
+    const MissingForce missing = missingForce(study);
+    judge(diagnosis, study, screened, found, larger, missing);
     diagnosis.confusable = confusablePairs(study, screened, grams);
     tellNuisances(diagnosis, study, found.best().fit);
 
     // Where, and how far.
-    diagnosis.where = whereItLies(study);
+    diagnosis.where = whereItLies(study, missing);
     howFar(diagnosis, study, found, drivesOf(file, logs, true));
     diagnosis.next = nextDrives(diagnosis, study, found, options.possible_next);
     options.progress(1, "done");

@@ -44,10 +44,8 @@ struct Model {
 
     double misfit(const Rows& rows, const Deviation& at) const {
         double sum = at(free).squaredNorm();
-        for (std::size_t d = 0; d < rows.size(); ++d) {
-            const DriveGram gram = withColumns(uncertainty, d, residual(bench, uncertainty, rows, d));
-            sum += whitened(gram, uncertainty.sizesOf(d, uncertainty.sizes)).products(0, 0);
-        }
+        for (std::size_t d = 0; d < rows.size(); ++d)
+            sum += squaresOf(uncertainty, d, residual(bench, uncertainty, rows, d));
         return 0.5 * sum;
     }
 
@@ -94,6 +92,10 @@ Ground ground(Linearised about, const std::vector<Eigen::Index>& nuisances, cons
 
 Eigen::VectorXd residual(const Bench& bench, const Uncertainty& uncertainty, const Rows& rows, std::size_t drive) {
     return uncertainty.noise[drive].over(bench.drives[drive].measured - rows[drive]);
+}
+
+double squaresOf(const Uncertainty& uncertainty, std::size_t drive, const Eigen::VectorXd& off) {
+    return whitened(withColumns(uncertainty, drive, off), uncertainty.sizesOf(drive, uncertainty.sizes)).products(0, 0);
 }
 
 Gram total(const std::vector<DriveGram>& grams, const Uncertainty& uncertainty,

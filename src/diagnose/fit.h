@@ -51,6 +51,9 @@ struct Fit {
 // Residual of a drive over its noise.
 Eigen::VectorXd residual(const Bench& bench, const Uncertainty& uncertainty, const Rows& rows, std::size_t drive);
 
+// Sum of squares of what is off in a drive, over its noise, in the metric of noise and usual disturbances.
+double squaresOf(const Uncertainty& uncertainty, std::size_t drive, const Eigen::VectorXd& off);
+
 // Products of all drives, columns of `free` and then the residual.
 Gram total(const std::vector<DriveGram>& grams, const Uncertainty& uncertainty,
            const std::array<double, kDisturbances>& sizes);

@@ -37,12 +37,6 @@ GapLevels levels(const Gaps& gaps) {
     return {level(gaps.nominal), level(gaps.calibrated), level(gaps.extended), level(gaps.floor)};
 }
 
-// What is off, in the metric of noise and disturbances.
-double squares(const Uncertainty& uncertainty, std::size_t drive, const Eigen::VectorXd& off) {
-    const DriveGram gram = driveGram(uncertainty.noise[drive].over(off), uncertainty.directions[drive]);
-    return whitened(gram, uncertainty.sizesOf(drive, uncertainty.sizes)).products(0, 0);
-}
-
 // Rows of a drive as a log; with no rows, only their times.
 Log logOf(const RecordedDrive& drive, const Eigen::VectorXd& rows) {
     Log log;
@@ -92,7 +86,8 @@ Gaps gapsOf(Bench& bench, const Uncertainty& uncertainty, const std::vector<Devi
             const Eigen::VectorXd rows =
                 motion ? readings(drive, *motion, subjects[stage].instruments) : Eigen::VectorXd{};
             *logs[stage] = logOf(drive, rows);
-            (*sums[stage])[d] = squares(uncertainty, d, motion ? drive.measured - rows : drive.measured);
+            const Eigen::VectorXd off = motion ? drive.measured - rows : drive.measured;
+            (*sums[stage])[d] = squaresOf(uncertainty, d, uncertainty.noise[d].over(off));
         }
     });
     overlays.insert(overlays.end(), here.begin(), here.end());

@@ -187,7 +187,7 @@ void tellGap(Identification& found, Study& study, Fit fit, std::vector<RecordedD
     search.candidates.push_back({.effects = {0}, .fit = std::move(fit), .fitted = true});
     search.candidates.push_back({.effects = {}, .fit = std::move(alone), .fitted = true});
     found.gap.causes = {kChosen};
-    found.gap.where = whereItLies(study);
+    found.gap.where = whereItLies(study, missingForce(study));
     howFar(found.gap, study, search, std::move(held_out));
 }
 

@@ -73,8 +73,10 @@ Posterior posterior(const Study& study, const Search& found, const Inflation& in
         const double evidence = one.log_evidence - kThresholds.doubt(count, found.best().log_evidence);
         strongest = std::max(strongest, evidence);
         add(&one, false, kPrior[count] / ways, evidence);
+        result.constancy.push_back(one.fitted ? constancy(study, one.fit) : Constancy{});
         if (count > 0 && one.fitted)
-            add(&one, true, kPriorUnknown * kImitated[count] / ways, evidence + imitationGain(study, one));
+            add(&one, true, kPriorUnknown * kImitated[count] / ways,
+                evidence + imitationGain(one, result.constancy.back()));
     }
     add(nullptr, false, kPriorUnknown, strongest + inflation.gain - kThresholds.unknown);
 

@@ -22,6 +22,7 @@ struct Hypothesis {
 
 struct Posterior {
     std::vector<Hypothesis> hypotheses;  // the most probable first
+    std::vector<Constancy> constancy;    // of each candidate of the search
     // By which evidence is divided and variances are multiplied: what the best model leaves over what noise and
     // disturbances would, in squares, times the temperature.
     double doubt = 1;

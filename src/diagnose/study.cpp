@@ -127,9 +127,7 @@ std::vector<DriveGram> everything(const Study& study, const Ground& ground) {
 double leftOver(const Study& study, const Rows& rows) {
     double sum = 0, expected = 0;
     for (std::size_t d = 0; d < rows.size(); ++d) {
-        const DriveGram gram =
-            driveGram(residual(study.bench, study.uncertainty, rows, d), study.uncertainty.directions[d]);
-        sum += whitened(gram, study.uncertainty.sizesOf(d, study.uncertainty.sizes)).products(0, 0);
+        sum += squaresOf(study.uncertainty, d, residual(study.bench, study.uncertainty, rows, d));
         expected += study.uncertainty.noise[d].expected;
     }
     return expected > 0 ? std::max(1.0, std::sqrt(sum / expected)) : 1;

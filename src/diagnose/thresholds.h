@@ -9,17 +9,16 @@
 namespace tread {
 
 struct Thresholds {
-    double effect = 6.5;          // nats that one effect must gain over none: in empty cases the best rarely gained 4
-    double further_effect = 6.5;  // nats that one more effect must gain,
-    double further_share =
-        0.002;                  // and of the nats that are explained already: no signature is known better than that,
-    double further_most = 6;    // but no more nats than that
-    double unknown = 6;         // nats that larger disturbances gain on top of the best model
-    double separable = 6;       // nats between two effects
-    double shows = 6;           // nats to expect of an effect: below, a drive cannot show it
-    double testable = 18;       // nats to expect at typical size, of which 19 in 20 gain `effect`: see below
-    double temperature = 1.25;  // evidence counts as if this many times as much data were needed
-    double sure = 0.9;          // probability of the causes together, below which alternatives are named
+    double effect = 6.5;           // nats that one effect must gain over none: in empty cases the best rarely gained 4
+    double further_effect = 6.5;   // nats that one more effect must gain,
+    double further_share = 0.002;  // and of the nats explained already: no signature is known better than that,
+    double further_most = 6;       // but of these no more nats than this
+    double unknown = 6;            // nats that larger disturbances gain on top of the best model
+    double separable = 6;          // nats between two effects
+    double shows = 6;              // nats to expect of an effect: below, a drive cannot show it
+    double testable = 18;          // nats to expect at typical size, of which 19 in 20 gain `effect`: see below
+    double temperature = 1.25;     // evidence counts as if this many times as much data were needed
+    double sure = 0.9;             // probability of the causes together, below which alternatives are named
     double credible = 0.9;
 
     // Nats of effects besides the first that are not to be trusted when so many are explained in all.

@@ -14,8 +14,7 @@ constexpr double kWider = 2;          // times the spread of an effect's size, t
 // Standard deviation of a value from drive to drive, as a share of it: of a true effect (the fit is linear there), and
 // of an imitation.
 constexpr double kSame = 0.1, kVaried = 0.5;
-constexpr double kJumps =
-    0.04;  // of what is explained, that may vary all the same: controllers and stops set in or not
+constexpr double kJumps = 0.04;  // of what is explained, that varies all the same: controllers set in or do not
 
 }  // namespace
 
@@ -94,13 +93,12 @@ Constancy constancy(const Study& study, const Fit& fit) {
     return result;
 }
 
-double imitationGain(const Study& study, const Candidate& candidate) {
+double imitationGain(const Candidate& candidate, const Constancy& same) {
     double gain = 0;
     for (const Eigen::Index k : candidate.fit.knobs) {
         const double size = candidate.fit.at(k);
         gain += 0.5 * size * size * (1 - 1 / (kWider * kWider)) - std::log(kWider);
     }
-    const Constancy same = constancy(study, candidate.fit);
     if (same.degrees_of_freedom == 0 || same.spread == 0) return gain;
     // Likelihood ratio of two spreads, as if every drive that has a say knew the value equally well.
     const double known = same.q / same.degrees_of_freedom / (same.spread * same.spread);  // squares over variance

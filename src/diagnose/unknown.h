@@ -23,7 +23,7 @@ Constancy constancy(const Study& study, const Fit& fit);
 
 // Nats that something gains over a model's effects which it merely imitates: it need not keep to their typical sizes,
 // nor to one value in all drives.
-double imitationGain(const Study& study, const Candidate& candidate);
+double imitationGain(const Candidate& candidate, const Constancy& same);
 
 // P(X > x) of the chi-squared distribution.
 double chiSquaredTail(double x, double degrees_of_freedom);

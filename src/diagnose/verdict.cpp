@@ -6,7 +6,6 @@
 #include <cmath>
 #include <set>
 
-#include "diagnose/missing_force.h"
 #include "diagnose/thresholds.h"
 
 namespace tread {
@@ -54,7 +53,7 @@ void rankEffects(Diagnosis& diagnosis, const Study& study, const Search& found, 
         }
         if (best && best->fitted) {
             ranked.parameters = estimates(study, best->fit, study.knobs[e], posterior.doubt);
-            const Constancy same = constancy(study, best->fit);
+            const Constancy& same = posterior.constancy[static_cast<std::size_t>(best - found.candidates.data())];
             if (same.degrees_of_freedom > 0) diagnosis.constancy[ranked.name] = same.p;
         }
         diagnosis.effects.push_back(std::move(ranked));
@@ -140,7 +139,7 @@ std::string inWords(const Diagnosis& d) {
 }  // namespace
 
 void judge(Diagnosis& diagnosis, const Study& study, const Screen& screen, const Search& found,
-           const Inflation& inflation) {
+           const Inflation& inflation, const MissingForce& missing) {
     const Posterior probable = posterior(study, found, inflation);
     diagnosis.probability_of_unknown = probable.ofUnknown();
     diagnosis.probability_of_nothing = probable.ofNothingThatShows(screen);
@@ -149,12 +148,11 @@ void judge(Diagnosis& diagnosis, const Study& study, const Screen& screen, const
         diagnosis.testable[study.effects[e].name] = screen.detectability[e];
     const std::set<std::string> names = credible(study, probable);
     diagnosis.credible_set.assign(names.begin(), names.end());
-    const MissingForce force = missingForce(study);
     diagnosis.unexplained.generalised_force =
-        std::max_element(force.shares.begin(), force.shares.end(), [](const auto& a, const auto& b) {
+        std::max_element(missing.shares.begin(), missing.shares.end(), [](const auto& a, const auto& b) {
             return a.second < b.second;
         })->first;
-    diagnosis.unexplained.when = force.when;
+    diagnosis.unexplained.when = missing.when;
 
     const Candidate& best = found.best();
     if (inflation.gain > kThresholds.unknown || diagnosis.probability_of_unknown > 0.5) {

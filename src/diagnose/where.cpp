@@ -5,7 +5,6 @@
 #include <complex>
 #include <numbers>
 
-#include "diagnose/missing_force.h"
 #include "log/resample.h"
 
 namespace tread {
@@ -102,7 +101,7 @@ Eigen::VectorXd floorOf(const Uncertainty& uncertainty, std::size_t drive) {
     return uncertainty.noise[drive].deviation.cwiseProduct((disturbed.array() + 1).sqrt().matrix());
 }
 
-WhereItLies whereItLies(const Study& study) {
+WhereItLies whereItLies(const Study& study, const MissingForce& missing) {
     WhereItLies where;
     double all = 0;
     for (std::size_t d = 0; d < study.bench.drives.size(); ++d) {
@@ -130,9 +129,8 @@ WhereItLies whereItLies(const Study& study) {
     for (Shares* shares : {&where.channels, &where.recordings, &where.phases, &where.bands, &where.regimes})
         normalise(*shares);
     for (auto& [name, shares] : where.channels_of_recording) normalise(shares, all);
-    MissingForce missing = missingForce(study);
-    where.generalised_force = std::move(missing.shares);
-    where.axle_force = std::move(missing.axles);
+    where.generalised_force = missing.shares;
+    where.axle_force = missing.axles;
     return where;
 }
 

@@ -217,7 +217,7 @@ void addLimits(HtmlPage& page, const Diagnosis& diagnosis) {
         pairs.push_back({{shownName(pair.a)},
                          {shownName(pair.b)},
                          {formatNumber(pair.cosine, 2), true},
-                         {formatNumber(pair.separation, 2), true, pair.separation < kThresholds.testable},
+                         {formatNumber(pair.separation, 2), true, pair.separation < kThresholds.separable},
                          {pair.manoeuvre}});
     if (!pairs.empty()) {
         page.text("Pairs that look alike in these drives; separation in nats at typical size.");
