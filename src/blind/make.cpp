@@ -48,13 +48,14 @@ void writeText(const std::filesystem::path& file, const std::string& text) {
     if (!out) throw FileError("cannot write " + file.string());
 }
 
-std::string diagnosisYaml(const std::vector<BlindRecording>& recordings) {
+std::string diagnosisYaml(const std::vector<BlindRecording>& recordings, bool compared) {
     std::string text = "vehicle: vehicle.yaml\nchannels:\n";
     for (const Gauge& gauge : gauges())
         text += fmt::format("  - {{channel: {}, noise: {}}}\n", gauge.channel, gauge.noise);
     text += "recordings:\n";
     for (const BlindRecording& one : recordings) {
         text += fmt::format("  - {{log: {}.csv, name: {}", one.name, one.name);
+        if (compared) text += fmt::format(", reference: reference/{}.csv", one.name);
         if (one.drive->repeats > 1) text += ", repeat_group: " + one.drive->name;
         text += one.drive->hold_out ? ", hold_out: true}\n" : "}\n";
     }
@@ -64,12 +65,14 @@ std::string diagnosisYaml(const std::vector<BlindRecording>& recordings) {
 }  // namespace
 
 void writeCase(const std::filesystem::path& place, const VehicleParams& nominal,
-               const std::vector<BlindRecording>& recordings, const std::function<Log(const BlindRecording&)>& driven,
-               const std::string& more) {
-    std::filesystem::create_directories(place);
-    for (const BlindRecording& one : recordings) writeLog(place / (one.name + ".csv"), driven(one));
+               const std::vector<BlindRecording>& recordings, const Driven& driven, const Driven& before) {
+    std::filesystem::create_directories(before ? place / "reference" : place);
+    for (const BlindRecording& one : recordings) {
+        writeLog(place / (one.name + ".csv"), driven(one));
+        if (before) writeLog(place / "reference" / (one.name + ".csv"), before(one));
+    }
     writeText(place / "vehicle.yaml", vehicleYaml(nominal));
-    writeText(place / "diagnosis.yaml", diagnosisYaml(recordings) + more);
+    writeText(place / "diagnosis.yaml", diagnosisYaml(recordings, before != nullptr));
 }
 
 std::vector<BlindRecording> recordingsOf(const std::vector<Drive>& drives, std::uint64_t seed, int index) {

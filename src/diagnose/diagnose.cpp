@@ -25,7 +25,7 @@ void tellNuisances(Diagnosis& diagnosis, const Study& study, const Fit& fit) {
 
 }  // namespace
 
-Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std::vector<Log>& logs,
+Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const Recorded& recorded,
                    const std::vector<Effect>& effects, const DiagnoseOptions& options) {
     const auto started = std::chrono::steady_clock::now();
     Diagnosis diagnosis;
@@ -37,7 +37,7 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std:
 
     // The recordings, and what may differ between them and the model.
     Study study;
-    begin(study.bench, nominal, file, logs, options);
+    begin(study.bench, nominal, file, recorded, options);
     addParameters(study, file, effects);
 
     // The nominal car: what its tolerances do, noise, disturbances.
@@ -62,7 +62,7 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std:
 
     // Where, and how far.
     diagnosis.where = whereItLies(study, missing);
-    howFar(diagnosis, study, found, drivesOf(file, logs, true));
+    howFar(diagnosis, study, found, drivesOf(study.bench, file, recorded, true));
     diagnosis.next = nextDrives(diagnosis, study, found, options.possible_next);
     options.progress(1, "done");
     diagnosis.simulations += study.bench.simulations;

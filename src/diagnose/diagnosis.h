@@ -124,9 +124,9 @@ struct DiagnoseOptions {
     std::function<void(double done, const std::string&)> progress = [](double, const std::string&) {};
 };
 
-// `nominal` is the car as its file says, with the instruments as far as they are known. `logs` are those of the
-// recordings, in their order: channels under tread's names in SI units, cut to the window, time from 0.
-Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const std::vector<Log>& logs,
+// `nominal` is the car as its file says, with the instruments as far as they are known. `recorded` is what
+// readRecordings gives.
+Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const Recorded& recorded,
                    const std::vector<Effect>& effects, const DiagnoseOptions& options = {});
 
 }  // namespace tread

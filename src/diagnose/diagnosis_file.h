@@ -46,6 +46,7 @@ struct Recording {
     double from = 0;
     double to = kInfinity;
     std::string repeat_group = {};
+    std::string reference = {};
     bool hold_out = false;
     RoadParams road = {};
     WindParams wind = {};
@@ -58,6 +59,10 @@ struct Recording {
         field(TREAD_FIELD(from), About{"s", "beginning of the window"});
         field(TREAD_FIELD(to), About{"s", "end of the window"});
         field(TREAD_FIELD(repeat_group), About{"", "recordings of one manoeuvre, repeated, share a name"});
+        field(TREAD_FIELD(reference),
+              About{"",
+                    "log of the same drive with the car as it was before, if there is one: what "
+                    "the model lacked already is then no part of the gap"});
         field(TREAD_FIELD(hold_out), About{"", "not used to find the cause: judges how far the gap shrinks"});
         field(TREAD_FIELD(road), About{"", "road as known"});
         field(TREAD_FIELD(wind), About{"", "wind as known"});
@@ -143,7 +148,8 @@ std::vector<Effect> effectsToConsider(const DiagnosisFile& file);
 // what was changed or guessed, one sentence each.
 struct Recorded {
     std::vector<Log> logs;
-    std::vector<std::string> notes;
+    std::vector<Log> references = {};  // as many as logs, or none; one without channels where a recording has none
+    std::vector<std::string> notes = {};
 };
 Recorded readRecordings(const DiagnosisFile& file);
 

@@ -32,6 +32,7 @@ struct RecordedDrive {
     Eigen::VectorXd measured;  // all rows
     double speed = 0;          // m/s, at the start, as measured
     double until = kInfinity;  // s: what comes later says nothing about the car
+    int runs = 1;              // of a car, whose noise and disturbances the rows have: 2 when a reference is taken off
 
     Eigen::Index rows() const { return measured.size(); }
     double duration() const { return time.back(); }

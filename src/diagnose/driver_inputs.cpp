@@ -54,7 +54,7 @@ std::vector<double> quietened(const std::vector<double>& values) {
 Log quietInputs(const Log& log) {
     Log inputs;
     for (const Channel& channel : log.channels) {
-        if (channel.name.starts_with("driver."))
+        if (channel.name.starts_with("driver.") || channel.name == "chassis.vx")
             inputs.channels.push_back({channel.name, channel.unit, quietened(channel.values)});
     }
     return inputs;

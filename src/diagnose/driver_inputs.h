@@ -10,8 +10,8 @@
 
 namespace tread {
 
-// The channels of the driver without their instruments' noise: a car that is driven with it trembles, and a play in the
-// steering would seem to calm it. What is quick, a turn or a kick, stays as it was.
+// The channels of the driver, and the speed that he may follow, without their instruments' noise: a car that is driven
+// with it trembles, and a play in the steering would seem to calm it. What is quick, a turn or a kick, stays as it was.
 Log quietInputs(const Log& log);
 
 // Evenly spaced values without their noise: each lies on the parabola through those around it, as far as that leaves no

@@ -193,12 +193,12 @@ void tellGap(Identification& found, Study& study, Fit fit, std::vector<RecordedD
 
 }  // namespace
 
-Identification identify(const Subject& nominal, const DiagnosisFile& file, const std::vector<Log>& logs,
+Identification identify(const Subject& nominal, const DiagnosisFile& file, const Recorded& recorded,
                         const DiagnoseOptions& options) {
     const auto started = std::chrono::steady_clock::now();
     Identification found;
     Study study;
-    begin(study.bench, nominal, file, logs, options);
+    begin(study.bench, nominal, file, recorded, options);
     addParameters(study, file);
     std::optional<Settled> result =
         settled(study, [&](double done, const std::string& what) { options.progress(0.9 * done, what); });
@@ -210,7 +210,7 @@ Identification identify(const Subject& nominal, const DiagnosisFile& file, const
     const Eigen::MatrixXd covariance = posteriorOf(gram);
     tellNumbers(found, study, result->fit, covariance);
     tellShape(found, gram, covariance);
-    tellGap(found, study, std::move(result->fit), drivesOf(file, logs, true));
+    tellGap(found, study, std::move(result->fit), drivesOf(study.bench, file, recorded, true));
     const HowFar& how_far = found.gap.how_far;
     found.better = how_far.in_sample ? how_far.training.calibrated < how_far.training.nominal
                                      : how_far.held_out.calibrated < how_far.held_out.nominal;

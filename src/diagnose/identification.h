@@ -36,7 +36,7 @@ struct Identification {
 // Fits the numbers that `file.fit` names. A number's prior is its tolerance, from the file or its description; the
 // other tolerances are free, too, and disturbances and noise are those of a diagnosis. Throws LoadError when the car
 // has no such number, or one whose tolerance nobody told.
-Identification identify(const Subject& nominal, const DiagnosisFile& file, const std::vector<Log>& logs,
+Identification identify(const Subject& nominal, const DiagnosisFile& file, const Recorded& recorded,
                         const DiagnoseOptions& options = {});
 
 }  // namespace tread

@@ -59,8 +59,10 @@ void judgeNames(Faults& faults, const DiagnosisFile& diagnosis, bool with_logs) 
     faults.addUnlessThere("vehicle", diagnosis.vehicle);
     faults.addUnlessThere("import", diagnosis.import);
     faults.addUnlessThere("own_effects", diagnosis.own_effects);
-    for (std::size_t i = 0; i < diagnosis.recordings.size() && with_logs; ++i)
+    for (std::size_t i = 0; i < diagnosis.recordings.size() && with_logs; ++i) {
         faults.addUnlessThere(at("recordings", i, "log"), diagnosis.recordings[i].log);
+        faults.addUnlessThere(at("recordings", i, "reference"), diagnosis.recordings[i].reference);
+    }
     if (std::all_of(diagnosis.recordings.begin(), diagnosis.recordings.end(),
                     [](const Recording& recording) { return recording.hold_out; }))
         faults.add("recordings", "found hold_out at every recording, expected at least one from which to learn");
@@ -85,8 +87,10 @@ DiagnosisFile load(const Path& file, const Path& data, bool with_logs) {
     diagnosis.vehicle = beside(folder, diagnosis.vehicle);
     diagnosis.import = beside(folder, diagnosis.import);
     diagnosis.own_effects = beside(folder, diagnosis.own_effects);
-    for (Recording& recording : diagnosis.recordings)
-        recording.log = beside(data.empty() ? folder : data, recording.log);
+    for (Recording& recording : diagnosis.recordings) {
+        for (std::string* log : {&recording.log, &recording.reference})
+            *log = beside(data.empty() ? folder : data, *log);
+    }
     nameRecordings(diagnosis);
     Faults faults{file};
     judgeNames(faults, diagnosis, with_logs);

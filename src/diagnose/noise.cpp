@@ -72,7 +72,7 @@ std::vector<RowNoise> rowNoise(const std::vector<RecordedDrive>& drives, const R
         here.deviation.resize(drive.rows());
         for (const ObservedChannel& channel : drive.channels) {
             const Seen& seen = channels[channel.name];
-            double deviation = std::max({channel.noise, median(seen.band), kModelError * seen.size});
+            double deviation = std::max({std::sqrt(drive.runs) * channel.noise, median(seen.band), kModelError * seen.size});
             if (deviation == 0) deviation = 1;  // a channel that is zero throughout says nothing
             const auto rows = static_cast<Eigen::Index>(channel.times.size());
             const auto telling = std::upper_bound(channel.times.begin(), channel.times.end(), drive.until);

@@ -73,6 +73,10 @@ bool readingOnly(const std::string& path) {
     return path.starts_with("instruments.") && !of("steering_wheel_angle") && !of("throttle") && !of("brake");
 }
 
+bool ofTheCar(const std::string& path) {
+    return !path.starts_with("instruments.") && !path.starts_with("road.") && !path.starts_with("wind.");
+}
+
 }  // namespace
 
 void move(Subject& subject, const Parameter& parameter, double units) {
@@ -87,11 +91,11 @@ void move(Subject& subject, const Parameter& parameter, double units) {
     }
 }
 
-std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<KnownWithin>& tolerances) {
+std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<KnownWithin>& tolerances, double of_car) {
     Subject subject = nominal;
     std::vector<Parameter> found;
     for (const Number& number : numbers(subject)) {
-        const double tolerance = toleranceOf(number, tolerances);
+        const double tolerance = toleranceOf(number, tolerances) * (ofTheCar(number.path) ? of_car : 1);
         if (!(tolerance > 0) || !std::isfinite(tolerance)) continue;
         const double by = tolerance / std::sqrt(3.0);
         Parameter parameter{{{number.path, *number.value, by}}};

@@ -6,10 +6,10 @@
 
 namespace tread {
 
-Precheck precheck(const Subject& nominal, const DiagnosisFile& file, const std::vector<Log>& logs,
+Precheck precheck(const Subject& nominal, const DiagnosisFile& file, const Recorded& recorded,
                   const std::vector<Effect>& effects, const DiagnoseOptions& options) {
     Study study;
-    begin(study.bench, nominal, file, logs, options);
+    begin(study.bench, nominal, file, recorded, options);
     addParameters(study, file, effects);
 
     // The nominal car stands for the calibrated one: nothing is moved.

@@ -20,7 +20,7 @@ struct Precheck {
 // As diagnose(), but linear about the nominal car: nothing is fitted and no effect is sought. Tolerances, instruments
 // and disturbances of the usual sizes imitate what they can of each effect; what is left counts. Throws what diagnose()
 // throws.
-Precheck precheck(const Subject& nominal, const DiagnosisFile& file, const std::vector<Log>& logs,
+Precheck precheck(const Subject& nominal, const DiagnosisFile& file, const Recorded& recorded,
                   const std::vector<Effect>& effects, const DiagnoseOptions& options = {});
 
 // The effects by what the drives would show of them, each group the clearest first.

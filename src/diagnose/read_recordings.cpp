@@ -61,15 +61,16 @@ ImportMap mapOf(const DiagnosisFile& file, const ForeignTable& table, std::vecto
     return map;
 }
 
-Log readLogOf(const Recording& recording, const DiagnosisFile& file, std::vector<std::string>& notes) {
-    const auto note = [&](const std::string& text) { notes.push_back(recording.name + ": " + text); };
-    if (file.import.empty() && isTreadLog(recording.log)) {
-        Log log = readLog(recording.log);
-        for (const MeasuredChannel& channel : file.channels) takeColumn(log, channel, recording.log);
-        throwIfAny(unitFaults(log, recording.log));
+Log readLogOf(const std::string& name, const std::string& log_file, const DiagnosisFile& file,
+              std::vector<std::string>& notes) {
+    const auto note = [&](const std::string& text) { notes.push_back(name + ": " + text); };
+    if (file.import.empty() && isTreadLog(log_file)) {
+        Log log = readLog(log_file);
+        for (const MeasuredChannel& channel : file.channels) takeColumn(log, channel, log_file);
+        throwIfAny(unitFaults(log, log_file));
         return log;
     }
-    const ForeignTable table = readForeignTable(recording.log);
+    const ForeignTable table = readForeignTable(log_file);
     std::vector<std::string> guesses;
     const ImportMap map = mapOf(file, table, guesses);
     const Imported imported = importLog(table, map);
@@ -82,12 +83,12 @@ Log readLogOf(const Recording& recording, const DiagnosisFile& file, std::vector
 }
 
 // Samples that are missing at the ends of a channel (an imported delay) are no part of the recording.
-Log windowed(const Log& log, const Recording& recording) {
+Log windowed(const Log& log, const Recording& recording, const std::string& log_file) {
     const std::vector<double>& time = log.channels.front().values;
     const auto first = std::lower_bound(time.begin(), time.end(), recording.from) - time.begin();
     const auto last = std::upper_bound(time.begin(), time.end(), recording.to) - time.begin();
     if (last - first < 2 || time[last - 1] - time[first] < kShortest) {
-        throw LoadError({{recording.log, 0, 0, "",
+        throw LoadError({{log_file, 0, 0, "",
                           fmt::format("has {:.3g} s within the window from {} s to {} s, expected at least {} s: a "
                                       "shorter drive cannot tell causes apart",
                                       last > first ? time[last - 1] - time[first] : 0.0, numberText(recording.from),
@@ -108,12 +109,19 @@ Log windowed(const Log& log, const Recording& recording) {
 Recorded readRecordings(const DiagnosisFile& file) {
     Recorded recorded;
     std::vector<Problem> problems;
-    for (const Recording& recording : file.recordings) {
+    const auto read = [&](const Recording& recording, const std::string& name, const std::string& log_file) {
         try {
-            recorded.logs.push_back(windowed(readLogOf(recording, file, recorded.notes), recording));
+            return windowed(readLogOf(name, log_file, file, recorded.notes), recording, log_file);
         } catch (const LoadError& error) {
             problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+            return Log{};
         }
+    };
+    for (const Recording& recording : file.recordings) {
+        recorded.logs.push_back(read(recording, recording.name, recording.log));
+        recorded.references.push_back(recording.reference.empty()
+                                          ? Log{}
+                                          : read(recording, "reference of " + recording.name, recording.reference));
     }
     throwIfAny(std::move(problems));
     return recorded;

@@ -35,18 +35,6 @@ double speedBehind(double shown, const Instrument& instrument) {
     return std::max(0.0, (shown - instrument.bias) / instrument.gain);
 }
 
-Curve speedProfile(const RecordedDrive& drive, const Instrument& instrument) {
-    Curve curve;
-    for (const ObservedChannel& channel : drive.channels) {
-        if (channel.name != "chassis.vx") continue;
-        for (std::size_t i = 0; i < channel.times.size(); ++i)
-            curve.points.push_back(
-                {channel.times[i],
-                 speedBehind(drive.measured(channel.first_row + static_cast<Eigen::Index>(i)), instrument)});
-    }
-    return curve;
-}
-
 Phase driven(const RecordedDrive& drive, const Instruments& instruments) {
     Phase phase;
     phase.name = "the drive";
@@ -55,7 +43,7 @@ Phase driven(const RecordedDrive& drive, const Instruments& instruments) {
     if (!steering.empty()) phase.steering = Table<Angle>{steering};
     if (drive.recording->speed == SpeedReplay::followed) {
         HoldSpeed follow = kFollow;
-        follow.profile = speedProfile(drive, instruments.speed);
+        follow.profile = driverInput(drive, "chassis.vx", instruments.speed, {.lowest = 0});
         phase.throttle = follow;
     } else {
         const Curve throttle = driverInput(drive, "driver.throttle", instruments.throttle, Pedal::kLimits);

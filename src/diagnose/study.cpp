@@ -7,6 +7,9 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "diagnose/reference.h"
+#include "identify/parallel.h"
+
 namespace tread {
 namespace {
 
@@ -15,6 +18,7 @@ constexpr double kLargestFactor = 3;
 constexpr int kSweeps = 6;
 constexpr double kWorthDriving = 0.1;  // squared signal over noise of a nuisance of usual size
 constexpr double kNegligible = 0.01;   // nats that a nuisance of usual size makes of difference
+constexpr double kBetweenDays = 0.2;   // of its tolerances, that a car differs by from itself on another day
 
 // Drives in which a nuisance makes a difference: only there is it worth a new look.
 std::vector<std::vector<bool>> worthDriving(const Study& study) {
@@ -30,29 +34,39 @@ std::vector<std::vector<bool>> worthDriving(const Study& study) {
 
 }  // namespace
 
-std::vector<RecordedDrive> drivesOf(const DiagnosisFile& file, const std::vector<Log>& logs, bool held_out) {
-    std::vector<RecordedDrive> drives;
+std::vector<RecordedDrive> drivesOf(Bench& bench, const DiagnosisFile& file, const Recorded& recorded, bool held_out) {
+    std::vector<RecordedDrive> drives, references;
     for (std::size_t i = 0; i < file.recordings.size(); ++i) {
-        if (file.recordings[i].hold_out == held_out) drives.push_back(recordedDrive(file.recordings[i], logs[i], file));
+        const Recording& recording = file.recordings[i];
+        if (recording.hold_out != held_out) continue;
+        const bool compared = !recording.reference.empty();
+        drives.push_back(recordedDrive(
+            recording, compared ? withChannelsOf(recorded.logs[i], recorded.references[i]) : recorded.logs[i], file));
+        references.push_back(compared ? recordedDrive(recording, recorded.references[i], file) : RecordedDrive{});
     }
+    inParallel(drives.size(), bench.threads, [&](std::size_t i) {
+        if (references[i].rows() > 0) lessReference(bench, drives[i], references[i]);
+    });
     return drives;
 }
 
-void begin(Bench& bench, const Subject& nominal, const DiagnosisFile& file, const std::vector<Log>& logs,
+void begin(Bench& bench, const Subject& nominal, const DiagnosisFile& file, const Recorded& recorded,
            const DiagnoseOptions& options) {
     bench.nominal = nominal;
     bench.step = file.step;
     bench.simulate = options.simulate;
     bench.threads = options.threads;
     bench.cache = options.cache;
-    bench.drives = drivesOf(file, logs, false);
+    bench.drives = drivesOf(bench, file, recorded, false);
     if (bench.drives.empty())
         throw std::invalid_argument("every recording is held out, expected at least one from which to learn");
 }
 
 void addParameters(Study& study, const DiagnosisFile& file, const std::vector<Effect>& effects) {
     Bench& bench = study.bench;
-    bench.parameters = nuisances(bench.nominal, file.tolerances);
+    const bool same_car = std::all_of(bench.drives.begin(), bench.drives.end(),
+                                      [](const RecordedDrive& drive) { return drive.runs > 1; });
+    bench.parameters = nuisances(bench.nominal, file.tolerances, same_car ? kBetweenDays : 1);
     for (std::size_t i = 0; i < bench.parameters.size(); ++i) study.nuisances.push_back(static_cast<Eigen::Index>(i));
     for (const Effect& effect : effects) {
         std::vector<Eigen::Index> knobs;

@@ -34,11 +34,11 @@ struct Study {
     }
 };
 
-// The recordings from which to learn, or those held out.
-std::vector<RecordedDrive> drivesOf(const DiagnosisFile& file, const std::vector<Log>& logs, bool held_out);
+// The recordings from which to learn, or those held out, less their references as the bench's nominal car sees them.
+std::vector<RecordedDrive> drivesOf(Bench& bench, const DiagnosisFile& file, const Recorded& recorded, bool held_out);
 
 // Puts the nominal car and the recordings from which to learn on a bench; its parameters are added by whoever asks.
-void begin(Bench& bench, const Subject& nominal, const DiagnosisFile& file, const std::vector<Log>& logs,
+void begin(Bench& bench, const Subject& nominal, const DiagnosisFile& file, const Recorded& recorded,
            const DiagnoseOptions& options);
 
 // What may differ between the model and the car on the bench: all uncertain numbers, then the knobs of those effects.

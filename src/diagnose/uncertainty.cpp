@@ -25,7 +25,7 @@ Uncertainty uncertaintyOf(Bench& bench, const Deviation& at, const Rows& rows) {
         const Eigen::MatrixXd& columns = uncertainty.disturbing[d].columns;
         Eigen::MatrixXd all(columns.rows(), columns.cols() + 1);
         all << columns, by_start_speed;
-        all = uncertainty.noise[d].over(all);
+        all = uncertainty.noise[d].over(all) * std::sqrt(bench.drives[d].runs);
         uncertainty.bare[d] = driveGram(Eigen::MatrixXd(all.rows(), 0), all);
         uncertainty.directions[d] = std::move(all);
     });

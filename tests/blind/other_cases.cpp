@@ -1,7 +1,7 @@
 // Blind cases from a simulator that shares no vehicle code with tread (tests/shared/other_car): the diagnosis must
 // stand its ground where the structure of its model is not that of the car.
 //
-//   other_cases make --vehicle vehicles/compact.yaml --cases 20 --seed 1 -o cases
+//   other_cases make --vehicle vehicles/compact.yaml --cases 20 --seed 1 --reference -o cases
 //   tread blind score cases cases.key.json -o score
 #include <fmt/format.h>
 
@@ -29,7 +29,10 @@ struct Options {
     std::vector<std::string> kinds{"one", "one", "none"};
     int cases = 0;
     std::uint64_t seed = 0;
+    bool reference = false;
 };
+
+constexpr std::uint64_t kBefore = 1;  // another run, other noise
 
 Truth asKnown(const tread::VehicleParams& vehicle) {
     Truth truth;
@@ -76,9 +79,15 @@ void make(const Options& options) {
         const tread::CaseKind kind = tread::caseKind(options.kinds[index % options.kinds.size()]);
         Drawn drawn = draw(known, nominal, effects, kind, random);
         drawn.key.name = fmt::format("case_{:03}", i + 1);
-        tread::writeCase(fs::path(options.output) / drawn.key.name, nominal,
-                         tread::recordingsOf(drives, options.seed, i),
-                         [&](const tread::BlindRecording& one) { return measure(drawn.truth, *one.drive, one.seed); });
+        tread::Driven before;
+        if (options.reference) {
+            before = [&](const tread::BlindRecording& one) {
+                return measure(drawn.before, *one.drive, tread::seedOf(one.seed, kBefore));
+            };
+        }
+        tread::writeCase(
+            fs::path(options.output) / drawn.key.name, nominal, tread::recordingsOf(drives, options.seed, i),
+            [&](const tread::BlindRecording& one) { return measure(drawn.truth, *one.drive, one.seed); }, before);
         key.cases.push_back(drawn.key);
     }
     const std::string sealed = tread::keyText(key);
@@ -99,6 +108,7 @@ int main(int argc, char** argv) {
     make->add_option("-o,--output", options.output, "folder")->required();
     make->add_option("--cases", options.cases, "number of cases")->required();
     make->add_option("--seed", options.seed, "another number, other cases")->required();
+    make->add_flag("--reference", options.reference, "with the same drives of the car before the effect");
     make->add_option("--kinds", options.kinds, "one or none, repeated in this order");
     app.require_subcommand(1);
     CLI11_PARSE(app, argc, argv);

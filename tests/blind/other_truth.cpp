@@ -147,23 +147,28 @@ std::vector<Effect> plantable(const std::vector<Effect>& effects, const tread::V
 Drawn draw(const Truth& known, const tread::VehicleParams& nominal, const std::vector<Effect>& effects,
            tread::CaseKind kind, tread::Random& random) {
     const Subject as_known{.vehicle = nominal, .road = {}, .wind = {}, .instruments = {}};
-    std::vector<Change> changes = errors(as_known, random), planted;
-    Drawn drawn{known, {}};
+    const std::vector<Change> wrong = errors(as_known, random);
+    std::vector<Change> planted;
+    Drawn drawn{known, known, {}};
     drawn.key.kind = kind;
     if (kind != tread::CaseKind::none) {
         if (effects.empty()) throw std::invalid_argument("the other car can show none of these effects");
         const auto which = static_cast<std::size_t>(random.uniform() * static_cast<double>(effects.size()));
         drawn.key.effects = {effects[which].name};
         planted = changesOf(effects[which], as_known, random);
-        changes.insert(changes.end(), planted.begin(), planted.end());
     }
     // The number at each path changes as the truth does.
     Subject as_drawn = as_known;
     const std::vector<SharedNumber> shared = sharedNumbers(drawn.truth);
-    for (const auto& [parameter, units] : changes) {
-        change(shared, parameter, units);
-        tread::move(as_drawn, parameter, units);
-    }
+    const auto make = [&](const std::vector<Change>& changes) {
+        for (const auto& [parameter, units] : changes) {
+            change(shared, parameter, units);
+            tread::move(as_drawn, parameter, units);
+        }
+    };
+    make(wrong);
+    drawn.before = drawn.truth;
+    make(planted);
     for (const auto& [knob, units] : planted) {
         for (const Parameter::Move& move : knob.moves)
             drawn.key.numbers[move.path] = {move.nominal, *tread::numberAt(as_drawn, move.path), units};

@@ -34,6 +34,7 @@ std::vector<tread::Effect> plantable(const std::vector<tread::Effect>& effects, 
 // A car with small errors in all shared numbers, and with one effect unless the kind is `none`.
 struct Drawn {
     Truth truth;
+    Truth before;  // without the effect
     tread::CaseKey key;
 };
 Drawn draw(const Truth& known, const tread::VehicleParams& nominal, const std::vector<tread::Effect>& effects,

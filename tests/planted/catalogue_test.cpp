@@ -89,7 +89,7 @@ Diagnosis diagnosed(const Truth& truth, const VehicleParams& car, const std::vec
     for (const char* uncertain : kUncertain) file.tolerances.push_back({uncertain, kTolerance, 0});
     Subject nominal;
     nominal.vehicle = car;
-    return diagnose(nominal, file, logs, effects);
+    return diagnose(nominal, file, {logs}, effects);
 }
 
 class CatalogueRow : public testing::TestWithParam<std::size_t> {};

@@ -37,7 +37,7 @@ std::vector<std::pair<std::string, Scenario>> someDrives() {
 
 Diagnosis diagnosed(const Subject& truth) {
     const Case made = recorded(truth, someDrives(), 1);
-    return diagnose(made.nominal, made.file, made.logs, someEffects());
+    return diagnose(made.nominal, made.file, {made.logs}, someEffects());
 }
 
 // Share of the nominal car's gap to the true one, without noise, that the answer closes.

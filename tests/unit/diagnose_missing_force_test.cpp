@@ -66,7 +66,7 @@ Shares found(double ahead) {
     DiagnoseOptions options;
     options.simulate = drive;
     options.threads = 1;
-    return diagnose(made.nominal, made.file, made.logs, {simple_car::effect("drag", "aero.drag_area")}, options)
+    return diagnose(made.nominal, made.file, {made.logs}, {simple_car::effect("drag", "aero.drag_area")}, options)
         .where.axle_force;
 }
 

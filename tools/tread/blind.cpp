@@ -37,7 +37,7 @@ Diagnosis diagnosed(const Path& file, int threads) {
     const DiagnosisFile asked = loadDiagnosis(file);
     DiagnoseOptions options;
     options.threads = threads;
-    return diagnose(nominalSubject(asked), asked, readRecordings(asked).logs, effectsToConsider(asked), options);
+    return diagnose(nominalSubject(asked), asked, readRecordings(asked), effectsToConsider(asked), options);
 }
 
 }  // namespace

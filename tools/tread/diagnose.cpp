@@ -39,7 +39,7 @@ int diagnose(const DiagnoseRequest& request) {
         Progress bar(100, "%");
         options.possible_next = shippedDrives();
         options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
-        diagnosis = tread::diagnose(inputs.nominal, inputs.file, inputs.logs, inputs.effects, options);
+        diagnosis = tread::diagnose(inputs.nominal, inputs.file, inputs.recorded, inputs.effects, options);
     }
     diagnosis.data_warnings.insert(diagnosis.data_warnings.begin(), inputs.warnings.begin(), inputs.warnings.end());
 

@@ -25,7 +25,7 @@ Checked check(const DiagnosisInputs& inputs, DiagnoseOptions options) {
     Progress bar(100, "%");
     options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
     try {
-        checked.precheck = precheck(inputs.nominal, inputs.file, inputs.logs, inputs.effects, options);
+        checked.precheck = precheck(inputs.nominal, inputs.file, inputs.recorded, inputs.effects, options);
     } catch (const std::invalid_argument& error) {
         checked.warnings.push_back(
             fmt::format("{}; so nothing can be said of what the drives could show. Look at "
@@ -70,17 +70,16 @@ DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const st
     if (!vehicle.empty()) inputs.file.vehicle = vehicle, inputs.file.vehicle_settings.clear();
     inputs.nominal = nominalSubject(inputs.file);
     inputs.effects = effectsToConsider(inputs.file);
-    Recorded recorded = readRecordings(inputs.file);
-    inputs.logs = std::move(recorded.logs);
-    inputs.warnings = std::move(recorded.notes);
-    for (const DataWarning& warning : dataWarnings(inputs.file, inputs.logs, inputs.nominal))
+    inputs.recorded = readRecordings(inputs.file);
+    inputs.warnings = inputs.recorded.notes;
+    for (const DataWarning& warning : dataWarnings(inputs.file, inputs.recorded.logs, inputs.nominal))
         inputs.warnings.push_back(toText(warning));
     return inputs;
 }
 
 int checkData(const DiagnosisInputs& inputs, DiagnoseOptions options, bool json) {
     const Checked checked = check(inputs, std::move(options));
-    const std::string words = answer(inputs.logs.size(), checked);
+    const std::string words = answer(inputs.recorded.logs.size(), checked);
     const std::vector<std::string> without = effectsWithoutNumbers(inputs);
     if (json) {
         printJson({{"answer", words},

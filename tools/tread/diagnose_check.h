@@ -16,7 +16,7 @@ struct DiagnosisInputs {
     DiagnosisFile file;
     Subject nominal;
     std::vector<Effect> effects;
-    std::vector<Log> logs;
+    Recorded recorded;
     std::vector<std::string> warnings;  // of reading and of the data checks, one sentence or two each
 };
 DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const std::string& vehicle);

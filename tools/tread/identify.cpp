@@ -47,7 +47,7 @@ int identify(const IdentifyRequest& request) {
         options.threads = request.threads;
         options.cache = out / "cache";
         options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
-        found = tread::identify(inputs.nominal, inputs.file, inputs.logs, options);
+        found = tread::identify(inputs.nominal, inputs.file, inputs.recorded, options);
     }
     found.gap.data_warnings = inputs.warnings;
 

@@ -1,0 +1,94 @@
+#include "diagnose/reference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+
+#include "diagnose/observation.h"
+#include "diagnose/replay.h"
+#include "diagnose/sliding.h"
+#include "log/resample.h"
+
+namespace tread {
+namespace {
+
+constexpr double kAnotherDrive = 0.25;  // of what an input does, that differs from the reference's
+constexpr double kStill = 0.05;         // rad, or share of a pedal: little enough for a hand or foot that corrects
+constexpr double kAnotherSpeed = 0.03;  // share, at the start
+
+double rms(std::span<const double> values) {
+    double sum = 0, count = 0;
+    for (const double value : values)
+        if (std::isfinite(value)) sum += value * value, count += 1;
+    return count > 0 ? std::sqrt(sum / count) : 0;
+}
+
+// Throws unless the driver does the same in both.
+void expectSameDrive(const RecordedDrive& drive, const RecordedDrive& reference) {
+    const auto another = [&](const std::string& found) {
+        throw std::invalid_argument(
+            fmt::format("recording {}: {}, expected a reference that is the same drive, begun at the same time of its "
+                        "log; cut the logs alike (from, to) or leave the reference out",
+                        drive.name, found));
+    };
+    if (std::abs(drive.speed - reference.speed) > kAnotherSpeed * std::max(drive.speed, 1.0))
+        another(fmt::format("begins at {:.2f} m/s, its reference at {:.2f} m/s", drive.speed, reference.speed));
+    const bool followed = drive.recording->speed == SpeedReplay::followed;
+    for (const std::string name : {"driver.steering_wheel_angle", "driver.throttle", "driver.brake"}) {
+        if (followed && name != "driver.steering_wheel_angle") continue;  // those of a replay are the model's own
+        const Channel *here = drive.inputs.find(name), *there = reference.inputs.find(name);
+        if (!here || !there) continue;
+        const std::vector<double> then = resample(reference.time, there->values, drive.time);
+        std::vector<double> off = here->values;
+        for (std::size_t i = 0; i < off.size(); ++i) off[i] -= then[i];
+        const double size = rms(here->values), differs = rms(off);
+        if (differs > kAnotherDrive * size + kStill)
+            another(fmt::format("{} differs by {:.3g} (root mean square, {:.3g} in all) from that of its reference",
+                                name, differs, size));
+    }
+}
+
+}  // namespace
+
+Log withChannelsOf(const Log& log, const Log& reference) {
+    Log common = log;
+    std::erase_if(common.channels, [&](const Channel& channel) {
+        const bool observed = std::any_of(observedQuantities().begin(), observedQuantities().end(),
+                                          [&](const ObservedQuantity& one) { return one.channel == channel.name; });
+        return observed && !reference.find(channel.name);
+    });
+    return common;
+}
+
+void lessReference(Bench& bench, RecordedDrive& drive, const RecordedDrive& reference) {
+    expectSameDrive(drive, reference);
+    ++bench.simulations;
+    Eigen::VectorXd model;
+    try {
+        model = readings(reference, replayed(reference, bench.nominal, bench.nominal, bench.step, bench.simulate),
+                         bench.nominal.instruments);
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const SimulationError& error) {
+        throw std::invalid_argument(fmt::format(
+            "recording {}: the nominal car cannot be driven as its reference was: {}", drive.name, error.what()));
+    }
+    drive.until = std::min({drive.until, reference.duration(), slideApart(reference, model)});
+    const Eigen::VectorXd lacks = reference.measured - model;
+    for (const ObservedChannel& channel : drive.channels) {
+        const auto known = std::find_if(reference.channels.begin(), reference.channels.end(),
+                                        [&](const ObservedChannel& one) { return one.name == channel.name; });
+        const std::span<const double> of_channel(lacks.data() + known->first_row, known->times.size());
+        std::vector<double> times = channel.times;
+        for (double& t : times) t = std::clamp(t, known->times.front(), known->times.back());
+        const std::vector<double> then = resample(known->times, of_channel, times);
+        drive.measured.segment(channel.first_row, static_cast<Eigen::Index>(then.size())) -=
+            Eigen::Map<const Eigen::VectorXd>(then.data(), static_cast<Eigen::Index>(then.size()));
+    }
+    drive.runs += reference.runs;
+}
+
+}  // namespace tread

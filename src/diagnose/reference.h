@@ -1,0 +1,16 @@
+// Recordings of the car as it was before something changed. The structure of a model is never that of a car: what it
+// lacked already, in the same drive, is no news, and is taken off what it lacks now.
+#pragma once
+
+#include "diagnose/bench.h"
+
+namespace tread {
+
+// A log without those measured channels that the reference has not.
+Log withChannelsOf(const Log& log, const Log& reference);
+
+// Takes off the drive's rows what the bench's nominal car lacks in its reference. Throws std::invalid_argument when the
+// reference is another drive, or cannot be driven.
+void lessReference(Bench& bench, RecordedDrive& drive, const RecordedDrive& reference);
+
+}  // namespace tread
