@@ -38,7 +38,7 @@ struct Case {
     Subject nominal{
         .vehicle = loadVehicle(sourceFile("vehicles/compact.yaml")), .road = {}, .wind = {}, .instruments = {}};
     DiagnosisFile file;
-    std::vector<Log> logs;
+    Recorded recorded;
 };
 
 // A slalom, straight on at first.
@@ -61,7 +61,7 @@ inline Case recorded(const VehicleParams& truth, const std::vector<Scenario>& dr
     Random random(seed);
     for (const Scenario& told : drives) {
         Recording recording;
-        recording.log = recording.name = "drive " + std::to_string(made.logs.size() + 1);
+        recording.log = recording.name = "drive " + std::to_string(made.recorded.logs.size() + 1);
         made.file.recordings.push_back(recording);
         Scenario scenario = told;
         scenario.log.channels = {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate"};
@@ -71,7 +71,7 @@ inline Case recorded(const VehicleParams& truth, const std::vector<Scenario>& dr
             const double noise = channel.name == "chassis.vx" ? 0.02 : channel.name == "chassis.yaw_rate" ? 0.003 : 0;
             for (double& value : channel.values) value += noise * random.normal();
         }
-        made.logs.push_back(std::move(log));
+        made.recorded.logs.push_back(std::move(log));
     }
     return made;
 }

@@ -45,7 +45,7 @@ TEST(Baselines, BothNameAPlantedRatioOfASimpleCar) {
     const simple_car::Case made =
         simple_car::recorded(14.5, loadVehicle(sourceFile("vehicles/compact.yaml")).aero.drag_area, 3);
     const Diagnosis d =
-        diagnose(made.nominal, made.file, {made.logs},
+        diagnose(made.nominal, made.file, made.recorded,
                  {simple_car::effect("drag", "aero.drag_area"), simple_car::effect("ratio", "steering.ratio")},
                  simple_car::options(2));
     EXPECT_EQ(d.baselines.largest_reduction, "ratio");

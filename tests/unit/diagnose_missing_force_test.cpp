@@ -62,11 +62,11 @@ Shares found(double ahead) {
         for (double& value : channel.values) value += noise * random.normal();
     }
     made.file.recordings = {{.log = "drive", .name = "drive"}};
-    made.logs = {log};
+    made.recorded.logs = {log};
     DiagnoseOptions options;
     options.simulate = drive;
     options.threads = 1;
-    return diagnose(made.nominal, made.file, {made.logs}, {simple_car::effect("drag", "aero.drag_area")}, options)
+    return diagnose(made.nominal, made.file, made.recorded, {simple_car::effect("drag", "aero.drag_area")}, options)
         .where.axle_force;
 }
 

@@ -21,7 +21,7 @@ Diagnosis diagnosed(const std::vector<Scenario>& drives) {
     const simple_car::Case made = simple_car::recorded(truth, drives, 5);
     DiagnoseOptions options = simple_car::options();
     options.possible_next = {{"the same again", slalom(20)}, {"slower", slalom(15)}, {"much slower", slalom(6)}};
-    return diagnose(made.nominal, made.file, {made.logs}, kLookAlikes, options);
+    return diagnose(made.nominal, made.file, made.recorded, kLookAlikes, options);
 }
 
 TEST(NextDrive, SeparatesWhatOneSpeedCannot) {
@@ -49,7 +49,7 @@ TEST(NextDrive, SeparatesWhatOneSpeedCannot) {
 
 TEST(NextDrive, IsNotAskedWhereNothingIsPossible) {
     const simple_car::Case made = simple_car::recorded(simple_car::Case{}.nominal.vehicle, {slalom(20)}, 1);
-    EXPECT_TRUE(diagnose(made.nominal, made.file, {made.logs}, kLookAlikes, simple_car::options()).next.empty());
+    EXPECT_TRUE(diagnose(made.nominal, made.file, made.recorded, kLookAlikes, simple_car::options()).next.empty());
 }
 
 TEST(NextDrive, ShowsWhatTheDrivesCouldNotShow) {
@@ -58,7 +58,7 @@ TEST(NextDrive, ShowsWhatTheDrivesCouldNotShow) {
     const simple_car::Case made = simple_car::recorded(simple_car::Case{}.nominal.vehicle, {straight, straight}, 2);
     DiagnoseOptions options = simple_car::options();
     options.possible_next = {{"straight on", straight}, {"slalom", slalom(20)}};
-    const Diagnosis d = diagnose(made.nominal, made.file, {made.logs}, kLookAlikes, options);
+    const Diagnosis d = diagnose(made.nominal, made.file, made.recorded, kLookAlikes, options);
     EXPECT_EQ(d.verdict, Verdict::not_testable) << d.answer;
     ASSERT_FALSE(d.next.empty());
     for (const NextDrive& next : d.next) EXPECT_EQ(next.scenario, "slalom");

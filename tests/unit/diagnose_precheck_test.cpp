@@ -19,7 +19,7 @@ double dragArea() {
 }
 
 Precheck checked(const simple_car::Case& made, const std::vector<Effect>& effects, int threads = 2) {
-    return precheck(made.nominal, made.file, {made.logs}, effects, simple_car::options(threads));
+    return precheck(made.nominal, made.file, made.recorded, effects, simple_car::options(threads));
 }
 
 TEST(Precheck, WhatNoDriveExcitesIsNotSeenAndWhatTheyDoIs) {
@@ -62,7 +62,7 @@ TEST(Precheck, PromisesTheNatsThatDiagnosesFindWhenTheEffectIsThereAtItsTypicalS
         const simple_car::Case made =
             simple_car::recorded(truth, {simple_car::slalom(15), simple_car::slalom(20), simple_car::slalom(25)}, seed);
         promised += checked(made, {understeer}).testable.at("understeer") / kCars;
-        const Diagnosis d = diagnose(made.nominal, made.file, {made.logs}, {understeer}, simple_car::options());
+        const Diagnosis d = diagnose(made.nominal, made.file, made.recorded, {understeer}, simple_car::options());
         found += d.effects.front().log_evidence / kCars;
     }
     // By chance the evidence of one car differs by the root of twice what is promised; half the logarithm of its

@@ -118,5 +118,21 @@ TEST(Replay, ACarIsAsFastAsItsSpeedometerStandsFor) {
     EXPECT_DOUBLE_EQ(replayOf(drive, subject, nominal, 0.004).start.speed, 16.0);
 }
 
+TEST(Replay, ASpeedThatIsFollowedIsTheMeasuredOneAllAlong) {
+    const Recording recording{.log = "a.csv", .speed = SpeedReplay::followed};
+    Log log{{{"time", "s", {}}, {"chassis.vx", "m/s", {}}, {"chassis.yaw_rate", "rad/s", {}}}};
+    for (int i = 0; i <= 400; ++i) {
+        const double t = 0.01 * i;
+        log.channels[0].values.push_back(t);
+        log.channels[1].values.push_back(20 - 3 * t);
+        log.channels[2].values.push_back(0.1 * t);
+    }
+    const RecordedDrive drive = recordedDrive(recording, log, {});
+    const Scenario scenario = replayOf(drive, {}, {}, 0.004);
+    const auto* follow = std::get_if<HoldSpeed>(&scenario.phases.front().throttle);
+    ASSERT_TRUE(follow);
+    for (const double t : {0.0, 1.0, 3.9}) EXPECT_NEAR(follow->profile(t), 20 - 3 * t, 1e-6);
+}
+
 }  // namespace
 }  // namespace tread

@@ -18,7 +18,7 @@ using simple_car::effect;
 Diagnosis diagnosed(double ratio, int threads) {
     const simple_car::Case made =
         simple_car::recorded(ratio, loadVehicle(sourceFile("vehicles/compact.yaml")).aero.drag_area, 3);
-    return diagnose(made.nominal, made.file, {made.logs},
+    return diagnose(made.nominal, made.file, made.recorded,
                     {effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")},
                     simple_car::options(threads));
 }
@@ -42,9 +42,9 @@ TEST(DiagnosisOfASimpleCar, WhatChangesFromDriveToDriveIsUnknown) {
     const double drag = loadVehicle(sourceFile("vehicles/compact.yaml")).aero.drag_area;
     simple_car::Case made = simple_car::recorded(16.5, drag, 3);
     constexpr std::array<double, 3> kRatios{13.5, 15, 18};
-    for (std::size_t d = 0; d < kRatios.size(); ++d) made.logs[d] = simple_car::recorded(kRatios[d], drag, 5).logs[d];
+    for (std::size_t d = 0; d < kRatios.size(); ++d) made.recorded.logs[d] = simple_car::recorded(kRatios[d], drag, 5).recorded.logs[d];
     const Diagnosis d =
-        diagnose(made.nominal, made.file, {made.logs},
+        diagnose(made.nominal, made.file, made.recorded,
                  {effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")}, simple_car::options(2));
     EXPECT_EQ(d.verdict, Verdict::unknown) << d.answer;
     EXPECT_TRUE(d.causes.empty());
@@ -62,7 +62,7 @@ TEST(DiagnosisOfASimpleCar, TolerancesAllowWhatTheyDoToItsYawRate) {
     made.file.recordings.back().hold_out = true;
     made.file.tolerances = {{.path = "steering.ratio", .relative = 0.2}};
     const Diagnosis d =
-        diagnose(made.nominal, made.file, {made.logs}, {effect("drag", "aero.drag_area")}, simple_car::options());
+        diagnose(made.nominal, made.file, made.recorded, {effect("drag", "aero.drag_area")}, simple_car::options());
     ASSERT_EQ(d.overlays.size(), 3u);
     EXPECT_TRUE(d.overlays.back().allowed.channels.empty()) << "held out";
     for (std::size_t i = 0; i < 2; ++i) {
@@ -85,7 +85,7 @@ protected:
     Diagnosis diagnosed() const {
         DiagnoseOptions options = simple_car::options();
         options.cache = scratch.path("cache");
-        Diagnosis d = diagnose(made.nominal, made.file, {made.logs},
+        Diagnosis d = diagnose(made.nominal, made.file, made.recorded,
                                {effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")}, options);
         d.seconds = 0;
         return d;
@@ -125,7 +125,7 @@ TEST_F(KeptSensitivities, AreNotThoseOfAnotherCarOrDrive) {
     made.nominal.vehicle.wheelbase *= 1.001;
     EXPECT_GT(diagnosed().simulations, 9 * first.simulations / 10) << "no column of the other car is taken";
     EXPECT_EQ(files().size(), 2 * count);
-    made.logs[0].channels[1].values[150] += 0.01;
+    made.recorded.logs[0].channels[1].values[150] += 0.01;
     EXPECT_GT(diagnosed().simulations, first.simulations / 2);
     EXPECT_GT(files().size(), 2 * count);
 }

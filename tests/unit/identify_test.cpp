@@ -23,7 +23,7 @@ simple_car::Case asked(std::uint64_t seed, std::vector<std::string> fit) {
 }
 
 Identification identified(const simple_car::Case& made) {
-    return identify(made.nominal, made.file, {made.logs}, simple_car::options());
+    return identify(made.nominal, made.file, made.recorded, simple_car::options());
 }
 
 TEST(Identification, FindsThePlantedNumbersWithinThreeStandardDeviationsWhateverTheNoise) {

@@ -1,0 +1,108 @@
+// The same drive of the car as it was before: what the model lacked already is no cause.
+#include "diagnose/reference.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "diagnose/study.h"
+#include "shared/simple_car.h"
+
+namespace tread {
+namespace {
+
+using simple_car::effect;
+
+constexpr double kOtherLength = 0.0004;  // m per (m/s)^2: an understeer of the real car that the model has not
+
+// Slaloms of a car that the model is not, with a reference of it before its ratio became another.
+simple_car::Case compared(double ratio) {
+    VehicleParams before = simple_car::Case{}.nominal.vehicle;
+    before.steering.play = kOtherLength;
+    VehicleParams now = before;
+    now.steering.ratio = ratio;
+    const std::vector<Scenario> drives{simple_car::slalom(15), simple_car::slalom(20), simple_car::slalom(25)};
+    simple_car::Case made = simple_car::recorded(now, drives, 3);
+    made.recorded.references = simple_car::recorded(before, drives, 4).recorded.logs;
+    for (Recording& recording : made.file.recordings) recording.reference = recording.log + " before";
+    return made;
+}
+
+Diagnosis diagnosed(const simple_car::Case& made) {
+    return diagnose(made.nominal, made.file, made.recorded,
+                    {effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")}, simple_car::options());
+}
+
+TEST(Reference, WhatTheModelLackedAlreadyIsNoCause) {
+    simple_car::Case same = compared(simple_car::Case{}.nominal.vehicle.steering.ratio);
+    const Diagnosis d = diagnosed(same);
+    EXPECT_EQ(d.verdict, Verdict::nothing) << d.answer;
+    EXPECT_NEAR(d.how_far.training.nominal, 1, 0.1);
+    for (Recording& recording : same.file.recordings) recording.reference.clear();
+    const Diagnosis without = diagnosed(same);
+    EXPECT_NE(without.verdict, Verdict::nothing) << without.answer;
+    EXPECT_GT(without.how_far.training.nominal, 3);
+}
+
+TEST(Reference, WhatChangedIsNamedWithItsSize) {
+    const Diagnosis d = diagnosed(compared(15));
+    ASSERT_EQ(d.causes, std::vector<std::string>{"ratio"}) << d.answer;
+    const Estimate ratio = d.effects.front().parameters.at("steering.ratio");
+    EXPECT_NEAR(ratio.value, 15, 3 * ratio.sd);
+}
+
+// Both runs have their own noise.
+TEST(Reference, RowsAreAsNoisyAsTwoRuns) {
+    simple_car::Case made = compared(15);
+    made.file.channels = {{.channel = "chassis.yaw_rate", .noise = 0.003}};
+    Study study;
+    begin(study.bench, made.nominal, made.file, made.recorded, simple_car::options());
+    const RecordedDrive& drive = study.bench.drives.front();
+    EXPECT_EQ(drive.runs, 2);
+    const std::optional<Rows> rows = rowsAt(study.bench, study.bench.origin());
+    ASSERT_TRUE(rows);
+    const double block = std::sqrt(kBlock / 0.01);
+    EXPECT_GE(rowNoise(study.bench.drives, *rows).front().deviation(0), std::sqrt(2) * 0.003 / block * 0.999);
+}
+
+TEST(Reference, ACarIsNearerToItselfThanToItsTolerances) {
+    const Subject nominal = simple_car::Case{}.nominal;
+    const std::vector<Parameter> all = nuisances(nominal, {}), fifth = nuisances(nominal, {}, 0.2);
+    const auto of = [](const std::vector<Parameter>& list, const std::string& path) {
+        for (const Parameter& one : list)
+            if (one.name() == path) return one.moves.front().by;
+        return 0.0;
+    };
+    EXPECT_GT(of(all, "mass"), 0);
+    EXPECT_DOUBLE_EQ(of(fifth, "mass"), 0.2 * of(all, "mass"));
+    EXPECT_DOUBLE_EQ(of(fifth, "instruments.ay.bias"), of(all, "instruments.ay.bias"));
+}
+
+TEST(Reference, AnotherDriveIsRefused) {
+    simple_car::Case made = compared(15);
+    std::swap(made.recorded.references[0], made.recorded.references[1]);
+    try {
+        diagnosed(made);
+        FAIL();
+    } catch (const std::invalid_argument& error) {
+        EXPECT_STREQ(error.what(),
+                     "recording drive 1: begins at 15.00 m/s, its reference at 20.00 m/s, expected a reference that is "
+                     "the same drive, begun at the same time of its log; cut the logs alike (from, to) or leave the "
+                     "reference out");
+    }
+    made = compared(15);
+    for (Channel& channel : made.recorded.references[2].channels)
+        if (channel.name == "driver.steering_wheel_angle")
+            for (double& angle : channel.values) angle = -angle;
+    EXPECT_THROW(diagnosed(made), std::invalid_argument);
+}
+
+TEST(Reference, OnlyChannelsOfBothAreCompared) {
+    const Log log{{{"time", "s", {0}}, {"chassis.ay", "m/s2", {1}}, {"chassis.vx", "m/s", {1}}, {"own", "", {1}}}};
+    const Log common = withChannelsOf(log, {{{"time", "s", {0}}, {"chassis.vx", "m/s", {1}}}});
+    EXPECT_FALSE(common.find("chassis.ay"));
+    EXPECT_TRUE(common.find("chassis.vx") && common.find("own"));
+}
+
+}  // namespace
+}  // namespace tread
