@@ -33,6 +33,7 @@ struct RecordedDrive {
     double speed = 0;          // m/s, at the start, as measured
     double until = kInfinity;  // s: what comes later says nothing about the car
     int runs = 1;              // of a car, whose noise and disturbances the rows have: 2 when a reference is taken off
+    double doubt = 1;          // factor on noise and disturbances, for what a reference does not take off
 
     Eigen::Index rows() const { return measured.size(); }
     double duration() const { return time.back(); }

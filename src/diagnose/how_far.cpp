@@ -8,6 +8,7 @@
 #include "diagnose/replay.h"
 #include "diagnose/thresholds.h"
 #include "identify/parallel.h"
+#include "log/resample.h"
 
 namespace tread {
 namespace {
@@ -56,11 +57,19 @@ Log logOf(const RecordedDrive& drive, const Eigen::VectorXd& rows) {
     return log;
 }
 
+// What was measured; its rows where something was taken off them.
 Log measuredOverlay(const RecordedDrive& drive) {
-    Log log{{{"time", "s", drive.time}}};
-    for (const char* input : {"driver.steering_wheel_angle", "driver.throttle", "driver.brake"})
-        if (const Channel* channel = drive.log.find(input)) log.channels.push_back(*channel);
-    for (const ObservedChannel& channel : drive.channels) log.channels.push_back(*drive.log.find(channel.name));
+    const bool compared = drive.runs > 1;
+    Log log = compared ? logOf(drive, drive.measured) : Log{{{"time", "s", drive.time}}};
+    const std::vector<double> time = log.channels.front().values;
+    std::vector<Channel> inputs;
+    for (const char* input : {"driver.steering_wheel_angle", "driver.throttle", "driver.brake"}) {
+        const Channel* channel = drive.log.find(input);
+        if (channel) inputs.push_back({channel->name, channel->unit, resample(drive.time, channel->values, time)});
+    }
+    log.channels.insert(log.channels.begin() + 1, inputs.begin(), inputs.end());
+    for (const ObservedChannel& channel : drive.channels)
+        if (!compared) log.channels.push_back(*drive.log.find(channel.name));
     return log;
 }
 

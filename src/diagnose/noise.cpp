@@ -72,15 +72,16 @@ std::vector<RowNoise> rowNoise(const std::vector<RecordedDrive>& drives, const R
         here.deviation.resize(drive.rows());
         for (const ObservedChannel& channel : drive.channels) {
             const Seen& seen = channels[channel.name];
-            double deviation = std::max({std::sqrt(drive.runs) * channel.noise, median(seen.band), kModelError * seen.size});
+            double deviation =
+                std::max({std::sqrt(drive.runs) * channel.noise, median(seen.band), kModelError * seen.size});
             if (deviation == 0) deviation = 1;  // a channel that is zero throughout says nothing
             const auto rows = static_cast<Eigen::Index>(channel.times.size());
             const auto telling = std::upper_bound(channel.times.begin(), channel.times.end(), drive.until);
             const Eigen::Index told = telling - channel.times.begin();
-            here.deviation.segment(channel.first_row, rows).setConstant(deviation);
+            here.deviation.segment(channel.first_row, rows).setConstant(drive.doubt * deviation);
             here.deviation.segment(channel.first_row + told, rows - told).setConstant(kInfinity);
             here.ends.push_back(channel.first_row + rows);
-            here.expected += kOfWhite * static_cast<double>(told);
+            here.expected += kOfWhite * static_cast<double>(told) / (drive.doubt * drive.doubt);
         }
     }
     return noise;

@@ -163,13 +163,15 @@ std::array<double, kDisturbances> disturbanceSizes(const std::vector<DriveGram>&
         const Gram gram = total(grams, uncertainty, sizes(of));
         return logEvidence(gram, gram.products.cols() - 1, free) - prior;
     };
+    // What recordings with references are doubted for is not taken back.
+    const double least = uncertainty.doubtful ? 0 : -std::log(kLargestFactor);
     double best = merit(logs), step = 0.6;
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
         bool moved = false;
         for (double& one : logs) {
             for (const double by : {step, -step}) {
                 const double before = one;
-                if (std::abs(before + by) > std::log(kLargestFactor)) continue;
+                if (before + by < least || before + by > std::log(kLargestFactor)) continue;
                 one = before + by;
                 const double now = merit(logs);
                 if (now > best) {

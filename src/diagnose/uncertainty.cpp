@@ -11,6 +11,8 @@ Uncertainty uncertaintyOf(Bench& bench, const Deviation& at, const Rows& rows) {
     const Subject subject = bench.subjectAt(at);
     Uncertainty uncertainty;
     uncertainty.sizes.fill(1);
+    uncertainty.doubtful = std::any_of(bench.drives.begin(), bench.drives.end(),
+                                       [](const RecordedDrive& drive) { return drive.doubt > 1; });
     for (std::size_t d = 0; d < bench.drives.size(); ++d) {
         RecordedDrive& drive = bench.drives[d];
         drive.until = std::min(drive.until, slideApart(drive, rows[d]));
@@ -25,7 +27,7 @@ Uncertainty uncertaintyOf(Bench& bench, const Deviation& at, const Rows& rows) {
         const Eigen::MatrixXd& columns = uncertainty.disturbing[d].columns;
         Eigen::MatrixXd all(columns.rows(), columns.cols() + 1);
         all << columns, by_start_speed;
-        all = uncertainty.noise[d].over(all) * std::sqrt(bench.drives[d].runs);
+        all = uncertainty.noise[d].over(all) * (std::sqrt(bench.drives[d].runs) * bench.drives[d].doubt);
         uncertainty.bare[d] = driveGram(Eigen::MatrixXd(all.rows(), 0), all);
         uncertainty.directions[d] = std::move(all);
     });
