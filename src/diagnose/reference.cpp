@@ -16,7 +16,7 @@ namespace tread {
 namespace {
 
 // What a model lacks depends a little on what disturbs the drive, which is never the same twice.
-constexpr double kDoubt = 1.4;
+constexpr double kDoubt = 1.6;
 
 constexpr double kAnotherDrive = 0.25;  // of what an input does, that differs from the reference's
 constexpr double kStill = 0.05;         // rad, or share of a pedal: little enough for a hand or foot that corrects
