@@ -122,6 +122,7 @@ void RaycastVehicle::Implementation::lookDown(const btCollisionWorld* world, dou
         const bool reset = !added && info(i).m_raycastInfo.m_suspensionLength != shown_length[i];
         if (added) state.wheels[i] = {};
         if (reset) state.wheels[i].compression = 0;
+        near[i].age += dt;
         findGround(i, motion, world, dt);
         if (teleported || reset || added) {
             setDown(state, motion, car, i, grounds[i].plane);

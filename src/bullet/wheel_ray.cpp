@@ -18,14 +18,9 @@ inline namespace TREAD_BULLET_PRECISION {
 
 namespace {
 
-// Where a ray meets a body, as a fraction of its way, and the normal there.
-struct Meets {
-    double fraction;
-    Vector3 normal_W;
-};
-
 // Bullet makes two triangles of a plane for each ray.
-std::optional<Meets> meetPlane(const btCollisionObject& object, const Vector3& start, const Vector3& way) {
+std::optional<Meets> meetPlane(const btCollisionObject& object, const Way& ray) {
+    const auto& [start, way] = ray;
     const auto& plane = static_cast<const btStaticPlaneShape&>(*object.getCollisionShape());
     const btTransform& pose = object.getWorldTransform();
     const Vector3 normal = fromBullet(pose.getBasis() * plane.getPlaneNormal());
@@ -39,7 +34,8 @@ std::optional<Meets> meetPlane(const btCollisionObject& object, const Vector3& s
 
 // Bullet's own answer is wrong by millimetres on large boxes, and its normal by a hundredth. Nothing when the ray
 // starts inside.
-std::optional<Meets> enterBox(const btCollisionObject& object, const Vector3& start, const Vector3& way) {
+std::optional<Meets> enterBox(const btCollisionObject& object, const Way& ray) {
+    const auto& [start, way] = ray;
     const auto& box = static_cast<const btBoxShape&>(*object.getCollisionShape());
     const btMatrix3x3& basis = object.getWorldTransform().getBasis();
     const Vector3 half = fromBullet(box.getHalfExtentsWithMargin());
@@ -65,33 +61,41 @@ std::optional<Meets> enterBox(const btCollisionObject& object, const Vector3& st
     return Meets{enters, normal};
 }
 
-// What a user's filter lets through, with the part of a shape that was hit; planes and boxes are met exactly.
+// What a user's filter lets through, with the part of a shape that was hit; planes, boxes and the faces of the mesh or
+// height field on which the wheel stood last are met exactly, and without Bullet.
 struct FilteredGround : GroundBelow {
-    FilteredGround(const Vector3& from, const Vector3& along, const btRigidBody& own, const RayFilter& filter)
-        : GroundBelow(toBullet(from), toBullet(Vector3(from + along)), own), chassis(own), start(from), way(along) {
-        m_collisionFilterGroup = filter.group;
-        m_collisionFilterMask = filter.mask;
+    FilteredGround(const Way& r, const RaySource& s)
+        : GroundBelow(toBullet(r.start_W), toBullet(Vector3(r.start_W + r.way_W)), s.chassis), ray(r), source(s) {
+        m_collisionFilterGroup = source.filter.group;
+        m_collisionFilterMask = source.filter.mask;
     }
-    // Bullet asks this of each object in the ray's way before it looks closer. Planes and boxes are done here.
+    // Bullet asks this of each object in the ray's way before it looks closer.
     bool needsCollision(btBroadphaseProxy* proxy) const override {
         const auto* object = static_cast<const btCollisionObject*>(proxy->m_clientObject);
-        return GroundBelow::needsCollision(proxy) && chassis.checkCollideWith(object) &&
+        return GroundBelow::needsCollision(proxy) && source.chassis.checkCollideWith(object) &&
                !const_cast<FilteredGround*>(this)->isDone(*object);
     }
     bool isDone(const btCollisionObject& object) {
-        const int shape = object.getCollisionShape()->getShapeType();
-        const bool plane = shape == STATIC_PLANE_PROXYTYPE;
-        if (!plane && shape != BOX_SHAPE_PROXYTYPE) return false;
-        const auto met = plane ? meetPlane(object, start, way) : enterBox(object, start, way);
-        if (met && met->fraction < static_cast<double>(m_closestHitFraction)) {
-            exact = met;
-            m_collisionObject = &object;
-            m_closestHitFraction = static_cast<btScalar>(met->fraction);
-            m_hitPointWorld = toBullet(Vector3(start + met->fraction * way));
-            m_hitNormalWorld = toBullet(met->normal_W);
-            part = triangle = -1;
-        }
+        const btCollisionShape& shape = *object.getCollisionShape();
+        if (shape.getShapeType() == STATIC_PLANE_PROXYTYPE) take(object, meetPlane(object, ray));
+        else if (shape.getShapeType() == BOX_SHAPE_PROXYTYPE) take(object, enterBox(object, ray));
+        else if (&object == source.near.object && hasFaces(shape)) takeFaces(object);
+        else return false;
         return true;
+    }
+    void takeFaces(const btCollisionObject& object) {
+        know(source.near, object, ray, source.rounding.reach);
+        take(object, meetFaces(source.near, ray));
+    }
+    void take(const btCollisionObject& object, const std::optional<Meets>& met) {
+        if (!met || met->fraction >= static_cast<double>(m_closestHitFraction)) return;
+        exact = met;
+        m_collisionObject = &object;
+        m_closestHitFraction = static_cast<btScalar>(met->fraction);
+        m_hitPointWorld = toBullet(Vector3(ray.start_W + met->fraction * ray.way_W));
+        m_hitNormalWorld = toBullet(met->normal_W);
+        part = met->part;
+        triangle = met->triangle;
     }
     btScalar addSingleResult(btCollisionWorld::LocalRayResult& result, bool normal_in_world) override {
         exact.reset();
@@ -99,8 +103,17 @@ struct FilteredGround : GroundBelow {
         triangle = result.m_localShapeInfo ? result.m_localShapeInfo->m_triangleIndex : -1;
         return ClosestRayResultCallback::addSingleResult(result, normal_in_world);
     }
-    const btRigidBody& chassis;
-    Vector3 start, way;
+    // Of a mesh or height field that Bullet met: from now on its faces are asked, and so they are now.
+    void lookAround() {
+        const btCollisionObject& object = *m_collisionObject;
+        know(source.near, object, ray, source.rounding.reach);
+        if (exact || !hasFaces(*object.getCollisionShape())) return;
+        const std::optional<Meets> met = meetFaces(source.near, ray);
+        if (met) m_closestHitFraction = 1;
+        take(object, met);
+    }
+    const Way& ray;
+    const RaySource& source;
     std::optional<Meets> exact;  // of what was met last
     int part = -1;
     int triangle = -1;
@@ -164,22 +177,21 @@ WheelGround castByUser(const WheelRay& ray, const RaySource& source) {
 
 WheelGround castIntoWorld(const WheelRay& ray, const RaySource& source) {
     WheelGround ground;
-    const Vector3 start = ray.top_W - ray.raised * ray.down_W;
-    const Vector3 way = (ray.raised + ray.length + ray.ahead) * ray.down_W;
-    FilteredGround hit(start, way, source.chassis, source.filter);
+    const Way way{ray.top_W - ray.raised * ray.down_W, (ray.raised + ray.length + ray.ahead) * ray.down_W};
+    FilteredGround hit(way, source);
     source.world->rayTest(hit.m_rayFromWorld, hit.m_rayToWorld, hit);
+    if (hit.triangle >= 0) hit.lookAround();
     const Vector3 normal = hit.exact ? hit.exact->normal_W : fromBullet(hit.m_hitNormalWorld);
     ground.plane.exists = hit.hasHit() && isUnit(normal);
     if (!ground.plane.exists) return ground;
     // Depth along the ray in double: the hit point itself is rounded to the world's precision.
     ground.handle = ground.object = const_cast<btCollisionObject*>(hit.m_collisionObject);
     const double fraction = hit.exact ? hit.exact->fraction : static_cast<double>(hit.m_closestHitFraction);
-    ground.plane.point_W = start + fraction * way;
+    ground.plane.point_W = way.start_W + fraction * way.way_W;
     ground.plane.normal_W = normal.normalized();
     if (ground.plane.normal_W.dot(ray.down_W) > 0) ground.plane.normal_W = -ground.plane.normal_W;
     if (hit.triangle >= 0 && source.rounding.angle > 0)
-        ground.plane.normal_W =
-            smoothNormal(source.near, *ground.object, ground.plane.point_W, ground.plane.normal_W, source.rounding);
+        ground.plane.normal_W = smoothNormal(source.near, ground.plane.point_W, ground.plane.normal_W, source.rounding);
     describe(ground, {ground.object, hit.part, hit.triangle, hit.m_hitPointWorld, ray.wheel}, source.surface);
     return ground;
 }

@@ -3,6 +3,7 @@
 
 #include "bullet/smooth_normal.h"
 #include "tread/bullet_precision.h"
+#include "tread/raycast_vehicle.h"
 
 namespace tread {
 

@@ -7,6 +7,15 @@
 
 namespace tread {
 
+// Space with nothing in it to touch, and nobody who looks at it between two steps: what Bullet would prepare for either
+// is left out. Bodies have no damping.
+class EmptySpace final : public btDiscreteDynamicsWorld {
+    using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
+    void predictUnconstraintMotion(btScalar) override {}
+    void createPredictiveContacts(btScalar) override {}
+    void performDiscreteCollisionDetection() override {}
+};
+
 class World {
 public:
     explicit World(const VehicleParams& vehicle);
@@ -20,7 +29,7 @@ private:
     btCollisionDispatcher dispatcher_{&configuration_};
     btSimpleBroadphase broadphase_;
     btSequentialImpulseConstraintSolver solver_;
-    btDiscreteDynamicsWorld dynamics_{&dispatcher_, &broadphase_, &solver_, &configuration_};
+    EmptySpace dynamics_{&dispatcher_, &broadphase_, &solver_, &configuration_};
     btBoxShape shape_;
     btRigidBody chassis_;
 };

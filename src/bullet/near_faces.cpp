@@ -1,0 +1,130 @@
+#include "bullet/near_faces.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+#include <BulletCollision/CollisionShapes/btCompoundShape.h>
+#include <BulletCollision/CollisionShapes/btConcaveShape.h>
+#include <BulletCollision/CollisionShapes/btTriangleCallback.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bullet/convert.h"
+#include "tread/describe.h"
+
+namespace tread {
+
+inline namespace TREAD_BULLET_PRECISION {
+
+namespace {
+
+// Faces are looked up this many reaches around a way: fewer where that gives more of them than a ray should ask.
+constexpr double kLookedUp = 3;
+constexpr double kLookedUpAmongMany = 1.5;
+constexpr std::size_t kMany = 40;
+constexpr double kLongestKept = 0.02;  // s
+// Neighbours share their corners: a ray between two faces passes each by less than this.
+constexpr double kBetweenFaces = 1e-9;  // m
+
+struct Gather : btTriangleCallback {
+    Gather(NearFaces& n, const btTransform& pose, bool halves)
+        : near(n), origin(fromBullet(pose.getOrigin())), halved(halves) {
+        for (int k = 0; k < 3; ++k) axes.col(k) = fromBullet(pose.getBasis().getColumn(k));
+    }
+    void processTriangle(btVector3* corners, int part, int triangle) override {
+        NearFaces::Face face;
+        for (std::size_t k = 0; k < 3; ++k) face.corners_W[k] = origin + axes * fromBullet(corners[k]);
+        const auto& [a, b, c] = face.corners_W;
+        if ((a.cwiseMin(b).cwiseMin(c).array() > near.high_W.array()).any() ||
+            (a.cwiseMax(b).cwiseMax(c).array() < near.low_W.array()).any())
+            return;
+        const Vector3 across = (b - a).cross(c - a);
+        const double twice = across.norm();
+        if (!(twice > 0)) return;
+        face.area = 0.5 * twice;
+        face.normal_W = across / twice;
+        for (std::size_t k = 0; k < 3; ++k)
+            face.outward_W[k] = (face.corners_W[(k + 1) % 3] - face.corners_W[k]).cross(face.normal_W).normalized();
+        face.part = halved ? part / 2 : part;
+        face.triangle = triangle;
+        near.faces.push_back(face);
+    }
+    NearFaces& near;
+    Vector3 origin;
+    Eigen::Matrix3d axes;
+    bool halved;  // the box query of a height field counts two faces a cell, its ray one
+};
+
+void gather(NearFaces& near, const btCollisionShape& shape, const btTransform& pose) {
+    if (shape.isCompound()) {
+        const auto& compound = static_cast<const btCompoundShape&>(shape);
+        for (int i = 0; i < compound.getNumChildShapes(); ++i)
+            gather(near, *compound.getChildShape(i), pose * compound.getChildTransform(i));
+        return;
+    }
+    if (!shape.isConcave() || shape.getShapeType() == STATIC_PLANE_PROXYTYPE) return;
+    const btVector3 centre = pose.invXform(toBullet(Vector3(0.5 * (near.low_W + near.high_W))));
+    const btVector3 half = pose.getBasis().transpose().absolute() * toBullet(Vector3(0.5 * (near.high_W - near.low_W)));
+    Gather found(near, pose, shape.getShapeType() == TERRAIN_SHAPE_PROXYTYPE);
+    static_cast<const btConcaveShape&>(shape).processAllTriangles(&found, centre - half, centre + half);
+}
+
+}  // namespace
+
+bool hasFaces(const btCollisionShape& shape) {
+    return shape.getShapeType() == TERRAIN_SHAPE_PROXYTYPE || shape.getShapeType() == TRIANGLE_MESH_SHAPE_PROXYTYPE;
+}
+
+void know(NearFaces& near, const btCollisionObject& object, const Way& way, double reach) {
+    const Vector3 end = way.start_W + way.way_W;
+    const Vector3 low = way.start_W.cwiseMin(end), high = way.start_W.cwiseMax(end);
+    const bool same =
+        near.object == &object && near.shape == object.getCollisionShape() && near.pose == object.getWorldTransform();
+    const auto covers = [&] {
+        return ((low - near.low_W).array() >= reach).all() && ((near.high_W - high).array() >= reach).all();
+    };
+    if (same && near.age < kLongestKept && covers()) return;
+    const bool many = near.object == &object && near.faces.size() > kMany;
+    const double around = (many ? kLookedUpAmongMany : kLookedUp) * reach;
+    near.object = &object;
+    near.shape = object.getCollisionShape();
+    near.pose = object.getWorldTransform();
+    near.low_W = low.array() - around;
+    near.high_W = high.array() + around;
+    near.age = 0;
+    near.met = 0;
+    near.faces.clear();
+    gather(near, *near.shape, near.pose);
+}
+
+std::optional<Meets> meetFaces(NearFaces& near, const Way& way) {
+    std::optional<Meets> first;
+    for (std::size_t i = 0; i < near.faces.size(); ++i) {
+        const NearFaces::Face& face = near.faces[i];
+        const double fraction = face.normal_W.dot(face.corners_W[0] - way.start_W) / face.normal_W.dot(way.way_W);
+        if (!(fraction >= 0 && fraction <= (first ? first->fraction : 1))) continue;
+        if (outside(face, way.start_W + fraction * way.way_W) > kBetweenFaces) continue;
+        first = Meets{fraction, face.normal_W, face.part, face.triangle};
+        near.met = i;
+    }
+    return first;
+}
+
+double outside(const NearFaces::Face& face, const Vector3& point) {
+    return std::max({face.outward_W[0].dot(point - face.corners_W[0]), face.outward_W[1].dot(point - face.corners_W[1]),
+                     face.outward_W[2].dot(point - face.corners_W[2])});
+}
+
+// The nearest point of a triangle lies inside it or on an edge.
+double distanceTo(const NearFaces::Face& face, const Vector3& point) {
+    if (outside(face, point) <= 0) return std::abs(face.normal_W.dot(point - face.corners_W[0]));
+    double nearest = kInfinity;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vector3 &a = face.corners_W[k], &b = face.corners_W[(k + 1) % 3];
+        const Vector3 edge = b - a, to_point = point - a;
+        const double along = std::clamp(to_point.dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+        nearest = std::min(nearest, (to_point - along * edge).squaredNorm());
+    }
+    return std::sqrt(nearest);
+}
+}  // namespace TREAD_BULLET_PRECISION
+}  // namespace tread
