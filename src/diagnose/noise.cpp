@@ -12,6 +12,9 @@ namespace {
 
 constexpr double kMedianOfNormal = 0.6745;
 constexpr double kModelError = 3e-4;  // of a channel's size: two step widths differ by about that
+// A model that needs a reference has another structure than the car, and answers to a change by so much more or less.
+constexpr double kAnswersOtherwise = 0.1;
+constexpr Eigen::Index kAround = 5;  // rows
 constexpr Eigen::Index kFewRows = 12;
 constexpr double kOfWhite = 0.375;  // of the variance of white noise, that the binomial filter leaves
 
@@ -20,6 +23,17 @@ constexpr std::array<double, 6> kBand{1, 1, -2, -2, 1, 1};  // passes 2 to 7 Hz 
 double shown(const Eigen::VectorXd& rows) {
     if (rows.size() < kFewRows) return kInfinity;
     return noiseBehind({rows.data(), static_cast<std::size_t>(rows.size())}, kBand);
+}
+
+// Root mean square over the rows around each: what passes through zero there is not small.
+Eigen::VectorXd localSize(const Eigen::VectorXd& values) {
+    Eigen::VectorXd size(values.size());
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+        const Eigen::Index first = std::max<Eigen::Index>(i - kAround, 0);
+        const Eigen::Index count = std::min(i + kAround + 1, values.size()) - first;
+        size(i) = values.segment(first, count).norm() / std::sqrt(static_cast<double>(count));
+    }
+    return size;
 }
 
 // Of one channel in all drives.
@@ -67,7 +81,8 @@ std::vector<RowNoise> rowNoise(const std::vector<RecordedDrive>& drives, const R
         }
     }
     std::vector<RowNoise> noise;
-    for (const RecordedDrive& drive : drives) {
+    for (std::size_t d = 0; d < drives.size(); ++d) {
+        const RecordedDrive& drive = drives[d];
         RowNoise& here = noise.emplace_back();
         here.deviation.resize(drive.rows());
         for (const ObservedChannel& channel : drive.channels) {
@@ -79,6 +94,11 @@ std::vector<RowNoise> rowNoise(const std::vector<RecordedDrive>& drives, const R
             const auto telling = std::upper_bound(channel.times.begin(), channel.times.end(), drive.until);
             const Eigen::Index told = telling - channel.times.begin();
             here.deviation.segment(channel.first_row, rows).setConstant(drive.doubt * deviation);
+            if (drive.runs > 1) {
+                const Eigen::VectorXd gap = (drive.measured - nominal[d]).segment(channel.first_row, rows);
+                here.deviation.segment(channel.first_row, rows) +=
+                    kAnswersOtherwise * drive.doubt * localSize(gap);
+            }
             here.deviation.segment(channel.first_row + told, rows - told).setConstant(kInfinity);
             here.ends.push_back(channel.first_row + rows);
             here.expected += kOfWhite * static_cast<double>(told) / (drive.doubt * drive.doubt);

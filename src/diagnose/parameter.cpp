@@ -9,7 +9,7 @@
 namespace tread {
 namespace {
 
-constexpr double kMostUnits = 4;       // beyond, prior and linearisation are both wrong
+constexpr double kLargestChange = 8;   // typical sizes of an effect; a tolerance goes as far as the prior is worth
 constexpr double kOpenLimit = 1e-3;    // of the nominal value: how near to an open limit a number may come
 constexpr double kKneeDistance = 0.3;  // units; nearer to its limit than this, a parameter moves to one side only
 
@@ -57,11 +57,11 @@ void limit(Parameter& parameter, const Limits& limits, double nominal, double by
         const double margin = open ? kOpenLimit * std::max(std::abs(nominal), std::abs(by)) : 0;
         return (end + (end < nominal ? margin : -margin) - nominal) / by;
     };
-    double low = std::isfinite(limits.lowest) ? until(limits.lowest, limits.lowest_open) : -kMostUnits;
-    double high = std::isfinite(limits.highest) ? until(limits.highest, limits.highest_open) : kMostUnits;
+    double low = std::isfinite(limits.lowest) ? until(limits.lowest, limits.lowest_open) : -kInfinity;
+    double high = std::isfinite(limits.highest) ? until(limits.highest, limits.highest_open) : kInfinity;
     if (by < 0) {
-        low = std::isfinite(limits.highest) ? until(limits.highest, limits.highest_open) : -kMostUnits;
-        high = std::isfinite(limits.lowest) ? until(limits.lowest, limits.lowest_open) : kMostUnits;
+        low = std::isfinite(limits.highest) ? until(limits.highest, limits.highest_open) : -kInfinity;
+        high = std::isfinite(limits.lowest) ? until(limits.lowest, limits.lowest_open) : kInfinity;
     }
     parameter.lowest = std::max(parameter.lowest, std::min(low, 0.0));
     parameter.highest = std::min(parameter.highest, std::max(high, 0.0));
@@ -73,8 +73,9 @@ bool readingOnly(const std::string& path) {
     return path.starts_with("instruments.") && !of("steering_wheel_angle") && !of("throttle") && !of("brake");
 }
 
-bool ofTheCar(const std::string& path) {
-    return !path.starts_with("instruments.") && !path.starts_with("road.") && !path.starts_with("wind.");
+// Road, wind and the zeros of instruments are those of the day.
+bool staysTheSame(const std::string& path) {
+    return !path.starts_with("road.") && !path.starts_with("wind.") && !path.ends_with(".bias");
 }
 
 }  // namespace
@@ -91,11 +92,11 @@ void move(Subject& subject, const Parameter& parameter, double units) {
     }
 }
 
-std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<KnownWithin>& tolerances, double of_car) {
+std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<KnownWithin>& tolerances, double same) {
     Subject subject = nominal;
     std::vector<Parameter> found;
     for (const Number& number : numbers(subject)) {
-        const double tolerance = toleranceOf(number, tolerances) * (ofTheCar(number.path) ? of_car : 1);
+        const double tolerance = toleranceOf(number, tolerances) * (staysTheSame(number.path) ? same : 1);
         if (!(tolerance > 0) || !std::isfinite(tolerance)) continue;
         const double by = tolerance / std::sqrt(3.0);
         Parameter parameter{{{number.path, *number.value, by}}};
@@ -126,6 +127,7 @@ std::vector<Parameter> knobsOf(const Effect& effect, const Subject& nominal) {
     for (const Knob& knob : effect.knobs) {
         Parameter parameter;
         parameter.instruments_only = true;
+        parameter.lowest = -kLargestChange, parameter.highest = kLargestChange;
         for (std::size_t i = 0; i < knob.paths.size(); ++i) {
             const std::string& path = knob.paths[i];
             const auto number = std::find_if(all.begin(), all.end(), [&](const Number& n) { return n.path == path; });

@@ -27,9 +27,9 @@ struct Parameter {
 
 void move(Subject& subject, const Parameter& parameter, double units);
 
-// A tolerance t is taken as the standard deviation t / sqrt(3) of a uniform distribution. `of_car`: the share of its
-// tolerances that counts for the numbers of the car.
-std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<KnownWithin>& tolerances, double of_car = 1);
+// A tolerance t is taken as the standard deviation t / sqrt(3) of a uniform distribution. `same`: the share of it
+// that counts for what is the same from day to day, car and instruments but for their zeros.
+std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<KnownWithin>& tolerances, double same = 1);
 
 // One parameter as a mixture of others: so many units of each do what one unit of it does.
 struct Share {

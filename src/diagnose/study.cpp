@@ -157,21 +157,25 @@ std::array<double, kDisturbances> disturbanceSizes(const std::vector<DriveGram>&
         for (std::size_t i = 0; i < of.size(); ++i) result[i] = std::exp(of[i]);
         return result;
     };
+    // What is doubted is not taken back by smaller sizes.
+    std::vector<DriveGram> plain = grams;
+    for (std::size_t d = 0; d < plain.size(); ++d) {
+        plain[d].columns *= uncertainty.doubt[d] * uncertainty.doubt[d];
+        plain[d].mixed *= uncertainty.doubt[d];
+    }
     const auto merit = [&](const std::array<double, kDisturbances>& of) {
         double prior = 0;
         for (const double one : of) prior += 0.5 * one * one / (kSizeSpread * kSizeSpread);
-        const Gram gram = total(grams, uncertainty, sizes(of));
+        const Gram gram = total(plain, uncertainty, sizes(of));
         return logEvidence(gram, gram.products.cols() - 1, free) - prior;
     };
-    // What recordings with references are doubted for is not taken back.
-    const double least = uncertainty.doubtful ? 0 : -std::log(kLargestFactor);
     double best = merit(logs), step = 0.6;
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
         bool moved = false;
         for (double& one : logs) {
             for (const double by : {step, -step}) {
                 const double before = one;
-                if (before + by < least || before + by > std::log(kLargestFactor)) continue;
+                if (std::abs(before + by) > std::log(kLargestFactor)) continue;
                 one = before + by;
                 const double now = merit(logs);
                 if (now > best) {

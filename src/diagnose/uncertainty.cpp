@@ -11,10 +11,9 @@ Uncertainty uncertaintyOf(Bench& bench, const Deviation& at, const Rows& rows) {
     const Subject subject = bench.subjectAt(at);
     Uncertainty uncertainty;
     uncertainty.sizes.fill(1);
-    uncertainty.doubtful = std::any_of(bench.drives.begin(), bench.drives.end(),
-                                       [](const RecordedDrive& drive) { return drive.doubt > 1; });
     for (std::size_t d = 0; d < bench.drives.size(); ++d) {
         RecordedDrive& drive = bench.drives[d];
+        uncertainty.doubt.push_back(drive.doubt);
         drive.until = std::min(drive.until, slideApart(drive, rows[d]));
     }
     uncertainty.noise = rowNoise(bench.drives, rows);
