@@ -53,6 +53,7 @@ struct RaycastVehicle::Implementation {
     WheeledBodyState state{};
     std::array<WheelDemand, kMostWheels> demands{};
     std::array<WheelGround, kMostWheels> grounds{};
+    NearObjects around{};
     std::array<NearFaces, kMostWheels> near{};
     std::array<Vector3, kMostWheels> impulses{};  // N s, of the ground on the wheels over the last step
     std::array<btScalar, kMostWheels> shown_length{};
@@ -83,7 +84,9 @@ struct RaycastVehicle::Implementation {
     bool isTeleported(double dt) const;
     void takeUp(double dt);
     void lookDown(const btCollisionWorld* world, double dt);
-    void findGround(std::size_t wheel, const ChassisMotion& at, const btCollisionWorld* world, double dt);
+    WheelRay rayOf(std::size_t wheel, double dt) const;
+    std::unique_lock<std::mutex> lockRays() const;
+    void findGround(std::size_t wheel, const WheelRay& ray, const btCollisionWorld* world);
     void roll(const btCollisionWorld* world, double dt);
     void pushGround();
 

@@ -117,13 +117,20 @@ void RaycastVehicle::Implementation::takeUp(double dt) {
 
 // The ground under each wheel; one that was put somewhere else starts anew there.
 void RaycastVehicle::Implementation::lookDown(const btCollisionWorld* world, double dt) {
+    std::array<WheelRay, kMostWheels> rays_down;
+    for (std::size_t i = 0; i < car.wheel_count; ++i) rays_down[i] = rayOf(i, dt);
+    around.known = false;
+    if (own_rays && world) {
+        const auto alone = lockRays();
+        lookAround(around, *world, {rays_down.data(), car.wheel_count});
+    }
     for (std::size_t i = 0; i < car.wheel_count; ++i) {
         const bool added = i >= wheels_before;
         const bool reset = !added && info(i).m_raycastInfo.m_suspensionLength != shown_length[i];
         if (added) state.wheels[i] = {};
         if (reset) state.wheels[i].compression = 0;
         near[i].age += dt;
-        findGround(i, motion, world, dt);
+        findGround(i, rays_down[i], world);
         if (teleported || reset || added) {
             setDown(state, motion, car, i, grounds[i].plane);
             demands[i] = demand(i);
@@ -132,20 +139,27 @@ void RaycastVehicle::Implementation::lookDown(const btCollisionWorld* world, dou
     wheels_before = car.wheel_count;
 }
 
-void RaycastVehicle::Implementation::findGround(std::size_t wheel, const ChassisMotion& at,
-                                                const btCollisionWorld* world, double dt) {
+WheelRay RaycastVehicle::Implementation::rayOf(std::size_t wheel, double dt) const {
     const BodyWheel& w = car.wheels[wheel];
     const double radius = w.tyre.parameters.Ro;
-    const WheelRay ray{.top_W = strutTop(at, w),
-                       .down_W = at.orientation * w.down_B,
-                       .raised = radius,
-                       .length = w.strut.length + radius,
-                       .ahead = at.velocity_W.norm() * dt + 0.5 * radius,
-                       .wheel = static_cast<int>(wheel)};
+    return {.top_W = strutTop(motion, w),
+            .down_W = motion.orientation * w.down_B,
+            .raised = radius,
+            .length = w.strut.length + radius,
+            .ahead = motion.velocity_W.norm() * dt + 0.5 * radius,
+            .wheel = static_cast<int>(wheel)};
+}
+
+std::unique_lock<std::mutex> RaycastVehicle::Implementation::lockRays() const {
+    return rays ? std::unique_lock(*rays) : std::unique_lock<std::mutex>();
+}
+
+void RaycastVehicle::Implementation::findGround(std::size_t wheel, const WheelRay& ray, const btCollisionWorld* world) {
     const bool by_user = !own_rays || !world;
-    const Rounding rounding{.angle = edge_angle, .reach = kRounded * radius};
-    const RaySource source{chassis, world, by_user ? raycaster : nullptr, filter, surface, rounding, near[wheel]};
-    const auto alone = rays ? std::unique_lock(*rays) : std::unique_lock<std::mutex>();
+    const Rounding rounding{.angle = edge_angle, .reach = kRounded * car.wheels[wheel].tyre.parameters.Ro};
+    const RaySource source{chassis, world,      by_user ? raycaster : nullptr, filter, surface, rounding,
+                           around,  near[wheel]};
+    const auto alone = lockRays();
     grounds[wheel] = castRay(ray, source);
 }
 
@@ -164,7 +178,7 @@ void RaycastVehicle::Implementation::roll(const btCollisionWorld* world, double 
             begin[i] = between(demands[i], next[i], static_cast<double>(k) / substeps);
             end[i] = between(demands[i], next[i], (k + 1.0) / substeps);
             const Vector3 gone = strutTop(motion, car.wheels[i]) - grounds[i].cast_at;
-            if (gone.norm() > kLookAgain * car.wheels[i].tyre.parameters.Ro) findGround(i, motion, world, dt - k * h);
+            if (gone.norm() > kLookAgain * car.wheels[i].tyre.parameters.Ro) findGround(i, rayOf(i, dt - k * h), world);
             planes[i] = grounds[i].plane;
             planes[i].point_W += (k + 1) * h * planes[i].velocity_W;
         }

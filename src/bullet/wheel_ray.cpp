@@ -69,11 +69,17 @@ struct FilteredGround : GroundBelow {
         m_collisionFilterGroup = source.filter.group;
         m_collisionFilterMask = source.filter.mask;
     }
-    // Bullet asks this of each object in the ray's way before it looks closer.
+    // Whether Bullet must look closer.
     bool needsCollision(btBroadphaseProxy* proxy) const override {
         const auto* object = static_cast<const btCollisionObject*>(proxy->m_clientObject);
         return GroundBelow::needsCollision(proxy) && source.chassis.checkCollideWith(object) &&
                !const_cast<FilteredGround*>(this)->isDone(*object);
+    }
+    void askBullet(btCollisionObject& object) {
+        const btTransform from(btQuaternion::getIdentity(), m_rayFromWorld),
+            to(btQuaternion::getIdentity(), m_rayToWorld);
+        btCollisionWorld::rayTestSingle(from, to, &object, object.getCollisionShape(), object.getWorldTransform(),
+                                        *this);
     }
     bool isDone(const btCollisionObject& object) {
         const btCollisionShape& shape = *object.getCollisionShape();
@@ -177,9 +183,14 @@ WheelGround castByUser(const WheelRay& ray, const RaySource& source) {
 
 WheelGround castIntoWorld(const WheelRay& ray, const RaySource& source) {
     WheelGround ground;
-    const Way way{ray.top_W - ray.raised * ray.down_W, (ray.raised + ray.length + ray.ahead) * ray.down_W};
+    const Way way{ray.start_W(), ray.way_W()};
     FilteredGround hit(way, source);
-    source.world->rayTest(hit.m_rayFromWorld, hit.m_rayToWorld, hit);
+    const Box box = Box::around(hit.m_rayFromWorld, hit.m_rayToWorld);
+    if (!source.around.cover(box)) source.around.find(*source.world, box);
+    for (btBroadphaseProxy* proxy : source.around.objects) {
+        if (box.meets(*proxy) && hit.needsCollision(proxy))
+            hit.askBullet(*static_cast<btCollisionObject*>(proxy->m_clientObject));
+    }
     if (hit.triangle >= 0) hit.lookAround();
     const Vector3 normal = hit.exact ? hit.exact->normal_W : fromBullet(hit.m_hitNormalWorld);
     ground.plane.exists = hit.hasHit() && isUnit(normal);
@@ -209,10 +220,22 @@ bool isThere(const WheelGround& ground, const btCollisionWorld& world) {
     return ground.object->getWorldTransform() == ground.pose;
 }
 
+void lookAround(NearObjects& around, const btCollisionWorld& world, std::span<const WheelRay> rays) {
+    std::optional<Box> all;
+    for (const WheelRay& ray : rays) {
+        if (!ray.isFinite()) continue;
+        const btVector3 from = toBullet(ray.start_W()), to = toBullet(Vector3(ray.start_W() + ray.way_W()));
+        if (!all) all = Box{from, from};
+        all->include(from);
+        all->include(to);
+    }
+    if (all) around.find(world, *all);
+}
+
 WheelGround castRay(const WheelRay& ray, const RaySource& source) {
     WheelGround ground;
     ground.plane.exists = false;
-    if (ray.top_W.allFinite() && ray.down_W.allFinite()) {
+    if (ray.isFinite()) {
         if (source.user) ground = castByUser(ray, source);
         else if (source.world) ground = castIntoWorld(ray, source);
     }

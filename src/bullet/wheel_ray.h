@@ -1,6 +1,9 @@
 // What lies under a wheel, found by a ray along its strut.
 #pragma once
 
+#include <span>
+
+#include "bullet/near_objects.h"
 #include "bullet/smooth_normal.h"
 #include "tread/bullet_precision.h"
 #include "tread/raycast_vehicle.h"
@@ -33,6 +36,10 @@ struct WheelRay {
     double length;   // m, from the top to where the unloaded tyre ends
     double ahead;    // m, how much farther the wheel may come within the step
     int wheel;
+
+    Vector3 start_W() const { return top_W - raised * down_W; }
+    Vector3 way_W() const { return (raised + length + ahead) * down_W; }
+    bool isFinite() const { return top_W.allFinite() && down_W.allFinite(); }
 };
 
 struct RayFilter {
@@ -49,8 +56,12 @@ struct RaySource {
     RayFilter filter;
     const SurfaceAt& surface;
     const Rounding& rounding;
+    NearObjects& around;
     NearFaces& near;  // of this wheel
 };
+// Looks up what the rays of all wheels can meet.
+void lookAround(NearObjects& around, const btCollisionWorld& world, std::span<const WheelRay> rays);
+
 WheelGround castRay(const WheelRay& ray, const RaySource& source);
 }  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

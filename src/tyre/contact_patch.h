@@ -154,10 +154,12 @@ struct FreeSpin {
             return T(spin.drive_torque - delft97::rollingResistanceTorque(p, tyre.l, c, Fx, T(p.Re * speed)));
         };
 
-        // First stage, at gamma h. The belt's gyroscopic effects take the spin from which the stage starts.
+        // First stage, at gamma h. The belt's gyroscopic effects take the spin from which the stage starts. c2 waits for
+        // nothing that comes later, so it is computed while c1 is.
         BasicTyreMotion<T> early = between(start, end, kGamma);
         early.Omega = Omega;
         const auto c1 = delft97::loadCoefficients(p, tyre.l, early.Fz, early.gamma);
+        const auto c2 = delft97::loadCoefficients(p, tyre.l, end.Fz, end.gamma);
         Stage<T> first = stageAt(tyre, c1, state, early, h, relax);
         const Solution<T> s1 =
             solveSpin(first, {spin, Omega, freeTorque(c1, Omega), p.Re}, early.Vx, {state.du, state.dv});
@@ -166,7 +168,6 @@ struct FreeSpin {
         const T base = carried(Omega, s1.Omega);
         BasicTyreMotion<T> late = end;
         late.Omega = s1.Omega;
-        const auto c2 = delft97::loadCoefficients(p, tyre.l, end.Fz, end.gamma);
         Stage<T> second = stageAt(tyre, c2, carried(state, stateAt(first, s1.patch)), late, h, relax);
         const Solution<T> s2 =
             solveSpin(second, {spin, base, freeTorque(c2, s1.Omega), p.Re}, end.Vx, s1.patch.velocity);

@@ -74,16 +74,42 @@ LoadCoefficients<T> loadCoefficients(const BasicTyreCoefficients<T>& p, const Ba
     return c;
 }
 
+// The formulas are long chains in which each operation waits for the one before. Two that do not need each other are
+// therefore computed step by step beside each other: that takes little longer than one.
+template <class S>
+struct Two {
+    S x, y;
+};
+
 // D sin[C arctan{x - E (x - arctan x)}] with x = B times slip: (36), (46).
 template <class T, class S>
-S sineForm(const T& D, const T& C, const S& x, const T& E) {
-    return D * sine(C * arctan(x - E * (x - arctan(x))));
+struct SineForm {
+    const T &D, &C;
+    S x;
+    const T& E;
+};
+
+template <class T, class S>
+Two<S> sineForms(const SineForm<T, S>& a, const SineForm<T, S>& b) {
+    const S a1 = arctan(a.x), b1 = arctan(b.x);
+    const S a2 = arctan(a.x - a.E * (a.x - a1)), b2 = arctan(b.x - b.E * (b.x - b1));
+    return {a.D * sine(a.C * a2), b.D * sine(b.C * b2)};
 }
 
 // cos[C arctan{B (slip + S)}] / cos[C arctan(B S)]: the hill that weighs one force by the other slip (71), (76).
 template <class T, class S>
-S weighting(const T& C, const S& B, const S& slip, const T& shift) {
-    return cosine(C * arctan(B * (slip + shift))) / cosine(C * arctan(shift * B));
+struct Weighting {
+    const T& C;
+    S B;
+    const S& slip;
+    const T& shift;
+};
+
+template <class T, class S>
+Two<S> weightings(const Weighting<T, S>& a, const Weighting<T, S>& b) {
+    const S a1 = arctan(a.B * (a.slip + a.shift)), b1 = arctan(b.B * (b.slip + b.shift));
+    const S a0 = arctan(a.shift * a.B), b0 = arctan(b.shift * b.B);
+    return {cosine(a.C * a1) / cosine(a.C * a0), cosine(b.C * b1) / cosine(b.C * b0)};
 }
 
 template <class S>
@@ -99,19 +125,21 @@ HorizontalForces<S> horizontalForces(const BasicTyreCoefficients<T>& p, const Ba
     HorizontalForces<S> f;
     const S kappa_x = kappa + c.SHx;                                                                    // (37)
     const T Ex = select(valueOf(kappa_x) >= T(0), c.Ex_drive, c.Ex_brake);                              // (41)
-    f.Fx0 = sineForm(c.Dx, c.Cx, c.Bx * kappa_x, Ex) + c.SVx;                                           // (36)
-
     const S alpha_y = alpha + c.SHy;                                                                    // (47)
     const T Ey = select(valueOf(alpha_y) >= T(0), c.Ey_positive, c.Ey_negative);                        // (52)
-    f.Fy0 = sineForm(c.Dy, c.Cy, c.By * alpha_y, Ey) + c.SVy;                                           // (46)
+    const Two<S> pure = sineForms<T, S>({c.Dx, c.Cx, c.Bx * kappa_x, Ex},
+                                        {c.Dy, c.Cy, c.By * alpha_y, Ey});
+    f.Fx0 = pure.x + c.SVx;                                                                             // (36)
+    f.Fy0 = pure.y + c.SVy;                                                                             // (46)
 
     const S Bxa = p.rBx1 * l.xa * cosArctan(p.rBx2 * kappa);                                            // (72)
-    f.Fx = f.Fx0 * weighting(p.rCx1, Bxa, alpha, p.rHx1);                                               // (71), (74)
-
     const S Byk = p.rBy1 * l.yk * cosArctan(p.rBy2 * (alpha - p.rBy3));                                 // (77)
+    const Two<S> weight = weightings<T, S>({p.rCx1, Bxa, alpha, p.rHx1}, {p.rCy1, Byk, kappa, p.rHy1});
+    f.Fx = f.Fx0 * weight.x;                                                                            // (71), (74)
+
     const S DVyk = c.DVyk_0 * cosArctan(p.rVy4 * alpha);                                                // (82)
     f.SVyk = l.Vyk * DVyk * sine(p.rVy5 * arctan(p.rVy6 * kappa));                                      // (81)
-    f.Fy = f.Fy0 * weighting(p.rCy1, Byk, kappa, p.rHy1) + f.SVyk;                                      // (76), (79)
+    f.Fy = f.Fy0 * weight.y + f.SVyk;                                                                   // (76), (79)
     return f;
 }
 

@@ -129,7 +129,7 @@ template <class T>
 Patch<T> solve(const Stage<T>& s, PatchVelocity<T> x) {
     using Mask = MaskOf<T>;
     Residual<T> r = residual(s, x);
-    Patch<T> solution = extrapolate(r, x, r.slip);
+    Patch<T> solution;
     Mask open = r.size() == r.size();  // lanes that are not solved yet; one that is not a number never will be
     for (int iteration = 0; iteration < kNewtonIterations; ++iteration) {
         PatchVelocity<T> step = newtonStep(r);
@@ -138,6 +138,8 @@ Patch<T> solve(const Stage<T>& s, PatchVelocity<T> x) {
         const T change = magnitude(T(slip.kappa - r.slip.kappa)) + magnitude(T(slip.alpha - r.slip.alpha));
         const Mask close = change <= kSlipTolerance * (1 + magnitude(slip.kappa) + magnitude(slip.alpha));
         const Mask solved = open & close;
+        if (all(solved)) return extrapolate(r, target, slip);  // as a rule at once, and together
+        if (iteration == 0) solution = extrapolate(r, x, r.slip);  // of a lane that never will be
         if (any(solved)) solution = select(solved, extrapolate(r, target, slip), solution);
         open = open & (!close);
         if (!any(open)) break;
