@@ -47,6 +47,10 @@ std::optional<Eigen::VectorXd> difference(Bench& bench, const Piece& one, const 
 
 }  // namespace
 
+bool Bench::compared() const {
+    return std::all_of(drives.begin(), drives.end(), [](const RecordedDrive& drive) { return drive.runs > 1; });
+}
+
 std::size_t Bench::firstLike(std::size_t drive) const {
     const RecordedDrive& here = drives[drive];
     for (std::size_t other = 0; other < drive && !here.recording->repeat_group.empty(); ++other) {

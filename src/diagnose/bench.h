@@ -27,6 +27,8 @@ struct Bench {
 
     Deviation origin() const { return Deviation::Zero(static_cast<Eigen::Index>(parameters.size())); }
     Subject subjectAt(const Deviation& point) const;
+    // Whether every drive has a reference.
+    bool compared() const;
     // The first drive of which this is a repeat: their sensitivities are the same.
     std::size_t firstLike(std::size_t drive) const;
 };

@@ -96,8 +96,7 @@ std::vector<RowNoise> rowNoise(const std::vector<RecordedDrive>& drives, const R
             here.deviation.segment(channel.first_row, rows).setConstant(drive.doubt * deviation);
             if (drive.runs > 1) {
                 const Eigen::VectorXd gap = (drive.measured - nominal[d]).segment(channel.first_row, rows);
-                here.deviation.segment(channel.first_row, rows) +=
-                    kAnswersOtherwise * drive.doubt * localSize(gap);
+                here.deviation.segment(channel.first_row, rows) += kAnswersOtherwise * drive.doubt * localSize(gap);
             }
             here.deviation.segment(channel.first_row + told, rows - told).setConstant(kInfinity);
             here.ends.push_back(channel.first_row + rows);

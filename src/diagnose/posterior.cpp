@@ -76,7 +76,7 @@ Posterior posterior(const Study& study, const Search& found, const Inflation& in
         result.constancy.push_back(one.fitted ? constancy(study, one.fit) : Constancy{});
         if (count > 0 && one.fitted)
             add(&one, true, kPriorUnknown * kImitated[count] / ways,
-                evidence + imitationGain(one, result.constancy.back()));
+                evidence + imitationGain(one, result.constancy.back(), study.bench.compared()));
     }
     add(nullptr, false, kPriorUnknown, strongest + inflation.gain - kThresholds.unknown);
 

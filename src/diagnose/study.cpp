@@ -64,9 +64,7 @@ void begin(Bench& bench, const Subject& nominal, const DiagnosisFile& file, cons
 
 void addParameters(Study& study, const DiagnosisFile& file, const std::vector<Effect>& effects) {
     Bench& bench = study.bench;
-    const bool same_car = std::all_of(bench.drives.begin(), bench.drives.end(),
-                                      [](const RecordedDrive& drive) { return drive.runs > 1; });
-    bench.parameters = nuisances(bench.nominal, file.tolerances, same_car ? kBetweenDays : 1);
+    bench.parameters = nuisances(bench.nominal, file.tolerances, bench.compared() ? kBetweenDays : 1);
     for (std::size_t i = 0; i < bench.parameters.size(); ++i) study.nuisances.push_back(static_cast<Eigen::Index>(i));
     for (const Effect& effect : effects) {
         std::vector<Eigen::Index> knobs;

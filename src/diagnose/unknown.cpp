@@ -13,7 +13,7 @@ constexpr double kLeastShare = 0.02;  // of the information, that a drive must c
 constexpr double kWider = 2;          // times the spread of an effect's size, that an imitation of it has
 // Standard deviation of a value from drive to drive, as a share of it: of a true effect (the fit is linear there), and
 // of an imitation.
-constexpr double kSame = 0.1, kVaried = 0.5;
+constexpr double kSame = 0.1, kSameCompared = 0.25, kVaried = 0.5;
 constexpr double kJumps = 0.04;  // of what is explained, that varies all the same: controllers set in or do not
 
 }  // namespace
@@ -93,9 +93,10 @@ Constancy constancy(const Study& study, const Fit& fit) {
     return result;
 }
 
-double imitationGain(const Candidate& candidate, const Constancy& same) {
+double imitationGain(const Candidate& candidate, const Constancy& same, bool compared) {
     double gain = 0;
     for (const Eigen::Index k : candidate.fit.knobs) {
+        if (compared) break;
         const double size = candidate.fit.at(k);
         gain += 0.5 * size * size * (1 - 1 / (kWider * kWider)) - std::log(kWider);
     }
@@ -103,7 +104,8 @@ double imitationGain(const Candidate& candidate, const Constancy& same) {
     // Likelihood ratio of two spreads, as if every drive that has a say knew the value equally well.
     const double known = same.q / same.degrees_of_freedom / (same.spread * same.spread);  // squares over variance
     const double of_drive = known / (same.degrees_of_freedom + 1);
-    const double as_same = 1 + kSame * kSame * of_drive, as_varied = 1 + kVaried * kVaried * of_drive;
+    const double one_value = compared ? kSameCompared : kSame;
+    const double as_same = 1 + one_value * one_value * of_drive, as_varied = 1 + kVaried * kVaried * of_drive;
     const double varied =
         0.5 * same.q * (1 / as_same - 1 / as_varied) - 0.5 * same.degrees_of_freedom * std::log(as_varied / as_same);
     return gain + (varied > 0 ? std::max(0.0, varied - kJumps * candidate.log_evidence) : varied);
