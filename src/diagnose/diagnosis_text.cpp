@@ -92,9 +92,11 @@ std::string testableOf(const Diagnosis& d) {
 
 std::string diagnosisText(const Diagnosis& d) {
     std::string text = d.answer + "\n";
-    text += fmt::format("WHERE     {} of the gap; {}; {}; force: {}{}\n", largest(d.where.channels, true),
-                        largest(d.where.phases), largest(d.where.bands), largest(d.where.generalised_force),
-                        axleOf(d.where));
+    text += "WHERE     ";
+    text += d.where.channels.empty() ? "beyond what disturbs such drives in no channel alone"
+                                     : fmt::format("{} of the gap; {}; {}", largest(d.where.channels, true),
+                                                   largest(d.where.phases), largest(d.where.bands));
+    text += fmt::format("; force: {}{}\n", largest(d.where.generalised_force), axleOf(d.where));
     text += whichOf(d) + howFarOf(d);
     for (std::size_t i = 0; i < d.next.size(); ++i) {
         text += fmt::format("{}{} would separate {} by {:.0f} nats\n", i == 0 ? "NEXT      " : "          ",
