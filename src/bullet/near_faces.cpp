@@ -18,9 +18,9 @@ inline namespace TREAD_BULLET_PRECISION {
 namespace {
 
 // Faces are looked up this many reaches around a way: fewer where that gives more of them than a ray should ask.
-constexpr double kLookedUp = 3;
+constexpr double kLookedUp = 4;
 constexpr double kLookedUpAmongMany = 1.5;
-constexpr std::size_t kMany = 40;
+constexpr std::size_t kMany = 60;
 constexpr double kLongestKept = 0.02;  // s
 // Neighbours share their corners: a ray between two faces passes each by less than this.
 constexpr double kBetweenFaces = 1e-9;  // m

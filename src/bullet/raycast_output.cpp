@@ -19,17 +19,25 @@ constexpr double kSlowest = 0.5;  // m/s
 
 struct SlipShown {
     double ratio;
-    double angle;  // ISO 8855: positive when the wheel moves to the left
+    double sideways;  // tangent of the slip angle; ISO 8855: positive when the wheel moves to the left
+
+    double angle() const { return std::atan(sideways); }
 };
 SlipShown slipOf(const BodyWheelState& wheel, const TyreParams& tyre) {
     const double speed = std::max(std::abs(wheel.motion.Vx), kSlowest);
     const double Vsx = wheel.motion.Vx - tyre.parameters.Re * wheel.spin;
-    return {-Vsx / speed, std::atan(-wheel.motion.Vsy / speed)};
+    return {-Vsx / speed, -wheel.motion.Vsy / speed};
+}
+
+double length(double x, double y) {
+    return std::sqrt(x * x + y * y);
 }
 
 // 1 while the tyre grips, falling towards 0 the farther its slip is beyond that of its greatest force.
 double gripShown(const SlipShown& slip, double peak_ratio, double peak_angle) {
-    const double beyond = std::sqrt(std::pow(slip.ratio / peak_ratio, 2) + std::pow(slip.angle / peak_angle, 2));
+    // An angle is less than its tangent: most wheels need no more.
+    if (length(slip.ratio / peak_ratio, slip.sideways / peak_angle) <= 1) return 1;
+    const double beyond = length(slip.ratio / peak_ratio, slip.angle() / peak_angle);
     return beyond > 1 ? 1 / beyond : 1;
 }
 
@@ -92,9 +100,10 @@ void RaycastVehicle::Implementation::show(double dt) {
         const auto rotation = static_cast<btScalar>(now.rotation);
         shown.m_rotation = rotation;
         shown.m_deltaRotation = static_cast<btScalar>(now.spin * dt);
-        const SlipShown slip = slipOf(now, wheel.tyre);
         shown.m_skidInfo =
-            now.touches ? static_cast<btScalar>(gripShown(slip, car.peak_ratio[i], car.peak_angle[i])) : btScalar(1);
+            now.touches
+                ? static_cast<btScalar>(gripShown(slipOf(now, wheel.tyre), car.peak_ratio[i], car.peak_angle[i]))
+                : btScalar(1);
         shown.m_wheelsSuspensionForce = static_cast<btScalar>(std::max(now.strut_force, 0.0));
         shown.m_suspensionRelativeVelocity = static_cast<btScalar>(-now.strut_rate);
         const btScalar lean = -ray.m_contactNormalWS.dot(down);
@@ -160,7 +169,7 @@ WheelTelemetry RaycastVehicle::telemetry(int index) const {
     shown.fx = now.fx;
     shown.fy = now.fy;
     shown.slip_ratio = now.touches ? slip.ratio : 0;
-    shown.slip_angle = now.touches ? slip.angle : 0;
+    shown.slip_angle = now.touches ? slip.angle() : 0;
     shown.slip_power = now.slip_power;
     shown.spin = now.spin;
     shown.compression = now.compression;

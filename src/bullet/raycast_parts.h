@@ -22,6 +22,12 @@ struct ShownWheel {
     double rotation = 0;  // rad
 };
 
+// Room for what a step hands to each of its substeps: cleared once, not in every step.
+struct SubstepRoom {
+    std::array<WheelDemand, kMostWheels> next, begin, end;
+    std::array<RoadContact, kMostWheels> planes;
+};
+
 struct RaycastVehicle::Implementation {
     RaycastVehicle& face;
     btRigidBody& chassis;
@@ -63,6 +69,7 @@ struct RaycastVehicle::Implementation {
     std::size_t wheels_drawn = 0;
     std::size_t wheels_before = 0;
     bool asleep = false;
+    SubstepRoom room{};
 
     std::size_t wheelCount() const;
     btWheelInfo& info(std::size_t wheel) { return face.m_wheelInfo[static_cast<int>(wheel)]; }
@@ -86,6 +93,7 @@ struct RaycastVehicle::Implementation {
     void lookDown(const btCollisionWorld* world, double dt);
     WheelRay rayOf(std::size_t wheel, double dt) const;
     std::unique_lock<std::mutex> lockRays() const;
+    bool isFarFromRay(std::size_t wheel) const;
     void findGround(std::size_t wheel, const WheelRay& ray, const btCollisionWorld* world);
     void roll(const btCollisionWorld* world, double dt);
     void pushGround();

@@ -163,12 +163,16 @@ void RaycastVehicle::Implementation::findGround(std::size_t wheel, const WheelRa
     grounds[wheel] = castRay(ray, source);
 }
 
+bool RaycastVehicle::Implementation::isFarFromRay(std::size_t wheel) const {
+    const Vector3 gone = strutTop(motion, car.wheels[wheel]) - grounds[wheel].cast_at;
+    return gone.norm() > kLookAgain * car.wheels[wheel].tyre.parameters.Ro;
+}
+
 // Moves `motion` to the end of the step.
 void RaycastVehicle::Implementation::roll(const btCollisionWorld* world, double dt) {
     const int substeps = substep.within(dt);
     const double h = dt / substeps;
-    std::array<WheelDemand, kMostWheels> next, begin, end;
-    std::array<RoadContact, kMostWheels> planes;
+    auto& [next, begin, end, planes] = room;
     for (std::size_t i = 0; i < car.wheel_count; ++i) {
         next[i] = demand(i);
         impulses[i].setZero();
@@ -177,8 +181,7 @@ void RaycastVehicle::Implementation::roll(const btCollisionWorld* world, double 
         for (std::size_t i = 0; i < car.wheel_count; ++i) {
             begin[i] = between(demands[i], next[i], static_cast<double>(k) / substeps);
             end[i] = between(demands[i], next[i], (k + 1.0) / substeps);
-            const Vector3 gone = strutTop(motion, car.wheels[i]) - grounds[i].cast_at;
-            if (gone.norm() > kLookAgain * car.wheels[i].tyre.parameters.Ro) findGround(i, rayOf(i, dt - k * h), world);
+            if (k > 0 && isFarFromRay(i)) findGround(i, rayOf(i, dt - k * h), world);
             planes[i] = grounds[i].plane;
             planes[i].point_W += (k + 1) * h * planes[i].velocity_W;
         }

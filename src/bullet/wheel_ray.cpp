@@ -111,9 +111,10 @@ struct FilteredGround : GroundBelow {
     }
     // Of a mesh or height field that Bullet met: from now on its faces are asked, and so they are now.
     void lookAround() {
+        if (exact) return;
         const btCollisionObject& object = *m_collisionObject;
         know(source.near, object, ray, source.rounding.reach);
-        if (exact || !hasFaces(*object.getCollisionShape())) return;
+        if (!hasFaces(*object.getCollisionShape())) return;
         const std::optional<Meets> met = meetFaces(source.near, ray);
         if (met) m_closestHitFraction = 1;
         take(object, met);
