@@ -1,0 +1,39 @@
+// Cars of another simulator after one thing was changed, beside the same drives before (TREAD_SHARED_DATA). What was
+// changed is not told: what is found must explain the gap, with one cause that is surer than any other.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "diagnose/diagnosis.h"
+#include "places/places.h"
+
+namespace tread {
+namespace {
+
+struct Changed {
+    const char* folder;
+    const char* cause;
+};
+
+class OtherSimulator : public testing::TestWithParam<Changed> {};
+
+TEST_P(OtherSimulator, ChangeIsNamedFirstAndExplainsTheGap) {
+    const char* data = std::getenv("TREAD_SHARED_DATA");
+    const std::filesystem::path logs = std::filesystem::path(data ? data : "") / "chrono" / GetParam().folder;
+    if (!data || !std::filesystem::exists(logs)) GTEST_SKIP() << "the logs are not part of this project";
+    const DiagnosisFile file = loadDiagnosis(sourceFile("scenarios/diagnose/chrono_case.yaml"), logs);
+    const Diagnosis d = diagnose(nominalSubject(file), file, readRecordings(file), effectsToConsider(file));
+    EXPECT_EQ(d.verdict, Verdict::explained) << d.answer;
+    ASSERT_FALSE(d.causes.empty());
+    EXPECT_EQ(d.effects.front().name, GetParam().cause);
+    EXPECT_GT(d.effects.front().probability, 0.9);
+    EXPECT_LT(d.how_far.held_out.extended, 1.1);
+    EXPECT_LT(d.how_far.training.extended, 0.9 * d.how_far.training.nominal);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, OtherSimulator,
+                         testing::Values(Changed{"case_a", "brake_balance"}, Changed{"case_b", "aero_drag"}));
+
+}  // namespace
+}  // namespace tread
