@@ -39,8 +39,8 @@ struct BlindRecording {
 };
 std::vector<BlindRecording> recordingsOf(const std::vector<Drive>& drives, std::uint64_t seed, int index);
 
-// A case in its folder: the logs that are driven, the nominal car, and diagnosis.yaml. With `before`, the same drives of
-// the car as it was before lie in a folder `reference`.
+// A case in its folder: the logs that are driven, the nominal car, and diagnosis.yaml. With `before`, the same drives
+// of the car as it was before lie in a folder `reference`.
 using Driven = std::function<Log(const BlindRecording&)>;
 void writeCase(const std::filesystem::path& place, const VehicleParams& nominal,
                const std::vector<BlindRecording>& recordings, const Driven& driven, const Driven& before = {});

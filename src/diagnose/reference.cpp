@@ -21,7 +21,7 @@ constexpr double kDoubt = 1.6;
 constexpr double kAnotherDrive = 0.25;  // of what an input does, that differs from the reference's
 constexpr double kStill = 0.05;         // rad, or share of a pedal: little enough for a hand or foot that corrects
 constexpr double kShorter = 0.2;        // s
-constexpr double kAnotherSpeed = 0.03;  // share, at the start
+constexpr double kAnotherSpeed = 0.1;   // share, at the start: a speedometer may have changed
 
 double rms(std::span<const double> values) {
     double sum = 0, count = 0;

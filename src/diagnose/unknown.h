@@ -22,8 +22,8 @@ struct Constancy {
 Constancy constancy(const Study& study, const Fit& fit);
 
 // Nats that something gains over a model's effects which it merely imitates: it need not keep to their typical sizes,
-// nor to one value in all drives. Where recordings are `compared` with references, somebody changed the car by as much as
-// he liked, and a model of another structure finds a value that varies a little.
+// nor to one value in all drives. Where recordings are `compared` with references, somebody changed the car by as much
+// as he liked, and a model of another structure finds a value that varies a little.
 double imitationGain(const Candidate& candidate, const Constancy& same, bool compared);
 
 // P(X > x) of the chi-squared distribution.
