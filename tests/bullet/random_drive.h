@@ -94,9 +94,9 @@ inline Worst drive(unsigned seed, Ground ground, double rate, double seconds) {
         const double speed = car.velocity().length();
         worst.finite &= std::isfinite(speed) && std::isfinite(at.length());
         worst.fastest = std::max(worst.fastest, speed);
-        // Fields and meshes end: back to the middle.
-        const bool small = ground == Ground::height_field || ground == Ground::mesh;
-        if (small && std::max(std::abs(at.x()), std::abs(at.z())) > 80) {
+        // All ground but the plane ends: back to the middle.
+        const double end = ground == Ground::plane ? 1e9 : ground == Ground::box ? 480 : 80;
+        if (static_cast<double>(std::max(std::abs(at.x()), std::abs(at.z()))) > end) {
             btTransform pose = car.chassis->getCenterOfMassTransform();
             pose.setOrigin(vector(0, static_cast<double>(at.y()) + 0.1, 0));
             car.chassis->setCenterOfMassTransform(pose);
