@@ -76,8 +76,11 @@ std::string overviewReport(const Overview& content) {
     page.section("Manoeuvres");
     std::vector<std::vector<Cell>> rows;
     for (const Overview::Entry& entry : content.entries) {
+        // What the row and the page say already.
+        const std::string begins = entry.title + ", " + content.vehicle + ": ";
         rows.push_back({{.text = entry.title.empty() ? entry.scenario : entry.title, .link = entry.link},
-                        {.text = entry.answer, .alarm = !entry.driven},
+                        {.text = entry.answer.starts_with(begins) ? entry.answer.substr(begins.size()) : entry.answer,
+                         .alarm = !entry.driven},
                         {.text = keyMetrics(entry.metrics)}});
     }
     page.table({"Manoeuvre", "Answer", "Key metrics"}, rows, true);
