@@ -39,6 +39,7 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const Reco
     Study study;
     begin(study.bench, nominal, file, recorded, options);
     addParameters(study, file, effects);
+    diagnosis.compared = study.bench.compared();
 
     // The nominal car: what its tolerances do, noise, disturbances.
     Linearised about = aboutNominal(study, progress(0, 0.1));

@@ -100,6 +100,7 @@ struct Diagnosis {
     std::vector<std::string> credible_set;
     std::map<std::string, double> constancy;  // p of one value in all drives
     Baselines baselines;
+    bool compared = false;  // every recording has a reference
     std::vector<std::string> data_warnings;
     double seconds = 0;
     int simulations = 0;

@@ -103,6 +103,7 @@ Json diagnosisJson(const Diagnosis& d) {
             {"credible_set", d.credible_set},
             {"constancy", d.constancy},
             {"baselines", baselinesJson(d.baselines)},
+            {"compared", d.compared},
             {"data_warnings", d.data_warnings},
             {"seconds", d.seconds},
             {"simulations", d.simulations}};

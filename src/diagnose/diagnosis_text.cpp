@@ -92,6 +92,7 @@ std::string testableOf(const Diagnosis& d) {
 
 std::string diagnosisText(const Diagnosis& d) {
     std::string text = d.answer + "\n";
+    if (d.compared) text += "COMPARED  with the same drives of the car as it was before\n";
     text += "WHERE     ";
     text += d.where.channels.empty() ? "beyond what disturbs such drives in no channel alone"
                                      : fmt::format("{} of the gap; {}; {}", largest(d.where.channels, true),

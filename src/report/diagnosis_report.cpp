@@ -69,6 +69,9 @@ void addHead(HtmlPage& page, const DiagnosisReport& content) {
          {"90 % sure it is among", fmt::format("{}", fmt::join(shownNames(d.credible_set), ", "))},
          {"Drive next", d.next.empty() ? "" : d.next.front().scenario + ": " + d.next.front().separates},
          {"Car", content.vehicle},
+         {"Compared with", d.compared ? "the same drives of the car as it was before: what the model lacked already is "
+                                        "taken off what was measured"
+                                      : ""},
          {"Made by", fmt::format("tread {}, {} simulations in {:.0f} s", content.version, d.simulations, d.seconds)}});
     page.warnings(d.data_warnings);
 }
