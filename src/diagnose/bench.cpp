@@ -48,7 +48,7 @@ std::optional<Eigen::VectorXd> difference(Bench& bench, const Piece& one, const 
 }  // namespace
 
 bool Bench::compared() const {
-    return std::all_of(drives.begin(), drives.end(), [](const RecordedDrive& drive) { return drive.runs > 1; });
+    return std::all_of(drives.begin(), drives.end(), [](const RecordedDrive& drive) { return drive.compared(); });
 }
 
 std::size_t Bench::firstLike(std::size_t drive) const {

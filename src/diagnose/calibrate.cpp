@@ -52,7 +52,7 @@ std::vector<DriveGram> calibrate(Study& study, Ground nominal,
     Linearised about = withKnobs(study, study.calibrated.about,
                                  [&](double share) { progress(0.5 + 0.5 * share, "sensitivities to effects"); });
     study.calibrated = ground(std::move(about), nuisances, study.uncertainty);
-    study.uncertainty.sizes = disturbanceSizes(everything(study, study.calibrated), study.uncertainty);
+    study.uncertainty.sizes = disturbanceSizes(study, everything(study, study.calibrated));
     study.calibration = fitOf(study, study.calibrated, study.calibration.at);
     return everything(study, study.calibrated);
 }

@@ -19,7 +19,6 @@ struct Uncertainty {
     std::vector<Eigen::MatrixXd> directions;    // per drive: disturbances, then the speed at the start; over the noise
     std::vector<DriveGram> bare;                // per drive: products of the directions alone
     std::array<double, kDisturbances> sizes{};  // of the usual ones
-    std::vector<double> doubt;                  // per drive: RecordedDrive::doubt
 
     // Of each direction of a drive, with sizes other than those.
     Eigen::VectorXd sizesOf(std::size_t drive, const std::array<double, kDisturbances>& with) const;

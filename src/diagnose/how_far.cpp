@@ -59,7 +59,7 @@ Log logOf(const RecordedDrive& drive, const Eigen::VectorXd& rows) {
 
 // What was measured; its rows where something was taken off them.
 Log measuredOverlay(const RecordedDrive& drive) {
-    const bool compared = drive.runs > 1;
+    const bool compared = drive.compared();
     Log log = compared ? logOf(drive, drive.measured) : Log{{{"time", "s", drive.time}}};
     const std::vector<double> time = log.channels.front().values;
     std::vector<Channel> inputs;

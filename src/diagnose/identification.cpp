@@ -80,7 +80,7 @@ Round roundAt(Study& study, Linearised about, const std::vector<Eigen::Index>* m
     study.uncertainty = uncertaintyOf(study.bench, about.at, about.rows);
     const std::vector<Eigen::Index> kept = matter ? *matter : thatMatter(study, about);
     study.calibrated = ground(about, kept, study.uncertainty);
-    study.uncertainty.sizes = disturbanceSizes(everything(study, study.calibrated), study.uncertainty);
+    study.uncertainty.sizes = disturbanceSizes(study, everything(study, study.calibrated));
     Round round{study.uncertainty, {}, leftOver(study, about.rows)};
     for (RowNoise& noise : round.uncertainty.noise) noise.deviation *= round.left_over;
     round.ground = ground(std::move(about), kept, round.uncertainty);

@@ -93,14 +93,14 @@ std::vector<RowNoise> rowNoise(const std::vector<RecordedDrive>& drives, const R
             const auto rows = static_cast<Eigen::Index>(channel.times.size());
             const auto telling = std::upper_bound(channel.times.begin(), channel.times.end(), drive.until);
             const Eigen::Index told = telling - channel.times.begin();
-            here.deviation.segment(channel.first_row, rows).setConstant(drive.doubt * deviation);
-            if (drive.runs > 1) {
+            here.deviation.segment(channel.first_row, rows).setConstant(drive.doubt() * deviation);
+            if (drive.compared()) {
                 const Eigen::VectorXd gap = (drive.measured - nominal[d]).segment(channel.first_row, rows);
-                here.deviation.segment(channel.first_row, rows) += kAnswersOtherwise * drive.doubt * localSize(gap);
+                here.deviation.segment(channel.first_row, rows) += kAnswersOtherwise * drive.doubt() * localSize(gap);
             }
             here.deviation.segment(channel.first_row + told, rows - told).setConstant(kInfinity);
             here.ends.push_back(channel.first_row + rows);
-            here.expected += kOfWhite * static_cast<double>(told) / (drive.doubt * drive.doubt);
+            here.expected += kOfWhite * static_cast<double>(told) / (drive.doubt() * drive.doubt());
         }
     }
     return noise;

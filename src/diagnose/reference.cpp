@@ -15,9 +15,6 @@
 namespace tread {
 namespace {
 
-// What a model lacks depends a little on what disturbs the drive, which is never the same twice.
-constexpr double kDoubt = 1.6;
-
 constexpr double kAnotherDrive = 0.25;  // of what an input does, that differs from the reference's
 constexpr double kStill = 0.05;         // rad, or share of a pedal: little enough for a hand or foot that corrects
 constexpr double kShorter = 0.2;        // s
@@ -95,7 +92,6 @@ void lessReference(Bench& bench, RecordedDrive& drive, const RecordedDrive& refe
         drive.measured.segment(channel.first_row, off.size()) -= off;
     }
     drive.runs += reference.runs;
-    drive.doubt = kDoubt;
 }
 
 }  // namespace tread

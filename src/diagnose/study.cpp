@@ -145,8 +145,7 @@ double leftOver(const Study& study, const Rows& rows) {
     return expected > 0 ? std::max(1.0, std::sqrt(sum / expected)) : 1;
 }
 
-std::array<double, kDisturbances> disturbanceSizes(const std::vector<DriveGram>& grams,
-                                                   const Uncertainty& uncertainty) {
+std::array<double, kDisturbances> disturbanceSizes(const Study& study, const std::vector<DriveGram>& grams) {
     std::array<double, kDisturbances> logs{};
     std::vector<Eigen::Index> free(static_cast<std::size_t>(grams.front().columns.cols() - 1));
     std::iota(free.begin(), free.end(), 0);
@@ -158,13 +157,14 @@ std::array<double, kDisturbances> disturbanceSizes(const std::vector<DriveGram>&
     // What is doubted is not taken back by smaller sizes.
     std::vector<DriveGram> plain = grams;
     for (std::size_t d = 0; d < plain.size(); ++d) {
-        plain[d].columns *= uncertainty.doubt[d] * uncertainty.doubt[d];
-        plain[d].mixed *= uncertainty.doubt[d];
+        const double doubt = study.bench.drives[d].doubt();
+        plain[d].columns *= doubt * doubt;
+        plain[d].mixed *= doubt;
     }
     const auto merit = [&](const std::array<double, kDisturbances>& of) {
         double prior = 0;
         for (const double one : of) prior += 0.5 * one * one / (kSizeSpread * kSizeSpread);
-        const Gram gram = total(plain, uncertainty, sizes(of));
+        const Gram gram = total(plain, study.uncertainty, sizes(of));
         return logEvidence(gram, gram.products.cols() - 1, free) - prior;
     };
     double best = merit(logs), step = 0.6;

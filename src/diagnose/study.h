@@ -71,6 +71,6 @@ double leftOver(const Study& study, const Rows& rows);
 
 // Sizes of the disturbances under which the recordings are most likely, whatever mixture of nuisances and effects is
 // true; near the usual ones unless the recordings say otherwise.
-std::array<double, kDisturbances> disturbanceSizes(const std::vector<DriveGram>& grams, const Uncertainty& uncertainty);
+std::array<double, kDisturbances> disturbanceSizes(const Study& study, const std::vector<DriveGram>& grams);
 
 }  // namespace tread

@@ -13,7 +13,6 @@ Uncertainty uncertaintyOf(Bench& bench, const Deviation& at, const Rows& rows) {
     uncertainty.sizes.fill(1);
     for (std::size_t d = 0; d < bench.drives.size(); ++d) {
         RecordedDrive& drive = bench.drives[d];
-        uncertainty.doubt.push_back(drive.doubt);
         drive.until = std::min(drive.until, slideApart(drive, rows[d]));
     }
     uncertainty.noise = rowNoise(bench.drives, rows);
@@ -26,7 +25,7 @@ Uncertainty uncertaintyOf(Bench& bench, const Deviation& at, const Rows& rows) {
         const Eigen::MatrixXd& columns = uncertainty.disturbing[d].columns;
         Eigen::MatrixXd all(columns.rows(), columns.cols() + 1);
         all << columns, by_start_speed;
-        all = uncertainty.noise[d].over(all) * (std::sqrt(bench.drives[d].runs) * bench.drives[d].doubt);
+        all = uncertainty.noise[d].over(all) * (std::sqrt(bench.drives[d].runs) * bench.drives[d].doubt());
         uncertainty.bare[d] = driveGram(Eigen::MatrixXd(all.rows(), 0), all);
         uncertainty.directions[d] = std::move(all);
     });

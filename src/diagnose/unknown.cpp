@@ -95,10 +95,11 @@ Constancy constancy(const Study& study, const Fit& fit) {
 
 double imitationGain(const Candidate& candidate, const Constancy& same, bool compared) {
     double gain = 0;
-    for (const Eigen::Index k : candidate.fit.knobs) {
-        if (compared) break;
-        const double size = candidate.fit.at(k);
-        gain += 0.5 * size * size * (1 - 1 / (kWider * kWider)) - std::log(kWider);
+    if (!compared) {
+        for (const Eigen::Index k : candidate.fit.knobs) {
+            const double size = candidate.fit.at(k);
+            gain += 0.5 * size * size * (1 - 1 / (kWider * kWider)) - std::log(kWider);
+        }
     }
     if (same.degrees_of_freedom == 0 || same.spread == 0) return gain;
     // Likelihood ratio of two spreads, as if every drive that has a say knew the value equally well.

@@ -8,7 +8,8 @@
 
 namespace tread::program {
 
-// A folder per recording: measured.csv (less what the model lacked in a reference), nominal.csv, calibrated.csv, extended.csv.
+// A folder per recording: measured.csv (less what the model lacked in a reference), nominal.csv, calibrated.csv,
+// extended.csv.
 void writeStages(const std::vector<Overlay>& overlays, const Path& folder);
 
 }  // namespace tread::program
