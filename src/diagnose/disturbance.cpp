@@ -11,11 +11,11 @@
 namespace tread {
 namespace {
 
-constexpr double kHat = 0.25;            // s, from hat to hat
-constexpr double kLingers = 0.5;         // s, correlation time
-constexpr std::size_t kApart = 12;       // hats: after so many, a car has forgotten a push aside
-constexpr double kLeastSlope = 0.1;      // of the tyres' slope at rest, that is left at the limit
-constexpr double kFollowsSpeed = 1.5;    // 1/s, how fast the driver who follows a speed corrects it
+constexpr double kHat = 0.25;        // s, from hat to hat
+constexpr double kLingers = 0.5;     // s, correlation time
+constexpr std::size_t kApart = 12;   // hats: after so many, a car has forgotten a push but for the speed that it cost
+constexpr double kLeastSlope = 0.1;  // of the tyres' slope at rest, that is left at the limit
+constexpr double kLeastKept = 0.02;  // of a change of speed, of which something is still known
 constexpr double kSlipVelocity = 0.005;  // of the forward speed, at which the tyres' slope is taken
 constexpr double kLightest = 0.05;       // share of the load that a compliant axle's slope can lose
 
@@ -34,13 +34,15 @@ double peakOf(std::size_t hat_index) {
     return static_cast<double>(hat_index) * kHat;
 }
 
-// Every kApart-th of the hats from the first one, as pushes aside.
+// Every kApart-th of the hats from the first one, as pushes.
 Pushing pushes(const VehicleParams& car, Disturbed kind, std::size_t first) {
     return [=, &car](double time, const VehicleInput&, const VehicleOutput&) {
         const double since = time - peakOf(first), period = kApart * kHat;
         const double near = std::max(0.0, std::round(since / period)) * period;
         const double size = hat(since, near);
         switch (kind) {
+            case Disturbed::longitudinal:
+                return Push{.force = {size * usualSize(kind, car), 0, 0}};
             case Disturbed::lateral:
                 return Push{.force = {0, size * usualSize(kind, car), 0}};
             case Disturbed::yaw:
@@ -58,59 +60,51 @@ struct Course {
     Eigen::VectorXd rows;
     Eigen::VectorXd by_start_speed;
     std::size_t hats;
+    const ObservedChannel* speed = nullptr;  // that shows it, if any
 };
 
-// What pushes of one kind do: a few replays answer for all hats, since each is forgotten before the next comes.
-Eigen::MatrixXd aside(Bench& bench, std::size_t index, const Subject& subject, const Course& course, Disturbed kind) {
+const ObservedChannel* showsSpeed(const RecordedDrive& drive) {
+    const auto shows = [](const ObservedChannel& channel) {
+        return !channel.times.empty() && (channel.name == "chassis.vx" || channel.name.ends_with(".spin"));
+    };
+    const auto found = std::find_if(drive.channels.begin(), drive.channels.end(), shows);
+    return found == drive.channels.end() ? nullptr : &*found;
+}
+
+// Of what was pushed, and that is over at a time, stays the speed that it cost: m/s at the start that do the same.
+double stays(const Course& course, const Eigen::VectorXd& change, double over) {
+    if (!course.speed) return 0;
+    const std::vector<double>& times = course.speed->times;
+    const auto before = std::lower_bound(times.begin(), times.end(), over) - times.begin() - 1;
+    const Eigen::Index first = course.speed->first_row, row = first + std::max<Eigen::Index>(before, 0);
+    const double kept = course.by_start_speed(row);
+    return kept > kLeastKept * course.by_start_speed(first) ? change(row) / kept : 0;
+}
+
+// What pushes of one kind do: a few replays answer for all hats, since but for the speed each is forgotten before the
+// next comes.
+Eigen::MatrixXd pushed(Bench& bench, std::size_t index, const Subject& subject, const Course& course, Disturbed kind) {
     Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(course.rows.size(), static_cast<Eigen::Index>(course.hats));
     for (std::size_t first = 0; first < std::min(kApart, course.hats); ++first) {
-        const std::optional<Log> pushed =
+        const std::optional<Log> motion =
             motionAt(bench, index, subject, {.pushing = pushes(subject.vehicle, kind, first)});
-        if (!pushed) continue;
-        const Eigen::VectorXd change = readings(course.drive, *pushed, subject.instruments) - course.rows;
-        for (const ObservedChannel& channel : course.drive.channels) {
-            for (std::size_t i = 0; i < channel.times.size(); ++i) {
-                const double since = channel.times[i] + kHat - peakOf(first);  // the first push's beginning
-                if (since < 0) continue;
-                const auto which = first + kApart * static_cast<std::size_t>(since / (kApart * kHat));
-                const Eigen::Index row = channel.first_row + static_cast<Eigen::Index>(i);
-                if (which < course.hats) columns(row, static_cast<Eigen::Index>(which)) = change(row);
+        if (!motion) continue;
+        Eigen::VectorXd change = readings(course.drive, *motion, subject.instruments) - course.rows;
+        for (std::size_t which = first; which < course.hats; which += kApart) {
+            const double begins = peakOf(which) - kHat, over = begins + kApart * kHat;
+            auto column = columns.col(static_cast<Eigen::Index>(which));
+            const double slower = stays(course, change, over);
+            for (const ObservedChannel& channel : course.drive.channels) {
+                for (std::size_t i = 0; i < channel.times.size(); ++i) {
+                    const Eigen::Index row = channel.first_row + static_cast<Eigen::Index>(i);
+                    if (channel.times[i] < begins) continue;
+                    column(row) = channel.times[i] < over ? change(row) : slower * course.by_start_speed(row);
+                }
             }
+            change -= column;
         }
     }
     return columns;
-}
-
-bool followsSpeed(const ObservedChannel& channel) {
-    return channel.name == "chassis.vx" || channel.name.ends_with(".spin");
-}
-
-// What a push along the car does. It changes the speed for good, unless the driver follows one, and with the speed all
-// that the car does at it: as a change at the start does.
-Eigen::VectorXd along(const Course& course, const VehicleParams& car, double peak, bool driver_follows) {
-    constexpr double kStep = 0.01;  // s
-    Log small{{{"time", "s", {}}, {"speed", "m/s", {}}, {"acceleration", "m/s2", {}}}};
-    double speed = 0;
-    for (double t = 0; t < course.drive.duration() + 2 * kStep; t += kStep) {
-        const double acceleration = hat(t, peak) * kLongitudinal - (driver_follows ? kFollowsSpeed * speed : 0);
-        small.channels[0].values.push_back(t);
-        small.channels[1].values.push_back(speed);
-        small.channels[2].values.push_back(acceleration);
-        speed += kStep * acceleration;
-    }
-    Eigen::VectorXd rows(course.rows.size());
-    for (const ObservedChannel& channel : course.drive.channels) {
-        const bool ax = channel.name == "chassis.ax", spin = channel.name.ends_with(".spin");
-        for (std::size_t i = 0; i < channel.times.size(); ++i) {
-            const Eigen::Index row = channel.first_row + static_cast<Eigen::Index>(i);
-            const double t = std::min(channel.times[i], small.channels[0].values.back());
-            const double faster = valueAt(small.channels[0].values, small.channels[1].values, t);
-            if (ax) rows(row) = valueAt(small.channels[0].values, small.channels[2].values, t);
-            else if (spin) rows(row) = faster / car.front.tyre.parameters.Re;
-            else rows(row) = followsSpeed(channel) ? faster : faster * course.by_start_speed(row);
-        }
-    }
-    return rows;
 }
 
 // Of both front tyres at rest, N/rad, and the lateral acceleration at which the car slides, m/s2.
@@ -190,7 +184,8 @@ Disturbances disturbances(Bench& bench, std::size_t index, const Subject& subjec
                   .motion = motion ? std::move(*motion) : Log{},
                   .rows = Eigen::VectorXd::Zero(drive.rows()),
                   .by_start_speed = by_start_speed,
-                  .hats = static_cast<std::size_t>(std::ceil(drive.duration() / kHat)) + 1};
+                  .hats = static_cast<std::size_t>(std::ceil(drive.duration() / kHat)) + 1,
+                  .speed = showsSpeed(drive)};
     const auto hats = static_cast<Eigen::Index>(course.hats);
     Disturbances result;
     result.columns = Eigen::MatrixXd::Zero(drive.rows(), hats * static_cast<Eigen::Index>(kDisturbances));
@@ -206,11 +201,8 @@ Disturbances disturbances(Bench& bench, std::size_t index, const Subject& subjec
     const auto of = [&](Disturbed kind) {
         return result.columns.middleCols(static_cast<Eigen::Index>(kind) * hats, hats);
     };
-    const bool driver_follows = drive.recording->speed == SpeedReplay::followed;
-    for (Eigen::Index i = 0; i < hats; ++i)
-        of(Disturbed::longitudinal).col(i) = along(course, car, peakOf(static_cast<std::size_t>(i)), driver_follows);
-    for (const Disturbed kind : {Disturbed::lateral, Disturbed::yaw, Disturbed::roll})
-        of(kind) = aside(bench, index, subject, course, kind);
+    for (const Disturbed kind : {Disturbed::longitudinal, Disturbed::lateral, Disturbed::yaw, Disturbed::roll})
+        of(kind) = pushed(bench, index, subject, course, kind);
     of(Disturbed::steering) = trembling(course, car, of(Disturbed::lateral), of(Disturbed::yaw));
     for (std::size_t kind = 0; kind < kDisturbances; ++kind)
         of(static_cast<Disturbed>(kind)) = (of(static_cast<Disturbed>(kind)) * result.lingering).eval();

@@ -97,17 +97,20 @@ Look lookAt(Study& study, const Rehearsal& rehearsal, std::size_t d, const std::
     const RecordedDrive& drive = bench.drives[d];
     Look look{
         .drive = d, .noise = rehearsal.noiseOf(drive), .directions = {}, .sizes = {}, .differences = {}, .most = {}};
-    const Disturbances disturbing = disturbances(bench, d, bench.nominal, Eigen::VectorXd::Zero(drive.rows()));
-    look.directions = look.noise.over(disturbing.columns);
-    look.sizes.resize(look.directions.cols());
-    for (std::size_t i = 0; i < disturbing.kinds.size(); ++i)
-        look.sizes(static_cast<Eigen::Index>(i)) =
-            study.uncertainty.sizes[static_cast<std::size_t>(disturbing.kinds[i])];
     const auto shown = [&](const Deviation& at) {
         const Subject subject = bench.subjectAt(at);
         const std::optional<Log> motion = motionAt(bench, d, subject);
         return motion ? readings(drive, *motion, subject.instruments) : Eigen::VectorXd{};
     };
+    const Eigen::VectorXd nominal = shown(bench.origin());
+    const Disturbances disturbing = disturbances(
+        bench, d, bench.nominal,
+        nominal.size() > 0 ? startSpeedColumn(bench, d, bench.nominal, nominal) : Eigen::VectorXd::Zero(drive.rows()));
+    look.directions = look.noise.over(disturbing.columns);
+    look.sizes.resize(look.directions.cols());
+    for (std::size_t i = 0; i < disturbing.kinds.size(); ++i)
+        look.sizes(static_cast<Eigen::Index>(i)) =
+            study.uncertainty.sizes[static_cast<std::size_t>(disturbing.kinds[i])];
     Deviation last;
     Eigen::VectorXd rows;
     for (const Question& question : questions) {
