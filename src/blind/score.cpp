@@ -48,17 +48,9 @@ double probabilityOf(const CaseAnswer& answer, const std::string& effect) {
     return 0;
 }
 
-// Causes and the members of alternatives, which stand as "a and b".
 std::set<std::string> namedIn(const CaseAnswer& answer) {
     std::set<std::string> names(answer.causes.begin(), answer.causes.end());
-    constexpr std::string_view kAnd = " and ";
-    for (std::string_view rest : answer.alternatives) {
-        for (std::size_t at = rest.find(kAnd); at != rest.npos; at = rest.find(kAnd)) {
-            names.emplace(rest.substr(0, at));
-            rest.remove_prefix(at + kAnd.size());
-        }
-        names.emplace(rest);
-    }
+    for (const auto& alternative : answer.alternatives) names.insert(alternative.begin(), alternative.end());
     return names;
 }
 

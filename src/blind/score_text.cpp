@@ -1,8 +1,10 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "blind/score.h"
 #include "diagnose/diagnosis_json.h"
@@ -22,9 +24,7 @@ std::string targetOf(const Figure& figure) {
 
 std::string joined(std::vector<std::string> names) {
     std::sort(names.begin(), names.end());
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : " + ") + name;
-    return text;
+    return fmt::format("{}", fmt::join(names, " + "));
 }
 
 double rmsOf(const std::vector<double>& values) {
@@ -106,14 +106,9 @@ std::string wordsOf(const CaseKey& key) {
 std::string wordsOf(const CaseAnswer& answer) {
     if (answer.verdict == Verdict::explained) return joined(answer.causes);
     if (answer.verdict != Verdict::ambiguous) return std::string(nameOf(answer.verdict));
-    std::vector<std::string> names = answer.causes;
-    for (const std::string& other : answer.alternatives) {
-        if (std::find(names.begin(), names.end(), other) == names.end()) names.push_back(other);
-    }
-    std::sort(names.begin(), names.end());
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : " or ") + name;
-    return text;
+    std::set<std::string> either{joined(answer.causes)};
+    for (const auto& alternative : answer.alternatives) either.insert(joined(alternative));
+    return fmt::format("{}", fmt::join(either, " or "));
 }
 
 }  // namespace tread

@@ -163,9 +163,7 @@ void closure(HowFar& how_far, Bench& bench, const Uncertainty& uncertainty, cons
 
 const Candidate& answered(const Diagnosis& diagnosis, const Study& study, const Search& found) {
     for (const Candidate& one : found.candidates) {
-        std::vector<std::string> names;
-        for (const std::size_t e : one.effects) names.push_back(study.effects[e].name);
-        if (one.fitted && names == diagnosis.causes) return one;
+        if (one.fitted && study.namesOf(one.effects) == diagnosis.causes) return one;
     }
     return found.none();
 }

@@ -65,9 +65,12 @@ TEST(BlindScore, CalibrationErrorIsTheWeightedDistanceFromTheDiagonal) {
 TEST(BlindScore, SingleCauseIsNamedFirstAloneOrNot) {
     const std::vector<CaseKey> keys{keyOf("a", CaseKind::one, {"drag"}), keyOf("b", CaseKind::one, {"drag"}),
                                     keyOf("c", CaseKind::one, {"drag"}), keyOf("d", CaseKind::one, {"drag"})};
+    CaseAnswer either = answerOf("c", Verdict::ambiguous, {"mass", "drag"});
+    either.causes = {"mass"};
+    either.alternatives = {{"drag"}};
     const BlindScore result =
         score(keys, {answerOf("a", Verdict::explained, {"drag"}), answerOf("b", Verdict::explained, {"drag", "mass"}),
-                     answerOf("c", Verdict::ambiguous, {"mass", "drag"}), answerOf("d", Verdict::nothing)});
+                     either, answerOf("d", Verdict::nothing)});
     EXPECT_EQ(result.figure("named_first").hits, 2);
     EXPECT_EQ(result.figure("named_first").of, 4);
     EXPECT_EQ(result.figure("named_alone").hits, 1);
@@ -162,10 +165,16 @@ TEST(BlindScore, EveryNamedEffectClaimsItsOwnProbability) {
     CaseAnswer answer = answerOf("a", Verdict::ambiguous, {"drag", "mu"}, 0.9);
     answer.effects[1].probability = 0.6;
     answer.effects.push_back({.name = "mass", .probability = 0.4, .parameters = {}});
-    answer.alternatives = {"drag and mass"};
+    answer.alternatives = {{"drag", "mass"}};
     std::map<double, bool> right;
     for (const Claim& claim : claimsOf(pair, answer)) right[claim.probability] = claim.right;
     EXPECT_EQ(right, (std::map<double, bool>{{0.9, true}, {0.6, false}, {0.4, true}}));
+}
+
+TEST(BlindScore, PairsThatCannotBeToldApartStandWhole) {
+    CaseAnswer answer = answerOf("a", Verdict::ambiguous, {"mass", "drag"});
+    answer.alternatives = {{"mu", "drag"}};
+    EXPECT_EQ(wordsOf(answer), "drag + mass or drag + mu");
 }
 
 TEST(BlindScore, NothingIsARightClaimWhereNothingCouldShow) {
@@ -209,6 +218,7 @@ TEST(BlindScore, CaseWithoutAnswerHasFailed) {
 
 TEST(BlindScore, AnswerReadsBack) {
     CaseAnswer answer = answerOf("a", Verdict::ambiguous, {"drag", "mass"});
+    answer.alternatives = {{"drag", "mu"}, {"mass", "mu"}};
     answer.effects[0].parameters["mass"].value = 1500;
     answer.closure_obtained = 0.9;
     answer.baselines = {.largest_reduction = "mass", .bic = "none"};
