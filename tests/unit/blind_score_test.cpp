@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "blind/score.h"
 #include "tread/problem.h"
@@ -79,7 +80,7 @@ TEST(BlindScore, SingleCauseIsNamedFirstAloneOrNot) {
     EXPECT_EQ(result.figure("in_credible_set").hits, 3);
     EXPECT_EQ(result.confusion.at("drag").at("drag + mass"), 1);
     EXPECT_EQ(result.confusion.at("drag").at("drag or mass"), 1);
-    EXPECT_DOUBLE_EQ(result.mean_credible_set, 1.25);
+    EXPECT_EQ(result.mean_credible_set, 1.25);
 }
 
 TEST(BlindScore, EffectThatNoDriveShowsCountsOnlyWhereItSaysSo) {
@@ -214,6 +215,23 @@ TEST(BlindScore, CaseWithoutAnswerHasFailed) {
     const BlindScore result = score({keyOf("a", CaseKind::none), keyOf("b", CaseKind::none)}, {broken});
     EXPECT_EQ(result.failed, 2);
     EXPECT_EQ(result.figure("false_alarm").of, 0);
+}
+
+TEST(BlindScore, WhatNoCaseTellsIsNoZero) {
+    const BlindScore none = score({keyOf("a", CaseKind::none)}, {answerOf("a", Verdict::nothing)});
+    const std::string text = scoreText(none);
+    EXPECT_NE(text.find("single effects: none was blamed"), std::string::npos) << text;
+    EXPECT_NE(text.find("there are no cases of one effect"), std::string::npos) << text;
+    const auto json = nlohmann::json::parse(scoreJson(none));
+    for (const char* name : {"median_closure", "mean_credible_set", "median_credible_set"})
+        EXPECT_TRUE(json.at(name).is_null()) << name;
+    EXPECT_TRUE(json.at("figures").at("named_first").at("share").is_null());
+
+    CaseAnswer half = answerOf("a", Verdict::explained, {"drag"}), unseen = answerOf("b", Verdict::explained, {"drag"});
+    half.closure_obtained = 0.5;
+    const BlindScore some =
+        score({keyOf("a", CaseKind::one, {"drag"}), keyOf("b", CaseKind::one, {"drag"})}, {half, unseen});
+    EXPECT_EQ(some.median_closure, 0.5) << "of those that could be driven again";
 }
 
 TEST(BlindScore, AnswerReadsBack) {
