@@ -14,7 +14,8 @@ namespace tread {
 struct CaseAnswer {
     std::string name;  // of the case
     Verdict verdict = Verdict::not_testable;
-    std::vector<std::string> causes, alternatives, credible_set;
+    std::vector<std::string> causes, credible_set;
+    std::vector<std::vector<std::string>> alternatives;
     std::vector<RankedEffect> effects;  // best first
     double probability_of_nothing = 0, probability_of_unknown = 0;
     std::map<std::string, double> testable;  // nats

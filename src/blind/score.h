@@ -2,39 +2,24 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "blind/answer.h"
-#include "blind/key.h"
-#include "blind/reliability.h"
+#include "blind/claims.h"
+#include "blind/figures.h"
 
 namespace tread {
-
-struct Figure {
-    std::string name;  // in the JSON
-    std::string what;  // in words
-    int hits = 0, of = 0;
-    double target = 0;
-    bool at_least = true;  // the target is a least share, else a most
-
-    double share() const { return of > 0 ? static_cast<double>(hits) / of : 0; }
-    Interval interval() const { return wilson(hits, of); }
-};
-
-// What an answer claims: of every effect that it names, also as an alternative, that it is a cause; that nothing shows;
-// that something unknown acts.
-std::vector<Claim> claimsOf(const CaseKey& key, const CaseAnswer& answer);
 
 struct BlindScore {
     int cases = 0, failed = 0;
     std::vector<Figure> figures;
     std::vector<ReliabilityBin> reliability;
     double calibration_error = 0;
-    std::map<std::string, std::map<std::string, int>> confusion;  // truth, answer
-    std::vector<double> parameter_errors;                         // in standard deviations, of the causes named
-    double median_closure = 0;                                    // obtained, single effects
-    double median_credible_set = 0, mean_credible_set = 0;        // sizes, single effects
+    std::map<std::string, std::map<std::string, int>> confusion;   // truth, answer
+    std::vector<double> parameter_errors;                          // in standard deviations, of the causes named
+    std::optional<double> median_closure;                          // obtained, single effects that were blamed
+    std::optional<double> median_credible_set, mean_credible_set;  // sizes, single effects
     double median_seconds = 0, longest_seconds = 0;
 
     const Figure& figure(std::string_view name) const;

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "blind/score.h"
 #include "diagnose/diagnosis_json.h"
@@ -22,9 +24,7 @@ std::string targetOf(const Figure& figure) {
 
 std::string joined(std::vector<std::string> names) {
     std::sort(names.begin(), names.end());
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : " + ") + name;
-    return text;
+    return fmt::format("{}", fmt::join(names, " + "));
 }
 
 double rmsOf(const std::vector<double>& values) {
@@ -54,10 +54,13 @@ std::string scoreText(const BlindScore& score) {
         fmt::format("\n  stated probabilities: expected calibration error {:.3f} (<= 0.05)\n", score.calibration_error);
     text += fmt::format("  parameters of the causes named: {} errors, rms {:.2f} sd\n", score.parameter_errors.size(),
                         rmsOf(score.parameter_errors));
-    text += fmt::format("  closure obtained on held-out drives, single effects: median {:.0f} %\n",
-                        100 * score.median_closure);
-    text += fmt::format("  causes in the 90 % set, single effects: mean {:.1f}, median {:.0f}\n",
-                        score.mean_credible_set, score.median_credible_set);
+    text += "  closure obtained on held-out drives, single effects: ";
+    text += score.median_closure ? fmt::format("median {:.0f} %\n", 100 * *score.median_closure)
+                                 : "none was blamed on the catalogue and driven again\n";
+    text += "  causes in the 90 % set, single effects: ";
+    text += score.mean_credible_set
+                ? fmt::format("mean {:.1f}, median {:.0f}\n", *score.mean_credible_set, *score.median_credible_set)
+                : "there are no cases of one effect\n";
     text += fmt::format("  time of a diagnosis: median {:.0f} s, longest {:.0f} s\n", score.median_seconds,
                         score.longest_seconds);
     if (score.failed > 0) text += fmt::format("  {} cases without an answer\n", score.failed);
@@ -70,11 +73,13 @@ std::string scoreText(const BlindScore& score) {
 
 std::string scoreJson(const BlindScore& score) {
     using Json = nlohmann::json;
+    const auto orNull = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
     Json figures = Json::object(), bins = Json::array();
     for (const Figure& figure : score.figures) {
         const Interval interval = figure.interval();
-        figures[figure.name] = {{"what", figure.what},     {"hits", figure.hits}, {"of", figure.of},
-                                {"share", figure.share()}, {"low", interval.low}, {"high", interval.high}};
+        figures[figure.name] = {{"what", figure.what}, {"hits", figure.hits},
+                                {"of", figure.of},     {"share", figure.of > 0 ? Json(figure.share()) : Json(nullptr)},
+                                {"low", interval.low}, {"high", interval.high}};
         if (figure.target != 0) figures[figure.name][figure.at_least ? "at_least" : "at_most"] = figure.target;
     }
     for (const ReliabilityBin& bin : score.reliability) {
@@ -88,9 +93,9 @@ std::string scoreJson(const BlindScore& score) {
                     {"calibration_error", score.calibration_error},
                     {"parameter_errors", score.parameter_errors},
                     {"parameter_error_rms", rmsOf(score.parameter_errors)},
-                    {"median_closure", score.median_closure},
-                    {"mean_credible_set", score.mean_credible_set},
-                    {"median_credible_set", score.median_credible_set},
+                    {"median_closure", orNull(score.median_closure)},
+                    {"mean_credible_set", orNull(score.mean_credible_set)},
+                    {"median_credible_set", orNull(score.median_credible_set)},
                     {"median_seconds", score.median_seconds},
                     {"longest_seconds", score.longest_seconds},
                     {"confusion", score.confusion}};
@@ -106,14 +111,9 @@ std::string wordsOf(const CaseKey& key) {
 std::string wordsOf(const CaseAnswer& answer) {
     if (answer.verdict == Verdict::explained) return joined(answer.causes);
     if (answer.verdict != Verdict::ambiguous) return std::string(nameOf(answer.verdict));
-    std::vector<std::string> names = answer.causes;
-    for (const std::string& other : answer.alternatives) {
-        if (std::find(names.begin(), names.end(), other) == names.end()) names.push_back(other);
-    }
-    std::sort(names.begin(), names.end());
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : " or ") + name;
-    return text;
+    std::set<std::string> either{joined(answer.causes)};
+    for (const auto& alternative : answer.alternatives) either.insert(joined(alternative));
+    return fmt::format("{}", fmt::join(either, " or "));
 }
 
 }  // namespace tread

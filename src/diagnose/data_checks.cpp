@@ -1,12 +1,15 @@
 #include "diagnose/data_checks.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "diagnose/log_checks.h"
+#include "diagnose/observation.h"
+#include "diagnose/reference.h"
 
 namespace tread {
 namespace {
@@ -49,6 +52,19 @@ void checkInputs(const LogChecks& checks) {
         checks.warn("driveline.gear", "is missing",
                     "An automatic shift at another moment than the car's hides or fakes effects of the driveline",
                     "Record the gear, or choose a window in one gear");
+}
+
+// What was not measured before the change is of no use after it.
+void checkReference(const LogChecks& checks, const DiagnosisFile& file, const Log& after) {
+    std::vector<std::string> missing;
+    for (const ObservedQuantity& one : observedQuantities()) {
+        if (wanted(file, one.channel) && has(after, one.channel) && !has(checks.log, one.channel))
+            missing.push_back(one.channel);
+    }
+    if (missing.empty()) return;
+    checks.warn(fmt::format("{}", fmt::join(missing, ", ")), "not measured here, though in the recording itself",
+                "What the model lacked already is not known of it, so it is left out of both",
+                "Record the same channels before and after the change");
 }
 
 // Which verdicts are still possible.
@@ -119,17 +135,22 @@ void checkTheSet(std::vector<DataWarning>& found, const DiagnosisFile& file, con
     const auto warn = [&](const char* what, const char* why, const char* advice) {
         found.push_back({"all recordings", what, why, advice});
     };
-    std::size_t training = 0;
+    std::size_t training = 0, references = 0;
     std::set<std::string> groups;
     bool repeats = false;
     for (const Recording& recording : file.recordings) {
         training += !recording.hold_out;
+        references += !recording.reference.empty();
         if (!recording.repeat_group.empty()) repeats |= !groups.insert(recording.repeat_group).second;
     }
     if (training == 1)
         warn("only one recording is there to learn from",
              "Whether a parameter is the same in every drive, the best test for an unknown cause, cannot be asked",
              "Add drives of other kinds");
+    if (references > 0 && references < file.recordings.size())
+        warn("some have a reference and some have none",
+             "Where there is none, what the model lacked already is taken for a change of the car",
+             "Give every recording its reference, or leave those without one out");
     if (training == file.recordings.size())
         warn("no recording is held out",
              "How far the gap shrinks is judged on the drives that the effect was fitted to: too favourable",
@@ -148,18 +169,26 @@ std::string toText(const DataWarning& warning) {
     return fmt::format("{}: {}. {}. {}.", warning.where, warning.what, warning.why, warning.advice);
 }
 
-std::vector<DataWarning> dataWarnings(const DiagnosisFile& file, const std::vector<Log>& logs, const Subject& nominal) {
+std::vector<DataWarning> dataWarnings(const DiagnosisFile& file, const Recorded& recorded, const Subject& nominal) {
     std::vector<DataWarning> found;
-    for (std::size_t i = 0; i < logs.size(); ++i) {
-        const LogChecks checks{file.recordings[i], logs[i], nominal, found};
+    const auto check = [&](const Recording& recording, const Log& log) {
+        const LogChecks checks{recording, log, nominal, found};
         checkInputs(checks);
         checkChannels(checks);
         checkKinematics(checks);
         checkCar(checks);
+    };
+    for (std::size_t i = 0; i < recorded.logs.size(); ++i) {
+        const Recording& recording = file.recordings[i];
+        check(recording, recorded.logs[i]);
+        if (recording.reference.empty()) continue;
+        const Recording reference = referenceOf(recording);
+        check(reference, recorded.references[i]);
+        checkReference({reference, recorded.references[i], nominal, found}, file, recorded.logs[i]);
     }
-    checkResponses(found, logs);
-    checkExcitation(found, logs);
-    checkTheSet(found, file, logs);
+    checkResponses(found, recorded.logs);
+    checkExcitation(found, recorded.logs);
+    checkTheSet(found, file, recorded.logs);
     return found;
 }
 

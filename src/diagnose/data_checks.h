@@ -18,7 +18,8 @@ struct DataWarning {
 // "step_1, chassis.ay: what. Why. Advice."
 std::string toText(const DataWarning& warning);
 
-// All that looks wrong, in the order of the recordings; `logs` as readRecordings gives them.
-std::vector<DataWarning> dataWarnings(const DiagnosisFile& file, const std::vector<Log>& logs, const Subject& nominal);
+// All that looks wrong, in the order of the recordings, each before its reference; `recorded` as readRecordings gives
+// it.
+std::vector<DataWarning> dataWarnings(const DiagnosisFile& file, const Recorded& recorded, const Subject& nominal);
 
 }  // namespace tread

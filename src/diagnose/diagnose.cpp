@@ -6,7 +6,6 @@
 #include "diagnose/diagnosis.h"
 #include "diagnose/how_far.h"
 #include "diagnose/next_drive.h"
-#include "diagnose/sliding.h"
 #include "diagnose/verdict.h"
 #include "diagnose/where.h"
 
@@ -48,8 +47,6 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const Reco
     // The calibrated one, from which effects are sought.
     const std::vector<DriveGram> grams =
         calibrate(study, ground(std::move(about), matter, study.uncertainty), progress(0.1, 0.4));
-
-    diagnosis.data_warnings = leftOut(study.bench.drives);
 
     // Which effect.
     const Screen screened = screen(study, grams);

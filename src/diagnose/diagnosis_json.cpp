@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "diagnose/diagnosis_text.h"
+
 namespace tread {
 namespace {
 
@@ -77,7 +79,7 @@ Json diagnosisJson(const Diagnosis& d) {
     return {{"answer", d.answer},
             {"verdict", nameOf(d.verdict)},
             {"causes", d.causes},
-            {"alternatives", d.alternatives},
+            {"alternatives", namesOnlyIn(d.alternatives, d.causes)},
             {"effects", listOf(d.effects, effectJson)},
             {"probability_of_nothing", d.probability_of_nothing},
             {"probability_of_unknown", d.probability_of_unknown},

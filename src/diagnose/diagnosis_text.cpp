@@ -1,8 +1,10 @@
 #include "diagnose/diagnosis_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 #include "diagnose/disturbance.h"
 #include "diagnose/observation.h"
@@ -89,6 +91,24 @@ std::string testableOf(const Diagnosis& d) {
 }
 
 }  // namespace
+
+std::string together(const std::vector<std::string>& causes) {
+    return fmt::format("{}", fmt::join(causes, " and "));
+}
+
+std::vector<std::string> eachTogether(const std::vector<std::vector<std::string>>& alternatives) {
+    std::vector<std::string> words;
+    for (const auto& alternative : alternatives) words.push_back(together(alternative));
+    return words;
+}
+
+std::vector<std::string> namesOnlyIn(const std::vector<std::vector<std::string>>& alternatives,
+                                     const std::vector<std::string>& causes) {
+    std::set<std::string> names;
+    for (const auto& alternative : alternatives) names.insert(alternative.begin(), alternative.end());
+    for (const std::string& cause : causes) names.erase(cause);
+    return {names.begin(), names.end()};
+}
 
 std::string diagnosisText(const Diagnosis& d) {
     std::string text = d.answer + "\n";

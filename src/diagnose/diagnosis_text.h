@@ -9,4 +9,12 @@ namespace tread {
 
 std::string diagnosisText(const Diagnosis& diagnosis);
 
+// What acts together: "grip and mass".
+std::string together(const std::vector<std::string>& causes);
+std::vector<std::string> eachTogether(const std::vector<std::vector<std::string>>& alternatives);
+
+// The effects that stand in alternatives and not among the causes, each once.
+std::vector<std::string> namesOnlyIn(const std::vector<std::vector<std::string>>& alternatives,
+                                     const std::vector<std::string>& causes);
+
 }  // namespace tread

@@ -42,12 +42,6 @@ double toldNoise(const DiagnosisFile& file, const std::string& channel, double s
     return 0;
 }
 
-bool wanted(const DiagnosisFile& file, const std::string& channel) {
-    if (file.channels.empty()) return true;
-    return std::any_of(file.channels.begin(), file.channels.end(),
-                       [&](const MeasuredChannel& told) { return told.channel == channel; });
-}
-
 // A driver who follows the measured speed makes it, and the acceleration along the car, his own: what is left there is
 // his error, not the car's.
 bool isOfTheDriver(const Recording& recording, const std::string& channel) {
@@ -55,6 +49,12 @@ bool isOfTheDriver(const Recording& recording, const std::string& channel) {
 }
 
 }  // namespace
+
+bool wanted(const DiagnosisFile& file, const std::string& channel) {
+    if (file.channels.empty()) return true;
+    return std::any_of(file.channels.begin(), file.channels.end(),
+                       [&](const MeasuredChannel& told) { return told.channel == channel; });
+}
 
 Eigen::VectorXd blockMeans(const ObservedChannel& channel, const std::vector<double>& time,
                            const std::vector<double>& readings) {

@@ -29,10 +29,11 @@ struct RecordedDrive {
     Log inputs;                // of the driver, without noise
     std::vector<double> time;  // s, of the samples
     std::vector<ObservedChannel> channels;
-    Eigen::VectorXd measured;  // all rows
-    double speed = 0;          // m/s, at the start, as measured
-    double until = kInfinity;  // s: what comes later says nothing about the car
-    int runs = 1;              // of a car, whose noise and disturbances the rows have: 2 when a reference is taken off
+    Eigen::VectorXd measured;            // all rows
+    double speed = 0;                    // m/s, at the start, as measured
+    double until = kInfinity;            // s: what comes later says nothing about the car
+    double until_reference = kInfinity;  // s: the same, of its reference; `until` is not later
+    int runs = 1;  // of a car, whose noise and disturbances the rows have: 2 when a reference is taken off
 
     Eigen::Index rows() const { return measured.size(); }
     double duration() const { return time.back(); }
@@ -43,6 +44,9 @@ struct RecordedDrive {
 };
 
 inline constexpr double kBlock = 0.05;  // s
+
+// Whether a file that names its channels names this one.
+bool wanted(const DiagnosisFile& file, const std::string& channel);
 
 // Channels that a diagnosis can use, of those that the log has.
 RecordedDrive recordedDrive(const Recording& recording, const Log& log, const DiagnosisFile& file);

@@ -6,6 +6,7 @@
 
 #include "base/random.h"
 #include "diagnose/replay.h"
+#include "diagnose/sliding.h"
 #include "diagnose/thresholds.h"
 #include "identify/parallel.h"
 #include "log/resample.h"
@@ -19,9 +20,14 @@ constexpr double kStartError = 0.03;  // m/s: what a line through the first half
 constexpr double kSignificant = 2;    // standard deviations by which a gap must exceed its floor
 constexpr double kLow = 0.05, kHigh = 0.95;
 
-// A drive and what is off in it, in units of the floor, for each stage of the model.
+// What a model does in each drive, and the sum of squares of what is then off. No rows where it cannot be driven.
+struct Stage {
+    Rows rows;
+    std::vector<double> off;
+};
 struct Gaps {
-    std::vector<double> floor, nominal, calibrated, extended;  // per drive: sums of squares
+    std::vector<double> floor;  // per drive: the sum that noise alone leaves
+    Stage nominal, calibrated, extended;
 };
 
 double sum(const std::vector<double>& values) {
@@ -35,7 +41,7 @@ GapLevels levels(const Gaps& gaps) {
     const auto level = [&](const std::vector<double>& squares) {
         return floor > 0 ? std::sqrt(sum(squares) / floor) : 0;
     };
-    return {level(gaps.nominal), level(gaps.calibrated), level(gaps.extended), level(gaps.floor)};
+    return {level(gaps.nominal.off), level(gaps.calibrated.off), level(gaps.extended.off), level(gaps.floor)};
 }
 
 // Rows of a drive as a log; with no rows, only their times.
@@ -77,26 +83,26 @@ Log measuredOverlay(const RecordedDrive& drive) {
 Gaps gapsOf(Bench& bench, const Uncertainty& uncertainty, const std::vector<Deviation>& stages, bool hold_out,
             std::vector<Overlay>& overlays) {
     const std::size_t n = bench.drives.size();
-    Gaps gaps;
-    for (std::vector<double>* one : {&gaps.floor, &gaps.nominal, &gaps.calibrated, &gaps.extended}) one->assign(n, 0);
+    Gaps gaps{.floor = std::vector<double>(n), .nominal = {}, .calibrated = {}, .extended = {}};
+    Stage* const each[] = {&gaps.nominal, &gaps.calibrated, &gaps.extended};
+    for (Stage* stage : each) stage->rows.resize(n), stage->off.resize(n);
     std::vector<Overlay> here(n);
     std::vector<Subject> subjects;
     for (const Deviation& stage : stages) subjects.push_back(bench.subjectAt(stage));
     inParallel(n, bench.threads, [&](std::size_t d) {
         const RecordedDrive& drive = bench.drives[d];
         gaps.floor[d] = uncertainty.noise[d].expected;
-        std::vector<double>* const sums[] = {&gaps.nominal, &gaps.calibrated, &gaps.extended};
         Log* const logs[] = {&here[d].nominal, &here[d].calibrated, &here[d].extended};
         here[d].recording = drive.name;
         here[d].hold_out = hold_out;
         here[d].measured = measuredOverlay(drive);
         for (std::size_t stage = 0; stage < stages.size(); ++stage) {
             const std::optional<Log> motion = motionAt(bench, d, subjects[stage]);
-            const Eigen::VectorXd rows =
-                motion ? readings(drive, *motion, subjects[stage].instruments) : Eigen::VectorXd{};
+            Eigen::VectorXd& rows = each[stage]->rows[d];
+            if (motion) rows = readings(drive, *motion, subjects[stage].instruments);
             *logs[stage] = logOf(drive, rows);
             const Eigen::VectorXd off = motion ? drive.measured - rows : drive.measured;
-            (*sums[stage])[d] = squaresOf(uncertainty, d, uncertainty.noise[d].over(off));
+            each[stage]->off[d] = squaresOf(uncertainty, d, uncertainty.noise[d].over(off));
         }
     });
     overlays.insert(overlays.end(), here.begin(), here.end());
@@ -125,8 +131,9 @@ Deviation drawn(const Bench& bench, const Fit& fit, Random& random) {
 void closure(HowFar& how_far, Bench& bench, const Uncertainty& uncertainty, const Gaps& gaps, const Fit& fit) {
     Random random(1);
     const std::size_t n = bench.drives.size();
-    const std::optional<Rows> nominal = rowsAt(bench, bench.origin()), answer = rowsAt(bench, fit.at);
-    if (!nominal || !answer) return;
+    for (const Rows* rows : {&gaps.nominal.rows, &gaps.extended.rows})
+        for (const Eigen::VectorXd& of_drive : *rows)
+            if (of_drive.size() == 0 || !of_drive.allFinite()) return;
     std::vector<double> closures;
     double before_sum = 0, after_sum = 0;
     for (int draw = 0; draw < kDraws; ++draw) {
@@ -135,11 +142,12 @@ void closure(HowFar& how_far, Bench& bench, const Uncertainty& uncertainty, cons
         std::vector<double> before(n), after(n);
         for (std::size_t d = 0; d < n; ++d) {
             const RowNoise& noise = uncertainty.noise[d];
-            const double floor = gaps.floor[d], beyond = gaps.extended[d] - floor - kSignificant * std::sqrt(2 * floor);
+            const double floor = gaps.floor[d],
+                         beyond = gaps.extended.off[d] - floor - kSignificant * std::sqrt(2 * floor);
             const Eigen::MatrixXd& directions = uncertainty.directions[d];
             const Eigen::VectorXd start = random.normal() * kStartError * directions.rightCols(1);
-            before[d] = (noise.over((*nominal)[d] - (*truth)[d]) + start).squaredNorm();
-            after[d] = (noise.over((*answer)[d] - (*truth)[d]) + start).squaredNorm() + std::max(0.0, beyond);
+            before[d] = (noise.over(gaps.nominal.rows[d] - (*truth)[d]) + start).squaredNorm();
+            after[d] = (noise.over(gaps.extended.rows[d] - (*truth)[d]) + start).squaredNorm() + std::max(0.0, beyond);
             before_sum += before[d], after_sum += after[d];
         }
         for (int again = 0; again < kResamples / kDraws; ++again) {
@@ -163,9 +171,7 @@ void closure(HowFar& how_far, Bench& bench, const Uncertainty& uncertainty, cons
 
 const Candidate& answered(const Diagnosis& diagnosis, const Study& study, const Search& found) {
     for (const Candidate& one : found.candidates) {
-        std::vector<std::string> names;
-        for (const std::size_t e : one.effects) names.push_back(study.effects[e].name);
-        if (one.fitted && names == diagnosis.causes) return one;
+        if (one.fitted && study.namesOf(one.effects) == diagnosis.causes) return one;
     }
     return found.none();
 }
@@ -174,6 +180,11 @@ Uncertainty uncertaintyOfHeldOut(Bench& bench, const Study& study, const Deviati
     Uncertainty uncertainty = uncertaintyOf(bench, at, rows);
     uncertainty.sizes = study.uncertainty.sizes;
     return uncertainty;
+}
+
+void tellLeftOut(Diagnosis& diagnosis, const Bench& bench) {
+    const std::vector<std::string> sentences = leftOut(bench.drives);
+    diagnosis.data_warnings.insert(diagnosis.data_warnings.end(), sentences.begin(), sentences.end());
 }
 
 }  // namespace
@@ -186,9 +197,10 @@ void howFar(Diagnosis& diagnosis, Study& study, const Search& found, std::vector
     for (std::size_t d = 0; d < study.allowed.size(); ++d)
         diagnosis.overlays[d].allowed = logOf(study.bench.drives[d], study.allowed[d]);
     how_far.training = levels(training);
+    tellLeftOut(diagnosis, study.bench);
     how_far.in_sample = held_out.empty();
     const double floor = sum(training.floor);
-    const double nominal = sum(training.nominal) - floor, left = sum(training.extended) - floor;
+    const double nominal = sum(training.nominal.off) - floor, left = sum(training.extended.off) - floor;
     diagnosis.unexplained.share = nominal > 0 ? std::clamp(left / nominal, 0.0, 1.0) : 0;
     if (held_out.empty()) {
         closure(how_far, study.bench, study.uncertainty, training, answer.fit);
@@ -201,6 +213,7 @@ void howFar(Diagnosis& diagnosis, Study& study, const Search& found, std::vector
         const Uncertainty uncertainty = uncertaintyOfHeldOut(study.bench, study, study.calibration.at, *here);
         const Gaps gaps = gapsOf(study.bench, uncertainty, stages, true, diagnosis.overlays);
         how_far.held_out = levels(gaps);
+        tellLeftOut(diagnosis, study.bench);
         closure(how_far, study.bench, uncertainty, gaps, answer.fit);
     }
     study.bench.drives = std::move(trained);

@@ -6,7 +6,8 @@
 
 namespace tread {
 
-// Fills how_far, unexplained.share and the overlays of a diagnosis whose causes are named.
+// Fills how_far, unexplained.share and the overlays of a diagnosis whose causes are named, and warns of what is left
+// out of the drives.
 void howFar(Diagnosis& diagnosis, Study& study, const Search& found, std::vector<RecordedDrive> held_out);
 
 }  // namespace tread

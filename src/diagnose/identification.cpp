@@ -14,6 +14,7 @@
 #include "base/yaml_session.h"
 #include "diagnose/how_far.h"
 #include "diagnose/identification_text.h"
+#include "diagnose/reference.h"
 #include "diagnose/thresholds.h"
 #include "diagnose/where.h"
 
@@ -193,10 +194,10 @@ void tellGap(Identification& found, Study& study, Fit fit, std::vector<RecordedD
 
 }  // namespace
 
-Identification identify(const Subject& nominal, const DiagnosisFile& file, const Recorded& recorded,
-                        const DiagnoseOptions& options) {
+Identification identify(const Subject& nominal, DiagnosisFile file, Recorded recorded, const DiagnoseOptions& options) {
     const auto started = std::chrono::steady_clock::now();
     Identification found;
+    found.of_references = beforeTheChange(file, recorded);
     Study study;
     begin(study.bench, nominal, file, recorded, options);
     addParameters(study, file);

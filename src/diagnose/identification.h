@@ -25,7 +25,8 @@ struct Identification {
     std::vector<std::vector<double>> correlation;  // of what is left uncertain, in the order of the numbers
     double condition = 0;                   // of the drives' information about the numbers, in units of their priors
     std::map<std::string, double> weakest;  // the mixture of them that the drives see least: shares of a unit vector
-    double left_over = 1;  // times the noise, that the fit leaves: the standard errors are scaled by it
+    double left_over = 1;        // times the noise, that the fit leaves: the standard errors are scaled by it
+    bool of_references = false;  // fitted is the car as it was before what changed on it
     bool converged = false;
     bool better = false;  // than the nominal car, in the drives that judge
     // Stages of the gap: the nominal car, the fitted numbers alone (`calibrated`), and the rest of what is uncertain
@@ -34,9 +35,10 @@ struct Identification {
 };
 
 // Fits the numbers that `file.fit` names. A number's prior is its tolerance, from the file or its description; the
-// other tolerances are free, too, and disturbances and noise are those of a diagnosis. Throws LoadError when the car
-// has no such number, or one whose tolerance nobody told.
-Identification identify(const Subject& nominal, const DiagnosisFile& file, const Recorded& recorded,
+// other tolerances are free, too, and disturbances and noise are those of a diagnosis. Where recordings have
+// references, it is these that are fitted, and no others: the car before the change, from which a diagnosis can then
+// begin. Throws LoadError when the car has no such number, or one whose tolerance nobody told.
+Identification identify(const Subject& nominal, DiagnosisFile file, Recorded recorded,
                         const DiagnoseOptions& options = {});
 
 }  // namespace tread

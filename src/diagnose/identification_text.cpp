@@ -68,6 +68,9 @@ std::string identificationText(const Identification& found) {
     std::size_t width = 6;
     for (const FittedNumber& one : found.numbers) width = std::max(width, one.path.size());
     std::string text = found.answer + "\n";
+    if (found.of_references)
+        text +=
+            "BEFORE    fitted to the references: the car as it was before the change, in the drives that have one\n";
     text += fmt::format("{:<{}}  {:>10}  {:>8}  {:>10}  {:>8}\n", "number", width, "value", "+-", "nominal", "+-");
     for (const FittedNumber& one : found.numbers) {
         const ReferenceRow* row = subjectNumber(one.path);
@@ -109,6 +112,7 @@ Json identificationJson(const Identification& found) {
             {"correlation", found.correlation},
             {"condition", found.condition},
             {"weakest", found.weakest},
+            {"fitted_to", found.of_references ? "references" : "recordings"},
             {"not_determined", names(found.numbers, &FittedNumber::determined, false)},
             {"left_over", found.left_over},
             {"converged", found.converged},
@@ -124,6 +128,7 @@ Json identificationJson(const Identification& found) {
 std::string calibratedVehicleYaml(const Subject& nominal, const Identification& found) {
     Subject calibrated = nominal;
     std::string head = "# " + found.answer + ".\n", beside, tolerances;
+    if (found.of_references) head += "# Fitted to the references: the car as it was before the change.\n";
     for (const FittedNumber& one : found.numbers) {
         const ReferenceRow* row = subjectNumber(one.path);
         const bool car = isOfTheCar(one.path);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "diagnose/diagnosis_text.h"
 #include "diagnose/thresholds.h"
 
 namespace tread {
@@ -10,25 +11,17 @@ namespace {
 constexpr std::size_t kMostRivals = 2, kMostHidden = 4;
 constexpr double kClose = 12;  // nats behind the answer, up to which a rival is worth telling apart
 
-std::string namesOf(const Study& study, const Candidate& candidate) {
-    std::string names;
-    for (const std::size_t e : candidate.effects) names += (names.empty() ? "" : " and ") + study.effects[e].name;
-    return names;
-}
-
 // The answer and those that come close to it.
 std::vector<Question> rivals(const Diagnosis& diagnosis, const Study& study, const Search& found) {
     std::vector<Question> questions;
     const Candidate* answer = nullptr;
     for (const Candidate& one : found.candidates) {
-        std::vector<std::string> names;
-        for (const std::size_t e : one.effects) names.push_back(study.effects[e].name);
-        if (one.fitted && names == diagnosis.causes) answer = &one;
+        if (one.fitted && study.namesOf(one.effects) == diagnosis.causes) answer = &one;
     }
     for (const Candidate& one : found.candidates) {
         if (!answer || !one.fitted || &one == answer || one.effects.size() != answer->effects.size()) continue;
         if (one.log_evidence < answer->log_evidence - kClose || questions.size() == kMostRivals) continue;
-        questions.push_back({namesOf(study, *answer) + " from " + namesOf(study, one),
+        questions.push_back({together(diagnosis.causes) + " from " + together(study.namesOf(one.effects)),
                              answer->fit.at,
                              one.fit.at,
                              {&answer->fit, &one.fit}});

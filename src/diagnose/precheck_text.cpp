@@ -8,7 +8,6 @@
 namespace tread {
 namespace {
 
-constexpr double kAlike = 0.5;  // cosine: pairs below are hard to tell apart because one of them hardly shows
 constexpr std::size_t kMostPairs = 12, kWidth = 116, kIndent = 10;
 
 // Words after a headline, with the lines beneath it indented.
@@ -36,12 +35,10 @@ std::string groupText(const char* headline, const std::string& meaning, const Vi
 
 std::string pairsText(const std::vector<ConfusablePair>& pairs) {
     std::string text;
-    std::size_t shown = 0;
-    for (const ConfusablePair& pair : pairs) {
-        if (pair.cosine < kAlike || shown == kMostPairs) continue;
-        text += fmt::format("{:<{}}{} and {} ({:.2f} alike): {:.1f} nats apart, most of it in {}\n",
-                            shown++ == 0 ? "ALIKE" : "", kIndent, pair.a, pair.b, pair.cosine, pair.separation,
-                            pair.manoeuvre);
+    for (std::size_t i = 0; i < std::min(pairs.size(), kMostPairs); ++i) {
+        text +=
+            fmt::format("{:<{}}{} and {} ({:.2f} alike): {:.1f} nats apart, most of it in {}\n", i == 0 ? "ALIKE" : "",
+                        kIndent, pairs[i].a, pairs[i].b, pairs[i].cosine, pairs[i].separation, pairs[i].manoeuvre);
     }
     return text;
 }

@@ -6,7 +6,7 @@
 #include "base/did_you_mean.h"
 #include "base/number_text.h"
 #include "base/read_yaml.h"
-#include "diagnose/diagnosis_file.h"
+#include "diagnose/reference.h"
 #include "import/import.h"
 #include "log/csv.h"
 #include "log/log_columns.h"
@@ -61,16 +61,15 @@ ImportMap mapOf(const DiagnosisFile& file, const ForeignTable& table, std::vecto
     return map;
 }
 
-Log readLogOf(const std::string& name, const std::string& log_file, const DiagnosisFile& file,
-              std::vector<std::string>& notes) {
-    const auto note = [&](const std::string& text) { notes.push_back(name + ": " + text); };
-    if (file.import.empty() && isTreadLog(log_file)) {
-        Log log = readLog(log_file);
-        for (const MeasuredChannel& channel : file.channels) takeColumn(log, channel, log_file);
-        throwIfAny(unitFaults(log, log_file));
+Log readLogOf(const Recording& recording, const DiagnosisFile& file, std::vector<std::string>& notes) {
+    const auto note = [&](const std::string& text) { notes.push_back(recording.name + ": " + text); };
+    if (file.import.empty() && isTreadLog(recording.log)) {
+        Log log = readLog(recording.log);
+        for (const MeasuredChannel& channel : file.channels) takeColumn(log, channel, recording.log);
+        throwIfAny(unitFaults(log, recording.log));
         return log;
     }
-    const ForeignTable table = readForeignTable(log_file);
+    const ForeignTable table = readForeignTable(recording.log);
     std::vector<std::string> guesses;
     const ImportMap map = mapOf(file, table, guesses);
     const Imported imported = importLog(table, map);
@@ -83,12 +82,12 @@ Log readLogOf(const std::string& name, const std::string& log_file, const Diagno
 }
 
 // Samples that are missing at the ends of a channel (an imported delay) are no part of the recording.
-Log windowed(const Log& log, const Recording& recording, const std::string& log_file) {
+Log windowed(const Log& log, const Recording& recording) {
     const std::vector<double>& time = log.channels.front().values;
     const auto first = std::lower_bound(time.begin(), time.end(), recording.from) - time.begin();
     const auto last = std::upper_bound(time.begin(), time.end(), recording.to) - time.begin();
     if (last - first < 2 || time[last - 1] - time[first] < kShortest) {
-        throw LoadError({{log_file, 0, 0, "",
+        throw LoadError({{recording.log, 0, 0, "",
                           fmt::format("has {:.3g} s within the window from {} s to {} s, expected at least {} s: a "
                                       "shorter drive cannot tell causes apart",
                                       last > first ? time[last - 1] - time[first] : 0.0, numberText(recording.from),
@@ -109,19 +108,17 @@ Log windowed(const Log& log, const Recording& recording, const std::string& log_
 Recorded readRecordings(const DiagnosisFile& file) {
     Recorded recorded;
     std::vector<Problem> problems;
-    const auto read = [&](const Recording& recording, const std::string& name, const std::string& log_file) {
+    const auto read = [&](const Recording& recording) {
         try {
-            return windowed(readLogOf(name, log_file, file, recorded.notes), recording, log_file);
+            return windowed(readLogOf(recording, file, recorded.notes), recording);
         } catch (const LoadError& error) {
             problems.insert(problems.end(), error.problems().begin(), error.problems().end());
             return Log{};
         }
     };
     for (const Recording& recording : file.recordings) {
-        recorded.logs.push_back(read(recording, recording.name, recording.log));
-        recorded.references.push_back(recording.reference.empty()
-                                          ? Log{}
-                                          : read(recording, "reference of " + recording.name, recording.reference));
+        recorded.logs.push_back(read(recording));
+        recorded.references.push_back(recording.reference.empty() ? Log{} : read(referenceOf(recording)));
     }
     throwIfAny(std::move(problems));
     return recorded;

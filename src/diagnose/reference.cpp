@@ -56,6 +56,30 @@ void expectSameDrive(const RecordedDrive& drive, const RecordedDrive& reference)
 
 }  // namespace
 
+Recording referenceOf(const Recording& recording) {
+    Recording reference = recording;
+    reference.name = fmt::format("reference of {} ({})", recording.name, recording.reference);
+    reference.log = recording.reference;
+    reference.reference.clear();
+    return reference;
+}
+
+bool beforeTheChange(DiagnosisFile& file, Recorded& recorded) {
+    std::vector<Recording> recordings;
+    std::vector<Log> logs;
+    for (std::size_t i = 0; i < file.recordings.size(); ++i) {
+        if (file.recordings[i].reference.empty()) continue;
+        recordings.push_back(referenceOf(file.recordings[i]));
+        recordings.back().name = file.recordings[i].name;
+        logs.push_back(recorded.references[i]);
+    }
+    if (recordings.empty()) return false;
+    file.recordings = std::move(recordings);
+    recorded.logs = std::move(logs);
+    recorded.references.clear();
+    return true;
+}
+
 Log withChannelsOf(const Log& log, const Log& reference) {
     Log common = log;
     std::erase_if(common.channels, [&](const Channel& channel) {
@@ -79,7 +103,8 @@ void lessReference(Bench& bench, RecordedDrive& drive, const RecordedDrive& refe
         throw std::invalid_argument(fmt::format(
             "recording {}: the nominal car cannot be driven as its reference was: {}", drive.name, error.what()));
     }
-    drive.until = std::min(drive.until, slideApart(reference, model));
+    drive.until_reference = slideApart(reference, model);
+    drive.until = std::min(drive.until, drive.until_reference);
     const Eigen::VectorXd lacks = reference.measured - model;
     for (const ObservedChannel& channel : drive.channels) {
         const auto known = std::find_if(reference.channels.begin(), reference.channels.end(),

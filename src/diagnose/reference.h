@@ -6,6 +6,13 @@
 
 namespace tread {
 
+// The recording that a reference is, under a name that tells so.
+Recording referenceOf(const Recording& recording);
+
+// Leaves of a diagnosis the car as it was before: references in place of the recordings, and only those that have one.
+// False, and nothing is changed, where there is none.
+bool beforeTheChange(DiagnosisFile& file, Recorded& recorded);
+
 // A log without those measured channels that the reference has not.
 Log withChannelsOf(const Log& log, const Log& reference);
 

@@ -10,7 +10,7 @@
 namespace tread {
 namespace {
 
-constexpr double kAlike = 0.9;  // cosine from which a pair is worth naming, when it is also not separable
+constexpr double kAlike = 0.5;  // cosine: pairs below are hard to tell apart because one of them hardly shows
 constexpr std::size_t kMostPairs = 30;
 
 // Linear evidence of knobs with these products, as far as their bounds let them.
@@ -105,7 +105,7 @@ std::vector<ConfusablePair> confusablePairs(const Study& study, const Screen& sc
             const double least = std::min(screen.detectability[a], screen.detectability[b]);
             if (least < kThresholds.shows) continue;
             const double alike = cosine(study, screen.products, a, b), apart = least * (1 - alike * alike);
-            if (apart >= kThresholds.separable && alike < kAlike) continue;
+            if (apart >= kThresholds.separable || alike < kAlike) continue;
             // The recording with the largest part of what the first leaves of the second.
             std::string manoeuvre;
             double most = -1;

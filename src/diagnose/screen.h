@@ -31,7 +31,7 @@ std::vector<double> gainsOver(const Study& study, const Ground& ground, const Fi
 // Largest cosine between two effects' signatures after the projection.
 double cosine(const Study& study, const Eigen::MatrixXd& products, std::size_t a, std::size_t b);
 
-// Pairs that these drives would leave confused if one of them were true, worst first.
+// Pairs that look alike and that these drives would leave confused if one of them were true, worst first.
 std::vector<ConfusablePair> confusablePairs(const Study& study, const Screen& screen,
                                             const std::vector<DriveGram>& grams);
 

@@ -45,10 +45,11 @@ std::vector<std::string> leftOut(std::span<const RecordedDrive> drives) {
     for (const RecordedDrive& drive : drives) {
         if (!std::isfinite(drive.until)) continue;
         sentences.push_back(
-            fmt::format("{}: from {:.1f} s on the car slides and its model does not, or the other way round. What they "
-                        "do then differs by more than any small cause explains, so it is left out. Drive a little "
-                        "slower if the end of this matters.",
-                        drive.name, drive.until));
+            fmt::format("{}: from {:.1f} s of {:.1f} s on {} slides and its model does not, or the other way round. "
+                        "What they do then differs by more than any small cause explains, so it is left out. Drive a "
+                        "little slower if the end of this matters.",
+                        drive.name, drive.until, drive.duration(),
+                        drive.until < drive.until_reference ? "the car" : "the car of the reference"));
     }
     return sentences;
 }

@@ -36,13 +36,16 @@ std::vector<std::vector<bool>> worthDriving(const Study& study) {
 
 std::vector<RecordedDrive> drivesOf(Bench& bench, const DiagnosisFile& file, const Recorded& recorded, bool held_out) {
     std::vector<RecordedDrive> drives, references;
+    std::vector<Recording> before;
+    before.reserve(file.recordings.size());  // drives point at their recordings
     for (std::size_t i = 0; i < file.recordings.size(); ++i) {
         const Recording& recording = file.recordings[i];
         if (recording.hold_out != held_out) continue;
         const bool compared = !recording.reference.empty();
         drives.push_back(recordedDrive(
             recording, compared ? withChannelsOf(recorded.logs[i], recorded.references[i]) : recorded.logs[i], file));
-        references.push_back(compared ? recordedDrive(recording, recorded.references[i], file) : RecordedDrive{});
+        before.push_back(referenceOf(recording));
+        references.push_back(compared ? recordedDrive(before.back(), recorded.references[i], file) : RecordedDrive{});
     }
     inParallel(drives.size(), bench.threads, [&](std::size_t i) {
         if (references[i].rows() > 0) lessReference(bench, drives[i], references[i]);

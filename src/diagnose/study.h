@@ -27,6 +27,12 @@ struct Study {
         return mixture(parameter, bench.parameters, {calibrated.nuisances.begin(), calibrated.nuisances.end()});
     }
 
+    std::vector<std::string> namesOf(const std::vector<std::size_t>& some) const {
+        std::vector<std::string> names;
+        for (const std::size_t e : some) names.push_back(effects[e].name);
+        return names;
+    }
+
     std::vector<Eigen::Index> allKnobs() const {
         std::vector<Eigen::Index> all;
         for (const auto& of_effect : knobs) all.insert(all.end(), of_effect.begin(), of_effect.end());

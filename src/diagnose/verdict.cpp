@@ -1,23 +1,19 @@
 #include "diagnose/verdict.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "diagnose/diagnosis_text.h"
 #include "diagnose/thresholds.h"
 
 namespace tread {
 namespace {
 
 constexpr double kNinety = 1.645;  // standard deviations of a 90 % interval
-
-std::string key(const Study& study, const std::vector<std::size_t>& effects) {
-    std::string name;
-    for (const std::size_t e : effects) name += (name.empty() ? "" : " and ") + study.effects[e].name;
-    return name.empty() ? "none" : name;
-}
 
 std::map<std::string, Estimate> estimates(const Study& study, const Fit& fit, const std::vector<Eigen::Index>& knobs,
                                           double doubt) {
@@ -94,14 +90,14 @@ const Candidate& chosenOf(const Search& found, double surplus) {
 // Names the causes, and what they cannot be told from.
 void blame(Diagnosis& diagnosis, const Study& study, const Search& found, const Posterior& posterior) {
     const Candidate& chosen = chosenOf(found, posterior.doubt / kThresholds.temperature);
-    for (const std::size_t e : chosen.effects) diagnosis.causes.push_back(study.effects[e].name);
+    diagnosis.causes = study.namesOf(chosen.effects);
     double own = 0, rivals = 0;
-    std::set<std::string> alternatives;
+    std::set<std::vector<std::string>> alternatives;
     for (const Hypothesis& one : posterior.hypotheses) {
         if (one.unknown() || one.candidate->effects.size() != chosen.effects.size()) continue;
         (one.candidate == &chosen ? own : rivals) += one.probability;
         if (one.candidate == &chosen || one.probability < 0.5 * (1 - kThresholds.sure)) continue;
-        alternatives.insert(key(study, one.candidate->effects));
+        alternatives.insert(study.namesOf(one.candidate->effects));
     }
     diagnosis.alternatives.assign(alternatives.begin(), alternatives.end());
     const bool sure = own >= kThresholds.sure * (own + rivals) || alternatives.empty();
@@ -109,11 +105,6 @@ void blame(Diagnosis& diagnosis, const Study& study, const Search& found, const 
 }
 
 std::string inWords(const Diagnosis& d) {
-    const auto listed = [](const std::vector<std::string>& names, const char* between) {
-        std::string list;
-        for (const std::string& name : names) list += (list.empty() ? "" : between) + name;
-        return list;
-    };
     double p = 1;  // of the least certain cause
     for (const RankedEffect& effect : d.effects) {
         if (std::find(d.causes.begin(), d.causes.end(), effect.name) != d.causes.end())
@@ -121,10 +112,10 @@ std::string inWords(const Diagnosis& d) {
     }
     switch (d.verdict) {
         case Verdict::explained:
-            return fmt::format("The gap is caused by {} (p = {:.2f})", listed(d.causes, " and "), p);
+            return fmt::format("The gap is caused by {} (p = {:.2f})", together(d.causes), p);
         case Verdict::ambiguous:
-            return fmt::format("The gap is caused by {} or {}: these drives cannot tell them apart",
-                               listed(d.causes, " and "), listed(d.alternatives, " or "));
+            return fmt::format("The gap is caused by {} or {}: these drives cannot tell them apart", together(d.causes),
+                               fmt::join(eachTogether(d.alternatives), " or "));
         case Verdict::nothing:
             return "Nothing beyond tolerance: the model explains the recordings with its parameters as known";
         case Verdict::unknown:

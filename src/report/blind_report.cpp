@@ -71,9 +71,15 @@ std::string blindReport(const BlindReport& report) {
     HtmlPage page("Blind check of the diagnosis");
     const std::string text = scoreText(score);
     page.answer(text.substr(0, text.find('\n')));
-    page.cards({{"Single cause named first", tenthsOfPercent(score.figure("named_first").share()), ""},
-                {"False alarms", tenthsOfPercent(score.figure("false_alarm").share()), ""},
-                {"Unknown causes recognised", tenthsOfPercent(score.figure("unknown").share()), ""},
+    const auto share = [&](const char* figure) {
+        const Figure& one = score.figure(figure);
+        return one.of > 0 ? tenthsOfPercent(one.share()) : "no such case";
+    };
+    page.cards({{"Single cause named first", share("named_first"), ""},
+                {"False alarms", share("false_alarm"), ""},
+                {"Unknown causes recognised", share("unknown"), ""},
+                {"Gap closed, single causes, median",
+                 score.median_closure ? tenthsOfPercent(*score.median_closure) : "none blamed", ""},
                 {"Calibration error", formatNumber(score.calibration_error, 2), ""},
                 {"Time of a diagnosis", formatNumber(score.median_seconds, 3), "s"}});
     page.keyValues(

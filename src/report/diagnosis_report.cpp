@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "diagnose/diagnosis_text.h"
 #include "report/diagnosis_charts.h"
 #include "report/diagnosis_tables.h"
 #include "report/html.h"
@@ -65,7 +66,7 @@ void addHead(HtmlPage& page, const DiagnosisReport& content) {
     page.keyValues(
         {{"Where", fmt::format("{} of the gap; force: {}; band: {}; when: {}", largest(d.where.channels),
                                largest(d.where.generalised_force), largest(d.where.bands), largest(d.where.phases))},
-         {"Could also be", fmt::format("{}", fmt::join(shownNames(d.alternatives), ", "))},
+         {"Could also be", fmt::format("{}", fmt::join(shownNames(eachTogether(d.alternatives)), ", "))},
          {"90 % sure it is among", fmt::format("{}", fmt::join(shownNames(d.credible_set), ", "))},
          {"Drive next", d.next.empty() ? "" : d.next.front().scenario + ": " + d.next.front().separates},
          {"Car", content.vehicle},

@@ -30,6 +30,7 @@ void addHead(HtmlPage& page, const std::string& vehicle, const std::string& vers
                 {"noise floor", formatNumber(judged.floor, 3), ""},
                 {"condition of the fit", formatNumber(found.condition, 2), ""}});
     page.keyValues({{"Car", vehicle},
+                    {"Fitted to", found.of_references ? "the references: the car as it was before the change" : ""},
                     {"Made by", fmt::format("tread {}, {} simulations in {:.0f} s", version, found.gap.simulations,
                                             found.gap.seconds)}});
     page.warnings(found.gap.data_warnings);

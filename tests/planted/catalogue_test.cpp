@@ -120,7 +120,7 @@ TEST_P(CatalogueRow, IsNamedWhereItsDrivesShowIt) {
     }
     // Two drives do not separate every pair: then the truth is among those that cannot be told apart.
     std::vector<std::string> named = d.causes;
-    named.insert(named.end(), d.alternatives.begin(), d.alternatives.end());
+    for (const auto& alternative : d.alternatives) named.insert(named.end(), alternative.begin(), alternative.end());
     EXPECT_NE(std::find(named.begin(), named.end(), effect.name), named.end())
         << d.answer << " (" << d.testable.at(effect.name) << " nats expected at typical size; best "
         << d.effects.front().name << " with " << d.effects.front().log_evidence << ")";

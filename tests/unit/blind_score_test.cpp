@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "blind/score.h"
 #include "tread/problem.h"
@@ -65,9 +66,12 @@ TEST(BlindScore, CalibrationErrorIsTheWeightedDistanceFromTheDiagonal) {
 TEST(BlindScore, SingleCauseIsNamedFirstAloneOrNot) {
     const std::vector<CaseKey> keys{keyOf("a", CaseKind::one, {"drag"}), keyOf("b", CaseKind::one, {"drag"}),
                                     keyOf("c", CaseKind::one, {"drag"}), keyOf("d", CaseKind::one, {"drag"})};
+    CaseAnswer either = answerOf("c", Verdict::ambiguous, {"mass", "drag"});
+    either.causes = {"mass"};
+    either.alternatives = {{"drag"}};
     const BlindScore result =
         score(keys, {answerOf("a", Verdict::explained, {"drag"}), answerOf("b", Verdict::explained, {"drag", "mass"}),
-                     answerOf("c", Verdict::ambiguous, {"mass", "drag"}), answerOf("d", Verdict::nothing)});
+                     either, answerOf("d", Verdict::nothing)});
     EXPECT_EQ(result.figure("named_first").hits, 2);
     EXPECT_EQ(result.figure("named_first").of, 4);
     EXPECT_EQ(result.figure("named_alone").hits, 1);
@@ -76,7 +80,7 @@ TEST(BlindScore, SingleCauseIsNamedFirstAloneOrNot) {
     EXPECT_EQ(result.figure("in_credible_set").hits, 3);
     EXPECT_EQ(result.confusion.at("drag").at("drag + mass"), 1);
     EXPECT_EQ(result.confusion.at("drag").at("drag or mass"), 1);
-    EXPECT_DOUBLE_EQ(result.mean_credible_set, 1.25);
+    EXPECT_EQ(result.mean_credible_set, 1.25);
 }
 
 TEST(BlindScore, EffectThatNoDriveShowsCountsOnlyWhereItSaysSo) {
@@ -162,10 +166,16 @@ TEST(BlindScore, EveryNamedEffectClaimsItsOwnProbability) {
     CaseAnswer answer = answerOf("a", Verdict::ambiguous, {"drag", "mu"}, 0.9);
     answer.effects[1].probability = 0.6;
     answer.effects.push_back({.name = "mass", .probability = 0.4, .parameters = {}});
-    answer.alternatives = {"drag and mass"};
+    answer.alternatives = {{"drag", "mass"}};
     std::map<double, bool> right;
     for (const Claim& claim : claimsOf(pair, answer)) right[claim.probability] = claim.right;
     EXPECT_EQ(right, (std::map<double, bool>{{0.9, true}, {0.6, false}, {0.4, true}}));
+}
+
+TEST(BlindScore, PairsThatCannotBeToldApartStandWhole) {
+    CaseAnswer answer = answerOf("a", Verdict::ambiguous, {"mass", "drag"});
+    answer.alternatives = {{"mu", "drag"}};
+    EXPECT_EQ(wordsOf(answer), "drag + mass or drag + mu");
 }
 
 TEST(BlindScore, NothingIsARightClaimWhereNothingCouldShow) {
@@ -207,8 +217,26 @@ TEST(BlindScore, CaseWithoutAnswerHasFailed) {
     EXPECT_EQ(result.figure("false_alarm").of, 0);
 }
 
+TEST(BlindScore, WhatNoCaseTellsIsNoZero) {
+    const BlindScore none = score({keyOf("a", CaseKind::none)}, {answerOf("a", Verdict::nothing)});
+    const std::string text = scoreText(none);
+    EXPECT_NE(text.find("single effects: none was blamed"), std::string::npos) << text;
+    EXPECT_NE(text.find("there are no cases of one effect"), std::string::npos) << text;
+    const auto json = nlohmann::json::parse(scoreJson(none));
+    for (const char* name : {"median_closure", "mean_credible_set", "median_credible_set"})
+        EXPECT_TRUE(json.at(name).is_null()) << name;
+    EXPECT_TRUE(json.at("figures").at("named_first").at("share").is_null());
+
+    CaseAnswer half = answerOf("a", Verdict::explained, {"drag"}), unseen = answerOf("b", Verdict::explained, {"drag"});
+    half.closure_obtained = 0.5;
+    const BlindScore some =
+        score({keyOf("a", CaseKind::one, {"drag"}), keyOf("b", CaseKind::one, {"drag"})}, {half, unseen});
+    EXPECT_EQ(some.median_closure, 0.5) << "of those that could be driven again";
+}
+
 TEST(BlindScore, AnswerReadsBack) {
     CaseAnswer answer = answerOf("a", Verdict::ambiguous, {"drag", "mass"});
+    answer.alternatives = {{"drag", "mu"}, {"mass", "mu"}};
     answer.effects[0].parameters["mass"].value = 1500;
     answer.closure_obtained = 0.9;
     answer.baselines = {.largest_reduction = "mass", .bic = "none"};

@@ -24,10 +24,12 @@ std::vector<double>& of(Log& log, std::string_view name) {
 // step steer, held out.
 struct Case {
     DiagnosisFile file;
-    std::vector<Log> logs;
+    std::vector<Log> logs, references = std::vector<Log>(3);
     Subject nominal;
 
-    std::vector<DataWarning> warnings() const { return dataWarnings(file, logs, nominal); }
+    std::vector<DataWarning> warnings() const {
+        return dataWarnings(file, {.logs = logs, .references = references}, nominal);
+    }
 };
 
 Log measured(const std::string& scenario, double speed) {
@@ -80,6 +82,42 @@ void expectOnly(const Case& wrong, const std::string& where, const std::string& 
 
 TEST(DataChecks, RightRecordingsGiveNoWarning) {
     for (const DataWarning& warning : right().warnings()) ADD_FAILURE() << toText(warning);
+}
+
+// The same drives before a change, of which there was none.
+Case withReferences() {
+    Case c = right();
+    for (std::size_t i = 0; i < c.logs.size(); ++i) {
+        c.file.recordings[i].reference = "before/" + c.file.recordings[i].log;
+        c.references[i] = c.logs[i];
+    }
+    return c;
+}
+
+TEST(DataChecks, ReferencesAreLookedAtLikeRecordingsAndNamedByTheirFile) {
+    for (const DataWarning& warning : withReferences().warnings()) ADD_FAILURE() << toText(warning);
+    Case wrong = withReferences();
+    for (double& value : of(wrong.references[1], "chassis.ay")) value = -value;
+    expectOnly(wrong, "reference of sine (before/sine.csv), chassis.ay", "has the opposite sign of");
+    wrong = withReferences();
+    for (std::size_t i = 50; i < 100; ++i) of(wrong.references[2], "chassis.yaw_rate")[i] = std::nan("");
+    expectOnly(wrong, "reference of step (before/step.csv), chassis.yaw_rate", "50 of");
+}
+
+TEST(DataChecks, ChannelsThatAReferenceHasNotAreNamed) {
+    Case wrong = withReferences();
+    std::erase_if(wrong.references[0].channels,
+                  [](const Channel& one) { return one.name.starts_with("chassis.roll"); });
+    const std::string where = "reference of brake (before/brake.csv), chassis.roll_rate, chassis.roll";
+    expectOnly(wrong, where, "not measured here");
+    wrong.file.channels = {{.channel = "chassis.yaw_rate"}};
+    EXPECT_TRUE(wrong.warnings().empty()) << "nobody asked for roll";
+}
+
+TEST(DataChecks, ReferencesOfSomeRecordingsOnlyAreSaid) {
+    Case wrong = withReferences();
+    wrong.file.recordings[1].reference.clear();
+    expectOnly(wrong, "all recordings", "some have a reference and some have none");
 }
 
 TEST(DataChecks, WrongSignsAreNamed) {

@@ -50,6 +50,26 @@ TEST(Precheck, EffectsWithTheSameTraceArePairedAndTheOthersAreNot) {
     EXPECT_NE(precheckText(seen).find("ALIKE     ratio and wheelbase"), std::string::npos);
 }
 
+TEST(Precheck, PairsLookAlikeAndAreNearEachOther) {
+    const simple_car::Case made = simple_car::recorded(kNominalRatio, dragArea(), 3);
+    // The one does what the other does, and slows the car down besides.
+    const auto alike = [&](double typical) {
+        const Knob turns{.paths = {"steering.ratio"}, .typical = typical, .relative = true},
+            turns_and_slows{.paths = {"wheelbase", "aero.drag_area"}, .typical = typical, .relative = true};
+        return checked(made, {{"one", "", "", {turns}}, {"other", "", "", {turns_and_slows}}}).confusable;
+    };
+    const std::vector<ConfusablePair> near = alike(0.06), far = alike(0.6);
+    ASSERT_EQ(near.size(), 1u);
+    EXPECT_LT(near.front().separation, kThresholds.separable);
+    EXPECT_TRUE(far.empty());
+    // What one of them hardly shows is hard to tell from anything.
+    const Precheck faint = checked(made, {{"understeer", "", "", {{.paths = {"steering.play"}, .typical = 3.58e-5}}},
+                                          effect("ratio", "steering.ratio")});
+    EXPECT_GT(faint.testable.at("understeer"), kThresholds.shows);
+    EXPECT_LT(faint.testable.at("understeer"), 1.01 * kThresholds.separable);
+    EXPECT_TRUE(faint.confusable.empty());
+}
+
 TEST(Precheck, PromisesTheNatsThatDiagnosesFindWhenTheEffectIsThereAtItsTypicalSize) {
     // Understeer: what the tolerances of ratio and wheelbase cannot imitate at all speeds.
     constexpr double kTypical = 1.5e-4;

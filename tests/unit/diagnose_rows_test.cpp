@@ -97,6 +97,18 @@ TEST(Sliding, ADriveEndsWhereTheCarBeginsToSlideAndItsModelDoesNot) {
     EXPECT_NEAR(slideApart(model, drive.measured), 5 + 0.4 - 1.5, 0.1) << "or the other way round";
 }
 
+TEST(Sliding, WhatIsLeftOutIsSaidWithItsTimeAndWhoSlid) {
+    RecordedDrive whole = turning(0), own = turning(0), before = turning(0);
+    whole.name = "whole", own.name = "own", before.name = "before";
+    for (RecordedDrive* one : {&whole, &own, &before}) one->time = {0, 10};
+    own.until = 3.9;
+    before.until = before.until_reference = 5.2;
+    const std::vector<std::string> said = leftOut(std::vector{whole, own, before});
+    ASSERT_EQ(said.size(), 2u);
+    EXPECT_TRUE(said[0].starts_with("own: from 3.9 s of 10.0 s on the car slides and its model does not")) << said[0];
+    EXPECT_TRUE(said[1].starts_with("before: from 5.2 s of 10.0 s on the car of the reference slides")) << said[1];
+}
+
 TEST(Sliding, CarsThatSlideAlikeDoNotEndTheDrive) {
     EXPECT_EQ(slideApart(turning(0.2), turning(0.2).measured), kInfinity);
     EXPECT_EQ(slideApart(turning(0.03), turning(0).measured), kInfinity) << "a gyro of so much bias is no slide";

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "diagnose/diagnosis_json.h"
 #include "diagnose/diagnosis_text.h"
 #include "diagnose/vehicle_with_effect.h"
 #include "report/diagnosis_report.h"
@@ -101,6 +102,14 @@ TEST(DiagnosisText, NamesTheAxleOnlyWhereSideForcesAreMostOfWhatIsMissing) {
     EXPECT_TRUE(contains(diagnosisText(d), "rear axle side force 80 %"));
     d.where.generalised_force = {{"longitudinal", 0.9}, {"lateral", 0.1}};
     EXPECT_FALSE(contains(diagnosisText(d), "axle side force"));
+}
+
+TEST(DiagnosisPage, NamesWhatElseItCouldBeWholeAndTheJsonEveryEffectOfItOnce) {
+    Diagnosis d = shared::sampleDiagnosis();
+    d.causes = {"tyre_relaxation", "damping"};
+    d.alternatives = {{"damping", "steering_delay"}, {"steering_delay", "grip"}};
+    EXPECT_TRUE(contains(page(d), "damping and steering delay, steering delay and grip"));
+    EXPECT_EQ(diagnosisJson(d).at("alternatives"), nlohmann::ordered_json::array({"grip", "steering_delay"}));
 }
 
 TEST(CarWithEffect, HasTheFittedNumbersOfTheCausesAndReadsBack) {

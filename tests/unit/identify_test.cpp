@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "diagnose/identification_text.h"
+#include "report/identification_report.h"
 #include "shared/scratch.h"
 #include "shared/simple_car.h"
 #include "tread/problem.h"
@@ -92,6 +93,45 @@ TEST(Identification, CalibratedCarHasTheFittedNumbersAndNothingElseChanged) {
     EXPECT_EQ(car.steering.ratio, ratio->value);
     car.steering.ratio = made.nominal.vehicle.steering.ratio;
     EXPECT_EQ(vehicleYaml(car), vehicleYaml(made.nominal.vehicle));
+}
+
+// A car that slides from 3 s on, as its lateral acceleration tells; the model does not know one.
+void slide(Log& log) {
+    Channel ay{"chassis.ay", "m/s2", {}};
+    for (const double t : log.channels.front().values) ay.values.push_back(t < 3 ? 0 : 5);
+    log.channels.push_back(std::move(ay));
+}
+
+TEST(Identification, SaysWhatItLeavesOutOfTheDrives) {
+    simple_car::Case made = asked(1, {"steering.ratio"});
+    EXPECT_TRUE(identified(made).gap.data_warnings.empty());
+    slide(made.recorded.logs[1]);
+    slide(made.recorded.logs[2]);
+    const Identification found = identified(made);
+    const std::vector<std::string>& said = found.gap.data_warnings;
+    ASSERT_EQ(said.size(), 2u) << "one of a fitted drive, one of the drive held out";
+    EXPECT_TRUE(said[0].starts_with("drive 2: from 1.")) << said[0];
+    EXPECT_TRUE(said[1].starts_with("drive 3: from 1.")) << said[1];
+    EXPECT_EQ(identificationJson(found)["data_warnings"].size(), 2u);
+    EXPECT_NE(identificationReport("car", "0", found).find("drive 2: from 1."), std::string::npos);
+}
+
+TEST(Identification, FitsTheCarAsItWasBeforeWhereThereAreReferences) {
+    simple_car::Case made = asked(1, {"steering.ratio", "aero.drag_area"});
+    made.recorded.references = made.recorded.logs;
+    made.recorded.logs = simple_car::recorded(13, kDrag, 2).recorded.logs;
+    for (Recording& one : made.file.recordings) one.reference = "before " + one.log;
+    made.file.recordings[1].reference.clear();
+    const Identification found = identified(made);
+    for (const FittedNumber& one : found.numbers)
+        EXPECT_NEAR(one.value, one.path == "steering.ratio" ? kRatio : kDrag, 3 * one.sd) << one.path;
+    EXPECT_TRUE(found.of_references);
+    EXPECT_EQ(found.gap.overlays.size(), 2u) << "the drive without a reference is of the car after the change";
+    EXPECT_LT(found.gap.how_far.held_out.calibrated, 1.15 * found.gap.how_far.held_out.floor);
+    EXPECT_NE(identificationText(found).find("BEFORE    fitted to the references"), std::string::npos);
+    EXPECT_EQ(identificationJson(found)["fitted_to"], "references");
+    EXPECT_NE(calibratedVehicleYaml(made.nominal, found).find("# Fitted to the references"), std::string::npos);
+    EXPECT_EQ(identificationJson(identified(asked(1, {"mass"})))["fitted_to"], "recordings");
 }
 
 void expectRefused(std::vector<std::string> fit, const std::string& words) {

@@ -157,8 +157,10 @@ void addCommands(CLI::App& app, int& status) {
     addCommand(app, "tyre", "forces of a tyre at given points, transients, curves", addTyre, tyre, status);
     addCommand(app, "diagnose", "where a car and its model differ, which effect causes it, how far it closes the gap",
                addDiagnose, diagnose, status);
-    addCommand(app, "identify", "fit numbers of a car to recordings and write the calibrated car", addIdentify,
-               identify, status);
+    addCommand(
+        app, "identify",
+        "fit numbers of a car to recordings (to their references, where they have some) and write the calibrated car",
+        addIdentify, identify, status);
     CLI::App* const blind = app.add_subcommand("blind", "how good is the diagnosis? cars whose fault is sealed");
     blind->require_subcommand(1);
     addCommand(*blind, "make", "make cases: logs of cars with sealed faults, and the key", addBlindMake, blindMake,

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "commands.h"
@@ -32,7 +30,7 @@ int diagnose(const DiagnoseRequest& request) {
     options.threads = request.threads;
     options.cache = out / "cache";
     if (request.check) return checkData(inputs, options, request.json);
-    for (const std::string& warning : inputs.warnings) fmt::print(stderr, "tread diagnose: {}\n", warning);
+    warn("diagnose", inputs.warnings);
 
     Diagnosis diagnosis;
     {
@@ -41,6 +39,7 @@ int diagnose(const DiagnoseRequest& request) {
         options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
         diagnosis = tread::diagnose(inputs.nominal, inputs.file, inputs.recorded, inputs.effects, options);
     }
+    warn("diagnose", diagnosis.data_warnings);
     diagnosis.data_warnings.insert(diagnosis.data_warnings.begin(), inputs.warnings.begin(), inputs.warnings.end());
 
     std::filesystem::create_directories(out);

@@ -72,9 +72,13 @@ DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const st
     inputs.effects = effectsToConsider(inputs.file);
     inputs.recorded = readRecordings(inputs.file);
     inputs.warnings = inputs.recorded.notes;
-    for (const DataWarning& warning : dataWarnings(inputs.file, inputs.recorded.logs, inputs.nominal))
+    for (const DataWarning& warning : dataWarnings(inputs.file, inputs.recorded, inputs.nominal))
         inputs.warnings.push_back(toText(warning));
     return inputs;
+}
+
+void warn(const char* command, const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) fmt::print(stderr, "tread {}: {}\n", command, warning);
 }
 
 int checkData(const DiagnosisInputs& inputs, DiagnoseOptions options, bool json) {

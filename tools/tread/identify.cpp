@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "base/yaml_session.h"
@@ -37,7 +35,7 @@ int identify(const IdentifyRequest& request) {
     judgePaths(request.fit);
     DiagnosisInputs inputs = readDiagnosisInputs(request.file, request.data, request.vehicle);
     if (!request.fit.empty()) inputs.file.fit = request.fit;
-    for (const std::string& warning : inputs.warnings) fmt::print(stderr, "tread identify: {}\n", warning);
+    warn("identify", inputs.warnings);
 
     const Path out = request.output.empty() ? Path("out") : Path(request.output);
     Identification found;
@@ -49,7 +47,9 @@ int identify(const IdentifyRequest& request) {
         options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
         found = tread::identify(inputs.nominal, inputs.file, inputs.recorded, options);
     }
-    found.gap.data_warnings = inputs.warnings;
+    std::vector<std::string>& warnings = found.gap.data_warnings;
+    warn("identify", warnings);
+    warnings.insert(warnings.begin(), inputs.warnings.begin(), inputs.warnings.end());
 
     std::filesystem::create_directories(out);
     writeStages(found.gap.overlays, out / "logs");
