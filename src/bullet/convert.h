@@ -1,6 +1,7 @@
 // Vectors and attitudes across the border with Bullet, in either precision.
 #pragma once
 
+#include <LinearMath/btMatrix3x3.h>
 #include <LinearMath/btQuaternion.h>
 #include <LinearMath/btVector3.h>
 
@@ -13,6 +14,11 @@ inline namespace TREAD_BULLET_PRECISION {
 
 inline Vector3 fromBullet(const btVector3& v) {
     return {v.x(), v.y(), v.z()};
+}
+inline Eigen::Matrix3d fromBullet(const btMatrix3x3& m) {
+    Eigen::Matrix3d axes;
+    for (int row = 0; row < 3; ++row) axes.row(row) = fromBullet(m[row]);
+    return axes;
 }
 inline Quaternion fromBullet(const btQuaternion& q) {
     return {q.w(), q.x(), q.y(), q.z()};

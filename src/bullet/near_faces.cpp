@@ -25,18 +25,20 @@ constexpr double kLongestKept = 0.02;  // s
 // Neighbours share their corners: a ray between two faces passes each by less than this.
 constexpr double kBetweenFaces = 1e-9;  // m
 
+bool overlap(const NearFaces::Face& face, const Vector3& low_W, const Vector3& high_W) {
+    return (face.low_W.array() <= high_W.array()).all() && (face.high_W.array() >= low_W.array()).all();
+}
+
 struct Gather : btTriangleCallback {
     Gather(NearFaces& n, const btTransform& pose, bool halves)
-        : near(n), origin(fromBullet(pose.getOrigin())), halved(halves) {
-        for (int k = 0; k < 3; ++k) axes.col(k) = fromBullet(pose.getBasis().getColumn(k));
-    }
+        : near(n), origin(fromBullet(pose.getOrigin())), axes(fromBullet(pose.getBasis())), halved(halves) {}
     void processTriangle(btVector3* corners, int part, int triangle) override {
         NearFaces::Face face;
         for (std::size_t k = 0; k < 3; ++k) face.corners_W[k] = origin + axes * fromBullet(corners[k]);
         const auto& [a, b, c] = face.corners_W;
-        if ((a.cwiseMin(b).cwiseMin(c).array() > near.high_W.array()).any() ||
-            (a.cwiseMax(b).cwiseMax(c).array() < near.low_W.array()).any())
-            return;
+        face.low_W = a.cwiseMin(b).cwiseMin(c);
+        face.high_W = a.cwiseMax(b).cwiseMax(c);
+        if (!overlap(face, near.low_W, near.high_W)) return;
         const Vector3 across = (b - a).cross(c - a);
         const double twice = across.norm();
         if (!(twice > 0)) return;
@@ -91,20 +93,27 @@ void know(NearFaces& near, const btCollisionObject& object, const Way& way, doub
     near.low_W = low.array() - around;
     near.high_W = high.array() + around;
     near.age = 0;
-    near.met = 0;
+    near.inside = 0;
     near.faces.clear();
     gather(near, *near.shape, near.pose);
 }
 
 std::optional<Meets> meetFaces(NearFaces& near, const Way& way) {
     std::optional<Meets> first;
+    near.inside = 0;
+    const Vector3 end = way.start_W + way.way_W;
+    const Vector3 low = way.start_W.cwiseMin(end).array() - kBetweenFaces;
+    const Vector3 high = way.start_W.cwiseMax(end).array() + kBetweenFaces;
     for (std::size_t i = 0; i < near.faces.size(); ++i) {
         const NearFaces::Face& face = near.faces[i];
+        if (!overlap(face, low, high)) continue;
         const double fraction = face.normal_W.dot(face.corners_W[0] - way.start_W) / face.normal_W.dot(way.way_W);
         if (!(fraction >= 0 && fraction <= (first ? first->fraction : 1))) continue;
-        if (outside(face, way.start_W + fraction * way.way_W) > kBetweenFaces) continue;
+        const double beyond = outside(face, way.start_W + fraction * way.way_W);
+        if (beyond > kBetweenFaces) continue;
         first = Meets{fraction, face.normal_W, face.part, face.triangle};
         near.met = i;
+        near.inside = std::max(-beyond, 0.0);
     }
     return first;
 }

@@ -24,10 +24,12 @@ struct NearFaces {
         std::array<Vector3, 3> outward_W;  // unit vectors along the face, across each corner's edge to the next
         Vector3 normal_W;                  // unit vector, to either side
         double area;                       // m2
+        Vector3 low_W, high_W;             // m, corners of its box
         int part, triangle;                // as Bullet's ray names it
     };
     std::vector<Face> faces;  // all that touch the box
     std::size_t met = 0;      // the face that the ray met last
+    double inside = 0;        // m, how far from its edges; 0: the ray met none
     const btCollisionObject* object = nullptr;
     const btCollisionShape* shape = nullptr;
     btTransform pose;

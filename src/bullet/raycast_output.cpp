@@ -7,6 +7,7 @@
 
 #include "bullet/convert.h"
 #include "bullet/raycast_parts.h"
+#include "tyre/elementary.h"
 
 namespace tread {
 
@@ -41,23 +42,21 @@ double gripShown(const SlipShown& slip, double peak_ratio, double peak_angle) {
     return beyond > 1 ? 1 / beyond : 1;
 }
 
-btVector3 turned(const btVector3& v, const btVector3& axis, btScalar cosine, btScalar sine) {
+btVector3 turned(const btVector3& v, const btVector3& axis, const SineCosine<double>& turn) {
+    const auto sine = static_cast<btScalar>(turn.sine), cosine = static_cast<btScalar>(turn.cosine);
     return v * cosine + axis.cross(v) * sine + axis * (axis.dot(v) * (1 - cosine));
 }
 
 // The wheel's axes as Bullet's updateWheelTransform turns them: about the axle, then about the strut.
 btMatrix3x3 wheelAxes(const btRaycastVehicle& vehicle, const btVector3& up, const btVector3& right,
                       const ShownWheel& pose) {
-    const auto cosine = static_cast<btScalar>(std::cos(pose.rotation));
-    const auto sine = static_cast<btScalar>(-std::sin(pose.rotation));
+    const auto roll = sineCosine(-pose.rotation), steer = sineCosine(pose.steer);
     std::array<btVector3, 3> columns;
     columns[static_cast<std::size_t>(vehicle.getRightAxis())] = -right;
-    columns[static_cast<std::size_t>(vehicle.getUpAxis())] = turned(up, right, cosine, sine);
-    columns[static_cast<std::size_t>(vehicle.getForwardAxis())] =
-        turned(up.cross(right).normalized(), right, cosine, sine);
+    columns[static_cast<std::size_t>(vehicle.getUpAxis())] = turned(up, right, roll);
+    columns[static_cast<std::size_t>(vehicle.getForwardAxis())] = turned(up.cross(right).normalized(), right, roll);
     if (pose.steer != 0) {
-        const auto c = static_cast<btScalar>(std::cos(pose.steer)), s = static_cast<btScalar>(std::sin(pose.steer));
-        for (btVector3& column : columns) column = turned(column, up, c, s);
+        for (btVector3& column : columns) column = turned(column, up, steer);
     }
     btMatrix3x3 axes;
     for (int row = 0; row < 3; ++row) axes[row].setValue(columns[0][row], columns[1][row], columns[2][row]);
@@ -74,7 +73,7 @@ void RaycastVehicle::Implementation::show(double dt) {
         const BodyWheelState& now = state.wheels[i];
         const WheelGround& ground = grounds[i];
         btWheelInfo& shown = info(i);
-        const btVector3 down = toBullet(Vector3(motion.orientation * wheel.down_B));
+        const btVector3 down = pose.getBasis() * toBullet(wheel.down_B);
 
         const ShownWheel draw{now.steer, wheel.strut.length - now.compression, now.rotation};
         drawn_before[i] = i < wheels_drawn ? drawn[i] : draw;
@@ -86,15 +85,15 @@ void RaycastVehicle::Implementation::show(double dt) {
         ray.m_hardPointWS = pose(shown.m_chassisConnectionPointCS);
         ray.m_wheelDirectionWS = pose.getBasis() * shown.m_wheelDirectionCS;
         ray.m_wheelAxleWS = pose.getBasis() * shown.m_wheelAxleCS;
-        shown.m_worldTransform.setBasis(wheelAxes(face, -ray.m_wheelDirectionWS, ray.m_wheelAxleWS,
-                                                  {static_cast<double>(shown.m_steering), 0, now.rotation}));
+        const double steer = std::clamp(static_cast<double>(shown.m_steering), -kMostSteer, kMostSteer);
+        shown.m_worldTransform.setBasis(
+            wheelAxes(face, -ray.m_wheelDirectionWS, ray.m_wheelAxleWS, {steer, 0, now.rotation}));
         shown.m_worldTransform.setOrigin(ray.m_hardPointWS + ray.m_wheelDirectionWS * ray.m_suspensionLength);
         ray.m_isInContact = now.touches;
         ray.m_groundObject = now.touches ? ground.handle : nullptr;
         const auto& [x, y, z] = now.contact_B;
-        ray.m_contactPointWS = now.touches
-                                   ? toBullet(Vector3(motion.position_W + motion.orientation * Vector3(x, y, z)))
-                                   : ray.m_hardPointWS + down * ray.m_suspensionLength;
+        ray.m_contactPointWS =
+            now.touches ? pose(toBullet(Vector3(x, y, z))) : ray.m_hardPointWS + down * ray.m_suspensionLength;
         ray.m_contactNormalWS = now.touches ? toBullet(ground.plane.normal_W) : -down;
 
         const auto rotation = static_cast<btScalar>(now.rotation);

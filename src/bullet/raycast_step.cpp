@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "bullet/convert.h"
 #include "bullet/raycast_parts.h"
@@ -91,11 +92,13 @@ void RaycastVehicle::Implementation::takeBackGravity(double dt) {
     chassis.setCenterOfMassTransform(pose);
 }
 
-// Whether the chassis is elsewhere than its velocity has taken it.
+// Whether the chassis is elsewhere than its velocity has taken it. Of a turn counts the chord, 2 sin(angle/2): what two
+// attitudes differ by.
 bool RaycastVehicle::Implementation::isTeleported(double dt) const {
     const Vector3 velocity = fromBullet(chassis.getLinearVelocity());
     const Vector3 moved = fromBullet(chassis.getCenterOfMassPosition()) - motion.position_W;
-    const double turned = motion.orientation.angularDistance(fromBullet(chassis.getOrientation()));
+    const Eigen::Matrix3d axes = fromBullet(chassis.getCenterOfMassTransform().getBasis());
+    const double turned = (axes - motion.orientation.toRotationMatrix()).norm() / std::numbers::sqrt2;
     return (moved - dt * velocity).norm() > kTeleport ||
            turned > kTeleportTurn + 1.2 * dt * static_cast<double>(chassis.getAngularVelocity().length());
 }

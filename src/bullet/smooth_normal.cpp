@@ -42,8 +42,7 @@ Vector3 blend(const NearFaces& near, const Vector3& point, const Vector3& normal
 }  // namespace
 
 Vector3 smoothNormal(const NearFaces& near, const Vector3& point_W, const Vector3& normal_W, const Rounding& rounding) {
-    if (near.met < near.faces.size() && isWithin(near.faces[near.met], point_W, normal_W, rounding.reach))
-        return upward(near.faces[near.met], normal_W);
+    if (near.inside > rounding.reach) return upward(near.faces[near.met], normal_W);
     const Vector3 sum = blend(near, point_W, normal_W, rounding);
     const double length = sum.norm();
     return length > 0 ? Vector3(sum / length) : normal_W;

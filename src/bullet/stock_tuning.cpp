@@ -67,14 +67,10 @@ TyreParams mounted(const TyreParams& tyre, bool left) {
 
 WheelTuning tuningOf(const btWheelInfo& w) {
     const btVector3 &top = w.m_chassisConnectionPointCS, &down = w.m_wheelDirectionCS, &axle = w.m_wheelAxleCS;
-    WheelTuning tuning{{top.x(), top.y(), top.z(), down.x(), down.y(), down.z(), axle.x(), axle.y(), axle.z(),
-                        w.m_suspensionRestLength1, w.m_maxSuspensionTravelCm, w.m_wheelsRadius, w.m_suspensionStiffness,
-                        w.m_wheelsDampingCompression, w.m_wheelsDampingRelaxation, w.m_maxSuspensionForce,
-                        w.m_rollInfluence, w.m_bIsFrontWheel ? 1.0 : 0.0}};
-    for (double& x : tuning.numbers) {
-        if (std::isnan(x)) x = -kInfinity;  // what is not a number is at least equal to itself
-    }
-    return tuning;
+    return {{top.x(), top.y(), top.z(), down.x(), down.y(), down.z(), axle.x(), axle.y(), axle.z(),
+             w.m_suspensionRestLength1, w.m_maxSuspensionTravelCm, w.m_wheelsRadius, w.m_suspensionStiffness,
+             w.m_wheelsDampingCompression, w.m_wheelsDampingRelaxation, w.m_maxSuspensionForce, w.m_rollInfluence,
+             w.m_bIsFrontWheel ? btScalar(1) : btScalar(0)}};
 }
 
 double restingLoad(double mass, std::size_t wheels) {
@@ -127,7 +123,7 @@ WheelDemand demandOf(const btWheelInfo& info, const BodyWheel& wheel, double spi
     const double rim = spin * radius / kFastestRim;
     const double left = rim * force > 0 ? std::max(1 - rim * rim, 0.0) : 1;
     WheelDemand demand;
-    demand.steer = within(info.m_steering, -1e3, 1e3, 0);
+    demand.steer = within(info.m_steering, -kMostSteer, kMostSteer, 0);
     demand.drive_torque = left * force * radius;
     demand.brake_torque = within(info.m_brake * kStepsOfStock, 0, most, 0) * radius;
     demand.friction = from_file ? 1 : frictionOf(info.m_frictionSlip);

@@ -1,6 +1,8 @@
 // What the numbers of btRaycastVehicle mean for the car, and what a vehicle file puts in their place.
 #pragma once
 
+#include <array>
+#include <cstring>
 #include <optional>
 
 #include "tread/bullet_precision.h"
@@ -12,10 +14,16 @@ inline namespace TREAD_BULLET_PRECISION {
 
 // What a wheel of the car is made of, as it was when it was made: a change of any of these makes it anew.
 struct WheelTuning {
-    std::array<double, 18> numbers{};
-    bool operator==(const WheelTuning&) const = default;
+    std::array<btScalar, 18> numbers{};
+    // By its bits: what is not a number is equal to itself.
+    bool operator==(const WheelTuning& other) const {
+        return std::memcmp(numbers.data(), other.numbers.data(), sizeof numbers) == 0;
+    }
 };
 WheelTuning tuningOf(const btWheelInfo& info);
+
+// A wheel is steered no farther than this, either way.
+inline constexpr double kMostSteer = 1e3;  // rad
 
 // Load of each wheel at rest, as far as a tyre's size needs it.
 double restingLoad(double mass, std::size_t wheels);

@@ -42,11 +42,11 @@ struct StrutForce {
     double stop_stiffness;
     double start;  // m, compression at the start of the step
     double partner;
-    double dt;
+    double per_second;  // 1 over the step
 
     Force operator()(double x) const {
-        const double damping = x > start ? strut.bump : strut.rebound;
-        Force f{strut.stiffness * x + damping * (x - start) / dt, strut.stiffness + damping / dt};
+        const double damping = (x > start ? strut.bump : strut.rebound) * per_second;
+        Force f{strut.stiffness * x + damping * (x - start), strut.stiffness + damping};
         if (f.value > strut.most_force) f = {strut.most_force, 0};
         const Force stop = onset(x - strut.travel, stop_stiffness, kStopOnset);
         return {f.value + stop.value + strut.anti_roll_bar * (x - partner), f.slope + stop.slope + strut.anti_roll_bar};
@@ -58,7 +58,7 @@ struct TyreForce {
     const TyreParams& tyre;
     const StrutPush& push;
     double start;
-    double dt;
+    double per_second;
 
     double deflection(double x) const { return push.deflection - push.lift * x; }
 
@@ -67,8 +67,8 @@ struct TyreForce {
         if (deflected <= 0) return {0, 0};
         const double stiffness = radialStiffness(tyre);
         const double damping = tyre.parameters.pz2 * tyre.lambda.Kz;
-        const double rate = push.closing - push.lift * (x - start) / dt;
-        Force f{stiffness * deflected + damping * rate, -push.lift * (stiffness + damping / dt)};  // (83)
+        const double rate = push.closing - push.lift * (x - start) * per_second;
+        Force f{stiffness * deflected + damping * rate, -push.lift * (stiffness + damping * per_second)};  // (83)
         if (f.value <= 0) f = {0, 0};
         const double beyond = deflected - kRimDeflection * tyre.parameters.Ro;
         if (beyond <= 0) return f;
@@ -82,25 +82,26 @@ struct TyreForce {
 
 StrutYield yield(const StrutParams& strut, const TyreParams& tyre, const StrutPush& push, double compression,
                  double partner, double dt) {
-    const StrutForce spring{strut, kStopStiffness * radialStiffness(tyre), compression, partner, dt};
-    const TyreForce road{tyre, push, compression, dt};
+    const StrutForce spring{strut, kStopStiffness * radialStiffness(tyre), compression, partner, 1 / dt};
+    const TyreForce road{tyre, push, compression, 1 / dt};
 
     // The balance rises with x: between full extension and the compression at which the tyre leaves the road it is met.
     double low = 0;
     double high = std::max({compression, partner, push.deflection > 0 ? push.deflection / push.lift : 0.0});
     double x = std::clamp(compression, low, high);
+    Force s = spring(x), r = road(x);
     for (int i = 0; i < kIterations && high - low > kTolerance; ++i) {
-        const Force s = spring(x), r = road(x);
         const double balance = s.value - push.share * r.value;
         (balance > 0 ? high : low) = x;
         const double slope = s.slope - push.share * r.slope;
         double next = slope > 0 ? x - balance / slope : low;
         if (!(next >= low && next <= high)) next = 0.5 * (low + high);
-        const bool close = std::abs(next - x) <= kTolerance;
+        if (std::abs(next - x) <= kTolerance) break;
         x = next;
-        if (close) break;
+        s = spring(x);
+        r = road(x);
     }
-    return {x, (x - compression) / dt, spring(x).value, std::max(road.deflection(x), 0.0), road(x).value};
+    return {x, (x - compression) / dt, s.value, std::max(road.deflection(x), 0.0), r.value};
 }
 
 }  // namespace tread

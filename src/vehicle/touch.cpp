@@ -11,17 +11,9 @@ Frame frameOf(const ChassisMotion& motion) {
             to_world.transpose() * motion.angular_velocity_W};
 }
 
-namespace {
-
-Vector3 sideOf(const Vector3& point_B, const BodyWheel& wheel) {
-    return point_B - (1 - wheel.roll_share) * point_B.dot(wheel.down_B) * wheel.down_B;
-}
-
-}  // namespace
-
-Touch touch(const BodyWheel& wheel, const Frame& frame, const RoadContact& ground, double steer, double compression) {
+Touch extended(const BodyWheel& wheel, const Frame& frame, const RoadContact& ground, double steer) {
     Touch t;
-    t.hub_B = wheel.top_B + (wheel.strut.length - compression) * wheel.down_B;
+    t.hub_B = wheel.top_B + wheel.strut.length * wheel.down_B;
     t.axis_B = wheel.left_B;
     if (steer != 0) t.axis_B = Eigen::AngleAxisd(steer, -wheel.down_B) * wheel.left_B;
     t.normal_B = frame.to_world.transpose() * ground.normal_W;
@@ -32,26 +24,20 @@ Touch touch(const BodyWheel& wheel, const Frame& frame, const RoadContact& groun
     // Contact centre: down the wheel plane, onto the road.
     t.radius = (t.hub_B - plane_B).dot(t.normal_B) / cosine;
     t.to_road_B = (sine * t.axis_B - t.normal_B) / cosine;
-    t.point_B = t.hub_B + t.radius * t.to_road_B;
     t.forward_B = t.axis_B.cross(t.normal_B) / cosine;
     t.left_B = t.normal_B.cross(t.forward_B);
     t.camber = std::asin(std::clamp(sine, -1.0, 1.0));
     t.friction = ground.friction;
     t.ground_velocity_B = frame.to_world.transpose() * ground.velocity_W;
     t.cosine = cosine;
-    t.side_B = sideOf(t.point_B, wheel);
     return t;
 }
 
-Vector3 velocityAt(const Frame& frame, const Vector3& point_B) {
-    return frame.velocity_B + frame.angular_velocity_B.cross(point_B);
-}
-
-void compress(Touch& t, const BodyWheel& wheel, double by) {
-    t.hub_B -= by * wheel.down_B;
-    t.radius -= by * wheel.down_B.dot(t.normal_B) / t.cosine;
+void compress(Touch& t, const BodyWheel& wheel, double compression) {
+    t.hub_B -= compression * wheel.down_B;
+    t.radius -= compression * wheel.down_B.dot(t.normal_B) / t.cosine;
     t.point_B = t.hub_B + t.radius * t.to_road_B;
-    t.side_B = sideOf(t.point_B, wheel);
+    t.side_B = t.point_B - (1 - wheel.roll_share) * t.point_B.dot(wheel.down_B) * wheel.down_B;
 }
 
 }  // namespace tread

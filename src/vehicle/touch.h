@@ -28,11 +28,12 @@ struct Frame {
     Vector3 position_W, velocity_B, angular_velocity_B;
 };
 Frame frameOf(const ChassisMotion& motion);
-Vector3 velocityAt(const Frame& frame, const Vector3& point_B);
+inline Vector3 velocityAt(const Frame& frame, const Vector3& point_B) {
+    return frame.velocity_B + frame.angular_velocity_B.cross(point_B);
+}
 
-Touch touch(const BodyWheel& wheel, const Frame& frame, const RoadContact& ground, double steer, double compression);
-
-// The same wheel with its strut farther compressed.
-void compress(Touch& touch, const BodyWheel& wheel, double by);
+// The wheel with its strut extended: all but where it touches, which the compression decides.
+Touch extended(const BodyWheel& wheel, const Frame& frame, const RoadContact& ground, double steer);
+void compress(Touch& touch, const BodyWheel& wheel, double compression);
 
 }  // namespace tread

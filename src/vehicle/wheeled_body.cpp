@@ -28,7 +28,7 @@ double length(double x, double y) {
 // Compression of the strut and load of the tyre at the end of the step; the touch there.
 Touch stand(BodyWheelState& state, const BodyWheel& wheel, const Frame& frame, const RoadContact& ground, double steer,
             double partner, double dt) {
-    Touch t = touch(wheel, frame, ground, steer, 0);
+    Touch t = extended(wheel, frame, ground, steer);
     StrutPush push{.deflection = -1, .closing = 0, .lift = 1, .share = -wheel.down_B.dot(t.normal_B)};
     if (ground.exists && push.share > kLeastShare) {
         const Vector3 hub_B = t.hub_B - state.compression * wheel.down_B;
@@ -181,7 +181,8 @@ void setDown(WheeledBodyState& state, const ChassisMotion& motion, const Wheeled
     BodyWheelState& s = state.wheels[wheel];
     const BodyWheel& params = body.wheels[wheel];
     const Frame frame = frameOf(motion);
-    const Touch t = touch(params, frame, ground, s.steer, s.compression);
+    Touch t = extended(params, frame, ground, s.steer);
+    compress(t, params, s.compression);
     s.tyre = {};
     s.motion = motionOf(t, params, frame, 0, 0);
     s.spin = s.motion.Vx / params.tyre.parameters.Re;

@@ -47,20 +47,20 @@ void Program::set(const char* name, int value) const {
 
 // ---- Drawable ----
 
-Drawable::Drawable(const Mesh& mesh) {
+Drawable::Drawable(std::initializer_list<GLint> inputs) {
     glGenVertexArrays(1, &array_);
     glGenBuffers(1, &buffer_);
     glBindVertexArray(array_);
     glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-    const auto attribute = [](GLuint place, GLint size, std::size_t offset) {
+    for (const GLint numbers : inputs) corner_ += static_cast<std::size_t>(numbers) * sizeof(float);
+    GLuint place = 0;
+    std::size_t offset = 0;
+    for (const GLint numbers : inputs) {
         glEnableVertexAttribArray(place);
-        glVertexAttribPointer(place, size, GL_FLOAT, GL_FALSE, sizeof(Vertex), reinterpret_cast<const void*>(offset));
-    };
-    attribute(0, 3, offsetof(Vertex, at));
-    attribute(1, 3, offsetof(Vertex, normal));
-    attribute(2, 3, offsetof(Vertex, colour));
-    attribute(3, 1, offsetof(Vertex, gloss));
-    load(mesh);
+        glVertexAttribPointer(place++, numbers, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(corner_),
+                              reinterpret_cast<const void*>(offset));
+        offset += static_cast<std::size_t>(numbers) * sizeof(float);
+    }
 }
 
 Drawable::~Drawable() {
@@ -68,10 +68,10 @@ Drawable::~Drawable() {
     glDeleteVertexArrays(1, &array_);
 }
 
-void Drawable::load(const Mesh& mesh) {
+void Drawable::load(const void* corners, std::size_t bytes) {
     glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.size() * sizeof(Vertex)), mesh.data(), GL_DYNAMIC_DRAW);
-    count_ = static_cast<GLsizei>(mesh.size());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), corners, GL_DYNAMIC_DRAW);
+    count_ = static_cast<GLsizei>(bytes / corner_);
 }
 
 void Drawable::draw() const {

@@ -5,8 +5,9 @@
 
 #include <Eigen/Core>
 #include <filesystem>
-#include <map>
+#include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "mesh.h"
 
@@ -30,19 +31,27 @@ private:
     GLuint id_;
 };
 
-// A mesh on the graphics card.
+// Triangles on the graphics card.
 class Drawable {
 public:
-    explicit Drawable(const Mesh& mesh = {});
+    // Each corner is so many numbers for each of the shader's inputs in turn.
+    explicit Drawable(std::initializer_list<GLint> inputs);
+    explicit Drawable(const Mesh& mesh = {}) : Drawable({3, 3, 3, 1}) { load(mesh); }
     Drawable(const Drawable&) = delete;
     Drawable& operator=(const Drawable&) = delete;
     ~Drawable();
 
-    void load(const Mesh& mesh);
+    template <class Corner>
+    void load(const std::vector<Corner>& corners) {
+        load(corners.data(), corners.size() * sizeof(Corner));
+    }
     void draw() const;
 
 private:
+    void load(const void* corners, std::size_t bytes);
+
     GLuint array_ = 0, buffer_ = 0;
+    std::size_t corner_ = 0;  // bytes
     GLsizei count_ = 0;
 };
 

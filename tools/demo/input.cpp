@@ -1,9 +1,8 @@
 #include "input.h"
 
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "rate_slider.h"
 
@@ -13,12 +12,16 @@ namespace {
 constexpr double kSteerRate = 1.6;       // rad/s, of a key that is held
 constexpr double kReturnRate = 2.4;      // rad/s
 constexpr double kDeadZone = 0.12;       // of a stick
+constexpr double kDeadPedal = 0.05;      // of a trigger: worn ones do not come back all the way
 constexpr double kMostAcross = 8;        // m/s2, that full steering asks for at speed
 constexpr double kBackwardsBelow = 0.8;  // m/s: the brake then drives backwards
 
-double stick(float value) {
-    const double x = static_cast<double>(value);
-    return std::abs(x) < kDeadZone ? 0 : x;
+GLFWgamepadstate padNow() {
+    GLFWgamepadstate pad;
+    for (int place = GLFW_JOYSTICK_1; place <= GLFW_JOYSTICK_LAST; ++place) {
+        if (glfwGetGamepadState(place, &pad)) return pad;
+    }
+    return restingPad();
 }
 
 // At speed the full lock would only spin the car.
@@ -27,6 +30,38 @@ double mostSteer(double speed) {
 }
 
 }  // namespace
+
+GLFWgamepadstate restingPad() {
+    GLFWgamepadstate pad{};
+    pad.axes[GLFW_GAMEPAD_AXIS_LEFT_TRIGGER] = pad.axes[GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER] = -1;
+    return pad;
+}
+
+Wishes padWishes(const GLFWgamepadstate& now, const GLFWgamepadstate& before) {
+    const auto pushed = [&](int button) {
+        return now.buttons[button] == GLFW_PRESS && before.buttons[button] != GLFW_PRESS;
+    };
+    Wishes wishes;
+    wishes.other_vehicle = pushed(GLFW_GAMEPAD_BUTTON_Y);
+    wishes.reset = pushed(GLFW_GAMEPAD_BUTTON_BACK);
+    wishes.next_camera = pushed(GLFW_GAMEPAD_BUTTON_X);
+    wishes.rate_steps = pushed(GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER) - pushed(GLFW_GAMEPAD_BUTTON_LEFT_BUMPER);
+    return wishes;
+}
+
+Pedals padPedals(const GLFWgamepadstate& pad, double most_steer) {
+    const auto trigger = [&](int axis) {
+        const double way = 0.5 * (1 + static_cast<double>(pad.axes[axis]));
+        return way < kDeadPedal ? 0 : way;
+    };
+    Pedals pedals;
+    pedals.throttle = trigger(GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER);
+    pedals.brake = trigger(GLFW_GAMEPAD_AXIS_LEFT_TRIGGER);
+    pedals.handbrake = pad.buttons[GLFW_GAMEPAD_BUTTON_A] == GLFW_PRESS ? 1 : 0;
+    const double right = static_cast<double>(pad.axes[GLFW_GAMEPAD_AXIS_LEFT_X]);
+    if (std::abs(right) >= kDeadZone) pedals.steer = -most_steer * right * std::abs(right);
+    return pedals;
+}
 
 Input::Input(GLFWwindow* window) : window_(window) {
     // A key that is let go before the next picture has been pressed all the same.
@@ -46,31 +81,20 @@ bool Input::pressed(int key) {
 }
 
 Wishes Input::wishes() {
-    Wishes wishes;
-    wishes.other_vehicle = pressed(GLFW_KEY_TAB);
-    wishes.reset = pressed(GLFW_KEY_R);
-    wishes.arrows = pressed(GLFW_KEY_F);
-    wishes.help = pressed(GLFW_KEY_H);
-    wishes.next_camera = pressed(GLFW_KEY_C);
-    wishes.pause = pressed(GLFW_KEY_P);
-    wishes.rate_steps = (pressed(GLFW_KEY_EQUAL) || pressed(GLFW_KEY_KP_ADD)) -
-                        (pressed(GLFW_KEY_MINUS) || pressed(GLFW_KEY_KP_SUBTRACT));
+    const GLFWgamepadstate before = std::exchange(pad_, padNow());
+    Wishes wishes = padWishes(pad_, before);
+    wishes.other_vehicle |= pressed(GLFW_KEY_TAB);
+    wishes.reset |= pressed(GLFW_KEY_R);
+    wishes.arrows |= pressed(GLFW_KEY_F);
+    wishes.help |= pressed(GLFW_KEY_H);
+    wishes.next_camera |= pressed(GLFW_KEY_C);
+    wishes.pause |= pressed(GLFW_KEY_P);
+    wishes.rate_steps += (pressed(GLFW_KEY_EQUAL) || pressed(GLFW_KEY_KP_ADD)) -
+                         (pressed(GLFW_KEY_MINUS) || pressed(GLFW_KEY_KP_SUBTRACT));
     wishes.rate = slid();
     for (std::size_t i = 0; i < enumNames(Place{}).size(); ++i) {
         if (pressed(GLFW_KEY_1 + static_cast<int>(i))) wishes.place = static_cast<Place>(i);
     }
-    GLFWgamepadstate pad;
-    if (!glfwGetGamepadState(GLFW_JOYSTICK_1, &pad)) return wishes;
-    const auto pushed = [&](int button) {
-        bool& before = buttons_before_[static_cast<std::size_t>(button)];
-        const bool now = pad.buttons[button] == GLFW_PRESS, is_new = now && !before;
-        before = now;
-        return is_new;
-    };
-    wishes.other_vehicle |= pushed(GLFW_GAMEPAD_BUTTON_Y);
-    wishes.reset |= pushed(GLFW_GAMEPAD_BUTTON_BACK);
-    wishes.next_camera |= pushed(GLFW_GAMEPAD_BUTTON_X);
-    wishes.rate_steps += pushed(GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER) - pushed(GLFW_GAMEPAD_BUTTON_LEFT_BUMPER);
     return wishes;
 }
 
@@ -92,17 +116,15 @@ std::optional<double> Input::slid() {
 
 Pedals Input::pedals(double speed, double seconds) {
     const auto either = [&](int a, int b) { return held(a) || held(b); };
-    Pedals pedals;
-    pedals.throttle = either(GLFW_KEY_W, GLFW_KEY_UP) ? 1 : 0;
-    pedals.brake = either(GLFW_KEY_S, GLFW_KEY_DOWN) ? 1 : 0;
-    pedals.handbrake = held(GLFW_KEY_SPACE) ? 1 : 0;
-
     const double most = mostSteer(speed);
+    Pedals pedals = padPedals(pad_, most);
+    if (either(GLFW_KEY_W, GLFW_KEY_UP)) pedals.throttle = 1;
+    if (either(GLFW_KEY_S, GLFW_KEY_DOWN)) pedals.brake = 1;
+    if (held(GLFW_KEY_SPACE)) pedals.handbrake = 1;
     const double wanted = most * (either(GLFW_KEY_A, GLFW_KEY_LEFT) - either(GLFW_KEY_D, GLFW_KEY_RIGHT));
     const double way = seconds * (wanted == 0 ? kReturnRate : kSteerRate);
     steer_ += std::clamp(wanted - steer_, -way, way);
-    pedals.steer = steer_;
-    addGamepad(pedals, most);
+    if (pedals.steer == 0) pedals.steer = steer_;
 
     if (pedals.brake > 0 && pedals.throttle == 0 && speed < kBackwardsBelow) {
         pedals.throttle = -pedals.brake;
@@ -111,17 +133,6 @@ Pedals Input::pedals(double speed, double seconds) {
         std::swap(pedals.throttle, pedals.brake);
     }
     return pedals;
-}
-
-void Input::addGamepad(Pedals& pedals, double most_steer) {
-    GLFWgamepadstate pad;
-    if (!glfwGetGamepadState(GLFW_JOYSTICK_1, &pad)) return;
-    const auto trigger = [&](int axis) { return 0.5 * (1 + static_cast<double>(pad.axes[axis])); };
-    pedals.throttle = std::max(pedals.throttle, trigger(GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER));
-    pedals.brake = std::max(pedals.brake, trigger(GLFW_GAMEPAD_AXIS_LEFT_TRIGGER));
-    if (pad.buttons[GLFW_GAMEPAD_BUTTON_A] == GLFW_PRESS) pedals.handbrake = 1;
-    const double turned = stick(pad.axes[GLFW_GAMEPAD_AXIS_LEFT_X]);
-    if (turned != 0) pedals.steer = -most_steer * turned * std::abs(turned);
 }
 
 }  // namespace tread::demo

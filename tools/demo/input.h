@@ -1,13 +1,13 @@
 // The driver's hands: keyboard and gamepad through GLFW.
 #pragma once
 
+#include <GLFW/glfw3.h>
+
 #include <array>
 #include <optional>
 #include <string_view>
 
 #include "script.h"
-
-struct GLFWwindow;
 
 namespace tread::demo {
 
@@ -24,10 +24,16 @@ struct Wishes {
     std::optional<Place> place;
 };
 
+// What a gamepad asks for; a button once for each push. A pad that is not plugged in is like one that nobody touches.
+GLFWgamepadstate restingPad();
+Wishes padWishes(const GLFWgamepadstate& now, const GLFWgamepadstate& before);
+Pedals padPedals(const GLFWgamepadstate& pad, double most_steer);
+
 class Input {
 public:
     explicit Input(GLFWwindow* window);
 
+    // Looks at keys, mouse and gamepad.
     Wishes wishes();
     // Pedals and steering a moment later; keys are smoothed to what hands can do.
     Pedals pedals(double speed, double seconds);
@@ -36,11 +42,10 @@ private:
     bool held(int key) const;
     bool pressed(int key);
     std::optional<double> slid();
-    void addGamepad(Pedals& pedals, double most_steer);
 
     GLFWwindow* window_;
     std::array<bool, 512> before_{};
-    std::array<bool, 16> buttons_before_{};
+    GLFWgamepadstate pad_ = restingPad();
     double steer_ = 0;
     bool mouse_before_ = false, slides_ = false;
 };

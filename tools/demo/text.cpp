@@ -60,24 +60,10 @@ Text::Text(const std::filesystem::path& font) : program_(kVertex, kFragment), gl
     glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, kAtlas, kAtlas, 0, GL_RED, GL_UNSIGNED_BYTE, pixels.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-
-    glGenVertexArrays(1, &array_);
-    glGenBuffers(1, &buffer_);
-    glBindVertexArray(array_);
-    glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-    const auto attribute = [](GLuint place, GLint count, std::size_t offset) {
-        glEnableVertexAttribArray(place);
-        glVertexAttribPointer(place, count, GL_FLOAT, GL_FALSE, sizeof(Corner), reinterpret_cast<const void*>(offset));
-    };
-    attribute(0, 2, offsetof(Corner, x));
-    attribute(1, 2, offsetof(Corner, u));
-    attribute(2, 4, offsetof(Corner, r));
 }
 
 Text::~Text() {
     glDeleteTextures(1, &texture_);
-    glDeleteBuffers(1, &buffer_);
-    glDeleteVertexArrays(1, &array_);
 }
 
 void Text::addQuad(const Corner& low, const Corner& high) {
@@ -130,11 +116,8 @@ void Text::draw(int width, int height) {
     program_.set("glyphs", 0);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, texture_);
-    glBindVertexArray(array_);
-    glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners_.size() * sizeof(Corner)), corners_.data(),
-                 GL_DYNAMIC_DRAW);
-    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners_.size()));
+    quads_.load(corners_);
+    quads_.draw();
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     corners_.clear();

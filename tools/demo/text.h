@@ -32,7 +32,8 @@ private:
 
     Program program_;
     std::vector<Corner> corners_;
-    GLuint texture_ = 0, array_ = 0, buffer_ = 0;
+    Drawable quads_{{2, 2, 4}};
+    GLuint texture_ = 0;
     struct Glyphs;
     std::unique_ptr<Glyphs> glyphs_;
 };
