@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "blind/gauges.h"
 #include "diagnose/diagnosis_json.h"
@@ -64,6 +65,9 @@ CaseAnswer answerOf(const std::string& name, const Diagnosis& d) {
     answer.probability_of_nothing = d.probability_of_nothing;
     answer.probability_of_unknown = d.probability_of_unknown;
     answer.testable = d.testable;
+    std::set<std::string> confusable;
+    for (const ConfusablePair& pair : d.confusable) confusable.insert({pair.a, pair.b});
+    answer.confusable.assign(confusable.begin(), confusable.end());
     answer.generalised_force = d.unexplained.generalised_force;
     answer.baselines = d.baselines;
     answer.closure = d.how_far.closure;
@@ -98,6 +102,7 @@ std::string answerText(const CaseAnswer& a) {
                     {"probability_of_nothing", jsonOf(a.probability_of_nothing)},
                     {"probability_of_unknown", jsonOf(a.probability_of_unknown)},
                     {"testable", testable},
+                    {"confusable", a.confusable},
                     {"generalised_force", a.generalised_force},
                     {"baselines", Json(baselinesJson(a.baselines))},
                     {"closure", jsonOf(a.closure)},
@@ -123,6 +128,7 @@ CaseAnswer parseAnswer(std::string_view text, const std::string& file) {
         a.probability_of_nothing = numberOf(json.at("probability_of_nothing"));
         a.probability_of_unknown = numberOf(json.at("probability_of_unknown"));
         for (const auto& [name, nats] : json.at("testable").items()) a.testable[name] = numberOf(nats);
+        a.confusable = json.at("confusable");
         a.generalised_force = json.at("generalised_force");
         if (const auto simpler = json.find("baselines"); simpler != json.end())  // older answers have none
             a.baselines = {simpler->at("largest_reduction"), simpler->at("bic")};

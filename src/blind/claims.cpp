@@ -15,13 +15,13 @@ double probabilityOf(const CaseAnswer& answer, const std::string& effect) {
     return 0;
 }
 
+}  // namespace
+
 std::set<std::string> namedIn(const CaseAnswer& answer) {
     std::set<std::string> names(answer.causes.begin(), answer.causes.end());
     for (const auto& alternative : answer.alternatives) names.insert(alternative.begin(), alternative.end());
     return names;
 }
-
-}  // namespace
 
 bool has(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -40,9 +40,13 @@ double natsOf(const CaseAnswer& answer, const std::string& effect) {
     return found == answer.testable.end() ? 0 : found->second;
 }
 
+bool testable(const CaseAnswer& answer, const std::string& effect) {
+    return natsOf(answer, effect) >= kThresholds.testable;
+}
+
 bool testable(const CaseKey& key, const CaseAnswer& answer) {
     return std::any_of(key.effects.begin(), key.effects.end(),
-                       [&](const std::string& effect) { return natsOf(answer, effect) >= kThresholds.testable; });
+                       [&](const std::string& effect) { return testable(answer, effect); });
 }
 
 std::vector<Claim> claimsOf(const CaseKey& key, const CaseAnswer& answer) {

@@ -1,6 +1,7 @@
 // What an answer claims about a case, in the terms in which it is scored.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,13 +15,17 @@ namespace tread {
 // unknown acts.
 std::vector<Claim> claimsOf(const CaseKey& key, const CaseAnswer& answer);
 
+// Causes, and the effects of all alternatives.
+std::set<std::string> namedIn(const CaseAnswer& answer);
+
 bool blames(const CaseAnswer& answer);  // an effect of the catalogue
 bool alarms(const CaseAnswer& answer);  // that, or something unknown
 
 // Evidence that the drives were to show of an effect.
 double natsOf(const CaseAnswer& answer, const std::string& effect);
+bool testable(const CaseAnswer& answer, const std::string& effect);
 
-// What this case can show: nothing may be answered where the drives show nothing.
+// Whether the drives were to show one of the effects: nothing may be answered where they show nothing.
 bool testable(const CaseKey& key, const CaseAnswer& answer);
 
 bool has(const std::vector<std::string>& names, const std::string& name);

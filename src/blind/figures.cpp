@@ -19,18 +19,19 @@ bool alike(const std::vector<std::string>& a, const std::vector<std::string>& b)
 }  // namespace
 
 Counter::Counter() {
-    add("named_first", "one effect, testable: named first", 0.95);
+    add("named_first", "one effect, testable and told apart: named first", 0.95);
     add("largest_reduction_first", "  the same, by the largest reduction of the gap alone", 0);
     add("bic_first", "  the same, by the information criterion BIC with free tolerances", 0);
     add("named_alone", "one effect, testable: named, and nothing else", 0);
     add("among_first_two", "one effect, testable: among the first two", 0);
     add("named_first_faint", "one effect that may show, but is not testable: named first", 0);
+    add("confusable_named", "one effect, testable, that resembles another: named, if only as an alternative", 0);
     add("named_first_any", "one effect, testable or not: named first", 0);
     add("in_credible_set", "one effect: in the set that holds 90 %", 0.9);
     add("false_alarm", "no effect: false alarm", 0.02, false);
     add("largest_reduction_false_alarm", "  the same, by the largest reduction of the gap alone", 0, false);
     add("bic_false_alarm", "  the same, by the information criterion BIC with free tolerances", 0, false);
-    add("pair_exact", "two effects, both testable: both named, and nothing else", 0.85);
+    add("pair_exact", "two effects, both testable and told apart: both named, and nothing else", 0.85);
     add("pair_one_first", "two effects, one testable: one of them named first", 0.98);
     add("pair_exact_any", "two effects, testable or not: both named, and nothing else", 0);
     add("detected", "something is wrong and testable: detected", 0);
@@ -86,6 +87,10 @@ void Counter::one(const CaseKey& key, const CaseAnswer& answer) {
         if (natsOf(answer, truth) >= kThresholds.shows) count("named_first_faint", first && named);
         return;
     }
+    if (has(answer.confusable, truth)) {
+        count("confusable_named", named && namedIn(answer).contains(truth));
+        return;
+    }
     count("named_first", first && named);
     baselines("_first", answer, [&](const std::string& claim) { return claim == truth; });
     count("named_alone", answer.verdict == Verdict::explained && alike(answer.causes, key.effects));
@@ -102,7 +107,7 @@ void Counter::two(const CaseKey& key, const CaseAnswer& answer) {
     if (!testable(key, answer)) return;
     count("pair_one_first", alarms(answer) && !answer.effects.empty() && has(key.effects, answer.effects.front().name));
     const bool both = std::all_of(key.effects.begin(), key.effects.end(), [&](const std::string& effect) {
-        return natsOf(answer, effect) >= kThresholds.testable;
+        return testable(answer, effect) && !has(answer.confusable, effect);
     });
     if (both) count("pair_exact", exact);
 }

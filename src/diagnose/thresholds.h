@@ -9,14 +9,14 @@
 namespace tread {
 
 struct Thresholds {
-    double effect = 6.5;           // nats that one effect must gain over none: in empty cases the best rarely gained 4
-    double further_effect = 6.5;   // nats that one more effect must gain,
+    double effect = 5;             // nats that one effect must gain over none: in empty cases the best never gained 3
+    double further_effect = 5;     // nats that one more effect must gain,
     double further_share = 0.002;  // and of the nats explained already: no signature is known better than that,
     double further_most = 6;       // but of these no more nats than this
     double unknown = 6;            // nats that larger disturbances gain on top of the best model
     double separable = 6;          // nats between two effects
     double shows = 6;              // nats to expect of an effect: below, a drive cannot show it
-    double testable = 18;          // nats to expect at typical size, of which 19 in 20 gain `effect`: see below
+    double testable = 22;          // nats to expect at typical size: 19 in 20 such effects gain `effect`, see below
     double temperature = 1.25;     // evidence counts as if this many times as much data were needed
     double sure = 0.9;             // probability of the causes together, below which alternatives are named
     double credible = 0.9;
@@ -27,8 +27,9 @@ struct Thresholds {
     }
 };
 
-// With n nats to expect, the data gain n on average, with a standard deviation of sqrt(2 n), less ln(1 + 2 n) / 2 for
-// the freedom: testable is n when that leaves `effect` at 1.645 standard deviations below the average.
+// An effect of s times its typical size, of which n nats were to be expected at that, gains (z + s sqrt(2 n))^2 / 2 -
+// ln(1 + 2 n) / 2 with z standard normal: the last is for its freedom. Of sizes from 0.6 to 1.6, evenly, 96 in 100 gain
+// `effect` when n is `testable`.
 inline constexpr Thresholds kThresholds{};
 
 }  // namespace tread

@@ -13,7 +13,7 @@ constexpr double kLeastShare = 0.02;  // of the information, that a drive must c
 constexpr double kWider = 2;          // times the spread of an effect's size, that an imitation of it has
 // Standard deviation of a value from drive to drive, as a share of it: of a true effect (the fit is linear there), and
 // of an imitation.
-constexpr double kSame = 0.1, kSameCompared = 0.25, kVaried = 0.5;
+constexpr double kSame = 0.1, kVaried = 0.5;
 constexpr double kJumps = 0.04;  // of what is explained, that varies all the same: controllers set in or do not
 
 }  // namespace

@@ -23,7 +23,9 @@ std::map<std::string, Estimate> estimates(const Study& study, const Fit& fit, co
         if (std::find(knobs.begin(), knobs.end(), p) == knobs.end()) continue;
         const Parameter& parameter = study.bench.parameters[static_cast<std::size_t>(p)];
         const double units = fit.at(p);
-        const double sd = std::sqrt(doubt * fit.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)));
+        const double structure = study.bench.compared() ? kSameCompared * units : 0;
+        const double variance = doubt * fit.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i));
+        const double sd = std::sqrt(variance + structure * structure);
         constexpr double kNear = 1e-6;
         for (const Parameter::Move& move : parameter.moves) {
             Estimate one{.value = move.nominal + units * move.by,

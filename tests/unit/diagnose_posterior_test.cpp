@@ -1,4 +1,5 @@
 // Probabilities of causes, against Bayes' rule by hand.
+#include "base/random.h"
 #include "diagnose/posterior.h"
 
 #include <gtest/gtest.h>
@@ -70,11 +71,18 @@ TEST(Posterior, EffectsThatDrivesCannotShowAreNothingThatShows) {
     EXPECT_NEAR(with_it.ofNothingThatShows(screen), 1 - with_it.of(3), 1e-12);
 }
 
-// The nats n to expect of an effect come with a standard deviation of sqrt(2 n) and cost ln(1 + 2 n) / 2.
 TEST(Thresholds, WhatIsTestableIsFoundNineteenTimesInTwenty) {
-    const double n = kThresholds.testable;
-    const double least = n - 0.5 * std::log(1 + 2 * n) - 1.645 * std::sqrt(2 * n);
-    EXPECT_NEAR(least, kThresholds.effect, 0.2);
+    // A gain that is measured with a standard deviation of one: its square over two, less what its freedom costs.
+    const double size = std::sqrt(2 * kThresholds.testable), freedom = 0.5 * std::log(1 + 2 * kThresholds.testable);
+    Random random(1);
+    constexpr int kMany = 100000;
+    int found = 0;
+    for (int i = 0; i < kMany; ++i) {
+        const double seen = (0.6 + random.uniform()) * size + random.normal();
+        found += 0.5 * seen * seen - freedom > kThresholds.effect ? 1 : 0;
+    }
+    EXPECT_GT(found, 0.95 * kMany);
+    EXPECT_LT(found, 0.97 * kMany);
 }
 
 }  // namespace

@@ -1,0 +1,81 @@
+// What disturbances do to a drive, as a few replays tell it, against pushing the car each time anew.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/disturbance.h"
+#include "diagnose/replay.h"
+#include "planted/planted.h"
+
+namespace tread {
+namespace {
+
+constexpr double kHat = 0.25;  // s, half of the time that a push takes
+
+Push pushOf(Disturbed kind, double size) {
+    switch (kind) {
+        case Disturbed::longitudinal:
+            return {.force = {size, 0, 0}};
+        case Disturbed::lateral:
+            return {.force = {0, size, 0}};
+        case Disturbed::yaw:
+            return {.moment = {0, 0, size}};
+        default:
+            return {.moment = {size, 0, 0}};
+    }
+}
+
+double noise(const ObservedChannel& channel) {
+    const auto of = std::find_if(planted::kNoise.begin(), planted::kNoise.end(),
+                                 [&](const planted::Noise& one) { return one.channel == channel.name; });
+    return of == planted::kNoise.end() ? 0 : of->sd;
+}
+
+// Steers ever more, far beyond the grip of the front tyres.
+Scenario spiral() {
+    Phase turn = planted::phase(8.5);
+    turn.steering = Ramp<Angle>{.to = 200 * planted::kDegree, .rate = 25 * planted::kDegree};
+    return planted::drive(22, {turn});
+}
+
+TEST(Disturbances, PushesDoWhatTheyDoAloneAlsoAtTheLimitAndLongAfter) {
+    const planted::Case made = planted::recorded(
+        {.vehicle = planted::nominalCar(), .road = {}, .wind = {}, .instruments = {}}, {{"spiral", spiral()}});
+    Bench bench;
+    bench.nominal = made.nominal;
+    bench.simulate = [](const VehicleParams& car, const Scenario& scenario, const Recorder& recorder,
+                        const Pushing& pushing) { simulate(car, scenario, recorder, pushing); };
+    bench.drives = {recordedDrive(made.file.recordings.front(), made.logs.front(), made.file)};
+    const RecordedDrive& drive = bench.drives.front();
+    const Rows rows = *rowsAt(bench, bench.origin());
+    const Disturbances told =
+        disturbances(bench, 0, bench.nominal, startSpeedColumn(bench, 0, bench.nominal, rows.front()));
+    // Without what lingers of each impulse in the hats after it.
+    const Eigen::Index hats = told.lingering.rows();
+    const Eigen::MatrixXd alone = told.lingering.inverse();
+    for (const Disturbed kind : {Disturbed::longitudinal, Disturbed::lateral, Disturbed::yaw, Disturbed::roll}) {
+        const Eigen::MatrixXd columns = told.columns.middleCols(static_cast<Eigen::Index>(kind) * hats, hats) * alone;
+        for (const double peak : {1.0, 4.0, 6.5}) {
+            const auto pushing = [&](double time, const VehicleInput&, const VehicleOutput&) {
+                const double height = std::max(0.0, 1 - std::abs(time - peak) / kHat);
+                return pushOf(kind, height * usualSize(kind, bench.nominal.vehicle));
+            };
+            const std::optional<Log> motion = motionAt(bench, 0, bench.nominal, {.pushing = pushing});
+            ASSERT_TRUE(motion);
+            const Eigen::VectorXd really = readings(drive, *motion, bench.nominal.instruments) - rows.front();
+            const Eigen::VectorXd column = columns.col(static_cast<Eigen::Index>(std::lround(peak / kHat)));
+            for (const ObservedChannel& channel : drive.channels) {
+                const auto count = static_cast<Eigen::Index>(channel.times.size());
+                const Eigen::VectorXd real = really.segment(channel.first_row, count);
+                const Eigen::VectorXd off = column.segment(channel.first_row, count) - real;
+                EXPECT_LT(off.lpNorm<Eigen::Infinity>(), 0.1 * real.lpNorm<Eigen::Infinity>() + 0.02 * noise(channel))
+                    << channel.name << ", " << kDisturbedNames[static_cast<std::size_t>(kind)] << " at " << peak
+                    << " s";
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace tread
