@@ -17,12 +17,6 @@ constexpr double kWorthNaming = 0.05;  // share, or probability of an effect
 constexpr double kMostly = 0.5;        // of the missing force: side forces are worth a word
 constexpr std::size_t kMostShares = 3, kMostEffects = 5;
 
-std::string wordsOf(const std::string& channel) {
-    for (const ObservedQuantity& quantity : observedQuantities())
-        if (quantity.channel == channel) return quantity.subsystem;
-    return channel;
-}
-
 // "yaw rate 62 %, lateral acceleration 30 %"
 std::string largest(const Shares& shares, bool channels = false) {
     std::vector<std::pair<double, std::string>> sorted;
@@ -31,8 +25,8 @@ std::string largest(const Shares& shares, bool channels = false) {
     std::string list;
     for (std::size_t i = 0; i < sorted.size() && i < kMostShares; ++i) {
         if (-sorted[i].first < kWorthNaming) break;
-        list += fmt::format("{}{} {:.0f} %", i > 0 ? ", " : "", channels ? wordsOf(sorted[i].second) : sorted[i].second,
-                            -100 * sorted[i].first);
+        list += fmt::format("{}{} {:.0f} %", i > 0 ? ", " : "",
+                            channels ? channelInWords(sorted[i].second) : sorted[i].second, -100 * sorted[i].first);
     }
     return list.empty() ? "nowhere" : list;
 }
@@ -66,8 +60,8 @@ std::string whichOf(const Diagnosis& d) {
     for (const RankedEffect& effect : d.effects) {
         const bool named = std::find(d.causes.begin(), d.causes.end(), effect.name) != d.causes.end();
         if (!named && (rank >= kMostEffects || effect.probability < kWorthNaming)) continue;
-        text += fmt::format("{}{}. {:<28} p = {:.2f}   {}\n", rank == 0 ? "WHICH     " : "          ", rank + 1,
-                            effect.name, effect.probability, parametersOf(effect));
+        text += fmt::format("{}{}. {:<28} {}   {}\n", rank == 0 ? "WHICH     " : "          ", rank + 1, effect.name,
+                            probabilityInWords(effect.probability), parametersOf(effect));
         ++rank;
     }
     return text.empty() ? "WHICH     no effect of the catalogue\n" : text;
@@ -91,6 +85,16 @@ std::string testableOf(const Diagnosis& d) {
 }
 
 }  // namespace
+
+std::string channelInWords(const std::string& channel) {
+    for (const ObservedQuantity& quantity : observedQuantities())
+        if (quantity.channel == channel) return quantity.subsystem;
+    return channel;
+}
+
+std::string probabilityInWords(double p) {
+    return p >= 0.995 ? "p > 0.99" : fmt::format("p = {:.2f}", p);
+}
 
 std::string together(const std::vector<std::string>& causes) {
     return fmt::format("{}", fmt::join(causes, " and "));

@@ -9,6 +9,12 @@ namespace tread {
 
 std::string diagnosisText(const Diagnosis& diagnosis);
 
+// A measured channel as people name it: "yaw rate"; one that is not known stays as it is.
+std::string channelInWords(const std::string& channel);
+
+// "p = 0.97"; nothing is certain.
+std::string probabilityInWords(double p);
+
 // What acts together: "grip and mass".
 std::string together(const std::vector<std::string>& causes);
 std::vector<std::string> eachTogether(const std::vector<std::vector<std::string>>& alternatives);

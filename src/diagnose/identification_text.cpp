@@ -15,6 +15,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kNotJustNoise = 1.2;
+constexpr double kMost = 0.5;  // of the squared gap that can be closed
+constexpr double kMoved = 1;   // prior standard deviations from which a number counts as moved
+constexpr std::size_t kNamed = 3;
 constexpr double kAlike = 0.9;   // correlation from which two numbers are told to be known together only
 constexpr double kFarMoved = 2;  // prior standard deviations
 constexpr double kBadly = 1e4;   // condition from which it is worth a line
@@ -64,6 +67,24 @@ std::string identificationInWords(const Identification& found) {
     return text;
 }
 
+std::string otherNumbersInWords(const Identification& found) {
+    const GapLevels& level = judged(found.gap.how_far);
+    const auto closed = [&](double by) { return level.nominal * level.nominal - by * by; };
+    if (level.nominal < kNotJustNoise * level.floor || closed(level.calibrated) > kMost * closed(level.extended))
+        return {};
+    std::vector<std::pair<std::string, NuisanceEstimate>> moved;
+    for (const auto& one : found.gap.nuisance)
+        if (std::abs(one.second.z) > kMoved) moved.push_back(one);
+    if (moved.empty()) return {};
+    std::stable_sort(moved.begin(), moved.end(),
+                     [](const auto& a, const auto& b) { return std::abs(a.second.z) > std::abs(b.second.z); });
+    std::string list;
+    for (std::size_t i = 0; i < std::min(moved.size(), kNamed); ++i)
+        list += fmt::format("{}{} ({:+.1f})", i > 0 ? ", " : "", moved[i].first, moved[i].second.z);
+    return "most of the gap is closed by numbers that were not asked for, moved by so many standard deviations: " +
+           list;
+}
+
 std::string identificationText(const Identification& found) {
     std::size_t width = 6;
     for (const FittedNumber& one : found.numbers) width = std::max(width, one.path.size());
@@ -83,6 +104,7 @@ std::string identificationText(const Identification& found) {
                                 : "");
     }
     text += pairsOf(found);
+    if (const std::string others = otherNumbersInWords(found); !others.empty()) text += "OTHERS    " + others + "\n";
     if (found.left_over > kNotJustNoise)
         text += fmt::format(
             "LEFT      {:.1f} times the noise in the fitted drives: the model lacks something; errors are scaled by "

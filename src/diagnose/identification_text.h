@@ -12,6 +12,9 @@ namespace tread {
 std::string identificationInWords(const Identification& found);
 
 // The answer, the numbers, how they hang together, how far the gap shrinks.
+// What closes most of the gap where the chosen numbers do not; empty where they do.
+std::string otherNumbersInWords(const Identification& found);
+
 std::string identificationText(const Identification& found);
 
 nlohmann::ordered_json identificationJson(const Identification& found);

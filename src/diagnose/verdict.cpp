@@ -114,7 +114,7 @@ std::string inWords(const Diagnosis& d) {
     }
     switch (d.verdict) {
         case Verdict::explained:
-            return fmt::format("The gap is caused by {} (p = {:.2f})", together(d.causes), p);
+            return fmt::format("The gap is caused by {} ({})", together(d.causes), probabilityInWords(p));
         case Verdict::ambiguous:
             return fmt::format("The gap is caused by {} or {}: these drives cannot tell them apart", together(d.causes),
                                fmt::join(eachTogether(d.alternatives), " or "));

@@ -1,6 +1,7 @@
 #include "report/blind_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "report/html.h"
 #include "report/text.h"
@@ -20,27 +21,35 @@ bool missed(const Figure& figure) {
 std::vector<std::vector<Cell>> figureRows(const BlindScore& score) {
     std::vector<std::vector<Cell>> rows;
     for (const Figure& figure : score.figures) {
+        if (figure.of == 0) continue;
         const Interval interval = figure.interval();
-        const bool tried = figure.of > 0;
-        rows.push_back(
-            {{.text = figure.what},
-             {.text = fmt::format("{} of {}", figure.hits, figure.of), .number = true},
-             {.text = tried ? tenthsOfPercent(figure.share()) : "–", .number = true, .alarm = missed(figure)},
-             {.text =
-                  tried ? fmt::format("{} to {}", tenthsOfPercent(interval.low), tenthsOfPercent(interval.high)) : "–",
-              .number = true},
-             {.text = figure.target > 0 ? fmt::format("{} {}", figure.at_least ? "at least" : "at most",
-                                                      tenthsOfPercent(figure.target))
-                                        : "",
-              .number = true}});
+        rows.push_back({{.text = figure.what.starts_with(" ") ? "– " + figure.what : figure.what},
+                        {.text = fmt::format("{} of {}", figure.hits, figure.of), .number = true},
+                        {.text = tenthsOfPercent(figure.share()), .number = true, .alarm = missed(figure)},
+                        {.text = fmt::format("{} to {}", tenthsOfPercent(interval.low), tenthsOfPercent(interval.high)),
+                         .number = true},
+                        {.text = figure.target > 0 ? fmt::format("{} {}", figure.at_least ? "at least" : "at most",
+                                                                 tenthsOfPercent(figure.target))
+                                                   : "",
+                         .number = true}});
     }
     return rows;
 }
 
+// What was asked for and no case could answer.
+std::string untried(const BlindScore& score) {
+    std::vector<std::string> names;
+    for (const Figure& figure : score.figures)
+        if (figure.of == 0 && figure.target > 0) names.push_back(figure.what);
+    return names.empty() ? "" : fmt::format("No case says anything of: {}.", fmt::join(names, "; "));
+}
+
 Chart reliabilityChart(const BlindScore& score) {
     Series stated{.name = "claims", .x = {}, .y = {}, .markers = true};
+    int claims = 0;
     for (const ReliabilityBin& bin : score.reliability) {
         if (bin.claims == 0) continue;
+        claims += bin.claims;
         stated.x.push_back(100 * bin.stated);
         stated.y.push_back(100.0 * bin.right / bin.claims);
     }
@@ -49,7 +58,7 @@ Chart reliabilityChart(const BlindScore& score) {
             .x = {.label = "stated probability", .unit = "%", .lowest = 0, .highest = 100},
             .y = {.label = "claims that were right", .unit = "%", .lowest = 0, .highest = 100},
             .series = {ideal, stated},
-            .note = fmt::format("Expected calibration error {:.3f}.", score.calibration_error)};
+            .note = fmt::format("{} claims; expected calibration error {:.3f}.", claims, score.calibration_error)};
 }
 
 std::vector<std::vector<Cell>> confusionRows(const BlindScore& score) {
@@ -82,10 +91,17 @@ std::string blindReport(const BlindReport& report) {
                  score.median_closure ? tenthsOfPercent(*score.median_closure) : "none blamed", ""},
                 {"Calibration error", formatNumber(score.calibration_error, 2), ""},
                 {"Time of a diagnosis", formatNumber(score.median_seconds, 3), "s"}});
-    page.keyValues(
-        {{"Cases", report.made_of}, {"SHA-256 of the key", report.key_sha256}, {"Made by", "tread " + report.version}});
+    page.keyValues({{"Cases", report.made_of},
+                    {"90 % set, single causes", score.mean_credible_set
+                                                    ? fmt::format("{:.1f} causes in the mean, median {:.0f}",
+                                                                  *score.mean_credible_set, *score.median_credible_set)
+                                                    : ""},
+                    {"SHA-256 of the key", report.key_sha256},
+                    {"Made by", "tread " + report.version}});
+    if (score.failed > 0) page.warnings({fmt::format("{} of {} cases have no answer.", score.failed, score.cases)});
     page.section("Figures");
     page.table({"What", "Cases", "Share", "Wilson 95 %", "Asked for"}, figureRows(score));
+    if (const std::string rest = untried(score); !rest.empty()) page.text(rest);
     page.section("Probabilities");
     page.figures({reliabilityChart(score)});
     page.section("Confusion");

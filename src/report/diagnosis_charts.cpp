@@ -123,6 +123,8 @@ void addOverlays(HtmlPage& page, const Diagnosis& diagnosis, const char* extende
             "Shaded: what the nominal car could do with its numbers elsewhere within their tolerances. What was "
             "measured outside of that by more than its noise, they hardly explain. Drives that were held out have "
             "none.");
+    if (diagnosis.compared)
+        page.text("Measured: less what the nominal car lacked in the reference, the same drive before the change.");
     if (diagnosis.overlays.size() > kRecordings)
         page.text("Held-out drives first, then those with most of the gap; the logs beside this page have all.");
     page.timeCharts(charts);

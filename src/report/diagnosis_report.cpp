@@ -49,8 +49,8 @@ void addHead(HtmlPage& page, const DiagnosisReport& content) {
     std::vector<Card> cards;
     for (const RankedEffect& effect : d.effects) {
         if (std::find(d.causes.begin(), d.causes.end(), effect.name) != d.causes.end())
-            cards.push_back(
-                {"probability of " + shownName(effect.name), formatNumber(100 * effect.probability, 3), "%"});
+            cards.push_back({"probability of " + shownName(effect.name),
+                             effect.probability > 0.9995 ? "> 99.9" : formatNumber(100 * effect.probability, 3), "%"});
     }
     const std::string where = d.how_far.in_sample ? "in the same drives" : "in held-out drives";
     cards.push_back({"gap " + where + ", in noise units: nominal", formatNumber(judged.nominal, 3), ""});
@@ -67,7 +67,10 @@ void addHead(HtmlPage& page, const DiagnosisReport& content) {
         {{"Where", fmt::format("{} of the gap; force: {}; band: {}; when: {}", largest(d.where.channels),
                                largest(d.where.generalised_force), largest(d.where.bands), largest(d.where.phases))},
          {"Could also be", fmt::format("{}", fmt::join(shownNames(eachTogether(d.alternatives)), ", "))},
-         {"90 % sure it is among", fmt::format("{}", fmt::join(shownNames(d.credible_set), ", "))},
+         {"90 % sure it is among",
+          std::is_permutation(d.causes.begin(), d.causes.end(), d.credible_set.begin(), d.credible_set.end())
+              ? ""
+              : fmt::format("{}", fmt::join(shownNames(d.credible_set), ", "))},
          {"Drive next", d.next.empty() ? "" : d.next.front().scenario + ": " + d.next.front().separates},
          {"Car", content.vehicle},
          {"Compared with", d.compared ? "the same drives of the car as it was before: what the model lacked already is "

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/diagnosis_text.h"
 #include "diagnose/subject_paths.h"
 #include "diagnose/thresholds.h"
 #include "report/text.h"
@@ -13,8 +14,9 @@
 namespace tread {
 namespace {
 
-constexpr std::size_t kShown = 8;  // effects in the table; the others are only named
-constexpr double kNoteworthy = 1;  // standard deviations of its tolerance that a number was moved
+constexpr std::size_t kShown = 8;   // effects in the table; the others are only counted
+constexpr std::size_t kPairs = 10;  // pairs that cannot be told apart
+constexpr double kNoteworthy = 1;   // standard deviations of its tolerance that a number was moved
 
 std::string percent(double share) {
     return fmt::format("{:.0f} %", 100 * share);
@@ -54,74 +56,10 @@ std::string parametersText(const RankedEffect& effect) {
     return fmt::format("{}", fmt::join(lines, "; "));
 }
 
-std::vector<std::pair<std::string, double>> sorted(const Shares& shares) {
-    std::vector<std::pair<std::string, double>> order(shares.begin(), shares.end());
-    std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
-    return order;
-}
-
-// Groups of shares beside each other, each its own column: "1-3 Hz  45 %".
-void addShares(HtmlPage& page, const std::vector<std::pair<const char*, const Shares*>>& groups) {
-    std::vector<std::string> header;
-    std::vector<std::vector<std::pair<std::string, double>>> columns;
-    std::size_t rows = 0;
-    for (const auto& [name, shares] : groups) {
-        if (shares->empty()) continue;
-        header.push_back(name);
-        columns.push_back(sorted(*shares));
-        rows = std::max(rows, columns.back().size());
-    }
-    std::vector<std::vector<Cell>> cells;
-    for (std::size_t r = 0; r < std::min<std::size_t>(rows, 8); ++r) {
-        std::vector<Cell> row;
-        for (const auto& column : columns) {
-            if (r >= column.size()) {
-                row.push_back({""});
-                continue;
-            }
-            Cell cell{shownName(column[r].first) + "  " + percent(column[r].second)};
-            cell.bar = column[r].second;
-            row.push_back(std::move(cell));
-        }
-        cells.push_back(std::move(row));
-    }
-    page.table(header, cells);
-}
-
-void addHeatMap(HtmlPage& page, const WhereItLies& where) {
-    std::vector<std::string> channels, header{"Recording"};
-    for (const auto& [channel, share] : sorted(where.channels)) {
-        channels.push_back(channel);
-        header.push_back(shownName(channel));
-    }
-    double most = 0;
-    for (const auto& [recording, shares] : where.channels_of_recording) {
-        for (const auto& [channel, share] : shares) most = std::max(most, share);
-    }
-    std::vector<std::vector<Cell>> rows;
-    for (const auto& [recording, total] : sorted(where.recordings)) {
-        const auto found = where.channels_of_recording.find(recording);
-        if (found == where.channels_of_recording.end()) continue;
-        std::vector<Cell> row{{recording}};
-        for (const std::string& channel : channels) {
-            const double share = valueOf(found->second, channel, 0.0);
-            Cell cell{share > 0 ? fmt::format("{:.1f} %", 100 * share) : "", true};
-            cell.heat = most > 0 ? share / most : 0;
-            row.push_back(std::move(cell));
-        }
-        rows.push_back(std::move(row));
-    }
-    page.table(header, rows);
-}
-
 }  // namespace
 
 std::string shownName(std::string_view name) {
-    if (name.starts_with("chassis.")) name.remove_prefix(8);
-    std::string out(name);
-    if (out == "vx") return "speed";
-    if (out == "vy") return "lateral velocity";
-    if (out.starts_with("wheel.")) out = "wheel speed " + out.substr(6, out.rfind('.') - 6);
+    std::string out = channelInWords(std::string(name));
     std::replace(out.begin(), out.end(), '_', ' ');
     return out;
 }
@@ -182,28 +120,12 @@ void addLevels(HtmlPage& page, const HowFar& how_far, const char* extended) {
     add("Drives it was learnt from", how_far.training);
     if (!how_far.in_sample) add("Held-out drives", how_far.held_out);
     page.table({"Drives", "Model", "Gap"}, rows);
-    page.text(fmt::format("{} of what can be closed is closed (90 %: {} to {}){}.", percent(how_far.closure),
-                          percent(how_far.closure_low), percent(how_far.closure_high),
+    page.text(fmt::format("{} of what can be closed is closed {} (90 %: {} to {}){}.", percent(how_far.closure),
+                          extended, percent(how_far.closure_low), percent(how_far.closure_high),
                           how_far.in_sample
                               ? "; judged on the drives that it was fitted to, because none was held out: "
                                 "too favourable"
                               : ", on drives that were not used to find it"));
-}
-
-void addWhere(HtmlPage& page, const WhereItLies& where) {
-    page.text(
-        "Shares of the squared gap of the nominal car, in noise units: by recording and channel, then by what the "
-        "driver does, frequency, operating regime and the force that is missing.");
-    addHeatMap(page, where);
-    addShares(page, {{"Phase", &where.phases},
-                     {"Frequency", &where.bands},
-                     {"Regime", &where.regimes},
-                     {"Missing force", &where.generalised_force},
-                     {"Side force at the axle", &where.axle_force}});
-    page.text(
-        "Missing force: what would have to push the nominal car, its numbers within their tolerances, for it to go as "
-        "was measured. Side force at the axle: where it would push to do what is missing of lateral force and yaw "
-        "moment.");
 }
 
 void addLimits(HtmlPage& page, const Diagnosis& diagnosis) {
@@ -213,15 +135,21 @@ void addLimits(HtmlPage& page, const Diagnosis& diagnosis) {
     if (!next.empty()) page.table({"Drive next", "Nats to expect", "What it would tell"}, next, true);
 
     std::vector<std::vector<Cell>> pairs;
-    for (const ConfusablePair& pair : diagnosis.confusable)
+    for (const ConfusablePair& pair : diagnosis.confusable) {
+        if (pairs.size() == kPairs) break;
         pairs.push_back({{shownName(pair.a)},
                          {shownName(pair.b)},
                          {formatNumber(pair.cosine, 2), true},
-                         {formatNumber(pair.separation, 2), true, pair.separation < kThresholds.separable},
+                         {formatNumber(pair.separation, 2), true},
                          {pair.manoeuvre}});
+    }
     if (!pairs.empty()) {
-        page.text("Pairs that look alike in these drives; separation in nats at typical size.");
-        page.table({"Effect", "looks like", "Likeness", "Separation, nats", "Best told apart by"}, pairs);
+        const std::size_t all = diagnosis.confusable.size();
+        page.text(
+            fmt::format("Pairs that these drives cannot tell apart: less than {:.0f} nats between them at typical "
+                        "size{}.",
+                        kThresholds.separable, all > kPairs ? fmt::format("; the {} nearest of {}", kPairs, all) : ""));
+        page.table({"Effect", "Looks like", "Likeness", "Separation, nats", "Most of it in"}, pairs);
     }
     std::vector<std::string> hidden;
     for (const auto& [effect, nats] : diagnosis.testable) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/identification_text.h"
 #include "diagnose/subject_paths.h"
 #include "report/diagnosis_charts.h"
 #include "report/diagnosis_tables.h"
@@ -95,6 +96,8 @@ std::string identificationReport(const std::string& vehicle, const std::string& 
         "Nominal: the car as its file says. Calibrated: with the fitted numbers alone, as in calibrated.yaml. Within "
         "tolerance: everything else that is uncertain moved, too.");
     addLevels(page, found.gap.how_far, "within tolerance");
+    if (const std::string others = otherNumbersInWords(found); !others.empty())
+        page.text(fmt::format("Note: {}.", others));
 
     page.section("Where the nominal car was off");
     addWhere(page, found.gap.where);

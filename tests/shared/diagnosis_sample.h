@@ -70,7 +70,7 @@ inline Diagnosis sampleDiagnosis() {
                   {"front.suspension.spring", {23900, 700, 2.4}}};
     d.testable = {
         {"tyre_relaxation", 180}, {"steering_delay", 96}, {"damping", 40}, {"brake_fade", 0.2}, {"brake_gain", 1.1}};
-    d.confusable = {{"tyre_relaxation", "steering_delay", 0.86, 34, "sine_sweep"},
+    d.confusable = {{"damping", "roll_inertia", 0.86, 4.2, "sine_sweep"},
                     {"roll_steer_rear", "compliance_steer_rear", 0.97, 2.1, "double_lane_change"}};
     d.next = {{"scenarios/sine_sweep.yaml", "tyre relaxation from steering delay", 34},
               {"scenarios/straight_braking_100.yaml", "brake gain, brake fade: not testable now", 120}};

@@ -126,5 +126,17 @@ TEST(BlindReport, SaysTheFiguresAndTheHashOfTheKey) {
         EXPECT_NE(page.find(word), std::string::npos) << word;
 }
 
+TEST(BlindReport, SaysWhatNoCaseCanAnswerInsteadOfZeros) {
+    CaseKey key;
+    key.name = "case_001";
+    BlindReport report;
+    report.score = score({key}, {});
+    const std::string page = blindReport(report);
+    for (const char* word : {"No case says anything of: one effect, testable: named first", "no such case",
+                             "none blamed", "1 of 1 cases have no answer"})
+        EXPECT_NE(page.find(word), std::string::npos) << word;
+    EXPECT_EQ(page.find("0.0 %"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace tread

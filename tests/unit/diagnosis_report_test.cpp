@@ -29,9 +29,9 @@ TEST(DiagnosisPage, SaysTheAnswerFirstAndWhatItRestsOn) {
     for (const char* said :
          {"The gap is caused by tyre_relaxation (p = 0.97).", "▶ tyre relaxation", "an unknown cause",
           "front.tyre.parameters.cFy = 105000 ± 6000 N/m (90 %: 95100 to 114900; nominal 141800)",
-          "92 % of what can be closed is closed", "Held-out drives", "(held out): yaw rate", "sine_sweep",
-          "scenarios/straight_braking_100.yaml", "brake fade, brake gain", "a slower source, held",
-          "2310 simulations in 41 s"})
+          "92 % of what can be closed is closed with the effect (90 %: 88 % to 95 %)", "Held-out drives",
+          "(held out): yaw rate", "sine_sweep", "scenarios/straight_braking_100.yaml", "brake fade, brake gain",
+          "a slower source, held", "2310 simulations in 41 s"})
         EXPECT_TRUE(contains(html, said)) << said;
     EXPECT_LT(html.find("The gap is caused by"), html.find("Which effect"));
 }
@@ -110,6 +110,27 @@ TEST(DiagnosisPage, NamesWhatElseItCouldBeWholeAndTheJsonEveryEffectOfItOnce) {
     d.alternatives = {{"damping", "steering_delay"}, {"steering_delay", "grip"}};
     EXPECT_TRUE(contains(page(d), "damping and steering delay, steering delay and grip"));
     EXPECT_EQ(diagnosisJson(d).at("alternatives"), nlohmann::ordered_json::array({"grip", "steering_delay"}));
+}
+
+TEST(DiagnosisPage, ShowsTheNearestPairsThatCannotBeToldApartAndCountsTheOthers) {
+    Diagnosis d = shared::sampleDiagnosis();
+    EXPECT_FALSE(contains(page(d), "nearest of"));
+    const ConfusablePair far{"grip", "camber_thrust", 0.6, 5.9, "sine_sweep"};
+    d.confusable.resize(11, far);
+    EXPECT_TRUE(contains(page(d), "the 10 nearest of 11"));
+}
+
+TEST(DiagnosisPage, SaysWhatIsTakenOffWhereItComparedWithReferences) {
+    Diagnosis d = shared::sampleDiagnosis();
+    EXPECT_FALSE(contains(page(d), "Measured: less what"));
+    d.compared = true;
+    EXPECT_TRUE(contains(page(d), "Measured: less what the nominal car lacked in the reference"));
+    EXPECT_TRUE(contains(page(d), "Compared with"));
+}
+
+TEST(DiagnosisText, NothingIsCertain) {
+    EXPECT_EQ(probabilityInWords(0.967), "p = 0.97");
+    EXPECT_EQ(probabilityInWords(0.9999), "p > 0.99");
 }
 
 TEST(CarWithEffect, HasTheFittedNumbersOfTheCausesAndReadsBack) {

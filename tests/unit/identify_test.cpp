@@ -95,6 +95,15 @@ TEST(Identification, CalibratedCarHasTheFittedNumbersAndNothingElseChanged) {
     EXPECT_EQ(vehicleYaml(car), vehicleYaml(made.nominal.vehicle));
 }
 
+TEST(Identification, SaysWhichOtherNumbersCloseTheGapWhereThoseAskedForDoNot) {
+    simple_car::Case made = asked(1, {"mass"});
+    made.file.tolerances = {{"steering.ratio", 0.15, 0}, {"aero.drag_area", 0.4, 0}, {"wheelbase", 0.001, 0}};
+    const std::string others = otherNumbersInWords(identified(made));
+    EXPECT_TRUE(others.starts_with("most of the gap is closed by numbers that were not asked for")) << others;
+    EXPECT_NE(others.find("aero.drag_area (+1."), std::string::npos) << others;
+    EXPECT_EQ(otherNumbersInWords(identified(asked(1, {"steering.ratio", "aero.drag_area"}))), "");
+}
+
 // A car that slides from 3 s on, as its lateral acceleration tells; the model does not know one.
 void slide(Log& log) {
     Channel ay{"chassis.ay", "m/s2", {}};
