@@ -167,8 +167,16 @@ btCollisionObject* heldBy(const btCollisionWorld* world, void* handle) {
     return place < objects.size() ? objects[place] : nullptr;
 }
 
-WheelGround castByUser(const WheelRay& ray, const RaySource& source) {
+WheelGround nothingUnder(const WheelRay& ray) {
     WheelGround ground;
+    ground.plane.exists = false;
+    ground.cast_at = ray.top_W;
+    ground.known = true;
+    return ground;
+}
+
+WheelGround castByUser(const WheelRay& ray, const RaySource& source) {
+    WheelGround ground = nothingUnder(ray);
     const btVector3 from = toBullet(ray.top_W), to = toBullet(Vector3(ray.top_W + ray.length * ray.down_W));
     btVehicleRaycaster::btVehicleRaycasterResult result;
     ground.handle = source.user->castRay(from, to, result);
@@ -183,7 +191,7 @@ WheelGround castByUser(const WheelRay& ray, const RaySource& source) {
 }
 
 WheelGround castIntoWorld(const WheelRay& ray, const RaySource& source) {
-    WheelGround ground;
+    WheelGround ground = nothingUnder(ray);
     const Way way{ray.start_W(), ray.way_W()};
     FilteredGround hit(way, source);
     const Box box = Box::around(hit.m_rayFromWorld, hit.m_rayToWorld);
@@ -234,15 +242,9 @@ void lookAround(NearObjects& around, const btCollisionWorld& world, std::span<co
 }
 
 WheelGround castRay(const WheelRay& ray, const RaySource& source) {
-    WheelGround ground;
-    ground.plane.exists = false;
-    if (ray.isFinite()) {
-        if (source.user) ground = castByUser(ray, source);
-        else if (source.world) ground = castIntoWorld(ray, source);
-    }
-    ground.cast_at = ray.top_W;
-    ground.known = true;
-    return ground;
+    if (ray.isFinite() && source.user) return castByUser(ray, source);
+    if (ray.isFinite() && source.world) return castIntoWorld(ray, source);
+    return nothingUnder(ray);
 }
 }  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread
