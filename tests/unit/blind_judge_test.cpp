@@ -132,8 +132,8 @@ TEST(BlindReport, SaysWhatNoCaseCanAnswerInsteadOfZeros) {
     BlindReport report;
     report.score = score({key}, {});
     const std::string page = blindReport(report);
-    for (const char* word : {"No case says anything of: one effect, testable: named first", "no such case",
-                             "none blamed", "1 of 1 cases have no answer"})
+    for (const char* word : {"No case says anything of: one effect, testable and told apart: named first",
+                             "no such case", "none blamed", "1 of 1 cases have no answer"})
         EXPECT_NE(page.find(word), std::string::npos) << word;
     EXPECT_EQ(page.find("0.0 %"), std::string::npos);
 }
