@@ -11,12 +11,13 @@
 namespace tread {
 namespace {
 
-constexpr double kSlowest = 20;      // samples per second: the diagnosis looks at 20 Hz
-constexpr double kUneven = 0.5;      // of the usual step between samples
-constexpr double kSpikeLimit = 12;   // robust standard deviations, as tread import takes
-constexpr double kSaturated = 0.15;  // s at one and the same largest value
-constexpr double kStuckShare = 0.3;  // of the recording, at one value, while the car moves
-constexpr double kHeldShare = 0.6;   // of the samples repeat the one before: a slower source, held
+constexpr double kSlowest = 20;        // samples per second: the diagnosis looks at 20 Hz
+constexpr double kUneven = 0.5;        // of the usual step between samples
+constexpr double kSpikeLimit = 12;     // robust standard deviations, as tread import takes
+constexpr double kSaturated = 0.15;    // s at one and the same largest value
+constexpr double kStuckShare = 0.3;    // of the recording, at one value, while the car moves
+constexpr double kBeyondShare = 0.01;  // of the samples: fewer are spikes
+constexpr double kHeldShare = 0.6;     // of the samples repeat the one before: a slower source, held
 
 bool isMeasured(const Channel& channel) {
     const auto begins = [&](std::string_view beginning) { return channel.name.starts_with(beginning); };
@@ -106,6 +107,38 @@ void checkSpikes(const LogChecks& checks, const Channel& channel) {
         "One wrong value weighs as much as seconds of driving", "Let tread import take out the spikes");
 }
 
+// More than any car or driver does, and what it then looks like.
+struct Largest {
+    std::string_view channel;
+    double value;
+    const char* like;
+};
+constexpr Largest kLargest[] = {{"driver.throttle", 1.1, "per cent"},
+                                {"driver.brake", 1.1, "per cent, or a pressure"},
+                                {"driver.clutch", 1.1, "per cent"},
+                                {"driver.steering_wheel_angle", 20, "degrees"},
+                                {"chassis.yaw_rate", 5, "degrees per second"},
+                                {"chassis.roll_rate", 5, "degrees per second"},
+                                {"chassis.roll", 1, "degrees"},
+                                {"chassis.sideslip", 3.2, "degrees"}};
+
+void checkSize(const LogChecks& checks, const Channel& channel) {
+    const auto known = std::find_if(std::begin(kLargest), std::end(kLargest),
+                                    [&](const Largest& one) { return one.channel == channel.name; });
+    if (known == std::end(kLargest)) return;
+    double most = 0, beyond = 0;
+    for (const double value : channel.values) {
+        if (!(std::abs(value) > known->value)) continue;
+        most = std::max(most, std::abs(value));
+        ++beyond;
+    }
+    if (beyond < kBeyondShare * static_cast<double>(channel.values.size()) || beyond == 0) return;
+    checks.warn(channel.name,
+                fmt::format("reaches {:.3g}, more than {:.3g} {}, as if it were in {}", most, known->value,
+                            channel.unit == "-" ? "" : channel.unit, known->like),
+                "A wrong unit or scale is taken for a wrong car", "Check its unit (channels, import)");
+}
+
 void checkTime(const LogChecks& checks) {
     const auto& time = checks.time();
     const double usual = 1 / checks.rate();
@@ -156,6 +189,7 @@ void checkChannels(const LogChecks& checks) {
         checkGaps(checks, channel);
         checkRuns(checks, channel);
         checkSpikes(checks, channel);
+        checkSize(checks, channel);
     }
 }
 

@@ -18,8 +18,10 @@ constexpr double kLateral = 1;    // m/s2: less says little about tyres and stee
 constexpr double kSpeeds = 3;     // m/s, between the slowest and the fastest moment
 constexpr double kAlike = 0.995;  // correlation of the hand wheel in two recordings
 
-bool has(const Log& log, std::string_view channel) {
-    return log.find(channel) != nullptr;
+bool has(const Log& log, std::string_view name) {
+    const Channel* channel = log.find(name);
+    return channel && std::any_of(channel->values.begin(), channel->values.end(),
+                                  [](double value) { return std::isfinite(value); });
 }
 
 double range(const Log& log, std::string_view name) {
@@ -67,6 +69,18 @@ void checkReference(const LogChecks& checks, const DiagnosisFile& file, const Lo
                 "Record the same channels before and after the change");
 }
 
+void checkNamed(std::vector<DataWarning>& found, const DiagnosisFile& file, const std::vector<Log>& logs) {
+    std::vector<std::string> nowhere;
+    for (const MeasuredChannel& told : file.channels) {
+        if (std::none_of(logs.begin(), logs.end(), [&](const Log& log) { return has(log, told.channel); }))
+            nowhere.push_back(told.channel);
+    }
+    if (nowhere.empty()) return;
+    found.push_back({"all recordings", fmt::format("{} stand under channels and in no log", fmt::join(nowhere, ", ")),
+                     "What was not measured cannot tell anything",
+                     "Say from which column they are to be read, or leave them out"});
+}
+
 // Which verdicts are still possible.
 void checkResponses(std::vector<DataWarning>& found, const std::vector<Log>& logs) {
     const auto none = [&](std::initializer_list<const char*> channels) {
@@ -93,7 +107,9 @@ void checkResponses(std::vector<DataWarning>& found, const std::vector<Log>& log
 
 void checkExcitation(std::vector<DataWarning>& found, const std::vector<Log>& logs) {
     double lateral = 0, speeds = 0, slowest = kInfinity, fastest = 0;
+    bool turning_known = false;
     for (const Log& log : logs) {
+        turning_known = turning_known || has(log, "chassis.ay") || has(log, "chassis.yaw_rate");
         lateral = std::max(lateral, 0.5 * range(log, "chassis.ay"));
         const Channel *vx = log.find("chassis.vx"), *yaw_rate = log.find("chassis.yaw_rate");
         if (!vx) continue;
@@ -109,10 +125,11 @@ void checkExcitation(std::vector<DataWarning>& found, const std::vector<Log>& lo
     const auto warn = [&](std::string what, const char* why, const char* advice) {
         found.push_back({"all recordings", std::move(what), why, advice});
     };
-    if (lateral < kLateral)
+    if (turning_known && lateral < kLateral)
         warn(fmt::format("lateral acceleration never exceeds {:.2g} m/s2", lateral),
              "Effects of tyres, steering and suspension are not testable with these drives",
              "Add a step steer, a sine sweep or a lane change");
+    if (fastest == 0) return;
     if (speeds < kSpeeds)
         warn(fmt::format("the speed changes by no more than {:.2g} m/s in any drive", speeds),
              "Effects of drive, brakes and drag are not testable with these drives",
@@ -186,6 +203,7 @@ std::vector<DataWarning> dataWarnings(const DiagnosisFile& file, const Recorded&
         check(reference, recorded.references[i]);
         checkReference({reference, recorded.references[i], nominal, found}, file, recorded.logs[i]);
     }
+    checkNamed(found, file, recorded.logs);
     checkResponses(found, recorded.logs);
     checkExcitation(found, recorded.logs);
     checkTheSet(found, file, recorded.logs);

@@ -37,6 +37,7 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const Reco
     // The recordings, and what may differ between them and the model.
     Study study;
     begin(study.bench, nominal, file, recorded, options);
+    std::vector<RecordedDrive> held_out = drivesOf(study.bench, file, recorded, true);
     addParameters(study, file, effects);
     diagnosis.compared = study.bench.compared();
 
@@ -60,7 +61,7 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const Reco
 
     // Where, and how far.
     diagnosis.where = whereItLies(study, missing);
-    howFar(diagnosis, study, found, drivesOf(study.bench, file, recorded, true));
+    howFar(diagnosis, study, found, std::move(held_out));
     diagnosis.next = nextDrives(diagnosis, study, found, options.possible_next);
     options.progress(1, "done");
     diagnosis.simulations += study.bench.simulations;

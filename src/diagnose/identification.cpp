@@ -200,6 +200,7 @@ Identification identify(const Subject& nominal, DiagnosisFile file, Recorded rec
     found.of_references = beforeTheChange(file, recorded);
     Study study;
     begin(study.bench, nominal, file, recorded, options);
+    std::vector<RecordedDrive> held_out = drivesOf(study.bench, file, recorded, true);
     addParameters(study, file);
     std::optional<Settled> result =
         settled(study, [&](double done, const std::string& what) { options.progress(0.9 * done, what); });
@@ -211,7 +212,7 @@ Identification identify(const Subject& nominal, DiagnosisFile file, Recorded rec
     const Eigen::MatrixXd covariance = posteriorOf(gram);
     tellNumbers(found, study, result->fit, covariance);
     tellShape(found, gram, covariance);
-    tellGap(found, study, std::move(result->fit), drivesOf(study.bench, file, recorded, true));
+    tellGap(found, study, std::move(result->fit), std::move(held_out));
     const HowFar& how_far = found.gap.how_far;
     found.better = how_far.in_sample ? how_far.training.calibrated < how_far.training.nominal
                                      : how_far.held_out.calibrated < how_far.held_out.nominal;

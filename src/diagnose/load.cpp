@@ -59,6 +59,13 @@ void judgeNames(Faults& faults, const DiagnosisFile& diagnosis, bool with_logs) 
     faults.addUnlessThere("vehicle", diagnosis.vehicle);
     faults.addUnlessThere("import", diagnosis.import);
     faults.addUnlessThere("own_effects", diagnosis.own_effects);
+    for (std::size_t i = 0; i < diagnosis.recordings.size(); ++i) {
+        const std::string& name = diagnosis.recordings[i].name;
+        if (name == "." || name == ".." || name.find_first_of("/\\") != std::string::npos)
+            faults.add(
+                at("recordings", i, "name"),
+                "found " + quote(name) + ", expected a name without slashes: a folder of the answer is called so");
+    }
     for (std::size_t i = 0; i < diagnosis.recordings.size() && with_logs; ++i) {
         faults.addUnlessThere(at("recordings", i, "log"), diagnosis.recordings[i].log);
         faults.addUnlessThere(at("recordings", i, "reference"), diagnosis.recordings[i].reference);

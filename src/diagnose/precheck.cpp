@@ -10,6 +10,7 @@ Precheck precheck(const Subject& nominal, const DiagnosisFile& file, const Recor
                   const std::vector<Effect>& effects, const DiagnoseOptions& options) {
     Study study;
     begin(study.bench, nominal, file, recorded, options);
+    drivesOf(study.bench, file, recorded, true);  // throws what they would throw in the end
     addParameters(study, file, effects);
 
     // The nominal car stands for the calibrated one: nothing is moved.

@@ -87,11 +87,12 @@ Log windowed(const Log& log, const Recording& recording) {
     const auto first = std::lower_bound(time.begin(), time.end(), recording.from) - time.begin();
     const auto last = std::upper_bound(time.begin(), time.end(), recording.to) - time.begin();
     if (last - first < 2 || time[last - 1] - time[first] < kShortest) {
-        throw LoadError({{recording.log, 0, 0, "",
-                          fmt::format("has {:.3g} s within the window from {} s to {} s, expected at least {} s: a "
-                                      "shorter drive cannot tell causes apart",
-                                      last > first ? time[last - 1] - time[first] : 0.0, numberText(recording.from),
-                                      recording.to == kInfinity ? "the end" : numberText(recording.to), kShortest)}});
+        throw LoadError(
+            {{recording.log, 0, 0, "",
+              fmt::format("has {:.3g} s within the window from {} s to {}, expected at least {} s: a "
+                          "shorter drive cannot tell causes apart",
+                          last > first ? time[last - 1] - time[first] : 0.0, numberText(recording.from),
+                          recording.to == kInfinity ? "the end" : numberText(recording.to) + " s", kShortest)}});
     }
     Log cut;
     for (const Channel& channel : log.channels) {

@@ -11,6 +11,7 @@ namespace {
 constexpr double kSlideApart = 0.08;  // rad in the window: as much as a car slips in all that still grips
 constexpr double kSlideWindow = 1.5;  // s
 constexpr double kSlowestSlide = 5;   // m/s, at which an angle of the velocity means much
+constexpr double kWorthSliding = 1;   // s: who slides before has not driven at all
 
 }  // namespace
 
@@ -44,12 +45,21 @@ std::vector<std::string> leftOut(std::span<const RecordedDrive> drives) {
     std::vector<std::string> sentences;
     for (const RecordedDrive& drive : drives) {
         if (!std::isfinite(drive.until)) continue;
+        const char* const car = drive.until < drive.until_reference ? "the car" : "the car of the reference";
+        if (drive.until < kWorthSliding) {
+            sentences.push_back(fmt::format(
+                "{}: from {:.1f} s of {:.1f} s on {} turns otherwise than its model by more than any small cause "
+                "explains, so it is left out: hardly anything remains of this drive. Look at the units and signs of "
+                "its "
+                "steering, speed, yaw rate and lateral acceleration, and at the file of the car.",
+                drive.name, drive.until, drive.duration(), car));
+            continue;
+        }
         sentences.push_back(
             fmt::format("{}: from {:.1f} s of {:.1f} s on {} slides and its model does not, or the other way round. "
                         "What they do then differs by more than any small cause explains, so it is left out. Drive a "
                         "little slower if the end of this matters.",
-                        drive.name, drive.until, drive.duration(),
-                        drive.until < drive.until_reference ? "the car" : "the car of the reference"));
+                        drive.name, drive.until, drive.duration(), car));
     }
     return sentences;
 }

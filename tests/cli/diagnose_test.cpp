@@ -65,7 +65,9 @@ TEST_F(DiagnoseCommand, RefusesALogShorterThanASecond) {
 TEST_F(DiagnoseCommand, RefusesAnUnknownEffectAndNamesTheOneThatWasMeant) {
     recorded("a.csv", slalom());
     diagnosis("effects: [tyre_relaxatoin]\n");
-    expectRefused(checked(), "did you mean \"tyre_relaxation\"?");
+    const Result result = checked();
+    expectRefused(result, "did you mean \"tyre_relaxation\"?");
+    EXPECT_NE(result.err.find("diagnosis.yaml:4:11: effects.0"), std::string::npos) << result.err;
 }
 
 TEST_F(DiagnoseCommand, RefusesAnEffectOfOnesOwnWhosePathDoesNotExist) {
@@ -83,6 +85,24 @@ TEST_F(DiagnoseCommand, RefusesWhenEveryRecordingIsHeldOut) {
     recorded("a.csv", slalom());
     diagnosis("", "  - {log: a.csv, hold_out: true}\n");
     expectRefused(checked(), "expected at least one from which to learn");
+}
+
+TEST_F(DiagnoseCommand, RefusesANameThatLeadsOutOfTheFolderOfTheAnswer) {
+    recorded("a.csv", slalom());
+    diagnosis("", "  - {log: a.csv, name: ../../a}\n");
+    expectRefused(checked(), "expected a name without slashes");
+}
+
+TEST_F(DiagnoseCommand, SaysAtOnceThatADriveHeldOutCannotBeRepeated) {
+    recorded("a.csv", slalom());
+    Log without = slalom();
+    std::erase_if(without.channels, [](const Channel& channel) { return channel.name == "chassis.vx"; });
+    recorded("b.csv", without);
+    diagnosis("effects: [steering_ratio]\n", "  - {log: a.csv, speed: followed}\n  - {log: b.csv, hold_out: true}\n");
+    expectWarned(checked(), "recording b: found no speed in its first half second");
+    const Result full = runProgram({"diagnose", scratch.path("diagnosis.yaml"), "-o", scratch.path("out")});
+    EXPECT_EQ(full.status, 2);
+    EXPECT_NE(full.err.find("recording b: found no speed"), std::string::npos) << full.err;
 }
 
 TEST_F(DiagnoseCommand, RefusesALogThatIsNotThereWithItsPlaceInTheFile) {

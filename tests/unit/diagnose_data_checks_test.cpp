@@ -120,6 +120,34 @@ TEST(DataChecks, ReferencesOfSomeRecordingsOnlyAreSaid) {
     expectOnly(wrong, "all recordings", "some have a reference and some have none");
 }
 
+TEST(DataChecks, InputsThatNoDriverGivesAreTakenForAnotherUnit) {
+    Case wrong = right();
+    for (double& value : of(wrong.logs[0], "driver.brake")) value *= 100;
+    expectOnly(wrong, "brake, driver.brake", "as if it were in per cent");
+    wrong = right();
+    for (double& value : of(wrong.logs[1], "driver.steering_wheel_angle")) value *= 180 / 3.14159;
+    expectOnly(wrong, "sine, driver.steering_wheel_angle", "as if it were in degrees");
+}
+
+TEST(DataChecks, WhatWasNotMeasuredIsNotSaidToBeSmall) {
+    Case wrong = right();
+    for (Log& log : wrong.logs)
+        std::erase_if(log.channels,
+                      [](const Channel& one) { return one.name == "chassis.ay" || one.name == "chassis.yaw_rate"; });
+    expectOnly(wrong, "all recordings", "neither yaw rate nor lateral acceleration");
+    for (const DataWarning& warning : wrong.warnings())
+        EXPECT_EQ(warning.what.find("never exceeds"), std::string::npos);
+    for (Log& log : wrong.logs)
+        log.channels.push_back({"chassis.ay", "m/s2", std::vector(log.samples(), std::nan(""))});
+    expectOnly(wrong, "all recordings", "neither yaw rate nor lateral acceleration");
+}
+
+TEST(DataChecks, ChannelsThatNoLogHasAreNamed) {
+    Case wrong = right();
+    wrong.file.channels = {{.channel = "chassis.yaw_rate"}, {.channel = "chassis.sideslip"}};
+    expectOnly(wrong, "all recordings", "chassis.sideslip stand under channels and in no log");
+}
+
 TEST(DataChecks, WrongSignsAreNamed) {
     for (const std::string channel : {"chassis.ay", "chassis.ax", "chassis.roll", "driver.steering_wheel_angle"}) {
         Case wrong = right();

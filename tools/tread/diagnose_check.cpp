@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/yaml_position.h"
 #include "diagnose/diagnosis_json.h"
 #include "diagnose/precheck.h"
 #include "output.h"
@@ -62,6 +64,21 @@ std::vector<std::string> effectsWithoutNumbers(const DiagnosisInputs& inputs) {
     return names;
 }
 
+// Gives faults of what the file asks their place in it.
+void locate(const Path& file, const std::function<void()>& judge) {
+    try {
+        judge();
+    } catch (const LoadError& error) {
+        std::vector<Problem> problems = error.problems();
+        for (Problem& problem : problems) {
+            if (!problem.file.empty()) continue;
+            const TextPosition position = positionOfValue(file.string(), problem.path);
+            problem.file = file.string(), problem.line = position.line, problem.column = position.column;
+        }
+        throw LoadError(std::move(problems));
+    }
+}
+
 }  // namespace
 
 DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const std::string& vehicle) {
@@ -69,7 +86,7 @@ DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const st
     inputs.file = loadDiagnosis(file, data);
     if (!vehicle.empty()) inputs.file.vehicle = vehicle, inputs.file.vehicle_settings.clear();
     inputs.nominal = nominalSubject(inputs.file);
-    inputs.effects = effectsToConsider(inputs.file);
+    locate(file, [&] { inputs.effects = effectsToConsider(inputs.file); });
     inputs.recorded = readRecordings(inputs.file);
     inputs.warnings = inputs.recorded.notes;
     for (const DataWarning& warning : dataWarnings(inputs.file, inputs.recorded, inputs.nominal))
