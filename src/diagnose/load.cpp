@@ -69,6 +69,9 @@ void judgeNames(Faults& faults, const DiagnosisFile& diagnosis, bool with_logs) 
     for (std::size_t i = 0; i < diagnosis.recordings.size() && with_logs; ++i) {
         faults.addUnlessThere(at("recordings", i, "log"), diagnosis.recordings[i].log);
         faults.addUnlessThere(at("recordings", i, "reference"), diagnosis.recordings[i].reference);
+        if (diagnosis.recordings[i].reference == diagnosis.recordings[i].log)
+            faults.add(at("recordings", i, "reference"),
+                       "found the recording itself, expected the log of the same drive before the change");
     }
     if (std::all_of(diagnosis.recordings.begin(), diagnosis.recordings.end(),
                     [](const Recording& recording) { return recording.hold_out; }))

@@ -80,17 +80,18 @@ std::string blindReport(const BlindReport& report) {
     HtmlPage page("Blind check of the diagnosis");
     const std::string text = scoreText(score);
     page.answer(text.substr(0, text.find('\n')));
-    const auto share = [&](const char* figure) {
-        const Figure& one = score.figure(figure);
-        return one.of > 0 ? tenthsOfPercent(one.share()) : "no such case";
+    const auto card = [&](const char* label, const char* name) {
+        const Figure& figure = score.figure(name);
+        return figure.of > 0 ? Card{label, tenthsOfPercent(figure.share()), ""} : Card{label, "–", "no such case"};
     };
-    page.cards({{"Single cause named first", share("named_first"), ""},
-                {"False alarms", share("false_alarm"), ""},
-                {"Unknown causes recognised", share("unknown"), ""},
-                {"Gap closed, single causes, median",
-                 score.median_closure ? tenthsOfPercent(*score.median_closure) : "none blamed", ""},
-                {"Calibration error", formatNumber(score.calibration_error, 2), ""},
-                {"Time of a diagnosis", formatNumber(score.median_seconds, 3), "s"}});
+    page.cards(
+        {card("Single cause named first", "named_first"),
+         card("False alarms", "false_alarm"),
+         card("Unknown causes recognised", "unknown"),
+         {"Gap closed, single causes, median", score.median_closure ? tenthsOfPercent(*score.median_closure) : "–",
+          score.median_closure ? "" : "none blamed"},
+         {"Calibration error", formatNumber(score.calibration_error, 2), ""},
+         {"Time of a diagnosis", formatNumber(score.median_seconds, 3), "s"}});
     page.keyValues({{"Cases", report.made_of},
                     {"90 % set, single causes", score.mean_credible_set
                                                     ? fmt::format("{:.1f} causes in the mean, median {:.0f}",

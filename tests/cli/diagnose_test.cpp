@@ -93,6 +93,12 @@ TEST_F(DiagnoseCommand, RefusesANameThatLeadsOutOfTheFolderOfTheAnswer) {
     expectRefused(checked(), "expected a name without slashes");
 }
 
+TEST_F(DiagnoseCommand, RefusesARecordingAsItsOwnReference) {
+    recorded("a.csv", slalom());
+    diagnosis("", "  - {log: a.csv, reference: ./a.csv}\n");
+    expectRefused(checked(), "found the recording itself");
+}
+
 TEST_F(DiagnoseCommand, SaysAtOnceThatADriveHeldOutCannotBeRepeated) {
     recorded("a.csv", slalom());
     Log without = slalom();
