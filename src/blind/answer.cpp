@@ -7,6 +7,7 @@
 
 #include "blind/gauges.h"
 #include "diagnose/diagnosis_json.h"
+#include "diagnose/thresholds.h"
 #include "log/resample.h"
 #include "tread/problem.h"
 
@@ -66,7 +67,11 @@ CaseAnswer answerOf(const std::string& name, const Diagnosis& d) {
     answer.probability_of_unknown = d.probability_of_unknown;
     answer.testable = d.testable;
     std::set<std::string> confusable;
-    for (const ConfusablePair& pair : d.confusable) confusable.insert({pair.a, pair.b});
+    for (const ConfusablePair& pair : d.confusable) {
+        for (const std::string& effect : {pair.a, pair.b})
+            if (d.testable.at(effect) * (1 - pair.cosine * pair.cosine) < kThresholds.separable)
+                confusable.insert(effect);
+    }
     answer.confusable.assign(confusable.begin(), confusable.end());
     answer.generalised_force = d.unexplained.generalised_force;
     answer.baselines = d.baselines;

@@ -19,7 +19,7 @@ struct CaseAnswer {
     std::vector<RankedEffect> effects;  // best first
     double probability_of_nothing = 0, probability_of_unknown = 0;
     std::map<std::string, double> testable;  // nats
-    std::vector<std::string> confusable;     // effects that these drives cannot tell from another
+    std::vector<std::string> confusable;  // effects that, at their typical size, these drives cannot tell from another
     std::string generalised_force;
     Baselines baselines;
     double closure = 0, closure_low = 0, closure_high = 0;

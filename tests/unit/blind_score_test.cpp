@@ -83,6 +83,26 @@ TEST(BlindScore, SingleCauseIsNamedFirstAloneOrNot) {
     EXPECT_EQ(result.mean_credible_set, 1.25);
 }
 
+TEST(BlindScore, EffectThatResemblesAnotherIsRightAsAnAlternative) {
+    // Of the mass the drives show 50 nats, 49 of which the drag would imitate; of the drag more than ten times as much.
+    Diagnosis diagnosis;
+    diagnosis.verdict = Verdict::ambiguous;
+    diagnosis.causes = {"drag"};
+    diagnosis.alternatives = {{"mass"}};
+    diagnosis.testable = {{"drag", 600}, {"mass", 50}};
+    diagnosis.confusable = {{"drag", "mass", std::sqrt(0.98), 1, "coast_down"}};
+    diagnosis.effects = {RankedEffect{.name = "drag", .parameters = {}},
+                         RankedEffect{.name = "mass", .parameters = {}}};
+    const CaseAnswer answer = tread::answerOf("a", diagnosis);
+    EXPECT_EQ(answer.confusable, std::vector<std::string>{"mass"});
+    const BlindScore mass = score({keyOf("a", CaseKind::one, {"mass"})}, {answer});
+    EXPECT_EQ(mass.figure("named_first").of, 0);
+    EXPECT_EQ(mass.figure("confusable_named").hits, 1);
+    const BlindScore drag = score({keyOf("a", CaseKind::one, {"drag"})}, {answer});
+    EXPECT_EQ(drag.figure("named_first").hits, 1);
+    EXPECT_EQ(drag.figure("confusable_named").of, 0);
+}
+
 TEST(BlindScore, EffectThatNoDriveShowsCountsOnlyWhereItSaysSo) {
     CaseAnswer says_so = answerOf("a", Verdict::nothing), silent = answerOf("b", Verdict::nothing);
     says_so.credible_set = {"none"};
@@ -238,6 +258,7 @@ TEST(BlindScore, AnswerReadsBack) {
     CaseAnswer answer = answerOf("a", Verdict::ambiguous, {"drag", "mass"});
     answer.alternatives = {{"drag", "mu"}, {"mass", "mu"}};
     answer.effects[0].parameters["mass"].value = 1500;
+    answer.confusable = {"mass"};
     answer.closure_obtained = 0.9;
     answer.baselines = {.largest_reduction = "mass", .bic = "none"};
     EXPECT_EQ(answerText(parseAnswer(answerText(answer), "a.json")), answerText(answer));
