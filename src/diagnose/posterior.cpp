@@ -70,7 +70,8 @@ Posterior posterior(const Study& study, const Search& found, const Inflation& in
     for (const Candidate& one : found.candidates) {
         const std::size_t count = std::min(one.effects.size(), kMost - 1);
         const double ways = choices(n, count);
-        const double evidence = one.log_evidence - kThresholds.doubt(count, found.best().log_evidence);
+        const double evidence =
+            one.log_evidence - kThresholds.doubt(count, found.best().log_evidence, study.bench.compared());
         strongest = std::max(strongest, evidence);
         add(&one, false, kPrior[count] / ways, evidence);
         result.constancy.push_back(one.fitted ? constancy(study, one.fit) : Constancy{});

@@ -109,7 +109,8 @@ bool tried(const std::vector<Candidate>& candidates, std::vector<std::size_t> ef
 void grow(Study& study, Ground ground, Candidate from, double none, std::vector<Candidate>& found) {
     while (from.effects.size() < kMostEffects) {
         const std::vector<double> gains = gainsOver(study, ground, from.fit);
-        const double enough = kThresholds.further_effect + kThresholds.doubt(2, from.log_evidence);
+        const double enough =
+            kThresholds.further_effect + kThresholds.doubt(2, from.log_evidence, study.bench.compared());
         std::optional<Candidate> best;
         std::size_t refits = 0;
         for (const std::size_t e : bestFirst(gains)) {

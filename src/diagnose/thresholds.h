@@ -12,6 +12,7 @@ struct Thresholds {
     double further_effect = 5;     // nats that one more effect must gain,
     double further_share = 0.002;  // and of the nats explained already: no signature is known better than that,
     double further_most = 6;       // but of these no more nats than this
+    double structure = 0.25;       // share by which a model of another structure than the car's answers otherwise
     double unknown = 6;            // nats that larger disturbances gain on top of the best model
     double separable = 6;          // nats between two effects
     double shows = 6;              // nats to expect of an effect: below, a drive cannot show it
@@ -20,9 +21,12 @@ struct Thresholds {
     double sure = 0.9;             // probability of the causes together, below which alternatives are named
     double credible = 0.9;
 
-    // Nats of effects besides the first that are not to be trusted when so many are explained in all.
-    double doubt(std::size_t effects, double evidence) const {
-        return effects > 1 ? static_cast<double>(effects - 1) * std::min(further_share * evidence, further_most) : 0;
+    // Nats of effects besides the first that are not to be trusted when so many are explained in all; more of them
+    // where recordings are `compared` with references, for there the model may have another structure.
+    double doubt(std::size_t effects, double evidence, bool compared) const {
+        if (effects < 2) return 0;
+        return static_cast<double>(effects - 1) *
+               (compared ? structure * structure * evidence : std::min(further_share * evidence, further_most));
     }
 };
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "diagnose/thresholds.h"
+
 namespace tread {
 namespace {
 
@@ -105,7 +107,7 @@ double imitationGain(const Candidate& candidate, const Constancy& same, bool com
     // Likelihood ratio of two spreads, as if every drive that has a say knew the value equally well.
     const double known = same.q / same.degrees_of_freedom / (same.spread * same.spread);  // squares over variance
     const double of_drive = known / (same.degrees_of_freedom + 1);
-    const double one_value = compared ? kSameCompared : kSame;
+    const double one_value = compared ? kThresholds.structure : kSame;
     const double as_same = 1 + one_value * one_value * of_drive, as_varied = 1 + kVaried * kVaried * of_drive;
     const double varied =
         0.5 * same.q * (1 / as_same - 1 / as_varied) - 0.5 * same.degrees_of_freedom * std::log(as_varied / as_same);

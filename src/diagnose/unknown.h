@@ -12,10 +12,6 @@ struct Inflation {
 };
 Inflation inflation(const Study& study, const Fit& fit);
 
-// Of a value, that it varies by from drive to drive where a model of another structure than the car's finds it: so much
-// less is known of it, too.
-inline constexpr double kSameCompared = 0.25;
-
 // Is one value of the model's effects right for all drives? Cochran's Q of what each drive alone asks for.
 struct Constancy {
     double q = 0;

@@ -23,7 +23,7 @@ std::map<std::string, Estimate> estimates(const Study& study, const Fit& fit, co
         if (std::find(knobs.begin(), knobs.end(), p) == knobs.end()) continue;
         const Parameter& parameter = study.bench.parameters[static_cast<std::size_t>(p)];
         const double units = fit.at(p);
-        const double structure = study.bench.compared() ? kSameCompared * units : 0;
+        const double structure = study.bench.compared() ? kThresholds.structure * units : 0;
         const double variance = doubt * fit.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i));
         const double sd = std::sqrt(variance + structure * structure);
         constexpr double kNear = 1e-6;
@@ -77,10 +77,10 @@ std::set<std::string> credible(const Study& study, const Posterior& posterior) {
 }
 
 // The model of which every effect gains enough.
-const Candidate& chosenOf(const Search& found, double surplus) {
+const Candidate& chosenOf(const Study& study, const Search& found, double surplus) {
     const auto merit = [&](const Candidate& one) {
         const std::size_t count = one.effects.size();
-        return one.log_evidence - kThresholds.doubt(count, found.best().log_evidence) -
+        return one.log_evidence - kThresholds.doubt(count, found.best().log_evidence, study.bench.compared()) -
                surplus * kThresholds.further_effect * static_cast<double>(count);
     };
     const Candidate* chosen = &found.best();
@@ -91,7 +91,7 @@ const Candidate& chosenOf(const Search& found, double surplus) {
 
 // Names the causes, and what they cannot be told from.
 void blame(Diagnosis& diagnosis, const Study& study, const Search& found, const Posterior& posterior) {
-    const Candidate& chosen = chosenOf(found, posterior.doubt / kThresholds.temperature);
+    const Candidate& chosen = chosenOf(study, found, posterior.doubt / kThresholds.temperature);
     diagnosis.causes = study.namesOf(chosen.effects);
     double own = 0, rivals = 0;
     std::set<std::vector<std::string>> alternatives;
