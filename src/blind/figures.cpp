@@ -79,7 +79,7 @@ void Counter::countCase(const CaseKey& key, const CaseAnswer& answer) {
 void Counter::one(const CaseKey& key, const CaseAnswer& answer) {
     const std::string& truth = key.effects.front();
     const bool first = !answer.effects.empty() && answer.effects.front().name == truth;
-    const bool named = alarms(answer);
+    const bool named = blames(answer);
     count("named_first_any", first && named);
     count("in_credible_set",
           has(answer.credible_set, truth) || (!testable(key, answer) && has(answer.credible_set, "none")));
@@ -105,7 +105,7 @@ void Counter::two(const CaseKey& key, const CaseAnswer& answer) {
     const bool exact = answer.verdict == Verdict::explained && alike(answer.causes, key.effects);
     count("pair_exact_any", exact);
     if (!testable(key, answer)) return;
-    count("pair_one_first", alarms(answer) && !answer.effects.empty() && has(key.effects, answer.effects.front().name));
+    count("pair_one_first", blames(answer) && !answer.effects.empty() && has(key.effects, answer.effects.front().name));
     const bool both = std::all_of(key.effects.begin(), key.effects.end(), [&](const std::string& effect) {
         return testable(answer, effect) && !has(answer.confusable, effect);
     });

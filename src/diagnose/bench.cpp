@@ -48,7 +48,8 @@ std::optional<Eigen::VectorXd> difference(Bench& bench, const Piece& one, const 
 }  // namespace
 
 bool Bench::compared() const {
-    return std::all_of(drives.begin(), drives.end(), [](const RecordedDrive& drive) { return drive.compared(); });
+    const auto one = [](const RecordedDrive& drive) { return drive.compared(); };
+    return !drives.empty() && std::all_of(drives.begin(), drives.end(), one);
 }
 
 std::size_t Bench::firstLike(std::size_t drive) const {

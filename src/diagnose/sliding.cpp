@@ -49,9 +49,8 @@ std::vector<std::string> leftOut(std::span<const RecordedDrive> drives) {
         if (drive.until < kWorthSliding) {
             sentences.push_back(fmt::format(
                 "{}: from {:.1f} s of {:.1f} s on {} turns otherwise than its model by more than any small cause "
-                "explains, so it is left out: hardly anything remains of this drive. Look at the units and signs of "
-                "its "
-                "steering, speed, yaw rate and lateral acceleration, and at the file of the car.",
+                "explains, so it is left out: hardly anything remains of this drive. Look at the file of the car, and "
+                "at the units and signs of steering, speed, yaw rate and lateral acceleration.",
                 drive.name, drive.until, drive.duration(), car));
             continue;
         }
