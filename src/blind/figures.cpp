@@ -95,7 +95,7 @@ void Counter::one(const CaseKey& key, const CaseAnswer& answer) {
     baselines("_first", answer, [&](const std::string& claim) { return claim == truth; });
     count("named_alone", answer.verdict == Verdict::explained && alike(answer.causes, key.effects));
     count("among_first_two", named && (first || (answer.effects.size() > 1 && answer.effects[1].name == truth)));
-    if (std::isfinite(answer.closure_obtained) && blames(answer)) {
+    if (std::isfinite(answer.closure_obtained) && named) {
         count("closure_covered",
               answer.closure_low <= answer.closure_obtained && answer.closure_obtained <= answer.closure_high);
     }
