@@ -175,15 +175,14 @@ Eigen::VectorXd Disturbances::hats(const Eigen::VectorXd& impulses) const {
     return heights;
 }
 
-Disturbances disturbances(Bench& bench, std::size_t index, const Subject& subject,
-                          const Eigen::VectorXd& by_start_speed) {
+Disturbances disturbances(Bench& bench, std::size_t index, const Subject& subject) {
     const RecordedDrive& drive = bench.drives[index];
     const VehicleParams& car = subject.vehicle;
     std::optional<Log> motion = motionAt(bench, index, subject);
     Course course{.drive = drive,
                   .motion = motion ? std::move(*motion) : Log{},
                   .rows = Eigen::VectorXd::Zero(drive.rows()),
-                  .by_start_speed = by_start_speed,
+                  .by_start_speed = Eigen::VectorXd::Zero(drive.rows()),
                   .hats = static_cast<std::size_t>(std::ceil(drive.duration() / kHat)) + 1,
                   .speed = showsSpeed(drive)};
     const auto hats = static_cast<Eigen::Index>(course.hats);
@@ -196,8 +195,10 @@ Disturbances disturbances(Bench& bench, std::size_t index, const Subject& subjec
         }
     }
     result.lingering = lingering(hats);
+    result.by_start_speed = course.by_start_speed;
     if (!motion) return result;
     course.rows = readings(drive, course.motion, subject.instruments);
+    result.by_start_speed = course.by_start_speed = startSpeedColumn(bench, index, subject, course.rows);
     const auto of = [&](Disturbed kind) {
         return result.columns.middleCols(static_cast<Eigen::Index>(kind) * hats, hats);
     };

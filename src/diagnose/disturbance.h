@@ -25,6 +25,7 @@ struct Disturbances {
     std::vector<Disturbed> kinds;  // of each column
     std::vector<double> times;     // s, of each impulse
     Eigen::MatrixXd lingering;     // of one kind: hats x impulses
+    Eigen::VectorXd by_start_speed = {};  // startSpeedColumn
 
     // Heights of the hats, of all kinds, that these impulses build up.
     Eigen::VectorXd hats(const Eigen::VectorXd& impulses) const;
@@ -33,8 +34,7 @@ struct Disturbances {
 // Cholesky factor of the correlation of so many hats, each of variance one: what an impulse leaves in them.
 Eigen::MatrixXd lingering(Eigen::Index hats);
 
-// Of a drive of the subject; `by_start_speed`: its startSpeedColumn.
-Disturbances disturbances(Bench& bench, std::size_t drive, const Subject& subject,
-                          const Eigen::VectorXd& by_start_speed);
+// Of a drive of the subject.
+Disturbances disturbances(Bench& bench, std::size_t drive, const Subject& subject);
 
 }  // namespace tread

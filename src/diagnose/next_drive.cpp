@@ -102,10 +102,7 @@ Look lookAt(Study& study, const Rehearsal& rehearsal, std::size_t d, const std::
         const std::optional<Log> motion = motionAt(bench, d, subject);
         return motion ? readings(drive, *motion, subject.instruments) : Eigen::VectorXd{};
     };
-    const Eigen::VectorXd nominal = shown(bench.origin());
-    const Disturbances disturbing = disturbances(
-        bench, d, bench.nominal,
-        nominal.size() > 0 ? startSpeedColumn(bench, d, bench.nominal, nominal) : Eigen::VectorXd::Zero(drive.rows()));
+    const Disturbances disturbing = disturbances(bench, d, bench.nominal);
     look.directions = look.noise.over(disturbing.columns);
     look.sizes.resize(look.directions.cols());
     for (std::size_t i = 0; i < disturbing.kinds.size(); ++i)

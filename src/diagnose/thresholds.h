@@ -12,7 +12,7 @@ struct Thresholds {
     double further_effect = 5;     // nats that one more effect must gain,
     double further_share = 0.002;  // and of the nats explained already: no signature is known better than that,
     double further_most = 6;       // but of these no more nats than this
-    double structure = 0.25;       // share by which a model of another structure than the car's answers otherwise
+    double structure = 0.25;       // share of a value by which a model of another structure than the car's errs
     double unknown = 6;            // nats that larger disturbances gain on top of the best model
     double separable = 6;          // nats between two effects
     double shows = 6;              // nats to expect of an effect: below, a drive cannot show it

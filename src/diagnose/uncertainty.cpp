@@ -20,11 +20,10 @@ Uncertainty uncertaintyOf(Bench& bench, const Deviation& at, const Rows& rows) {
     uncertainty.directions.resize(bench.drives.size());
     uncertainty.bare.resize(bench.drives.size());
     inParallel(bench.drives.size(), bench.threads, [&](std::size_t d) {
-        const Eigen::VectorXd by_start_speed = startSpeedColumn(bench, d, subject, rows[d]);
-        uncertainty.disturbing[d] = disturbances(bench, d, subject, by_start_speed);
-        const Eigen::MatrixXd& columns = uncertainty.disturbing[d].columns;
-        Eigen::MatrixXd all(columns.rows(), columns.cols() + 1);
-        all << columns, by_start_speed;
+        uncertainty.disturbing[d] = disturbances(bench, d, subject);
+        const Disturbances& disturbing = uncertainty.disturbing[d];
+        Eigen::MatrixXd all(disturbing.columns.rows(), disturbing.columns.cols() + 1);
+        all << disturbing.columns, disturbing.by_start_speed;
         all = uncertainty.noise[d].over(all) * (std::sqrt(bench.drives[d].runs) * bench.drives[d].doubt());
         uncertainty.bare[d] = driveGram(Eigen::MatrixXd(all.rows(), 0), all);
         uncertainty.directions[d] = std::move(all);

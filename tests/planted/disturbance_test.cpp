@@ -49,8 +49,7 @@ TEST(Disturbances, PushesDoWhatTheyDoAloneAlsoAtTheLimitAndLongAfter) {
     bench.drives = {recordedDrive(made.file.recordings.front(), made.logs.front(), made.file)};
     const RecordedDrive& drive = bench.drives.front();
     const Rows rows = *rowsAt(bench, bench.origin());
-    const Disturbances told =
-        disturbances(bench, 0, bench.nominal, startSpeedColumn(bench, 0, bench.nominal, rows.front()));
+    const Disturbances told = disturbances(bench, 0, bench.nominal);
     // Without what lingers of each impulse in the hats after it.
     const Eigen::Index hats = told.lingering.rows();
     const Eigen::MatrixXd alone = told.lingering.inverse();
