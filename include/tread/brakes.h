@@ -83,6 +83,7 @@ static_assert(describesEveryMember<BrakeParams>());
 
 struct BrakeState {
     DelayLine pedal;
+    PerWheel<double> asked;     // Pa, that the driver and the controllers ask for
     PerWheel<double> pressure;  // Pa
     PerWheel<double> heating;   // K, of the discs above the air
     AntiLockState anti_lock;

@@ -9,7 +9,7 @@
 // moment answers within the step, and is taken at its end.
 #pragma once
 
-#include <cmath>
+#include "tread/lag.h"
 
 namespace tread {
 
@@ -30,11 +30,7 @@ struct AligningCompliance {
         const double time_constant = compliance * (stiffness * kYieldingTime + resistance);
         const double begin = compliance * unresisted, end = compliance * (unresisted + change);
         const double before = deflection;
-        deflection = end;
-        if (time_constant != 0) {
-            const double behind = time_constant * (end - begin) / dt;
-            deflection += (before - begin + behind) * std::exp(-dt / time_constant) - behind;
-        }
+        deflection = lagged(before, begin, end, time_constant, dt);
         rate = (deflection - before) / dt;
         return deflection;
     }

@@ -50,11 +50,13 @@ inline double authority(const StabilityControlParams& params) {
 }
 
 struct StabilityControlState {
-    double reference = 0;     // rad/s
+    double target = 0;        // rad/s, steady yaw rate that the driver asks for
+    double reference = 0;     // rad/s, that with its lag
     double since_sample = 1;  // s: the first step samples
     PerWheel<double> torque;  // N m, asked of each brake
 };
 
+// All at the end of the step.
 struct StabilityControlInput {
     double speed;      // m/s, forward
     double steer;      // rad, mean of the front wheels

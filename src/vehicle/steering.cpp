@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "tread/lag.h"
+
 namespace tread {
 namespace {
 
@@ -45,17 +47,11 @@ double afterPlay(double angle, double play) {
     return angle - std::clamp(angle, -0.5 * play, 0.5 * play);
 }
 
-// Exact for a signal that is linear over the step.
-double lagged(double from, double begin, double end, double time_constant, double dt) {
-    const double behind = time_constant * (end - begin) / dt;
-    return end - behind + (from - begin + behind) * std::exp(-dt / time_constant);
-}
-
 // The driver's angle after delay and lag.
 double commanded(SteeringState& state, const SteeringParams& params, const SteeringInput& input, double dt) {
     const double before = params.delay > 0 ? state.delayed : input.begin;
     state.delayed = params.delay > 0 ? state.delay.advance(input.begin, input.end, params.delay, dt) : input.end;
-    state.lagged = params.lag > 0 ? lagged(state.lagged, before, state.delayed, params.lag, dt) : state.delayed;
+    state.lagged = lagged(state.lagged, before, state.delayed, params.lag, dt);
     return state.lagged;
 }
 

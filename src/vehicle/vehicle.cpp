@@ -69,8 +69,8 @@ DrivelineInput drivelineInput(const Vehicle& vehicle, const VehicleState& state,
 }
 
 // The same for the brakes and their controllers.
-BrakeInput brakeInput(const Vehicle& vehicle, const VehicleState& state, const BodyFrame& body,
-                      const VehicleInput& begin, const VehicleInput& end) {
+BrakeInput brakeInput(const Vehicle& vehicle, const VehicleState& state, const VehicleInput& begin,
+                      const VehicleInput& end) {
     BrakeInput input{.pedal_begin = begin.brake,
                      .pedal_end = end.brake,
                      .parking_begin = begin.parking_brake,
@@ -80,10 +80,15 @@ BrakeInput brakeInput(const Vehicle& vehicle, const VehicleState& state, const B
         input.speed[i] = state.wheels[i].motion.Vx;
         input.rolling[i] = vehicle.corners[i].tyre.parameters.Re * state.wheels[i].spin;
     }
-    input.car.speed = body.velocity_B.x();
-    input.car.yaw_rate = body.angular_velocity_B.z();
-    input.car.wheelbase = vehicle.params.wheelbase;
     return input;
+}
+
+StabilityControlInput stabilityControlInput(const Vehicle& vehicle, const BodyFrame& body,
+                                            const PerWheel<double>& steer) {
+    return {.speed = body.velocity_B.x(),
+            .steer = middle(steer.front_left, steer.front_right),
+            .yaw_rate = body.angular_velocity_B.z(),
+            .wheelbase = vehicle.params.wheelbase};
 }
 
 }  // namespace
@@ -110,9 +115,9 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
     // Driveline and brake torques, with their mean over the step.
     const DrivelineTorques drive =
         advance(state.driveline, params.driveline, drivelineInput(vehicle, state, from, begin, end), dt);
-    BrakeInput brake_input = brakeInput(vehicle, state, from, begin, end);
+    BrakeInput brake_input = brakeInput(vehicle, state, begin, end);
     brake_input.recovered = drive.braked;
-    brake_input.car.steer = middle(steer_end.front_left, steer_end.front_right);
+    brake_input.car = stabilityControlInput(vehicle, to, steer_end);
     const BrakeTorques brake = advance(state.brakes, params.brakes, brake_input, dt);
     state.engine_torque = drive.engine;
     state.motor_torque = drive.motor;

@@ -222,6 +222,29 @@ TEST(StabilityControl, PassesSineWithDwellWhereTheSameCarWithoutItSpins) {
     EXPECT_GT(spins, 0) << "or the test would show nothing";
 }
 
+// N m s, asked for in a fast turn at 80 km/h that comes near the limit.
+double askedFor(double step) {
+    const PlaneRoad road;
+    VehicleParams params = reference::compact();
+    params.brakes.stability_control.enabled = true;
+    reference::Car car = reference::settled(params, road, {.speed = 80 / 3.6});
+    VehicleInput in = car.input;
+    double sum = 0;
+    for (int k = 1; k * step < 2; ++k) {
+        in.steering_wheel_angle = std::min(500 * k * step, 70.0) * std::numbers::pi / 180;
+        car.step(in, step);
+        sum += car.output().brakes.stability_control * step;
+    }
+    return sum;
+}
+
+TEST(StabilityControl, DoesTheSameInLongSteps) {
+    const double fine = askedFor(0.0005);
+    ASSERT_GT(fine, 10);
+    EXPECT_NEAR(askedFor(0.001), fine, 0.05 * fine);
+    EXPECT_NEAR(askedFor(0.004), fine, 0.05 * fine);
+}
+
 TEST(StabilityControl, StaysOutOfOrdinaryDriving) {
     const PlaneRoad road;
     VehicleParams without = reference::compact(), with = without;

@@ -21,7 +21,7 @@ inline const std::vector<std::string> kOrder{"base",     "road",     "tyre",  "v
 
 // Public headers share one folder; each belongs to a layer.
 inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{
-    {"base", {"describe", "wheels", "lanes", "curve", "delay_line", "problem", "vector", "vehicle_output"}},
+    {"base", {"describe", "wheels", "lanes", "curve", "delay_line", "lag", "problem", "vector", "vehicle_output"}},
     {"road", {"road", "height_field", "road_params", "road_surface"}},
     {"tyre", {"tyre", "four_tyres"}},
     {"vehicle",

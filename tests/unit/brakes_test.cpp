@@ -58,18 +58,20 @@ TEST(Brakes, ProportioningValveBendsTheRearPressureAtItsKnee) {
     EXPECT_DOUBLE_EQ(torquesAt(p, 0.8).front_left, torquesAt(params(), 0.8).front_left);
 }
 
-TEST(Brakes, PressureFollowsAfterTheDelayWithTheLag) {
+TEST(Brakes, PressureFollowsAPushedPedalAfterTheDelayWithTheLagWhateverTheStep) {
     BrakeParams p = params();
-    p.delay = 0.05;
+    p.delay = 0.048;
     p.lag = 0.04;
-    BrakeState state;
-    for (int k = 1; k <= 300; ++k) {
-        const double t = k * kStep;
-        const BrakeTorques out = advance(state, p, {.pedal_begin = 1, .pedal_end = 1}, kStep);
-        // The pedal jumps at t = 0: its first sample is that at the end of the first step.
-        const double since = t - 0.05;
-        const double expected = since > 1e-9 ? 5000 * (1 - std::exp(-since / 0.04)) : 0;
-        EXPECT_NEAR(sum(out.end), expected, 1e-6) << t;
+    constexpr double kRate = 2;  // 1/s, of the pedal
+    for (const double step : {0.001, 0.004}) {
+        BrakeState state;
+        for (int k = 1; k * step < 0.4; ++k) {
+            const double t = k * step;
+            const BrakeInput in{.pedal_begin = kRate * (t - step), .pedal_end = kRate * t};
+            const double since = std::max(t - 0.048, 0.0);
+            const double expected = 5000 * kRate * (since - 0.04 * (1 - std::exp(-since / 0.04)));
+            EXPECT_NEAR(sum(advance(state, p, in, step).end), expected, 1e-6) << step << " " << t;
+        }
     }
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tread/lag.h"
+
 namespace tread {
 namespace {
 
@@ -34,10 +36,11 @@ PerWheel<double> controlled(BrakeState& state, const BrakeParams& params, PerWhe
         wish[i] += full > 0 ? single[i] / full : 0;
         wish[i] *= params.full_pedal_pressure;
     }
-    PerWheel<double> pressure = advance(state.anti_lock, params.anti_lock, wish, in.speed, in.rolling, dt);
-    const double lasts = params.lag == 0 ? 0 : std::exp(-dt / params.lag);
+    const PerWheel<double> before = state.asked;
+    state.asked = advance(state.anti_lock, params.anti_lock, wish, in.speed, in.rolling, dt);
+    PerWheel<double> pressure;
     for (std::size_t i = 0; i < kWheels; ++i) {
-        pressure[i] += lasts * (state.pressure[i] - pressure[i]);
+        pressure[i] = lagged(state.pressure[i], before[i], state.asked[i], params.lag, dt);
         pressure[i] /= params.full_pedal_pressure;
     }
     return pressure;

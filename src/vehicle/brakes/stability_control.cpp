@@ -3,23 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tread/lag.h"
+
 namespace tread {
 
 PerWheel<double> advance(StabilityControlState& state, const StabilityControlParams& params,
                          const StabilityControlInput& in, double dt) {
     const double share = authority(params);
     if (share == 0) return {};
-    state.since_sample += dt;
-    if (state.since_sample < params.period) return state.torque;
-    const double elapsed = std::min(state.since_sample, 2 * params.period);
-    state.since_sample = state.since_sample < 2 * params.period ? state.since_sample - params.period : 0;
 
     // What the driver asks for.
     const double speed = std::max(in.speed, params.lowest_speed);
     const double limit = params.lateral_acceleration_limit / speed;
     const double steady = speed * in.steer / (in.wheelbase + params.understeer_gradient * speed * speed);
-    const double target = std::clamp(steady, -limit, limit);
-    state.reference = params.lag == 0 ? target : target + (state.reference - target) * std::exp(-elapsed / params.lag);
+    const double before = state.target;
+    state.target = std::clamp(steady, -limit, limit);
+    state.reference = lagged(state.reference, before, state.target, params.lag, dt);
+
+    state.since_sample += dt;
+    if (state.since_sample < params.period) return state.torque;
+    state.since_sample = state.since_sample < 2 * params.period ? state.since_sample - params.period : 0;
 
     // One wheel, on the side to which the car shall turn.
     state.torque = {};
