@@ -53,9 +53,8 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const Reco
     const Screen screened = screen(study, grams);
     diagnosis.baselines = baselines(study);
     const Search found = search(study, screened, progress(0.4, 0.9));
-    const Inflation larger = inflation(study, found.best().fit);
     const MissingForce missing = missingForce(study);
-    judge(diagnosis, study, screened, found, larger, missing);
+    judge(diagnosis, study, screened, found, outside(study, found), missing);
     diagnosis.confusable = confusablePairs(study, screened, grams);
     tellNuisances(diagnosis, study, found.best().fit);
 

@@ -63,10 +63,20 @@ struct NextDrive {
     double nats = 0;
 };
 
+// That forces follow which no effect of the catalogue explains.
+struct ForceLaw {
+    std::string follows = {};                         // in words; empty when the gain is not clear
+    std::string unit = {};                            // of what they follow
+    std::map<std::string, double> coefficients = {};  // of each generalised force: N or N m per unit
+    std::string generalised_force = {};               // the largest of them; empty when effects act, too
+    double gain = 0;                                  // nats over the best model
+};
+
 struct Unexplained {
     double share = 0;               // of the gap that the best answer leaves
     std::string generalised_force;  // longitudinal, lateral, yaw, roll: where it acts
     std::string when;
+    ForceLaw law = {};  // that it follows, if any
 };
 
 // What simpler methods would answer: the name of one effect, or "none".

@@ -64,7 +64,9 @@ std::string whichOf(const Diagnosis& d) {
                             probabilityInWords(effect.probability), parametersOf(effect));
         ++rank;
     }
-    return text.empty() ? "WHICH     no effect of the catalogue\n" : text;
+    if (!text.empty()) return text;
+    const std::string law = lawInWords(d.unexplained.law);
+    return fmt::format("WHICH     no effect of the catalogue{}{}\n", law.empty() ? "" : "; ", law);
 }
 
 std::string howFarOf(const Diagnosis& d) {
@@ -94,6 +96,16 @@ std::string channelInWords(const std::string& channel) {
 
 std::string probabilityInWords(double p) {
     return p >= 0.995 ? "p > 0.99" : fmt::format("p = {:.2f}", p);
+}
+
+std::string lawInWords(const ForceLaw& law) {
+    if (law.follows.empty()) return {};
+    std::string forces;
+    for (const auto& [kind, value] : law.coefficients) {
+        const bool moment = kind == "yaw" || kind == "roll";
+        forces += fmt::format("{}{} {:.3g} {}", forces.empty() ? "" : ", ", kind, value, moment ? "N m" : "N");
+    }
+    return fmt::format("a force follows {}: {} per {} ({:.0f} nats)", law.follows, forces, law.unit, law.gain);
 }
 
 std::string together(const std::vector<std::string>& causes) {

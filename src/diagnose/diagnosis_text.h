@@ -15,6 +15,9 @@ std::string channelInWords(const std::string& channel);
 // "p = 0.97"; nothing is certain.
 std::string probabilityInWords(double p);
 
+// What forces of unknown cause follow, with numbers; empty when nothing is known of it.
+std::string lawInWords(const ForceLaw& law);
+
 // What acts together: "grip and mass".
 std::string together(const std::vector<std::string>& causes);
 std::vector<std::string> eachTogether(const std::vector<std::vector<std::string>>& alternatives);

@@ -33,6 +33,7 @@ struct Posterior {
     double ofNothingThatShows(const Screen& screen) const;
 };
 
-Posterior posterior(const Study& study, const Search& found, const Inflation& inflation);
+// `outside`: nats that something which is not in the catalogue gains over the best model.
+Posterior posterior(const Study& study, const Search& found, double outside);
 
 }  // namespace tread

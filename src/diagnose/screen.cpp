@@ -62,13 +62,12 @@ Screen screen(const Study& study, const std::vector<DriveGram>& grams) {
     return result;
 }
 
-Eigen::MatrixXd productsOver(const Study& study, const Ground& ground, const Fit& fit,
-                             const std::array<double, kDisturbances>& sizes) {
+Eigen::MatrixXd productsBeside(const Study& study, const Fit& fit, const std::vector<Eigen::MatrixXd>& further,
+                               const std::array<double, kDisturbances>& sizes) {
     std::vector<DriveGram> grams;
     for (std::size_t d = 0; d < fit.rows.size(); ++d) {
         const DriveGram free = driveGram(fit.columns[d], study.uncertainty.directions[d]);
-        grams.push_back(extended(free, fit.columns[d], study.uncertainty.directions[d],
-                                 knobsAndResidual(study, ground.about, fit.rows, d)));
+        grams.push_back(extended(free, fit.columns[d], study.uncertainty.directions[d], further[d]));
     }
     Gram gram = total(grams, study.uncertainty, sizes);
     // The prior pulls the fitted parameters back: that is a gradient, too.
@@ -76,6 +75,14 @@ Eigen::MatrixXd productsOver(const Study& study, const Ground& ground, const Fit
     gram.products.topRightCorner(free, 1) -= fit.at(fit.free);
     gram.products.bottomLeftCorner(1, free) = gram.products.topRightCorner(free, 1).transpose();
     return withoutNuisances(gram, fit.free.size());
+}
+
+Eigen::MatrixXd productsOver(const Study& study, const Ground& ground, const Fit& fit,
+                             const std::array<double, kDisturbances>& sizes) {
+    std::vector<Eigen::MatrixXd> knobs;
+    for (std::size_t d = 0; d < fit.rows.size(); ++d)
+        knobs.push_back(knobsAndResidual(study, ground.about, fit.rows, d));
+    return productsBeside(study, fit, knobs, sizes);
 }
 
 std::vector<double> gainsOver(const Study& study, const Ground& ground, const Fit& fit) {

@@ -20,8 +20,12 @@ Screen screen(const Study& study, const std::vector<DriveGram>& grams);
 // Places of an effect's knobs among all knobs.
 std::vector<Eigen::Index> placesOf(const Study& study, std::size_t effect);
 
-// Products of all knobs and then the residual of a fit, from the columns about `ground`; what the fit has free and
-// disturbances of these sizes projected out.
+// Products of further columns of each drive, beside a fit: what the fit has free and disturbances of these sizes
+// projected out. The last of them are the fit's residuals.
+Eigen::MatrixXd productsBeside(const Study& study, const Fit& fit, const std::vector<Eigen::MatrixXd>& further,
+                               const std::array<double, kDisturbances>& sizes);
+
+// The same of all knobs and then the residual, from the columns about `ground`.
 Eigen::MatrixXd productsOver(const Study& study, const Ground& ground, const Fit& fit,
                              const std::array<double, kDisturbances>& sizes);
 

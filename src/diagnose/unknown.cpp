@@ -43,6 +43,19 @@ Inflation inflation(const Study& study, const Fit& fit) {
     return best;
 }
 
+Outside outside(const Study& study, const Search& found) {
+    const Candidate& best = found.best();
+    // No law is trusted in more detail than one more effect would be.
+    const double doubt = kThresholds.doubt(2, best.log_evidence, study.bench.compared());
+    ForceLaw alone = forceLaw(study, found.none().fit), beside = forceLaw(study, best.fit);
+    alone.gain -= best.log_evidence + doubt, beside.gain -= doubt;
+    beside.generalised_force.clear();  // of what the effects leave only
+    const double larger = inflation(study, best.fit).gain;
+    Outside result{.gain = std::max(alone.gain, larger), .law = alone.gain > kThresholds.unknown ? alone : beside};
+    if (result.law.gain < std::max(larger, kThresholds.unknown)) result.law = {.gain = result.law.gain};
+    return result;
+}
+
 Constancy constancy(const Study& study, const Fit& fit) {
     const Eigen::Index knobs = static_cast<Eigen::Index>(fit.knobs.size());
     if (knobs == 0) return {};

@@ -1,6 +1,7 @@
 // Does something act that no effect of the catalogue explains?
 #pragma once
 
+#include "diagnose/force_law.h"
 #include "diagnose/search.h"
 
 namespace tread {
@@ -11,6 +12,14 @@ struct Inflation {
     std::array<double, kDisturbances> sizes{};
 };
 Inflation inflation(const Study& study, const Fit& fit);
+
+// What speaks for a cause that is not in the catalogue: larger disturbances than the best model has, or forces that
+// follow a law in place of its effects.
+struct Outside {
+    double gain = 0;  // nats over the best model, of what speaks most for an unknown cause
+    ForceLaw law;     // in place of its effects if that is clear, else beside them; named if it is likelier than those
+};
+Outside outside(const Study& study, const Search& found);
 
 // Is one value of the model's effects right for all drives? Cochran's Q of what each drive alone asks for.
 struct Constancy {

@@ -121,8 +121,9 @@ std::string inWords(const Diagnosis& d) {
         case Verdict::nothing:
             return "Nothing beyond tolerance: the model explains the recordings with its parameters as known";
         case Verdict::unknown:
-            return fmt::format("The cause is unknown: a {} force acts that no effect of the catalogue explains",
-                               d.unexplained.generalised_force);
+            return fmt::format("The cause is unknown: a {} force acts that no effect of the catalogue explains{}{}",
+                               d.unexplained.generalised_force,
+                               d.unexplained.law.follows.empty() ? "" : "; it follows ", d.unexplained.law.follows);
         case Verdict::not_testable:
             return "Not testable: none of the effects could be seen in these drives";
     }
@@ -131,9 +132,9 @@ std::string inWords(const Diagnosis& d) {
 
 }  // namespace
 
-void judge(Diagnosis& diagnosis, const Study& study, const Screen& screen, const Search& found,
-           const Inflation& inflation, const MissingForce& missing) {
-    const Posterior probable = posterior(study, found, inflation);
+void judge(Diagnosis& diagnosis, const Study& study, const Screen& screen, const Search& found, const Outside& outside,
+           const MissingForce& missing) {
+    const Posterior probable = posterior(study, found, outside.gain);
     diagnosis.probability_of_unknown = probable.ofUnknown();
     diagnosis.probability_of_nothing = probable.ofNothingThatShows(screen);
     rankEffects(diagnosis, study, found, probable);
@@ -146,9 +147,11 @@ void judge(Diagnosis& diagnosis, const Study& study, const Screen& screen, const
             return a.second < b.second;
         })->first;
     diagnosis.unexplained.when = missing.when;
+    diagnosis.unexplained.law = outside.law;
+    if (!outside.law.generalised_force.empty()) diagnosis.unexplained.generalised_force = outside.law.generalised_force;
 
     const Candidate& best = found.best();
-    if (inflation.gain > kThresholds.unknown || diagnosis.probability_of_unknown > 0.5) {
+    if (outside.gain > kThresholds.unknown || diagnosis.probability_of_unknown > 0.5) {
         diagnosis.verdict = Verdict::unknown;
     } else if (best.log_evidence * kThresholds.temperature < kThresholds.effect * probable.doubt ||
                best.effects.empty()) {

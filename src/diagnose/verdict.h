@@ -7,7 +7,7 @@
 namespace tread {
 
 // Fills verdict, causes, alternatives, effects, probabilities, credible set, constancy and the answer in words.
-void judge(Diagnosis& diagnosis, const Study& study, const Screen& screen, const Search& found,
-           const Inflation& inflation, const MissingForce& missing);
+void judge(Diagnosis& diagnosis, const Study& study, const Screen& screen, const Search& found, const Outside& outside,
+           const MissingForce& missing);
 
 }  // namespace tread

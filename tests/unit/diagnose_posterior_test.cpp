@@ -12,7 +12,7 @@ namespace tread {
 namespace {
 
 constexpr double kT = kThresholds.temperature;
-constexpr Inflation kNoMore{.gain = -1000, .sizes = {}};
+constexpr double kNoMore = -1000;
 
 struct TenEffects : Study {
     TenEffects() {
@@ -53,7 +53,7 @@ TEST(Posterior, OfUnknownGrowsWithWhatLargerDisturbancesGain) {
     const double gain = 8;
     const double none = 0.25, one = 0.045 * std::exp(5 / kT),
                  unknown = 0.1 * std::exp((5 + gain - kThresholds.unknown) / kT);
-    const Posterior result = posterior(study, found, {.gain = gain, .sizes = {}});
+    const Posterior result = posterior(study, found, gain);
     EXPECT_NEAR(result.ofUnknown(), unknown / (none + one + unknown), 1e-12);
 }
 

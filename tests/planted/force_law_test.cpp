@@ -1,0 +1,80 @@
+// A force that follows the motion of the car, and that no effect of the catalogue is: found as such, with its size.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "blind/gauges.h"
+#include "blind/measure.h"
+#include "diagnose/diagnosis.h"
+#include "planted/planted.h"
+
+namespace tread {
+namespace {
+
+Diagnosis diagnosed(const std::function<Pushing()>& push) {
+    Subject nominal;
+    nominal.vehicle = planted::nominalCar();
+    const Truth truth{.car = nominal, .low_pass = {}, .push = push};
+    DiagnosisFile file;
+    file.vehicle = "car";
+    for (const Gauge& gauge : gauges()) {
+        MeasuredChannel& channel = file.channels.emplace_back();
+        channel.channel = gauge.channel, channel.noise = gauge.noise;
+    }
+    std::vector<Log> logs;
+    for (const Drive& drive : blindDrives(DriveSet::step_steers)) {
+        if (drive.hold_out) continue;
+        Recording& recording = file.recordings.emplace_back();
+        recording.log = recording.name = drive.name;
+        logs.push_back(measure(truth, drive, 40 + logs.size()));
+    }
+    file.tolerances = {{"*", 0, 0}, {"mass", 0.02, 0}, {"front.tyre.lambda.Ky", 0.02, 0}};
+    std::vector<Effect> effects;
+    for (const Effect& effect : effectCatalogue()) {
+        for (const char* name : {"mass", "grip", "camber_thrust", "yaw_inertia", "cornering_stiffness_rear"})
+            if (effect.name == name) effects.push_back(effect);
+    }
+    return diagnose(nominal, file, {logs}, effects);
+}
+
+TEST(ForceLaw, OfAMassThatSwingsAcrossTheCarIsFoundWithItsMass) {
+    constexpr double kMass = 150, kFrequency = 0.65;
+    const Diagnosis d = diagnosed([] {
+        return
+            [place = 0.0, rate = 0.0, last = 0.0](double time, const VehicleInput&, const VehicleOutput& car) mutable {
+                constexpr double kOmega = 2 * 3.141592653589793 * kFrequency;
+                const double dt = time - last, pull = kOmega * kOmega * place + 0.2 * kOmega * rate;
+                last = time;
+                rate += dt * (-pull - car.chassis.ay);
+                place += dt * rate;
+                return Push{.force = {0, kMass * pull, 0}, .moment = {}};
+            };
+    });
+    EXPECT_EQ(d.verdict, Verdict::unknown) << d.answer;
+    EXPECT_NE(d.unexplained.law.follows.find("swings across the car at 0.65 Hz"), std::string::npos) << d.answer;
+    EXPECT_EQ(d.unexplained.generalised_force, "lateral");
+    EXPECT_NEAR(d.unexplained.law.coefficients.at("lateral"), kMass, 0.2 * kMass);
+}
+
+TEST(ForceLaw, OfARearAxleThatPushesAsideInEveryTurnIsFoundWithItsSize) {
+    constexpr double kForce = 80, kArm = 1.4;  // N per m/s2, m
+    const Diagnosis d = diagnosed([] {
+        return [](double, const VehicleInput&, const VehicleOutput& car) {
+            const double force = kForce * std::abs(car.chassis.ay);
+            return Push{.force = {0, force, 0}, .moment = {0, 0, -kArm * force}};
+        };
+    });
+    EXPECT_EQ(d.verdict, Verdict::unknown) << d.answer;
+    EXPECT_NE(d.unexplained.law.follows.find("the size of the lateral acceleration"), std::string::npos) << d.answer;
+    EXPECT_NEAR(d.unexplained.law.coefficients.at("yaw"), -kArm * kForce, 0.2 * kArm * kForce);
+    EXPECT_NEAR(d.unexplained.law.coefficients.at("lateral"), kForce, 0.4 * kForce);
+}
+
+TEST(ForceLaw, IsNotSeenInACarThatIsAsItsFileSays) {
+    const Diagnosis d = diagnosed({});
+    EXPECT_TRUE(d.unexplained.law.follows.empty()) << d.unexplained.law.follows;
+    EXPECT_LT(d.unexplained.law.gain, 0);
+}
+
+}  // namespace
+}  // namespace tread
