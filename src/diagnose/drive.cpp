@@ -83,6 +83,8 @@ RecordedDrive recordedDrive(const Recording& recording, const Log& log, const Di
         throw std::invalid_argument(fmt::format("recording {}: found fewer than two samples", drive.name));
     drive.time = log.channels.front().values;
     drive.speed = startSpeed(log, drive.time, drive.name);
+    drive.gap = firstGap(drive);
+    if (drive.gap) drive.until = drive.gap->from;
     Eigen::Index rows = 0;
     for (const ObservedQuantity& quantity : observedQuantities()) {
         const Channel* measured = log.find(quantity.channel);

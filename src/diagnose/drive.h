@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,12 @@ struct ObservedChannel {
     std::vector<double> times;  // s, of its blocks: those in which something was measured
 };
 
+// Where an input of the driver is missing for so long that the drive cannot be repeated from there on.
+struct InputGap {
+    std::string channel;
+    double from = 0, to = 0;  // s
+};
+
 struct RecordedDrive {
     std::string name;
     const Recording* recording = nullptr;
@@ -31,6 +39,7 @@ struct RecordedDrive {
     std::vector<ObservedChannel> channels;
     Eigen::VectorXd measured;            // all rows
     double speed = 0;                    // m/s, at the start, as measured
+    std::optional<InputGap> gap = {};    // the first
     double until = kInfinity;            // s: what comes later says nothing about the car
     double until_reference = kInfinity;  // s: the same, of its reference; `until` is not later
     int runs = 1;  // of a car, whose noise and disturbances the rows have: 2 when a reference is taken off
@@ -41,6 +50,8 @@ struct RecordedDrive {
     // Factor on noise and disturbances for what a reference does not take off: what a model lacks depends a little on
     // what disturbs the drive, which is never the same twice.
     double doubt() const { return compared() ? 1.6 : 1; }
+    // As large as this are disturbances of its rows, over those of one drive.
+    double disturbed() const { return std::sqrt(runs) * doubt(); }
 };
 
 inline constexpr double kBlock = 0.05;  // s

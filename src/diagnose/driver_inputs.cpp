@@ -14,6 +14,8 @@ namespace {
 constexpr std::array<std::size_t, 5> kReaches{50, 25, 12, 6, 3};  // samples to either side, the widest that fits
 constexpr double kLikeNoise = 1.3;                                // times the noise, that a parabola may leave
 
+constexpr double kLongestGap = 0.25;  // s, over which a driver does not do much
+
 // The middle of a parabola through evenly spaced values; nothing when they lie farther from it than noise does.
 std::optional<double> middleOf(std::span<const double> values, double noise) {
     const auto reach = static_cast<double>(values.size() / 2);
@@ -58,6 +60,26 @@ Log quietInputs(const Log& log) {
             inputs.channels.push_back({channel.name, channel.unit, quietened(channel.values)});
     }
     return inputs;
+}
+
+std::optional<InputGap> firstGap(const RecordedDrive& drive) {
+    std::vector<const char*> needed{"driver.steering_wheel_angle", "driver.clutch"};
+    if (drive.recording->speed == SpeedReplay::followed) needed.push_back("chassis.vx");
+    else needed.insert(needed.end(), {"driver.throttle", "driver.brake"});
+    std::optional<InputGap> first;
+    for (const char* name : needed) {
+        const Channel* channel = drive.log.find(name);
+        if (!channel) continue;
+        double known = drive.time.front();
+        for (std::size_t i = 0; i < drive.time.size(); ++i) {
+            const bool missing = !std::isfinite(channel->values[i]);
+            if (missing && i + 1 < drive.time.size()) continue;
+            if (drive.time[i] - known > kLongestGap && (!first || known < first->from))
+                first = InputGap{name, known, drive.time[i]};
+            known = drive.time[i];
+        }
+    }
+    return first;
 }
 
 Curve driverInput(const RecordedDrive& drive, const std::string& channel, const Instrument& instrument,

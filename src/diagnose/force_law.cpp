@@ -78,7 +78,7 @@ const std::vector<Law>& laws() {
         };
         for (const auto& [frequency, text] : std::initializer_list<std::pair<double, const char*>>{
                  {0.4, "0.4"}, {0.5, "0.5"}, {0.65, "0.65"}, {0.8, "0.8"}, {1, "1"}, {1.3, "1.3"}}) {
-            list.push_back({std::string("what a mass that swings across the car at ") + text + " Hz does", "m/s2", side,
+            list.push_back({std::string("a mass that swings across the car at ") + text + " Hz", "m/s2", side,
                             [f = frequency](const RecordedDrive& drive) { return swing(drive, f); }});
         }
         return list;
@@ -133,8 +133,8 @@ Columns columnsOf(const Study& study, const Fit& fit) {
         Eigen::Index at = 0;
         for (std::size_t l = 0; l < laws().size(); ++l) {
             // Impulses that build up these hats.
-            const Eigen::VectorXd impulses =
-                lingering.triangularView<Eigen::Lower>().solve(columns.unit[l] * histories[l][d]);
+            const double unit = columns.unit[l] / study.bench.drives[d].disturbed();
+            const Eigen::VectorXd impulses = lingering.triangularView<Eigen::Lower>().solve(unit * histories[l][d]);
             for (const Disturbed kind : laws()[l].kinds) {
                 const Eigen::Index first = static_cast<Eigen::Index>(kind) * hats;
                 all.col(at++) = study.uncertainty.directions[d].middleCols(first, hats) * impulses;

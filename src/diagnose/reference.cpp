@@ -103,7 +103,8 @@ void lessReference(Bench& bench, RecordedDrive& drive, const RecordedDrive& refe
         throw std::invalid_argument(fmt::format(
             "recording {}: the nominal car cannot be driven as its reference was: {}", drive.name, error.what()));
     }
-    drive.until_reference = slideApart(reference, model);
+    drive.until_reference = std::min(reference.until, slideApart(reference, model));
+    if (reference.until < drive.until) drive.gap = reference.gap;
     drive.until = std::min(drive.until, drive.until_reference);
     const Eigen::VectorXd lacks = reference.measured - model;
     for (const ObservedChannel& channel : drive.channels) {

@@ -45,6 +45,13 @@ std::vector<std::string> leftOut(std::span<const RecordedDrive> drives) {
     std::vector<std::string> sentences;
     for (const RecordedDrive& drive : drives) {
         if (!std::isfinite(drive.until)) continue;
+        if (drive.gap && drive.gap->from == drive.until) {
+            sentences.push_back(fmt::format(
+                "{}: from {:.1f} s of {:.1f} s on nothing is compared, for {} is missing for {:.1f} s there, and "
+                "without it the drive cannot be repeated. Choose a window (from, to) before or after the gap.",
+                drive.name, drive.until, drive.duration(), drive.gap->channel, drive.gap->to - drive.gap->from));
+            continue;
+        }
         const char* const car = drive.until < drive.until_reference ? "the car" : "the car of the reference";
         if (drive.until < kWorthSliding) {
             sentences.push_back(fmt::format(

@@ -1,5 +1,5 @@
 // Where a drive stops telling anything about the car: once the car slides and its model does not, or the other way
-// round, what they do differs by more than any small cause explains.
+// round, what they do differs by more than any small cause explains; and once an input of the driver is missing.
 #pragma once
 
 #include <span>

@@ -1,5 +1,6 @@
-// Where a diagnosis draws its lines. Set on development cases (seeds 2001 to 2004, 3001, 3101, 3201, 5001, 6007, 6203
-// and 8111 of blind checks) and on the rows of the catalogue planted one by one; checked on cases drawn after that.
+// Where a diagnosis draws its lines. Set on development cases (seeds 2001 to 2004, 3001, 3101, 3201, 5001, 6007, 6203,
+// 8111, 9111 and 9112 of blind checks) and on the rows of the catalogue planted one by one; checked on cases drawn
+// after that.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,7 @@ struct Thresholds {
     double further_share = 0.002;  // and of the nats explained already: no signature is known better than that,
     double further_most = 6;       // but of these no more nats than this
     double structure = 0.25;       // share of a value by which a model of another structure than the car's errs
-    double unknown = 6;            // nats that larger disturbances gain on top of the best model
+    double unknown = 6;            // nats over the best model, that larger disturbances or a law of forces gain
     double separable = 6;          // nats between two effects
     double shows = 6;              // nats to expect of an effect: below, a drive cannot show it
     double testable = 22;          // nats to expect at typical size: 19 in 20 such effects gain `effect`, see below

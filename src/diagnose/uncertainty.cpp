@@ -24,7 +24,7 @@ Uncertainty uncertaintyOf(Bench& bench, const Deviation& at, const Rows& rows) {
         const Disturbances& disturbing = uncertainty.disturbing[d];
         Eigen::MatrixXd all(disturbing.columns.rows(), disturbing.columns.cols() + 1);
         all << disturbing.columns, disturbing.by_start_speed;
-        all = uncertainty.noise[d].over(all) * (std::sqrt(bench.drives[d].runs) * bench.drives[d].doubt());
+        all = uncertainty.noise[d].over(all) * bench.drives[d].disturbed();
         uncertainty.bare[d] = driveGram(Eigen::MatrixXd(all.rows(), 0), all);
         uncertainty.directions[d] = std::move(all);
     });

@@ -85,7 +85,8 @@ void addUnexplained(HtmlPage& page, const Unexplained& rest) {
     page.text(fmt::format("The best answer leaves {} % of the gap{}{}.", percentNumber(rest.share),
                           rest.generalised_force.empty() ? "" : "; what acts there: " + rest.generalised_force,
                           rest.when.empty() ? "" : ", " + rest.when));
-    if (const std::string law = lawInWords(rest.law); !law.empty()) page.text("Of unknown cause, " + law + ".");
+    const std::string law = lawInWords(rest.law);
+    if (!law.empty() && rest.law.generalised_force.empty()) page.text("Beside the best answer, " + law + ".");
 }
 
 }  // namespace

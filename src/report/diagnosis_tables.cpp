@@ -94,8 +94,10 @@ void addEffects(HtmlPage& page, const Diagnosis& diagnosis) {
     }
     add("nothing that these drives could show", diagnosis.probability_of_nothing, "0", "", false,
         "The numbers of the car within their tolerances explain the drives.");
+    const ForceLaw& law = diagnosis.unexplained.law;
+    const bool alone = !law.generalised_force.empty();
     add("an unknown cause", diagnosis.probability_of_unknown, "", "", false,
-        "A force acts that nothing in the catalogue explains.");
+        "A force acts that nothing in the catalogue explains" + (alone ? ": " + lawInWords(law) : "") + ".");
     page.table({"Effect", "Probability", "Evidence, nats", "Same in all drives, p", "What it asks, and what was found"},
                rows, true);
     if (diagnosis.effects.size() > kShown)

@@ -112,6 +112,39 @@ TEST(Sliding, WhatIsLeftOutIsSaidWithItsTimeAndWhoSlid) {
     EXPECT_TRUE(said[1].starts_with("before: from 5.2 s of 10.0 s on the car of the reference slides")) << said[1];
 }
 
+TEST(Gap, EndsTheDriveWhereAnInputOfTheDriverIsMissing) {
+    const Recording pedals{.log = "a.csv"}, followed{.log = "a.csv", .speed = SpeedReplay::followed};
+    Log log{{{"time", "s", {}},
+             {"driver.steering_wheel_angle", "rad", {}},
+             {"driver.brake", "-", {}},
+             {"chassis.vx", "m/s", {}},
+             {"chassis.yaw_rate", "rad/s", {}}}};
+    for (int i = 0; i < 1000; ++i) {
+        const double values[] = {0.01 * i, 0.1, 0, 20, 0.05};
+        for (std::size_t k = 0; k < 5; ++k) log.channels[k].values.push_back(values[k]);
+    }
+    const auto without = [&](std::size_t channel, std::size_t first, std::size_t count) {
+        Log changed = log;
+        for (std::size_t i = first; i < first + count; ++i) changed.channels[channel].values[i] = std::nan("");
+        return changed;
+    };
+    EXPECT_EQ(recordedDrive(pedals, log, {}).until, kInfinity);
+    EXPECT_EQ(recordedDrive(pedals, without(1, 400, 20), {}).until, kInfinity) << "a short one is bridged";
+    EXPECT_NEAR(recordedDrive(pedals, without(1, 400, 60), {}).until, 3.99, 1e-9);
+    EXPECT_NEAR(recordedDrive(pedals, without(2, 940, 60), {}).until, 9.39, 1e-9) << "at the end";
+    EXPECT_EQ(recordedDrive(pedals, without(1, 0, 60), {}).until, 0) << "at the beginning";
+    EXPECT_EQ(recordedDrive(pedals, without(3, 400, 60), {}).until, kInfinity) << "the speed is no input here,";
+    EXPECT_NEAR(recordedDrive(followed, without(3, 400, 60), {}).until, 3.99, 1e-9) << "but here";
+    EXPECT_EQ(recordedDrive(pedals, without(4, 400, 60), {}).until, kInfinity) << "what is compared may have gaps";
+
+    const std::vector<std::string> said = leftOut(std::vector{recordedDrive(pedals, without(1, 400, 60), {})});
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_TRUE(
+        said[0].starts_with("a.csv: from 4.0 s of 10.0 s on nothing is compared, for "
+                            "driver.steering_wheel_angle is missing for 0.6 s there"))
+        << said[0];
+}
+
 TEST(Sliding, CarsThatSlideAlikeDoNotEndTheDrive) {
     EXPECT_EQ(slideApart(turning(0.2), turning(0.2).measured), kInfinity);
     EXPECT_EQ(slideApart(turning(0.03), turning(0).measured), kInfinity) << "a gyro of so much bias is no slide";

@@ -48,6 +48,24 @@ TEST(DiagnosisPage, BlamesAndAlarmsOnlyWhatDeservesIt) {
     EXPECT_FALSE(contains(html, "Held-out drives"));
 }
 
+TEST(DiagnosisPage, TellsTheLawThatAForceOfUnknownCauseFollows) {
+    Diagnosis d = shared::sampleDiagnosis();
+    const char* const said =
+        "a force follows the size of the lateral acceleration: lateral -53.5 N, yaw 102 N m per m/s2 (157 nats)";
+    EXPECT_FALSE(contains(page(d), "a force follows"));
+    d.unexplained.law = {.follows = "the size of the lateral acceleration",
+                         .unit = "m/s2",
+                         .coefficients = {{"lateral", -53.5}, {"yaw", 102.4}},
+                         .gain = 157.2};
+    EXPECT_TRUE(contains(page(d), std::string("Beside the best answer, ") + said));
+    d.verdict = Verdict::unknown;
+    d.causes.clear();
+    d.effects.clear();
+    d.unexplained.law.generalised_force = "yaw";
+    EXPECT_TRUE(contains(page(d), std::string("A force acts that nothing in the catalogue explains: ") + said));
+    EXPECT_TRUE(contains(diagnosisText(d), std::string("no effect of the catalogue; ") + said));
+}
+
 TEST(DiagnosisPage, IsMadeOfAnEmptyDiagnosisToo) {
     const std::string html = page(Diagnosis{});
     EXPECT_TRUE(contains(html, "not testable"));
