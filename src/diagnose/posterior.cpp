@@ -14,7 +14,7 @@ constexpr std::size_t kMost = 4;  // effects of a candidate, none included
 // Prior probabilities of none, one, two and three causes of the catalogue, each split evenly over its members.
 constexpr std::array<double, kMost> kPrior{0.25, 0.45, 0.15, 0.05};
 constexpr double kPriorUnknown = 0.1;
-// Of the unknown causes, however strong, those that so many effects of the catalogue imitate.
+// Of the unknown causes, those that so many effects of the catalogue imitate.
 constexpr std::array<double, kMost> kImitated{0, 0.1, 0.1, 0.3};
 
 // Ways to choose so many of n effects.
@@ -23,13 +23,6 @@ double choices(double n, std::size_t effects) {
     for (std::size_t i = 0; i < effects; ++i)
         ways *= std::max(1.0, n - static_cast<double>(i)) / static_cast<double>(i + 1);
     return ways;
-}
-
-// The same where so many nats are explained. Of a weak cause little is left over that would give the imitation away:
-// when any resemblance (squared cosine of what the cause and the effects do) is as likely as any other, this is the
-// share of which less is left than it takes to be seen.
-double imitated(std::size_t effects, double evidence) {
-    return std::max(kImitated[effects], kThresholds.unknown / (kThresholds.unknown + std::max(0.0, evidence)));
 }
 
 bool holds(const Candidate& candidate, std::size_t effect) {
@@ -83,7 +76,7 @@ Posterior posterior(const Study& study, const Search& found, double outside) {
         add(&one, false, kPrior[count] / ways, evidence);
         result.constancy.push_back(one.fitted ? constancy(study, one.fit) : Constancy{});
         if (count > 0 && one.fitted)
-            add(&one, true, kPriorUnknown * imitated(count, one.log_evidence) / ways,
+            add(&one, true, kPriorUnknown * kImitated[count] / ways,
                 evidence + imitationGain(one, result.constancy.back(), study.bench.compared()));
     }
     add(nullptr, false, kPriorUnknown, strongest + outside - kThresholds.unknown);

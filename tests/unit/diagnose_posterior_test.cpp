@@ -57,20 +57,6 @@ TEST(Posterior, OfUnknownGrowsWithWhatLargerDisturbancesGain) {
     EXPECT_NEAR(result.ofUnknown(), unknown / (none + one + unknown), 1e-12);
 }
 
-TEST(Posterior, AnImitationIsTheLikelierTheLessItWouldLeaveToBeSeen) {
-    const TenEffects study;
-    const auto odds = [&](double evidence) {  // of an imitation of e3 against e3, both with the same evidence
-        Candidate one = judged({3}, evidence);
-        one.fitted = true;
-        const Posterior result = posterior(study, {{one, judged({}, 0)}}, kNoMore);
-        return result.ofUnknown() / result.of(3);
-    };
-    // An unknown cause is 0.1 probable beforehand and one cause of the catalogue 0.45, a tenth of it for each of ten.
-    EXPECT_NEAR(odds(kThresholds.unknown), 0.5 * 0.1 / 0.45, 1e-9) << "as much is seen as would have to be";
-    EXPECT_NEAR(odds(2 * kThresholds.unknown), 0.1 / 0.45 / 3, 1e-9);
-    EXPECT_NEAR(odds(1000), 0.1 * 0.1 / 0.45, 1e-9);
-}
-
 TEST(Posterior, EffectsThatDrivesCannotShowAreNothingThatShows) {
     const TenEffects study;
     Screen screen;
