@@ -11,7 +11,7 @@ namespace tread {
 namespace {
 
 constexpr double kAlike = 0.5;  // cosine: pairs below are hard to tell apart because one of them hardly shows
-constexpr std::size_t kMostPairs = 30;
+constexpr std::size_t kMostConfusable = 30;
 
 // Linear evidence of knobs with these products, as far as their bounds let them.
 double gain(const Study& study, const Eigen::MatrixXd& products, std::size_t effect,
@@ -129,7 +129,7 @@ std::vector<ConfusablePair> confusablePairs(const Study& study, const Screen& sc
         }
     }
     std::sort(pairs.begin(), pairs.end(), [](const auto& x, const auto& y) { return x.separation < y.separation; });
-    if (pairs.size() > kMostPairs) pairs.resize(kMostPairs);
+    if (pairs.size() > kMostConfusable) pairs.resize(kMostConfusable);
     return pairs;
 }
 

@@ -6,10 +6,10 @@
 namespace tread {
 namespace {
 
-constexpr double kSlowest = 1;          // m/s: below, the hands stay still
-constexpr double kLargest = 15;         // rad of the hand wheel: more than any car's lock
-constexpr double kReach = 20;           // m of path searched for the nearest point: a car moves less in a step
-constexpr double kTimeRounding = 1e-9;  // s
+constexpr double kSlowest = 1;    // m/s: below, the hands stay still
+constexpr double kLargest = 15;   // rad of the hand wheel: more than any car's lock
+constexpr double kReach = 20;     // m of path searched for the nearest point: a car moves less in a step
+constexpr double kAtOnce = 1e-9;  // s
 
 }  // namespace
 
@@ -54,8 +54,8 @@ void SteerControl::follow(const FollowPath& driver, const ChassisOutput& car, do
     if (path_.empty()) return;
     intended_.emplace_back(time, pathAngle(driver, car));
     // The hands do now what the eyes asked for a dead time ago.
-    if (intended_.front().first > time - driver.delay + kTimeRounding) return;
-    while (intended_.size() > 1 && intended_[1].first <= time - driver.delay + kTimeRounding) intended_.pop_front();
+    if (intended_.front().first > time - driver.delay + kAtOnce) return;
+    while (intended_.size() > 1 && intended_[1].first <= time - driver.delay + kAtOnce) intended_.pop_front();
     const double missing = intended_.front().second - angle_;
     const double move = driver.lag > 0 ? missing * -std::expm1(-dt / driver.lag) : missing;
     angle_ += std::clamp(move, -driver.largest_rate * dt, driver.largest_rate * dt);
