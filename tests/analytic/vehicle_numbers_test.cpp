@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -90,6 +91,15 @@ std::vector<Drive> drives(const VehicleParams& params) {
         return in;
     };
     for (const double speed : {4.5, 4.45, 4.4}) slowly(speed, full_brakes);
+    // Turning in more than the road allows, by a little less than the stability control counts on.
+    static const std::array wet{PlaneRoad(0, 0, 0.6), PlaneRoad(0, 0, 0.65), PlaneRoad(0, 0, 0.7),
+                                PlaneRoad(0, 0, 0.75)};
+    for (const PlaneRoad& road : wet) {
+        all.push_back(Drive{reference::settled(params, road, {.speed = 22}), 1500, [](double t, VehicleInput in) {
+                                in.steering_wheel_angle = std::min(3 * t, 1.8);
+                                return in;
+                            }});
+    }
     // A long stop.
     all.push_back(Drive{reference::settled(params, level, {.speed = 18}), 1000, [](double t, VehicleInput in) {
                             in.throttle = 0;
