@@ -18,15 +18,13 @@ constexpr double kWider = 2;          // times the spread of an effect's size, t
 constexpr double kSame = 0.1, kVaried = 0.5;
 constexpr double kJumps = 0.04;  // of what is explained, that varies all the same: controllers set in or do not
 
-}  // namespace
-
-Inflation inflation(const Study& study, const Fit& fit) {
+// Nats that larger disturbances gain on top of a model.
+double inflation(const Study& study, const Fit& fit) {
     const auto usual = study.uncertainty.sizes;
     const double now = logEvidenceOf(fit, study.uncertainty, usual);
-    Inflation best{-kInfinity, usual};
+    double best = -kInfinity;
     const auto look = [&](const std::array<double, kDisturbances>& sizes) {
-        const double gain = logEvidenceOf(fit, study.uncertainty, sizes) - now;
-        if (gain > best.gain) best = {gain, sizes};
+        best = std::max(best, logEvidenceOf(fit, study.uncertainty, sizes) - now);
     };
     for (const double factor : kAllLarger) {
         std::array<double, kDisturbances> sizes = usual;
@@ -43,17 +41,22 @@ Inflation inflation(const Study& study, const Fit& fit) {
     return best;
 }
 
+}  // namespace
+
 Outside outside(const Study& study, const Search& found) {
     const Candidate& best = found.best();
     // No law is trusted in more detail than one more effect would be.
     const double doubt = kThresholds.doubt(2, best.log_evidence, study.bench.compared());
-    ForceLaw alone = forceLaw(study, found.none().fit), beside = forceLaw(study, best.fit);
-    alone.gain -= best.log_evidence + doubt, beside.gain -= doubt;
-    beside.generalised_force.clear();  // of what the effects leave only
-    const double larger = inflation(study, best.fit).gain;
-    Outside result{.gain = std::max(alone.gain, larger), .law = alone.gain > kThresholds.unknown ? alone : beside};
-    if (result.law.gain < std::max(larger, kThresholds.unknown)) result.law = {.gain = result.law.gain};
-    return result;
+    ForceLaw law = forceLaw(study, found.none().fit);
+    law.gain -= best.log_evidence + doubt;
+    const double larger = inflation(study, best.fit), gain = std::max(law.gain, larger);
+    if (law.gain <= kThresholds.unknown) {
+        law = forceLaw(study, best.fit);
+        law.gain -= doubt;
+        law.generalised_force.clear();  // of what the effects leave only
+    }
+    if (law.gain < std::max(larger, kThresholds.unknown)) law = {.gain = law.gain};
+    return {.gain = gain, .law = std::move(law)};
 }
 
 Constancy constancy(const Study& study, const Fit& fit) {

@@ -6,13 +6,6 @@
 
 namespace tread {
 
-// Nats that larger disturbances gain on top of a model, and which of them.
-struct Inflation {
-    double gain = 0;
-    std::array<double, kDisturbances> sizes{};
-};
-Inflation inflation(const Study& study, const Fit& fit);
-
 // What speaks for a cause that is not in the catalogue: larger disturbances than the best model has, or forces that
 // follow a law in place of its effects.
 struct Outside {

@@ -44,8 +44,7 @@ TEST(Disturbances, PushesDoWhatTheyDoAloneAlsoAtTheLimitAndLongAfter) {
         {.vehicle = planted::nominalCar(), .road = {}, .wind = {}, .instruments = {}}, {{"spiral", spiral()}});
     Bench bench;
     bench.nominal = made.nominal;
-    bench.simulate = [](const VehicleParams& car, const Scenario& scenario, const Recorder& recorder,
-                        const Pushing& pushing) { simulate(car, scenario, recorder, pushing); };
+    bench.simulate = DiagnoseOptions{}.simulate;
     bench.drives = {recordedDrive(made.file.recordings.front(), made.logs.front(), made.file)};
     const RecordedDrive& drive = bench.drives.front();
     const Rows rows = *rowsAt(bench, bench.origin());

@@ -19,8 +19,7 @@ TEST(Step, OfReplaysLooksLikeNoEffectWhateverTheCarHas) {
     Study study;
     Bench& bench = study.bench;
     bench.nominal.vehicle = planted::nominalCar();
-    bench.simulate = [](const VehicleParams& car, const Scenario& scenario, const Recorder& recorder,
-                        const Pushing& pushing) { simulate(car, scenario, recorder, pushing); };
+    bench.simulate = DiagnoseOptions{}.simulate;
     DiagnosisFile file;
     file.recordings.reserve(4);
     for (const Drive& drive : blindDrives(DriveSet::all)) {
