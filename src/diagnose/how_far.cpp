@@ -7,7 +7,6 @@
 #include "base/random.h"
 #include "diagnose/replay.h"
 #include "diagnose/sliding.h"
-#include "diagnose/thresholds.h"
 #include "identify/parallel.h"
 #include "log/resample.h"
 
@@ -115,7 +114,6 @@ Deviation drawn(const Bench& bench, const Fit& fit, Random& random) {
     Eigen::VectorXd normal(n);
     for (Eigen::Index i = 0; i < n; ++i) normal(i) = random.normal();
     Deviation point = fit.at;
-    normal *= std::sqrt(kThresholds.temperature);
     point(fit.free) += fit.covariance.llt().matrixL() * normal;
     for (const Eigen::Index i : fit.free) {
         const Parameter& parameter = bench.parameters[static_cast<std::size_t>(i)];

@@ -15,7 +15,6 @@
 #include "diagnose/how_far.h"
 #include "diagnose/identification_text.h"
 #include "diagnose/reference.h"
-#include "diagnose/thresholds.h"
 #include "diagnose/where.h"
 
 namespace tread {
@@ -126,10 +125,9 @@ std::optional<Settled> settled(Study& study, const Progress& progress) {
     return result;
 }
 
-// What the drives tell of the free parameters counts as in a diagnosis: less than independent noise would have it.
 Eigen::MatrixXd posteriorOf(const Gram& gram) {
     const Eigen::Index n = gram.products.cols() - 1;
-    const Eigen::MatrixXd information = gram.products.topLeftCorner(n, n) / kThresholds.temperature;
+    const Eigen::MatrixXd information = gram.products.topLeftCorner(n, n);
     return (Eigen::MatrixXd::Identity(n, n) + information).llt().solve(Eigen::MatrixXd::Identity(n, n));
 }
 

@@ -14,8 +14,9 @@ constexpr std::size_t kMost = 4;  // effects of a candidate, none included
 // Prior probabilities of none, one, two and three causes of the catalogue, each split evenly over its members.
 constexpr std::array<double, kMost> kPrior{0.25, 0.45, 0.15, 0.05};
 constexpr double kPriorUnknown = 0.1;
-// Of the unknown causes, those that so many effects of the catalogue imitate.
-constexpr std::array<double, kMost> kImitated{0, 0.1, 0.1, 0.3};
+// Of the unknown causes, those that so many effects of the catalogue imitate, and that neither larger disturbances nor a
+// law of forces give away.
+constexpr std::array<double, kMost> kImitated{0, 0.05, 0.05, 0.3};
 
 // Ways to choose so many of n effects.
 double choices(double n, std::size_t effects) {
@@ -48,19 +49,18 @@ double Posterior::of(std::size_t effect) const {
     return sumOf(hypotheses, [&](const Hypothesis& one) { return !one.unknown() && holds(*one.candidate, effect); });
 }
 
-double Posterior::ofNothingThatShows(const Screen& screen) const {
-    return sumOf(hypotheses, [&](const Hypothesis& one) {
-        if (one.unknown() || one.candidate->log_evidence >= kThresholds.effect) return false;
-        return std::all_of(one.candidate->effects.begin(), one.candidate->effects.end(),
-                           [&](auto e) { return screen.detectability[e] < kThresholds.testable; });
-    });
+bool Posterior::shows(double log_evidence) const { return log_evidence >= kThresholds.effect * doubt; }
+
+double Posterior::ofNothingThatShows() const {
+    return sumOf(hypotheses,
+                 [&](const Hypothesis& one) { return !one.unknown() && !shows(one.candidate->log_evidence); });
 }
 
 Posterior posterior(const Study& study, const Search& found, double outside) {
     const auto n = static_cast<double>(study.effects.size());
     Posterior result;
     const double left_over = leftOver(study, found.best().fit.rows);
-    result.doubt = kThresholds.temperature * left_over * left_over;
+    result.doubt = left_over * left_over;
     std::vector<double> logs;
     const auto add = [&](const Candidate* candidate, bool imitated, double prior, double evidence) {
         result.hypotheses.push_back({candidate, imitated});

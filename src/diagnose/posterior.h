@@ -24,13 +24,16 @@ struct Posterior {
     std::vector<Hypothesis> hypotheses;  // the most probable first
     std::vector<Constancy> constancy;    // of each candidate of the search
     // By which evidence is divided and variances are multiplied: what the best model leaves over what noise and
-    // disturbances would, in squares, times the temperature.
+    // disturbances would, in squares.
     double doubt = 1;
 
     double ofUnknown() const;
     double of(std::size_t effect) const;  // that it is one of the causes
-    // That no effect is the cause, or one that has not shown and that these drives could not show at its typical size.
-    double ofNothingThatShows(const Screen& screen) const;
+    // Is so much evidence enough to blame an effect?
+    bool shows(double log_evidence) const;
+    // That no effect is the cause, or one that has not shown. A testable one that has not shown is smaller than typical:
+    // at its typical size it is expected 6.6 standard deviations from none or more, and was found within 3.7 or so.
+    double ofNothingThatShows() const;
 };
 
 // `outside`: nats that something which is not in the catalogue gains over the best model.

@@ -1,6 +1,6 @@
 // Where a diagnosis draws its lines. Set on development cases (seeds 2001 to 2004, 3001, 3101, 3201, 5001, 6007, 6203,
-// 8111, 9111 and 9112 of blind checks) and on the rows of the catalogue planted one by one; checked on cases drawn
-// after that.
+// 8111, 9111, 9112, 10111 and 10113 of blind checks) and on the rows of the catalogue planted one by one; checked on
+// cases drawn after that.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,6 @@ struct Thresholds {
     double separable = 6;          // nats between two effects
     double shows = 6;              // nats to expect of an effect: below, a drive cannot show it
     double testable = 22;          // nats to expect at typical size: 19 in 20 such effects gain `effect`, see below
-    double temperature = 1.25;     // evidence counts as if this many times as much data were needed
     double sure = 0.9;             // probability of the causes together, below which alternatives are named
     double credible = 0.9;
 

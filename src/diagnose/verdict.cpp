@@ -91,7 +91,7 @@ const Candidate& chosenOf(const Study& study, const Search& found, double surplu
 
 // Names the causes, and what they cannot be told from.
 void blame(Diagnosis& diagnosis, const Study& study, const Search& found, const Posterior& posterior) {
-    const Candidate& chosen = chosenOf(study, found, posterior.doubt / kThresholds.temperature);
+    const Candidate& chosen = chosenOf(study, found, posterior.doubt);
     diagnosis.causes = study.namesOf(chosen.effects);
     double own = 0, rivals = 0;
     std::set<std::vector<std::string>> alternatives;
@@ -136,7 +136,7 @@ void judge(Diagnosis& diagnosis, const Study& study, const Screen& screen, const
            const MissingForce& missing) {
     const Posterior probable = posterior(study, found, outside.gain);
     diagnosis.probability_of_unknown = probable.ofUnknown();
-    diagnosis.probability_of_nothing = probable.ofNothingThatShows(screen);
+    diagnosis.probability_of_nothing = probable.ofNothingThatShows();
     rankEffects(diagnosis, study, found, probable);
     for (std::size_t e = 0; e < study.effects.size(); ++e)
         diagnosis.testable[study.effects[e].name] = screen.detectability[e];
@@ -153,8 +153,7 @@ void judge(Diagnosis& diagnosis, const Study& study, const Screen& screen, const
     const Candidate& best = found.best();
     if (outside.gain > kThresholds.unknown || diagnosis.probability_of_unknown > 0.5) {
         diagnosis.verdict = Verdict::unknown;
-    } else if (best.log_evidence * kThresholds.temperature < kThresholds.effect * probable.doubt ||
-               best.effects.empty()) {
+    } else if (best.effects.empty() || !probable.shows(best.log_evidence)) {
         const bool seen = std::any_of(screen.detectability.begin(), screen.detectability.end(),
                                       [](double d) { return d >= kThresholds.shows; });
         diagnosis.verdict = seen ? Verdict::nothing : Verdict::not_testable;

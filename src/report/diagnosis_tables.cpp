@@ -92,7 +92,7 @@ void addEffects(HtmlPage& page, const Diagnosis& diagnosis) {
             std::isfinite(same) ? formatNumber(same, 2) : "", same < 0.01,
             question + (question.empty() || parameters.empty() ? "" : " ") + parameters);
     }
-    add("nothing that these drives could show", diagnosis.probability_of_nothing, "0", "", false,
+    add("nothing that these drives show", diagnosis.probability_of_nothing, "0", "", false,
         "The numbers of the car within their tolerances explain the drives.");
     const ForceLaw& law = diagnosis.unexplained.law;
     const bool alone = !law.generalised_force.empty();

@@ -11,7 +11,6 @@
 namespace tread {
 namespace {
 
-constexpr double kT = kThresholds.temperature;
 constexpr double kNoMore = -1000;
 
 struct TenEffects : Study {
@@ -28,7 +27,7 @@ Candidate judged(std::vector<std::size_t> effects, double log_evidence) {
 TEST(Posterior, OfOneEffectIsItsShareOfPriorTimesEvidence) {
     const TenEffects study;
     const Search found{{judged({3}, 5), judged({7}, 2), judged({}, 0)}};
-    const double none = 0.25, first = 0.045 * std::exp(5 / kT), second = 0.045 * std::exp(2 / kT);
+    const double none = 0.25, first = 0.045 * std::exp(5), second = 0.045 * std::exp(2);
     const Posterior result = posterior(study, found, kNoMore);
     EXPECT_NEAR(result.of(3), first / (none + first + second), 1e-12);
     EXPECT_NEAR(result.of(7), second / (none + first + second), 1e-12);
@@ -41,7 +40,7 @@ TEST(Posterior, OfAPairCountsForBothAndIsSplitOverAllPairs) {
     const TenEffects study;
     const Search found{{judged({3, 7}, 12), judged({3}, 5), judged({}, 0)}};
     const double doubted = kThresholds.further_share * 12;
-    const double none = 0.25, one = 0.045 * std::exp(5 / kT), two = 0.15 / 45 * std::exp((12 - doubted) / kT);
+    const double none = 0.25, one = 0.045 * std::exp(5), two = 0.15 / 45 * std::exp((12 - doubted));
     const Posterior result = posterior(study, found, kNoMore);
     EXPECT_NEAR(result.of(7), two / (none + one + two), 1e-12);
     EXPECT_NEAR(result.of(3), (one + two) / (none + one + two), 1e-12);
@@ -51,24 +50,28 @@ TEST(Posterior, OfUnknownGrowsWithWhatLargerDisturbancesGain) {
     const TenEffects study;
     const Search found{{judged({3}, 5), judged({}, 0)}};
     const double gain = 8;
-    const double none = 0.25, one = 0.045 * std::exp(5 / kT),
-                 unknown = 0.1 * std::exp((5 + gain - kThresholds.unknown) / kT);
+    const double none = 0.25, one = 0.045 * std::exp(5),
+                 unknown = 0.1 * std::exp((5 + gain - kThresholds.unknown));
     const Posterior result = posterior(study, found, gain);
     EXPECT_NEAR(result.ofUnknown(), unknown / (none + one + unknown), 1e-12);
 }
 
-TEST(Posterior, EffectsThatDrivesCannotShowAreNothingThatShows) {
+TEST(Posterior, OfNothingThatShowsCountsWhatHasNotGainedEnough) {
     const TenEffects study;
-    Screen screen;
-    screen.detectability.assign(10, kThresholds.testable - 1);
-    screen.detectability[7] = kThresholds.testable;
-    const Search found{{judged({3}, 1), judged({7}, 1), judged({}, 0)}};
-    const Posterior result = posterior(study, found, kNoMore);
-    EXPECT_NEAR(result.ofNothingThatShows(screen), 1 - result.of(7), 1e-12);
-    // One that is larger than that and does show is not nothing.
-    const Search shown{{judged({3}, kThresholds.effect + 1), judged({}, 0)}};
-    const Posterior with_it = posterior(study, shown, kNoMore);
-    EXPECT_NEAR(with_it.ofNothingThatShows(screen), 1 - with_it.of(3), 1e-12);
+    const Search found{{judged({3}, kThresholds.effect + 0.1), judged({7}, kThresholds.effect - 0.1), judged({}, 0)}};
+    const Posterior result = posterior(study, found, 4);
+    EXPECT_TRUE(result.shows(found.candidates[0].log_evidence));
+    EXPECT_FALSE(result.shows(found.candidates[1].log_evidence));
+    EXPECT_GT(result.ofUnknown(), 0.01);
+    EXPECT_NEAR(result.ofNothingThatShows(), 1 - result.of(3) - result.ofUnknown(), 1e-12);
+}
+
+TEST(Thresholds, WhatIsTestableAndDoesNotShowIsSmallerThanTypical) {
+    // Standard deviations between what is expected to gain so many nats, and what gains no more than `effect`.
+    for (const double expected : {kThresholds.testable, 10 * kThresholds.testable, 1000 * kThresholds.testable}) {
+        const double freedom = 0.5 * std::log(1 + 2 * expected);
+        EXPECT_GT(std::sqrt(2 * expected) - std::sqrt(2 * (kThresholds.effect + freedom)), 2.5) << expected;
+    }
 }
 
 TEST(Thresholds, WhatIsTestableIsFoundNineteenTimesInTwenty) {
