@@ -99,7 +99,7 @@ struct Diagnosis {
     std::vector<std::string> causes;
     std::vector<std::vector<std::string>> alternatives;  // instead of the causes, each as many as they
     std::vector<RankedEffect> effects;                   // best first
-    double probability_of_nothing = 0;  // none of the effects, or only such as have not shown
+    double probability_of_nothing = 0;                   // none of the effects, or only such as have not shown
     double probability_of_unknown = 0;
     WhereItLies where;
     HowFar how_far;

@@ -14,8 +14,8 @@ constexpr std::size_t kMost = 4;  // effects of a candidate, none included
 // Prior probabilities of none, one, two and three causes of the catalogue, each split evenly over its members.
 constexpr std::array<double, kMost> kPrior{0.25, 0.45, 0.15, 0.05};
 constexpr double kPriorUnknown = 0.1;
-// Of the unknown causes, those that so many effects of the catalogue imitate, and that neither larger disturbances nor a
-// law of forces give away.
+// Of the unknown causes, those that so many effects of the catalogue imitate, and that neither larger disturbances nor
+// a law of forces give away.
 constexpr std::array<double, kMost> kImitated{0, 0.05, 0.05, 0.3};
 
 // Ways to choose so many of n effects.
@@ -49,7 +49,9 @@ double Posterior::of(std::size_t effect) const {
     return sumOf(hypotheses, [&](const Hypothesis& one) { return !one.unknown() && holds(*one.candidate, effect); });
 }
 
-bool Posterior::shows(double log_evidence) const { return log_evidence >= kThresholds.effect * doubt; }
+bool Posterior::shows(double log_evidence) const {
+    return log_evidence >= kThresholds.effect * doubt;
+}
 
 double Posterior::ofNothingThatShows() const {
     return sumOf(hypotheses,

@@ -31,8 +31,9 @@ struct Posterior {
     double of(std::size_t effect) const;  // that it is one of the causes
     // Is so much evidence enough to blame an effect?
     bool shows(double log_evidence) const;
-    // That no effect is the cause, or one that has not shown. A testable one that has not shown is smaller than typical:
-    // at its typical size it is expected 6.6 standard deviations from none or more, and was found within 3.7 or so.
+    // That no effect is the cause, or one that has not shown. A testable one that has not shown is smaller than
+    // typical: at its typical size it is expected 6.6 standard deviations from none or more, and was found within 3.7
+    // or so.
     double ofNothingThatShows() const;
 };
 

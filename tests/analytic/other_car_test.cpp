@@ -62,6 +62,22 @@ TEST(OtherCar, RollAngleIsMomentOverStiffness) {
     EXPECT_NEAR(car.state()[kRoll], p.mass * ay * arm / stiffness, 0.01 * p.mass * ay * arm / stiffness);
 }
 
+TEST(OtherCar, HeldStraightOnABankItLeansToTheLowSide) {
+    Params p = simple();
+    p.bank = 0.02;
+    Car car(p, 20);
+    for (int i = 0; i < 6000; ++i) {
+        const Input held{.hand_wheel = -10 * car.state()[kYaw] - 5 * car.state()[kYawRate]};
+        car.step(held, held, kStep);
+    }
+    EXPECT_NEAR(car.state()[kYawRate], 0, 2e-4);
+    const double axis =
+        (p.front.roll_axis * (p.wheelbase - p.front_distance) + p.rear.roll_axis * p.front_distance) / p.wheelbase;
+    const double moment = p.mass * kGravity * p.bank * (p.height - axis);
+    const double stiffness = p.front.rollStiffness() + p.rear.rollStiffness() - p.mass * kGravity * (p.height - axis);
+    EXPECT_NEAR(car.roll(), p.bank + moment / stiffness, 0.01 * p.bank);
+}
+
 TEST(OtherCar, LoadsCarryTheCarAndMoveOutwards) {
     const Params p = simple();
     const Car car = driven(p, 20, 4, [](double) { return Input{.hand_wheel = 0.5}; });

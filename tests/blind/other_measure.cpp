@@ -67,7 +67,7 @@ void observe(Motion& motion, const Car& car, const Input& driver, const Input& a
     motion["chassis.ay"].push_back(f.ay);
     motion["chassis.yaw_rate"].push_back(s[kYawRate]);
     motion["chassis.roll_rate"].push_back(s[kRollRate]);
-    motion["chassis.roll"].push_back(s[kRoll]);
+    motion["chassis.roll"].push_back(car.roll());
     motion["chassis.vx"].push_back(s[kVx]);
     for (std::size_t i = 0; i < 4; ++i) motion[kWheels[i]].push_back(s[kSpin + i]);
     motion["yaw acceleration"].push_back(f.rate[kYawRate]);

@@ -21,7 +21,8 @@ inline constexpr double kGravity = 9.80665;  // m/s2
 
 struct Forces {
     std::array<double, 4> fx, fy, load;
-    double ax = 0, ay = 0;
+    double ax = 0, ay = 0;            // m/s2, of the motion
+    double felt_ax = 0, felt_ay = 0;  // less what gravity does along a road that is not level: what leans the body
     Vector rate{};
 };
 
@@ -58,6 +59,8 @@ public:
     }
 
     const Vector& state() const { return s_; }
+    // Of the body against the horizon.
+    double roll() const { return s_[kRoll] + slope(s_).y; }
     Forces forces(const Input& input) const { return at(s_, input); }
 
 private:
@@ -75,6 +78,15 @@ private:
             move(s, input, f);
         }
         return f;
+    }
+
+    // Rise of the road over run, along the car and across it.
+    struct Slope {
+        double x, y;
+    };
+    Slope slope(const Vector& s) const {
+        const double c = std::cos(s[kYaw]), n = std::sin(s[kYaw]);
+        return {c * p_.grade + n * p_.bank, -n * p_.grade + c * p_.bank};
     }
 
     double rearDistance() const { return p_.wheelbase - p_.front_distance; }
@@ -135,7 +147,7 @@ private:
             const double weight = p_.mass * kGravity * (i == 0 ? lr : lf) / p_.wheelbase - (i == 0 ? pitch : -pitch) -
                                   pressure * a.lift_area;
             const double sprung = p_.mass * (i == 0 ? lr : lf) / p_.wheelbase - 2 * a.unsprung_mass;
-            const double geometric = f.ay * (sprung * a.roll_axis + 2 * a.unsprung_mass * a.tyre.loaded_radius);
+            const double geometric = f.felt_ay * (sprung * a.roll_axis + 2 * a.unsprung_mass * a.tyre.loaded_radius);
             const double shift = (a.rollStiffness() * s[kRoll] + a.rollDamping() * s[kRollRate] + geometric) / a.track;
             f.load[i] = std::max(0.0, weight / 2 - shift);  // a turn to the left rolls to the right
             f.load[i + 1] = std::max(0.0, weight / 2 + shift);
@@ -146,9 +158,7 @@ private:
         const auto [wind_x, wind_y] = air(s);
         const double pressure = 0.5 * p_.air_density * std::hypot(wind_x, wind_y);
         const double sideslip = std::atan2(wind_y, -wind_x), square = pressure * std::hypot(wind_x, wind_y);
-        const double c = std::cos(s[kYaw]), n = std::sin(s[kYaw]), weight = p_.mass * kGravity;
-        Sum sum{push_[0] + pressure * p_.drag_area * wind_x - weight * (c * p_.grade + n * p_.bank),
-                push_[1] + square * p_.side_area * sideslip - weight * (-n * p_.grade + c * p_.bank),
+        Sum sum{push_[0] + pressure * p_.drag_area * wind_x, push_[1] + square * p_.side_area * sideslip,
                 push_[2] + square * p_.yaw_volume * sideslip};
         f.rate[kSteer] = p_.steering_lag > 0 ? (input.hand_wheel - s[kSteer]) / p_.steering_lag : 0;
         f.rate[kBrake] = p_.brake_lag > 0 ? (input.brake - s[kBrake]) / p_.brake_lag : 0;
@@ -202,8 +212,10 @@ private:
     }
 
     void bodyRates(const Vector& s, const Input& input, const Sum& sum, Forces& f) const {
-        f.ax = sum.x / p_.mass;
-        f.ay = sum.y / p_.mass;
+        f.felt_ax = sum.x / p_.mass;
+        f.felt_ay = sum.y / p_.mass;
+        f.ax = f.felt_ax - kGravity * slope(s).x;
+        f.ay = f.felt_ay - kGravity * slope(s).y;
         f.rate[kX] = s[kVx] * std::cos(s[kYaw]) - s[kVy] * std::sin(s[kYaw]);
         f.rate[kY] = s[kVx] * std::sin(s[kYaw]) + s[kVy] * std::cos(s[kYaw]);
         f.rate[kYaw] = s[kYawRate];
@@ -215,10 +227,11 @@ private:
         const double stiffness = p_.front.rollStiffness() + p_.rear.rollStiffness();
         const double damping = p_.front.rollDamping() + p_.rear.rollDamping();
         f.rate[kPitch] = s[kPitchRate];
-        f.rate[kPitchRate] = (-p_.mass * f.ax * p_.height - pitchMoment(s) - linkMoment(s, input)) / p_.pitch_inertia;
+        f.rate[kPitchRate] =
+            (-p_.mass * f.felt_ax * p_.height - pitchMoment(s) - linkMoment(s, input)) / p_.pitch_inertia;
         f.rate[kRoll] = s[kRollRate];
-        f.rate[kRollRate] = (push_[3] + body_.mass * body_.arm * (f.ay + kGravity * s[kRoll]) - stiffness * s[kRoll] -
-                             damping * s[kRollRate]) /
+        f.rate[kRollRate] = (push_[3] + body_.mass * body_.arm * (f.felt_ay + kGravity * s[kRoll]) -
+                             stiffness * s[kRoll] - damping * s[kRollRate]) /
                             body_.inertia;
     }
 
