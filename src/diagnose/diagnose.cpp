@@ -50,9 +50,10 @@ Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const Reco
         calibrate(study, ground(std::move(about), matter, study.uncertainty), progress(0.1, 0.4));
 
     // Which effect.
-    const Screen screened = screen(study, grams);
+    Screen screened = screen(study, grams);
     diagnosis.baselines = baselines(study);
     const Search found = search(study, screened, progress(0.4, 0.9));
+    lookAgain(study, found.best().fit, screened);
     const MissingForce missing = missingForce(study);
     judge(diagnosis, study, screened, found, outside(study, found), missing);
     diagnosis.confusable = confusablePairs(study, screened, grams);

@@ -62,6 +62,33 @@ Screen screen(const Study& study, const std::vector<DriveGram>& grams) {
     return result;
 }
 
+void lookAgain(Study& study, const Fit& found, Screen& screen) {
+    for (std::size_t e = 0; e < study.effects.size(); ++e) {
+        if (screen.detectability[e] < kThresholds.shows) continue;
+        Deviation with = found.at;
+        bool one_sided = false;
+        for (const Eigen::Index k : study.knobs[e]) {
+            const Parameter& knob = study.bench.parameters[static_cast<std::size_t>(k)];
+            one_sided = one_sided || knob.lowest == 0 || knob.highest == 0;
+            with(k) = std::clamp(1.0, knob.lowest, knob.highest);
+        }
+        const bool is_there = std::any_of(study.knobs[e].begin(), study.knobs[e].end(), [&](Eigen::Index k) {
+            return std::find(found.knobs.begin(), found.knobs.end(), k) != found.knobs.end();
+        });
+        if (!one_sided || is_there) continue;
+        const std::optional<Rows> rows = rowsAt(study.bench, with);
+        if (!rows) continue;
+        std::vector<Eigen::MatrixXd> further(rows->size());
+        for (std::size_t d = 0; d < rows->size(); ++d) {
+            further[d].resize((*rows)[d].size(), 2);
+            further[d] << study.uncertainty.noise[d].over((*rows)[d] - found.rows[d]),
+                residual(study.bench, study.uncertainty, found.rows, d);
+        }
+        const double shown = 0.5 * productsBeside(study, found, further, study.uncertainty.sizes)(0, 0);
+        screen.detectability[e] = std::min(screen.detectability[e], shown);
+    }
+}
+
 Eigen::MatrixXd productsBeside(const Study& study, const Fit& fit, const std::vector<Eigen::MatrixXd>& further,
                                const std::array<double, kDisturbances>& sizes) {
     std::vector<DriveGram> grams;

@@ -17,6 +17,10 @@ struct Screen {
 };
 Screen screen(const Study& study, const std::vector<DriveGram>& grams);
 
+// Takes back what was promised of effects that act on one side of a limit only (controllers, play, stops), where the
+// car as it is found does not pass that limit.
+void lookAgain(Study& study, const Fit& found, Screen& screen);
+
 // Places of an effect's knobs among all knobs.
 std::vector<Eigen::Index> placesOf(const Study& study, std::size_t effect);
 

@@ -93,6 +93,19 @@ Ground groundAt(Study& study, const Fit& fit, const std::function<void(double)>&
     return ground(nuisancesAt(study, fit.at, progress), study.calibrated.nuisances, study.uncertainty);
 }
 
+// The fit again, nuisances linearised where it is, until it stays. Gives them as linearised last.
+Ground settle(Study& study, Candidate& candidate, double none) {
+    Ground here;
+    for (int round = 0; round < kMostRounds; ++round) {
+        here = groundAt(study, candidate.fit, [](double) {});
+        std::optional<Candidate> again = refit(study, here, candidate.effects, candidate.fit.at, none);
+        if (!again) break;
+        candidate = std::move(*again);
+        if (candidate.fit.gained < kSettled) break;
+    }
+    return here;
+}
+
 bool contains(const std::vector<std::size_t>& list, std::size_t value) {
     return std::find(list.begin(), list.end(), value) != list.end();
 }
@@ -127,11 +140,27 @@ void grow(Study& study, Ground ground, Candidate from, double none, std::vector<
         if (!best || best->log_evidence < from.log_evidence + enough) return;
         from = std::move(*best);
         if (from.effects.size() == kMostEffects) return;
-        ground = groundAt(study, from.fit, [](double) {});
-        std::optional<Candidate> again = refit(study, ground, from.effects, from.fit.at, none);
-        if (!again) return;
+        ground = settle(study, from, none);
         std::erase_if(found, [&](const Candidate& one) { return one.effects == from.effects; });
-        found.push_back(from = std::move(*again));
+        found.push_back(from);
+    }
+}
+
+// What the best three effects are without one of them: the first may have been found for what two others do together.
+void prune(Study& study, double none, std::vector<Candidate>& found) {
+    sort(found);
+    if (found.empty() || found.front().effects.size() < kMostEffects) return;
+    const Candidate from = found.front();
+    for (const std::size_t out : from.effects) {
+        std::vector<std::size_t> effects = from.effects;
+        std::erase(effects, out);
+        if (tried(found, effects)) continue;
+        Deviation at = from.fit.at;
+        for (const Eigen::Index k : study.knobs[out]) at(k) = 0;
+        std::optional<Candidate> less = refit(study, study.calibrated, effects, at, none);
+        if (!less) continue;
+        if (less->log_evidence > from.log_evidence - kHopeless) settle(study, *less, none);
+        found.push_back(std::move(*less));
     }
 }
 
@@ -169,21 +198,16 @@ Search search(Study& study, const Screen& screen, const Progress& progress) {
         if (singles[i].log_evidence < kThresholds.effect - kUncertain) break;
         if (i > 0 && singles[i].log_evidence < singles[0].log_evidence - kBehind) break;
         progress(0.3 + 0.3 * static_cast<double>(i), "linearising at " + study.effects[singles[i].effects[0]].name);
-        Ground here;
-        for (int round = 0; round < kMostRounds; ++round) {
-            here = groundAt(study, singles[i].fit, [](double) {});
-            if (i == 0 && round == 0) {
-                std::optional<Fit> again = fitted(study.bench, study.uncertainty, here, {}, none->at);
-                if (again && again->log_evidence > none->log_evidence) none = std::move(again);
-                zero = none->log_evidence;
-            }
-            std::optional<Candidate> again = refit(study, here, singles[i].effects, singles[i].fit.at, zero);
-            if (!again) break;
-            singles[i] = std::move(*again);
-            if (singles[i].fit.gained < kSettled) break;
+        Ground here = settle(study, singles[i], zero);
+        if (i == 0) {
+            std::optional<Fit> again = fitted(study.bench, study.uncertainty, here, {}, none->at);
+            if (again && again->log_evidence > none->log_evidence) none = std::move(again);
+            zero = none->log_evidence;
+            singles[i].log_evidence = singles[i].fit.log_evidence - zero;
         }
         if (singles[i].log_evidence > kThresholds.effect) grow(study, std::move(here), singles[i], zero, grown);
     }
+    prune(study, zero, grown);
     result.candidates = std::move(singles);
     result.candidates.insert(result.candidates.end(), grown.begin(), grown.end());
     result.candidates.push_back({{}, 0, std::move(*none), true});
