@@ -27,6 +27,7 @@ inline const std::vector<Noise> kNoise{
     {"chassis.ax", 0.1},
     {"chassis.ay", 0.1},
     {"chassis.yaw_rate", 0.003},
+    {"chassis.roll", 0.001},
     {"chassis.roll_rate", 0.005},
     {"wheel.front_left.spin", 0.1},
     {"wheel.front_right.spin", 0.1},

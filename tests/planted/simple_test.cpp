@@ -1,6 +1,11 @@
 // Effects planted into the shipped compact car, and found again from the noisy recordings of a few drives.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
+#include "diagnose/effect.h"
+#include "diagnose/subject.h"
 #include "log/resample.h"
 #include "planted.h"
 
@@ -35,9 +40,15 @@ std::vector<std::pair<std::string, Scenario>> someDrives() {
             {"step steer at 30 m/s", stepSteer(30, -28 * kDegree)}};
 }
 
-Diagnosis diagnosed(const Subject& truth) {
+Diagnosis diagnosed(const Subject& truth, const std::vector<Effect>& effects = someEffects()) {
     const Case made = recorded(truth, someDrives(), 1);
-    return diagnose(made.nominal, made.file, {made.logs}, someEffects());
+    return diagnose(made.nominal, made.file, {made.logs}, effects);
+}
+
+std::vector<Effect> catalogued(const std::set<std::string>& names) {
+    std::vector<Effect> effects = effectCatalogue();
+    std::erase_if(effects, [&](const Effect& effect) { return !names.contains(effect.name); });
+    return effects;
 }
 
 // Share of the nominal car's gap to the true one, without noise, that the answer closes.
@@ -90,6 +101,33 @@ TEST(Planted, BrakesThatPullLessAreFound) {
     const Diagnosis d = diagnosed(truth);
     EXPECT_EQ(d.verdict, Verdict::explained) << d.answer;
     EXPECT_EQ(d.causes, only("brake_gain"));
+}
+
+TEST(Planted, TwoDelaysThatLateInstrumentsResembleAreTheTwo) {
+    Subject truth{.vehicle = nominalCar(), .road = {}, .wind = {}, .instruments = {}};
+    truth.vehicle.steering.delay = truth.vehicle.steering.lag = 0.025;
+    truth.vehicle.brakes.delay = truth.vehicle.brakes.lag = 0.037;
+    const Diagnosis d = diagnosed(truth, catalogued({"sensor_delay", "brake_delay", "steering_delay"}));
+    EXPECT_EQ(d.verdict, Verdict::explained) << d.answer;
+    EXPECT_EQ(std::set<std::string>(d.causes.begin(), d.causes.end()),
+              (std::set<std::string>{"brake_delay", "steering_delay"}));
+}
+
+TEST(Planted, NumbersOfAPairAreRightThoughItsFirstMemberWasFarFromThem) {
+    Subject truth{.vehicle = nominalCar(), .road = {}, .wind = {}, .instruments = {}};
+    truth.vehicle.steering.delay = truth.vehicle.steering.lag = 0.044;
+    truth.vehicle.front.suspension.anti_roll_bar += 8000;
+    truth.vehicle.rear.suspension.anti_roll_bar += 8000;
+    const Diagnosis d = diagnosed(truth, catalogued({"steering_delay", "roll_stiffness", "accelerometer_position"}));
+    EXPECT_EQ(d.verdict, Verdict::explained) << d.answer;
+    ASSERT_EQ(d.causes.size(), 2u) << d.answer;
+    for (const RankedEffect& effect : d.effects) {
+        if (std::find(d.causes.begin(), d.causes.end(), effect.name) == d.causes.end()) continue;
+        for (const auto& [path, estimate] : effect.parameters) {
+            const double planted = *numberAt(truth, path);
+            EXPECT_LT(std::abs(estimate.value - planted), 3 * estimate.sd) << path << " " << estimate.value;
+        }
+    }
 }
 
 TEST(Planted, NominalCarHasNothingBeyondTolerance) {

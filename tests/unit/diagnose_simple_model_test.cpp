@@ -42,13 +42,41 @@ TEST(DiagnosisOfASimpleCar, WhatChangesFromDriveToDriveIsUnknown) {
     const double drag = loadVehicle(sourceFile("vehicles/compact.yaml")).aero.drag_area;
     simple_car::Case made = simple_car::recorded(16.5, drag, 3);
     constexpr std::array<double, 3> kRatios{13.5, 15, 18};
-    for (std::size_t d = 0; d < kRatios.size(); ++d) made.recorded.logs[d] = simple_car::recorded(kRatios[d], drag, 5).recorded.logs[d];
+    for (std::size_t d = 0; d < kRatios.size(); ++d)
+        made.recorded.logs[d] = simple_car::recorded(kRatios[d], drag, 5).recorded.logs[d];
     const Diagnosis d =
         diagnose(made.nominal, made.file, made.recorded,
                  {effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")}, simple_car::options(2));
     EXPECT_EQ(d.verdict, Verdict::unknown) << d.answer;
     EXPECT_TRUE(d.causes.empty());
     EXPECT_GT(d.probability_of_unknown, 0.5);
+}
+
+// A control that acts on cars that are hardly more direct than their file says, and on no others.
+void driveWithControl(const VehicleParams& car, const Scenario& scenario, const Recorder& recorder,
+                      const Pushing& pushing) {
+    VehicleParams controlled = car;
+    if (car.steering.ratio > 15.5) controlled.wheelbase *= 1 + 0.2 * car.brakes.stability_control.authority_offset;
+    simple_car::drive(controlled, scenario, recorder, pushing);
+}
+
+TEST(DiagnosisOfASimpleCar, WhatActsBeyondALimitIsNotPromisedToACarThatStaysWithinIt) {
+    const Effect control{
+        "control",
+        "",
+        "",
+        {{.paths = {"brakes.stability_control.authority_offset"}, .typical = 1, .direction = Direction::up}}};
+    DiagnoseOptions options = simple_car::options();
+    options.simulate = driveWithControl;
+    const auto promised = [&](double ratio) {
+        simple_car::Case made = simple_car::recorded(ratio, 0.66, 3);
+        made.file.tolerances = {{.path = "steering.ratio", .relative = 0.005}};
+        return diagnose(made.nominal, made.file, made.recorded, {effect("ratio", "steering.ratio"), control}, options);
+    };
+    EXPECT_GT(promised(16.5).testable.at("control"), 100);
+    const Diagnosis d = promised(14.5);
+    EXPECT_EQ(d.causes, std::vector<std::string>{"ratio"}) << d.answer;
+    EXPECT_LT(d.testable.at("control"), 1);
 }
 
 TEST(DiagnosisOfASimpleCar, AnswerIsTheSameToTheBitForOneAndTwoThreads) {
