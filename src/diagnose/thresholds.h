@@ -1,6 +1,6 @@
 // Where a diagnosis draws its lines. Set on development cases (seeds 2001 to 2004, 3001, 3101, 3201, 5001, 6007, 6203,
-// 8111, 9111, 9112, 10111, 10113, 11111 and 11113 of blind checks) and on the rows of the catalogue planted one by one; checked on
-// cases drawn after that.
+// 8111, 9111, 9112, 10111, 10113, 11111 and 11113 of blind checks) and on the rows of the catalogue planted one by one;
+// checked on cases drawn after that.
 #pragma once
 
 #include <algorithm>
