@@ -70,7 +70,7 @@ void lookAgain(Study& study, const Fit& found, Screen& screen) {
         for (const Eigen::Index k : study.knobs[e]) {
             const Parameter& knob = study.bench.parameters[static_cast<std::size_t>(k)];
             one_sided = one_sided || knob.lowest == 0 || knob.highest == 0;
-            with(k) = std::clamp(1.0, knob.lowest, knob.highest);
+            with(k) = std::clamp(knob.highest > 0 ? 1.0 : -1.0, knob.lowest, knob.highest);
         }
         const bool is_there = std::any_of(study.knobs[e].begin(), study.knobs[e].end(), [&](Eigen::Index k) {
             return std::find(found.knobs.begin(), found.knobs.end(), k) != found.knobs.end();
