@@ -40,7 +40,7 @@ TEST(Posterior, OfAPairCountsForBothAndIsSplitOverAllPairs) {
     const TenEffects study;
     const Search found{{judged({3, 7}, 12), judged({3}, 5), judged({}, 0)}};
     const double doubted = kThresholds.further_share * 12;
-    const double none = 0.25, one = 0.045 * std::exp(5), two = 0.15 / 45 * std::exp((12 - doubted));
+    const double none = 0.25, one = 0.045 * std::exp(5), two = 0.15 / 45 * std::exp(12 - doubted);
     const Posterior result = posterior(study, found, kNoMore);
     EXPECT_NEAR(result.of(7), two / (none + one + two), 1e-12);
     EXPECT_NEAR(result.of(3), (one + two) / (none + one + two), 1e-12);
@@ -50,7 +50,7 @@ TEST(Posterior, OfUnknownGrowsWithWhatLargerDisturbancesGain) {
     const TenEffects study;
     const Search found{{judged({3}, 5), judged({}, 0)}};
     const double gain = 8;
-    const double none = 0.25, one = 0.045 * std::exp(5), unknown = 0.1 * std::exp((5 + gain - kThresholds.unknown));
+    const double none = 0.25, one = 0.045 * std::exp(5), unknown = 0.1 * std::exp(5 + gain - kThresholds.unknown);
     const Posterior result = posterior(study, found, gain);
     EXPECT_NEAR(result.ofUnknown(), unknown / (none + one + unknown), 1e-12);
 }
