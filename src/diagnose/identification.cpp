@@ -125,19 +125,13 @@ std::optional<Settled> settled(Study& study, const Progress& progress) {
     return result;
 }
 
-Eigen::MatrixXd posteriorOf(const Gram& gram) {
-    const Eigen::Index n = gram.products.cols() - 1;
-    const Eigen::MatrixXd information = gram.products.topLeftCorner(n, n);
-    return (Eigen::MatrixXd::Identity(n, n) + information).llt().solve(Eigen::MatrixXd::Identity(n, n));
-}
-
-void tellNumbers(Identification& found, const Study& study, const Fit& fit, const Eigen::MatrixXd& covariance) {
+void tellNumbers(Identification& found, const Study& study, const Fit& fit) {
     const auto n = static_cast<Eigen::Index>(fit.free.size()), first = n - static_cast<Eigen::Index>(fit.knobs.size());
     for (Eigen::Index i = 0; i < n; ++i) {
         const Eigen::Index p = fit.free[static_cast<std::size_t>(i)];
         const Parameter& parameter = study.bench.parameters[static_cast<std::size_t>(p)];
         const Parameter::Move& one = parameter.moves.front();
-        const double units = fit.at(p), sd = std::sqrt(covariance(i, i));
+        const double units = fit.at(p), sd = std::sqrt(fit.covariance(i, i));
         if (i < first) {
             found.gap.nuisance[one.path] = {one.nominal + units * one.by, sd * std::abs(one.by), units};
             continue;
@@ -207,9 +201,8 @@ Identification identify(const Subject& nominal, DiagnosisFile file, Recorded rec
     found.converged = result->settled;
     found.left_over = result->round.left_over;
     const Gram gram = total(result->fit.grams, result->round.uncertainty, result->round.uncertainty.sizes);
-    const Eigen::MatrixXd covariance = posteriorOf(gram);
-    tellNumbers(found, study, result->fit, covariance);
-    tellShape(found, gram, covariance);
+    tellNumbers(found, study, result->fit);
+    tellShape(found, gram, result->fit.covariance);
     tellGap(found, study, std::move(result->fit), std::move(held_out));
     const HowFar& how_far = found.gap.how_far;
     found.better = how_far.in_sample ? how_far.training.calibrated < how_far.training.nominal
