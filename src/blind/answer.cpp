@@ -6,13 +6,25 @@
 #include <set>
 
 #include "blind/gauges.h"
-#include "diagnose/diagnosis_json.h"
-#include "diagnose/thresholds.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/answer/diagnosis_json.h"
+#include "diagnose/settings.h"
 #include "log/resample.h"
 #include "tread/problem.h"
 
 namespace tread {
 namespace {
+
+using diagnose::kSettings;
+
+using diagnose::answer::baselinesJson;
+using diagnose::answer::ConfusablePair;
+using diagnose::answer::Diagnosis;
+using diagnose::answer::effectJson;
+using diagnose::answer::Overlay;
+using diagnose::answer::RankedEffect;
+using diagnose::answer::Verdict;
+using diagnose::answer::verdictNamed;
 
 using Json = nlohmann::json;
 
@@ -65,11 +77,11 @@ CaseAnswer answerOf(const std::string& name, const Diagnosis& d) {
     answer.effects = d.effects;
     answer.probability_of_nothing = d.probability_of_nothing;
     answer.probability_of_unknown = d.probability_of_unknown;
-    answer.testable = d.testable;
+    answer.testable = d.expected_evidence;
     std::set<std::string> confusable;
     for (const ConfusablePair& pair : d.confusable) {
         for (const std::string& effect : {pair.a, pair.b})
-            if (d.testable.at(effect) * (1 - pair.cosine * pair.cosine) < kThresholds.separable)
+            if (d.expected_evidence.at(effect) * (1 - pair.cosine * pair.cosine) < kSettings.separable)
                 confusable.insert(effect);
     }
     answer.confusable.assign(confusable.begin(), confusable.end());

@@ -3,10 +3,16 @@
 #include <algorithm>
 #include <set>
 
-#include "diagnose/thresholds.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/settings.h"
 
 namespace tread {
 namespace {
+
+using diagnose::kSettings;
+
+using diagnose::answer::RankedEffect;
+using diagnose::answer::Verdict;
 
 double probabilityOf(const CaseAnswer& answer, const std::string& effect) {
     for (const RankedEffect& ranked : answer.effects) {
@@ -41,7 +47,7 @@ double natsOf(const CaseAnswer& answer, const std::string& effect) {
 }
 
 bool testable(const CaseAnswer& answer, const std::string& effect) {
-    return natsOf(answer, effect) >= kThresholds.testable;
+    return natsOf(answer, effect) >= kSettings.testable;
 }
 
 bool testable(const CaseKey& key, const CaseAnswer& answer) {

@@ -5,10 +5,15 @@
 #include <set>
 
 #include "blind/claims.h"
-#include "diagnose/thresholds.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/settings.h"
 
 namespace tread {
 namespace {
+
+using diagnose::kSettings;
+
+using diagnose::answer::Verdict;
 
 constexpr double kConfident = 0.9;
 
@@ -84,7 +89,7 @@ void Counter::one(const CaseKey& key, const CaseAnswer& answer) {
     count("in_credible_set",
           has(answer.credible_set, truth) || (!testable(key, answer) && has(answer.credible_set, "none")));
     if (!testable(key, answer)) {
-        if (natsOf(answer, truth) >= kThresholds.shows) count("named_first_faint", first && named);
+        if (natsOf(answer, truth) >= kSettings.shows) count("named_first_faint", first && named);
         return;
     }
     if (has(answer.confusable, truth)) {

@@ -6,9 +6,12 @@
 #include <stdexcept>
 
 #include "base/median.h"
+#include "diagnose/answer/diagnosis.h"
 
 namespace tread {
 namespace {
+
+using diagnose::answer::RankedEffect;
 
 // The errors of the parameters of one effect, in standard deviations.
 std::vector<double> errorsOf(const CaseKey& key, const RankedEffect& effect) {

@@ -7,10 +7,13 @@
 #include <set>
 
 #include "blind/score.h"
-#include "diagnose/diagnosis_json.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/answer/diagnosis_json.h"
 
 namespace tread {
 namespace {
+
+using diagnose::answer::Verdict;
 
 bool reached(const Figure& figure) {
     return figure.at_least ? figure.share() >= figure.target : figure.share() <= figure.target;

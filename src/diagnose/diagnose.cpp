@@ -1,72 +1,85 @@
+#include "diagnose/diagnose.h"
+
 #include <chrono>
 #include <cmath>
 
-#include "diagnose/baselines.h"
-#include "diagnose/calibrate.h"
-#include "diagnose/diagnosis.h"
-#include "diagnose/how_far.h"
-#include "diagnose/next_drive.h"
-#include "diagnose/verdict.h"
-#include "diagnose/where.h"
+#include "diagnose/answer/words.h"
+#include "diagnose/explain/how_far.h"
+#include "diagnose/explain/missing_force.h"
+#include "diagnose/explain/next_drive.h"
+#include "diagnose/explain/where.h"
+#include "diagnose/select/baselines.h"
+#include "diagnose/select/verdict.h"
 
-namespace tread {
+namespace tread::diagnose {
 namespace {
 
-void tellNuisances(Diagnosis& diagnosis, const Study& study, const Fit& fit) {
-    for (std::size_t i = 0; i < study.calibrated.nuisances.size(); ++i) {
+using answer::Diagnosis;
+
+// Where the best model has the nuisance parameters.
+void tellNuisances(Diagnosis& diagnosis, const model::Problem& problem, const select::Fit& fit) {
+    for (Eigen::Index i = 0; i < fit.nuisances(); ++i) {
         const Eigen::Index p = fit.free[i];
-        const Parameter& parameter = study.bench.parameters[static_cast<std::size_t>(p)];
-        const Parameter::Move& one = parameter.moves.front();
-        const double sd = std::sqrt(fit.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)));
+        const model::Parameter::Move& one = problem.replays.parameters[p].moves.front();
+        const double sd = std::sqrt(fit.covariance(i, i));
         diagnosis.nuisance[one.path] = {one.nominal + fit.at(p) * one.by, sd * std::abs(one.by), fit.at(p)};
     }
 }
 
+void tellUnexplained(Diagnosis& diagnosis, const explain::MissingForce& missing, const select::UnknownCause& unknown) {
+    const auto largest = std::max_element(missing.shares.begin(), missing.shares.end(),
+                                          [](const auto& a, const auto& b) { return a.second < b.second; });
+    answer::Unexplained& unexplained = diagnosis.unexplained;
+    unexplained.generalised_force = largest->first;
+    unexplained.when = missing.when;
+    unexplained.law = unknown.law;
+    if (!unknown.law.generalised_force.empty()) unexplained.generalised_force = unknown.law.generalised_force;
+}
+
+// The fit of the causes that are named; without any, of none.
+const select::Fit& answered(const Diagnosis& diagnosis, const model::Problem& problem, const select::Search& found) {
+    for (const select::Candidate& one : found.candidates) {
+        if (one.fitted && problem.namesOf(one.effects) == diagnosis.causes) return one.fit;
+    }
+    return found.none().fit;
+}
+
 }  // namespace
 
-Diagnosis diagnose(const Subject& nominal, const DiagnosisFile& file, const Recorded& recorded,
-                   const std::vector<Effect>& effects, const DiagnoseOptions& options) {
+Diagnosis diagnosisOf(const recording::Subject& nominal, const recording::DiagnosisFile& file,
+                      const recording::Recorded& recorded, const std::vector<catalogue::Effect>& effects,
+                      const Options& options) {
     const auto started = std::chrono::steady_clock::now();
-    Diagnosis diagnosis;
-    const auto progress = [&](double from, double to) {
-        return [&, from, to](double share, const std::string& what) {
-            options.progress(from + (to - from) * share, what);
-        };
-    };
+    const Progress& progress = options.progress;
 
-    // The recordings, and what may differ between them and the model.
-    Study study;
-    begin(study.bench, nominal, file, recorded, options);
-    std::vector<RecordedDrive> held_out = drivesOf(study.bench, file, recorded, true);
-    addParameters(study, file, effects);
-    diagnosis.compared = study.bench.compared();
-
-    // The nominal car: what its tolerances do, noise, disturbances.
-    Linearised about = aboutNominal(study, progress(0, 0.1));
-    const std::vector<Eigen::Index> matter = thatMatter(study, about);
-
-    // The calibrated one, from which effects are sought.
-    const std::vector<DriveGram> grams =
-        calibrate(study, ground(std::move(about), matter, study.uncertainty), progress(0.1, 0.4));
+    // The drives, and the car about which effects are sought: tolerances where the recordings want them.
+    const model::Problem problem = model::problemOf(nominal, file, recorded, effects, options);
+    const select::Calibration car =
+        select::calibrate(problem, model::nominalCar(problem, partOf(progress, 0, 0.1)), partOf(progress, 0.1, 0.4));
 
     // Which effect.
-    Screen screened = screen(study, grams);
-    diagnosis.baselines = baselines(study);
-    const Search found = search(study, screened, progress(0.4, 0.9));
-    lookAgain(study, found.best().fit, screened);
-    const MissingForce missing = missingForce(study);
-    judge(diagnosis, study, screened, found, outside(study, found), missing);
-    diagnosis.confusable = confusablePairs(study, screened, grams);
-    tellNuisances(diagnosis, study, found.best().fit);
+    const select::Screen screened = select::screen(car);
+    const select::Search found = select::search(car, screened, partOf(progress, 0.4, 0.9));
+    const std::vector<double> expected = select::expectedEvidenceAt(car, found.best().fit, screened);
+    const select::UnknownCause unknown = select::unknownCause(car, found);
+    Diagnosis diagnosis;
+    diagnosis.compared = problem.compared();
+    diagnosis.baselines = select::baselines(car);
+    select::judge(diagnosis, car, expected, found, unknown);
+    diagnosis.confusable = select::confusablePairs(car, screened, expected);
+    tellNuisances(diagnosis, problem, found.best().fit);
 
     // Where, and how far.
-    diagnosis.where = whereItLies(study, missing);
-    howFar(diagnosis, study, found, std::move(held_out));
-    diagnosis.next = nextDrives(diagnosis, study, found, options.possible_next);
-    options.progress(1, "done");
-    diagnosis.simulations += study.bench.simulations;
+    const explain::MissingForce missing = explain::missingForce(car);
+    tellUnexplained(diagnosis, missing, unknown);
+    diagnosis.where = explain::whereItLies(car, missing);
+    explain::howFar(diagnosis, car, {found.none().fit.at, answered(diagnosis, problem, found)});
+    diagnosis.next = explain::nextDrives(diagnosis, car, found, options.possible_next);
+    diagnosis.answer = answer::inWords(diagnosis);
+    progress(1, "done");
+    diagnosis.simulations = problem.replays.simulations.value();
     diagnosis.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     return diagnosis;
 }
 
-}  // namespace tread
+}  // namespace tread::diagnose

@@ -5,12 +5,16 @@
 #include <algorithm>
 #include <deque>
 
+#include "diagnose/answer/diagnosis.h"
 #include "log/resample.h"
 #include "report/diagnosis_tables.h"
 #include "report/text.h"
 
 namespace tread {
 namespace {
+
+using diagnose::answer::Diagnosis;
+using diagnose::answer::Overlay;
 
 constexpr std::size_t kChannels = 3;    // those with the largest shares of the gap
 constexpr std::size_t kRecordings = 4;  // held-out ones first

@@ -1,12 +1,13 @@
 // Measured, nominal, calibrated and with the effect, over time.
 #pragma once
 
-#include "diagnose/diagnosis.h"
+#include "diagnose/answer/diagnosis.h"
 #include "report/html.h"
 
 namespace tread {
 
 // `extended`: what the last stage of the model is called.
-void addOverlays(HtmlPage& page, const Diagnosis& diagnosis, const char* extended = "with the effect");
+void addOverlays(HtmlPage& page, const diagnose::answer::Diagnosis& diagnosis,
+                 const char* extended = "with the effect");
 
 }  // namespace tread

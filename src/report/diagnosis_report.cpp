@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
-#include "diagnose/diagnosis_text.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/answer/diagnosis_text.h"
+#include "diagnose/answer/words.h"
 #include "report/diagnosis_charts.h"
 #include "report/diagnosis_tables.h"
 #include "report/html.h"
@@ -13,6 +15,15 @@
 
 namespace tread {
 namespace {
+
+using diagnose::answer::Diagnosis;
+using diagnose::answer::eachTogether;
+using diagnose::answer::GapLevels;
+using diagnose::answer::lawInWords;
+using diagnose::answer::RankedEffect;
+using diagnose::answer::Shares;
+using diagnose::answer::Unexplained;
+using diagnose::answer::Verdict;
 
 std::string badge(Verdict verdict) {
     switch (verdict) {
@@ -71,7 +82,7 @@ void addHead(HtmlPage& page, const DiagnosisReport& content) {
           std::is_permutation(d.causes.begin(), d.causes.end(), d.credible_set.begin(), d.credible_set.end())
               ? ""
               : fmt::format("{}", fmt::join(shownNames(d.credible_set), ", "))},
-         {"Drive next", d.next.empty() ? "" : d.next.front().scenario + ": " + d.next.front().separates},
+         {"Drive next", d.next.empty() ? "" : d.next.front().scenario + ": " + separatesInWords(d.next.front())},
          {"Car", content.vehicle},
          {"Compared with", d.compared ? "the same drives of the car as it was before: what the model lacked already is "
                                         "taken off what was measured"
@@ -84,7 +95,7 @@ void addUnexplained(HtmlPage& page, const Unexplained& rest) {
     if (rest.share < 0.005) return;
     page.text(fmt::format("The best answer leaves {} % of the gap{}{}.", percentNumber(rest.share),
                           rest.generalised_force.empty() ? "" : "; what acts there: " + rest.generalised_force,
-                          rest.when.empty() ? "" : ", " + rest.when));
+                          rest.when.recording.empty() ? "" : ", " + momentInWords(rest.when)));
     const std::string law = lawInWords(rest.law);
     if (!law.empty() && rest.law.generalised_force.empty()) page.text("Beside the best answer, " + law + ".");
 }

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "diagnose/diagnosis.h"
+#include "diagnose/answer/diagnosis.h"
 
 namespace tread {
 
@@ -11,7 +11,7 @@ struct DiagnosisReport {
     std::string title;
     std::string vehicle;  // name of the nominal car
     std::string version;
-    const Diagnosis& diagnosis;
+    const diagnose::answer::Diagnosis& diagnosis;
 };
 
 std::string diagnosisReport(const DiagnosisReport& content);

@@ -6,13 +6,33 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/diagnosis_text.h"
-#include "diagnose/subject_paths.h"
-#include "diagnose/thresholds.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/answer/diagnosis_text.h"
+#include "diagnose/answer/words.h"
+#include "diagnose/catalogue/effect.h"
+#include "diagnose/settings.h"
+#include "recording/subject_paths.h"
 #include "report/text.h"
 
 namespace tread {
 namespace {
+
+using diagnose::kSettings;
+
+using diagnose::answer::channelInWords;
+using diagnose::answer::ConfusablePair;
+using diagnose::answer::Diagnosis;
+using diagnose::answer::Estimate;
+using diagnose::answer::ForceLaw;
+using diagnose::answer::GapLevels;
+using diagnose::answer::HowFar;
+using diagnose::answer::lawInWords;
+using diagnose::answer::NextDrive;
+using diagnose::answer::NuisanceEstimate;
+using diagnose::answer::RankedEffect;
+using diagnose::catalogue::Effect;
+using diagnose::catalogue::effectCatalogue;
+using recording::subjectNumber;
 
 constexpr std::size_t kShown = 8;   // effects in the table; the others are only counted
 constexpr std::size_t kPairs = 10;  // pairs that cannot be told apart
@@ -133,7 +153,7 @@ void addLevels(HtmlPage& page, const HowFar& how_far, const char* extended) {
 void addLimits(HtmlPage& page, const Diagnosis& diagnosis) {
     std::vector<std::vector<Cell>> next;
     for (const NextDrive& drive : diagnosis.next)
-        next.push_back({{drive.scenario}, {formatNumber(drive.nats, 3), true}, {drive.separates}});
+        next.push_back({{drive.scenario}, {formatNumber(drive.nats, 3), true}, {separatesInWords(drive)}});
     if (!next.empty()) page.table({"Drive next", "Nats to expect", "What it would tell"}, next, true);
 
     std::vector<std::vector<Cell>> pairs;
@@ -150,17 +170,17 @@ void addLimits(HtmlPage& page, const Diagnosis& diagnosis) {
         page.text(
             fmt::format("Pairs that these drives cannot tell apart: less than {:.0f} nats between them at typical "
                         "size{}.",
-                        kThresholds.separable, all > kPairs ? fmt::format("; the {} nearest of {}", kPairs, all) : ""));
+                        kSettings.separable, all > kPairs ? fmt::format("; the {} nearest of {}", kPairs, all) : ""));
         page.table({"Effect", "Looks like", "Likeness", "Separation, nats", "Most of it in"}, pairs);
     }
     std::vector<std::string> hidden;
-    for (const auto& [effect, nats] : diagnosis.testable) {
-        if (nats < kThresholds.testable) hidden.push_back(shownName(effect));
+    for (const auto& [effect, nats] : diagnosis.expected_evidence) {
+        if (nats < kSettings.testable) hidden.push_back(shownName(effect));
     }
     page.text(hidden.empty()
                   ? std::string("Every effect that was considered would show in these drives at its typical size.")
                   : fmt::format("These drives would not show {} of {} effects at their typical size: {}.",
-                                hidden.size(), diagnosis.testable.size(), fmt::join(hidden, ", ")));
+                                hidden.size(), diagnosis.expected_evidence.size(), fmt::join(hidden, ", ")));
 }
 
 void addNuisances(HtmlPage& page, const Diagnosis& diagnosis) {

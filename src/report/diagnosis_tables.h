@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/diagnosis.h"
+#include "diagnose/answer/diagnosis.h"
 #include "report/html.h"
 
 namespace tread {
@@ -13,11 +13,11 @@ namespace tread {
 std::string shownName(std::string_view name);
 std::vector<std::string> shownNames(const std::vector<std::string>& names);
 
-void addEffects(HtmlPage& page, const Diagnosis& diagnosis);
+void addEffects(HtmlPage& page, const diagnose::answer::Diagnosis& diagnosis);
 // `extended`: what the last stage of the model is called.
-void addLevels(HtmlPage& page, const HowFar& how_far, const char* extended = "with the effect");
-void addWhere(HtmlPage& page, const WhereItLies& where);
-void addLimits(HtmlPage& page, const Diagnosis& diagnosis);
-void addNuisances(HtmlPage& page, const Diagnosis& diagnosis);
+void addLevels(HtmlPage& page, const diagnose::answer::HowFar& how_far, const char* extended = "with the effect");
+void addWhere(HtmlPage& page, const diagnose::answer::WhereItLies& where);
+void addLimits(HtmlPage& page, const diagnose::answer::Diagnosis& diagnosis);
+void addNuisances(HtmlPage& page, const diagnose::answer::Diagnosis& diagnosis);
 
 }  // namespace tread

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/identification_text.h"
-#include "diagnose/subject_paths.h"
+#include "calibrate/identification.h"
+#include "calibrate/identification_text.h"
+#include "diagnose/answer/diagnosis.h"
+#include "recording/subject_paths.h"
 #include "report/diagnosis_charts.h"
 #include "report/diagnosis_tables.h"
 #include "report/html.h"
@@ -14,6 +16,13 @@
 
 namespace tread {
 namespace {
+
+using calibrate::FittedNumber;
+using calibrate::Identification;
+using calibrate::otherNumbersInWords;
+using diagnose::answer::GapLevels;
+using diagnose::answer::HowFar;
+using recording::subjectNumber;
 
 constexpr double kFarMoved = 2;  // prior standard deviations
 

@@ -3,10 +3,11 @@
 
 #include <string>
 
-#include "diagnose/identification.h"
+#include "calibrate/identification.h"
 
 namespace tread {
 
-std::string identificationReport(const std::string& vehicle, const std::string& version, const Identification& found);
+std::string identificationReport(const std::string& vehicle, const std::string& version,
+                                 const calibrate::Identification& found);
 
 }  // namespace tread

@@ -4,10 +4,14 @@
 
 #include <algorithm>
 
+#include "diagnose/answer/diagnosis.h"
 #include "report/diagnosis_tables.h"
 
 namespace tread {
 namespace {
+
+using diagnose::answer::Shares;
+using diagnose::answer::WhereItLies;
 
 std::vector<std::pair<std::string, double>> sorted(const Shares& shares) {
     std::vector<std::pair<std::string, double>> order(shares.begin(), shares.end());

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "blind/other_measure.h"
+#include "diagnose/catalogue/effect.h"
 #include "shared/other_car/compact.h"
 #include "shared/vehicles.h"
 
@@ -24,15 +25,16 @@ tread::Drive driveNamed(const std::string& name) {
 }
 
 Drawn drawnWith(const std::string& effect, std::uint64_t seed = 3) {
-    std::vector<tread::Effect> effects;
-    for (const tread::Effect& one : plantable(tread::effectCatalogue(), reference::compact()))
+    std::vector<tread::diagnose::catalogue::Effect> effects;
+    for (const tread::diagnose::catalogue::Effect& one :
+         plantable(tread::diagnose::catalogue::effectCatalogue(), reference::compact()))
         if (one.name == effect) effects.push_back(one);
     tread::Random random(seed);
     return draw(known(), reference::compact(), effects, tread::CaseKind::one, random);
 }
 
 TEST(OtherCases, ManyEffectsOfTheCatalogueCanBePlanted) {
-    const auto effects = plantable(tread::effectCatalogue(), reference::compact());
+    const auto effects = plantable(tread::diagnose::catalogue::effectCatalogue(), reference::compact());
     EXPECT_GE(effects.size(), 25u);
     for (const char* name : {"mass", "grip", "tyre_relaxation", "wind", "steering_delay", "gyro_scale", "wheel_radius"})
         EXPECT_TRUE(std::any_of(effects.begin(), effects.end(), [&](const auto& e) { return e.name == name; })) << name;

@@ -14,8 +14,9 @@
 #include "blind/make.h"
 #include "blind/other_match.h"
 #include "blind/other_measure.h"
-#include "diagnose/sha256.h"
+#include "diagnose/catalogue/effect.h"
 #include "shared/other_car/compact.h"
+#include "store/sha256.h"
 #include "tread/load.h"
 #include "tread/problem.h"
 
@@ -67,7 +68,8 @@ void gap(const Options& options) {
 void make(const Options& options) {
     const tread::VehicleParams nominal = tread::loadVehicle(options.vehicle);
     const Truth known = asKnown(nominal);
-    const std::vector<tread::Effect> effects = plantable(tread::effectCatalogue(), nominal);
+    const std::vector<tread::diagnose::catalogue::Effect> effects =
+        plantable(tread::diagnose::catalogue::effectCatalogue(), nominal);
     const std::vector<tread::Drive> drives = tread::blindDrives();
     tread::BlindKey key;
     key.seed = options.seed;

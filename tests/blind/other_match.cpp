@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "blind/other_measure.h"
-#include "identify/parallel.h"
 
 namespace other_car {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "blind/gauges.h"
 #include "log/log_columns.h"
+#include "recording/instruments.h"
 
 namespace other_car {
 namespace {
@@ -75,7 +76,7 @@ void observe(Motion& motion, const Car& car, const Input& driver, const Input& a
 }
 
 // Accelerations where the unit sits, with what gravity adds when it leans.
-void mount(Motion& motion, const tread::InertialUnit& unit) {
+void mount(Motion& motion, const tread::recording::InertialUnit& unit) {
     std::vector<double>&ax = motion["chassis.ax"], &ay = motion["chassis.ay"];
     const std::vector<double>&yaw = motion["yaw acceleration"], &roll = motion["roll acceleration"];
     for (std::size_t i = 0; i < ax.size(); ++i) {
@@ -138,7 +139,7 @@ tread::Log measure(const Truth& truth, const Drive& drive, std::uint64_t seed, c
     log.channels.push_back({"driveline.gear", "-", std::vector<double>(rows, kGear)});
     tread::Random noise(tread::seedOf(seed, noise_stream));
     for (const tread::Gauge& gauge : tread::gauges()) {
-        const tread::Instrument& instrument = truth.instruments.*gauge.instrument;
+        const tread::recording::Instrument& instrument = truth.instruments.*gauge.instrument;
         tread::Channel channel{
             std::string(gauge.channel), std::string(*tread::logUnit(std::string(gauge.channel))), {}};
         for (std::size_t i = 0; i < rows; ++i) {

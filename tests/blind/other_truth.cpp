@@ -5,16 +5,21 @@
 #include <stdexcept>
 
 #include "base/numbers.h"
-#include "diagnose/parameter.h"
-#include "diagnose/subject.h"
+#include "diagnose/catalogue/effect.h"
+#include "diagnose/model/parameter.h"
+#include "recording/subject.h"
 
 namespace other_car {
 namespace {
 
-using tread::Effect;
-using tread::Knob;
-using tread::Parameter;
-using tread::Subject;
+using tread::diagnose::catalogue::Effect;
+using tread::diagnose::model::Parameter;
+using tread::recording::Subject;
+
+using tread::diagnose::catalogue::Effect;
+using tread::diagnose::catalogue::Knob;
+using tread::diagnose::model::Parameter;
+using tread::recording::Subject;
 
 constexpr double kSmallest = 0.6, kLargest = 1.6;  // of the typical size
 
@@ -74,7 +79,7 @@ struct Change {
 std::vector<Change> errors(const Subject& nominal, tread::Random& random) {
     const double most = std::sqrt(3.0);  // of the uniform distribution, in its standard deviations
     std::vector<Change> all;
-    for (const Parameter& uncertain : tread::nuisances(nominal, {}))
+    for (const Parameter& uncertain : tread::diagnose::model::nuisances(nominal, {}))
         all.push_back({uncertain, std::clamp(between(random, -most, most), uncertain.lowest, uncertain.highest)});
     return all;
 }
@@ -82,7 +87,7 @@ std::vector<Change> errors(const Subject& nominal, tread::Random& random) {
 std::vector<Change> changesOf(const Effect& effect, const Subject& nominal, tread::Random& random) {
     const double size = between(random, kSmallest, kLargest);
     std::vector<Change> all;
-    for (const Parameter& knob : tread::knobsOf(effect, nominal)) {
+    for (const Parameter& knob : tread::diagnose::model::knobsOf(effect, nominal)) {
         const double sign = knob.lowest == 0 ? 1 : knob.highest == 0 ? -1 : random.uniform() < 0.5 ? -1 : 1;
         all.push_back({knob, std::clamp(sign * size, knob.lowest, knob.highest)});
     }
@@ -134,7 +139,7 @@ std::vector<Effect> plantable(const std::vector<Effect>& effects, const tread::V
     const std::vector<SharedNumber> shared = sharedNumbers(any);
     std::vector<Effect> found;
     for (const Effect& effect : effects) {
-        const std::vector<Parameter> knobs = tread::knobsOf(effect, subject);
+        const std::vector<Parameter> knobs = tread::diagnose::model::knobsOf(effect, subject);
         const bool all = std::all_of(knobs.begin(), knobs.end(), [&](const Parameter& knob) {
             return std::all_of(knob.moves.begin(), knob.moves.end(),
                                [&](const Parameter::Move& move) { return find(shared, move.path) != nullptr; });
@@ -171,7 +176,7 @@ Drawn draw(const Truth& known, const tread::VehicleParams& nominal, const std::v
     make(planted);
     for (const auto& [knob, units] : planted) {
         for (const Parameter::Move& move : knob.moves)
-            drawn.key.numbers[move.path] = {move.nominal, *tread::numberAt(as_drawn, move.path), units};
+            drawn.key.numbers[move.path] = {move.nominal, *tread::recording::numberAt(as_drawn, move.path), units};
     }
     return drawn;
 }

@@ -7,8 +7,8 @@
 
 #include "base/random.h"
 #include "blind/key.h"
-#include "diagnose/effect.h"
-#include "diagnose/instruments.h"
+#include "diagnose/catalogue/effect.h"
+#include "recording/instruments.h"
 #include "shared/other_car/car.h"
 #include "tread/vehicle.h"
 
@@ -16,7 +16,7 @@ namespace other_car {
 
 struct Truth {
     Params car;
-    tread::Instruments instruments;
+    tread::recording::Instruments instruments;
     double steering_delay = 0, brake_delay = 0;  // s
 };
 
@@ -29,7 +29,8 @@ struct SharedNumber {
 std::vector<SharedNumber> sharedNumbers(Truth& truth);
 
 // The effects of which the other car has all numbers that `nominal` has.
-std::vector<tread::Effect> plantable(const std::vector<tread::Effect>& effects, const tread::VehicleParams& nominal);
+std::vector<tread::diagnose::catalogue::Effect> plantable(
+    const std::vector<tread::diagnose::catalogue::Effect>& effects, const tread::VehicleParams& nominal);
 
 // A car with small errors in all shared numbers, and with one effect unless the kind is `none`.
 struct Drawn {
@@ -37,7 +38,7 @@ struct Drawn {
     Truth before;  // without the effect
     tread::CaseKey key;
 };
-Drawn draw(const Truth& known, const tread::VehicleParams& nominal, const std::vector<tread::Effect>& effects,
-           tread::CaseKind kind, tread::Random& random);
+Drawn draw(const Truth& known, const tread::VehicleParams& nominal,
+           const std::vector<tread::diagnose::catalogue::Effect>& effects, tread::CaseKind kind, tread::Random& random);
 
 }  // namespace other_car

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
-#include "diagnose/sha256.h"
 #include "places/places.h"
 #include "shared/scratch.h"
+#include "store/sha256.h"
 
 namespace tread {
 namespace {

@@ -7,13 +7,20 @@
 #include "base/reference_table.h"
 #include "cli/program.h"
 #include "compare/tolerances.h"
-#include "diagnose/diagnosis_file.h"
+#include "diagnose/catalogue/effect.h"
 #include "metrics/metrics.h"
+#include "recording/diagnosis_file.h"
 #include "scenario/scenario.h"
 #include "tread/vehicle.h"
 
 namespace tread {
 namespace {
+
+using diagnose::catalogue::Effect;
+using diagnose::catalogue::effectCatalogue;
+using diagnose::catalogue::Knob;
+using diagnose::catalogue::OwnEffects;
+using recording::DiagnosisFile;
 
 using Json = nlohmann::json;
 

@@ -9,13 +9,30 @@
 #include "base/random.h"
 #include "blind/gauges.h"
 #include "blind/measure.h"
-#include "diagnose/diagnosis.h"
-#include "diagnose/parameter.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/catalogue/effect.h"
+#include "diagnose/diagnose.h"
+#include "diagnose/model/parameter.h"
 #include "places/places.h"
+#include "recording/diagnosis_file.h"
+#include "recording/subject.h"
 #include "tread/load.h"
 
 namespace tread {
 namespace {
+
+using diagnose::answer::Diagnosis;
+using diagnose::answer::Verdict;
+using diagnose::catalogue::applies;
+using diagnose::catalogue::Direction;
+using diagnose::catalogue::Effect;
+using diagnose::catalogue::effectCatalogue;
+using diagnose::catalogue::Knob;
+using recording::DiagnosisFile;
+using recording::MeasuredChannel;
+using recording::numberAt;
+using recording::Recording;
+using recording::Subject;
 
 constexpr double kSize = 1.3;  // of the typical size: what a test of a few drives can ask
 constexpr std::size_t kDrives = 2;
@@ -89,7 +106,7 @@ Diagnosis diagnosed(const Truth& truth, const VehicleParams& car, const std::vec
     for (const char* uncertain : kUncertain) file.tolerances.push_back({uncertain, kTolerance, 0});
     Subject nominal;
     nominal.vehicle = car;
-    return diagnose(nominal, file, {logs}, effects);
+    return diagnose::diagnosisOf(nominal, file, {logs}, effects);
 }
 
 class CatalogueRow : public testing::TestWithParam<std::size_t> {};
@@ -111,10 +128,10 @@ TEST_P(CatalogueRow, IsNamedWhereItsDrivesShowIt) {
     const std::vector<Effect> considered(all.begin() + static_cast<long>(first), all.begin() + static_cast<long>(last));
     const Diagnosis d = diagnosed(truth, car, considered, drives.drives);
     ASSERT_FALSE(d.effects.empty());
-    if (d.testable.at(effect.name) < 6) GTEST_SKIP() << effect.name << " is not testable with these drives";
+    if (d.expected_evidence.at(effect.name) < 6) GTEST_SKIP() << effect.name << " is not testable with these drives";
     // What these drives show only just may be too little for a verdict, but nothing is likelier.
     constexpr double kPlain = 25;  // nats to expect: two standard deviations above what a verdict asks for
-    if (d.testable.at(effect.name) * kSize * kSize < kPlain && d.causes.empty()) {
+    if (d.expected_evidence.at(effect.name) * kSize * kSize < kPlain && d.causes.empty()) {
         EXPECT_EQ(d.effects.front().name, effect.name) << d.answer;
         return;
     }
@@ -122,7 +139,7 @@ TEST_P(CatalogueRow, IsNamedWhereItsDrivesShowIt) {
     std::vector<std::string> named = d.causes;
     for (const auto& alternative : d.alternatives) named.insert(named.end(), alternative.begin(), alternative.end());
     EXPECT_NE(std::find(named.begin(), named.end(), effect.name), named.end())
-        << d.answer << " (" << d.testable.at(effect.name) << " nats expected at typical size; best "
+        << d.answer << " (" << d.expected_evidence.at(effect.name) << " nats expected at typical size; best "
         << d.effects.front().name << " with " << d.effects.front().log_evidence << ")";
 }
 

@@ -4,12 +4,25 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/disturbance.h"
-#include "diagnose/replay.h"
+#include "diagnose/model/disturbance.h"
+#include "diagnose/model/replays.h"
+#include "diagnose/options.h"
 #include "planted/planted.h"
+#include "recording/recorded_drive.h"
+#include "recording/replay.h"
 
 namespace tread {
 namespace {
+
+using diagnose::model::kDisturbedNames;
+
+using diagnose::model::Disturbances;
+using diagnose::model::Disturbed;
+using diagnose::model::Rows;
+using diagnose::model::usualSize;
+using recording::ObservedChannel;
+using recording::RecordedDrive;
+using recording::recordedDrive;
 
 constexpr double kHat = 0.25;  // s, half of the time that a push takes
 
@@ -44,7 +57,7 @@ TEST(Disturbances, PushesDoWhatTheyDoAloneAlsoAtTheLimitAndLongAfter) {
         {.vehicle = planted::nominalCar(), .road = {}, .wind = {}, .instruments = {}}, {{"spiral", spiral()}});
     Bench bench;
     bench.nominal = made.nominal;
-    bench.simulate = DiagnoseOptions{}.simulate;
+    bench.simulate = diagnose::Options{}.simulate;
     bench.drives = {recordedDrive(made.file.recordings.front(), made.logs.front(), made.file)};
     const RecordedDrive& drive = bench.drives.front();
     const Rows rows = *rowsAt(bench, bench.origin());

@@ -5,11 +5,25 @@
 
 #include "blind/gauges.h"
 #include "blind/measure.h"
-#include "diagnose/diagnosis.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/catalogue/effect.h"
+#include "diagnose/diagnose.h"
 #include "planted/planted.h"
+#include "recording/diagnosis_file.h"
+#include "recording/subject.h"
 
 namespace tread {
 namespace {
+
+using diagnose::answer::Diagnosis;
+using diagnose::answer::ForceLaw;
+using diagnose::answer::Verdict;
+using diagnose::catalogue::Effect;
+using diagnose::catalogue::effectCatalogue;
+using recording::DiagnosisFile;
+using recording::MeasuredChannel;
+using recording::Recording;
+using recording::Subject;
 
 Diagnosis diagnosed(const std::function<Pushing()>& push) {
     Subject nominal;
@@ -34,7 +48,7 @@ Diagnosis diagnosed(const std::function<Pushing()>& push) {
         for (const char* name : {"mass", "grip", "camber_thrust", "yaw_inertia", "cornering_stiffness_rear"})
             if (effect.name == name) effects.push_back(effect);
     }
-    return diagnose(nominal, file, {logs}, effects);
+    return diagnose::diagnosisOf(nominal, file, {logs}, effects);
 }
 
 TEST(ForceLaw, OfAMassThatSwingsAcrossTheCarIsFoundWithItsMass) {

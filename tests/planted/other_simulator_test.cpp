@@ -5,11 +5,21 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "diagnose/diagnosis.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/catalogue/effects_to_consider.h"
 #include "places/places.h"
+#include "recording/diagnosis_file.h"
 
 namespace tread {
 namespace {
+
+using diagnose::answer::Diagnosis;
+using diagnose::answer::Verdict;
+using diagnose::catalogue::effectsToConsider;
+using recording::DiagnosisFile;
+using recording::loadDiagnosis;
+using recording::nominalSubject;
+using recording::readRecordings;
 
 struct Changed {
     const char* folder;
@@ -23,7 +33,7 @@ TEST_P(OtherSimulator, ChangeIsNamedFirstAndExplainsTheGap) {
     const std::filesystem::path logs = std::filesystem::path(data ? data : "") / "chrono" / GetParam().folder;
     if (!data || !std::filesystem::exists(logs)) GTEST_SKIP() << "the logs are not part of this project";
     const DiagnosisFile file = loadDiagnosis(sourceFile("scenarios/diagnose/chrono_case.yaml"), logs);
-    const Diagnosis d = diagnose(nominalSubject(file), file, readRecordings(file), effectsToConsider(file));
+    const Diagnosis d = diagnose::diagnosisOf(nominalSubject(file), file, readRecordings(file), effectsToConsider(file));
     EXPECT_EQ(d.verdict, Verdict::explained) << d.answer;
     ASSERT_FALSE(d.causes.empty());
     EXPECT_EQ(d.effects.front().name, GetParam().cause);

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "base/random.h"
-#include "diagnose/diagnosis.h"
+#include "diagnose/answer/diagnosis.h"
 #include "places/places.h"
+#include "recording/diagnosis_file.h"
+#include "recording/subject.h"
 #include "run/simulate.h"
 #include "tread/load.h"
 
@@ -82,20 +84,20 @@ inline VehicleParams nominalCar() {
 }
 
 struct Case {
-    Subject nominal;
-    DiagnosisFile file;
+    recording::Subject nominal;
+    recording::DiagnosisFile file;
     std::vector<Log> logs;
 };
 
 // The true car in each drive, with white noise on every channel.
-inline Case recorded(const Subject& truth, const std::vector<std::pair<std::string, Scenario>>& drives,
+inline Case recorded(const recording::Subject& truth, const std::vector<std::pair<std::string, Scenario>>& drives,
                      std::size_t held_out = 0) {
     Case made;
     made.nominal.vehicle = nominalCar();
     made.file.vehicle = "compact.yaml";
     Random random(7);
     for (std::size_t i = 0; i < drives.size(); ++i) {
-        Recording recording;
+        recording::Recording recording;
         recording.log = drives[i].first + ".csv";
         recording.name = drives[i].first;
         recording.hold_out = i + held_out >= drives.size();

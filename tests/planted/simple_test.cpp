@@ -4,13 +4,25 @@
 #include <algorithm>
 #include <set>
 
-#include "diagnose/effect.h"
-#include "diagnose/subject.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/catalogue/effect.h"
+#include "diagnose/diagnose.h"
 #include "log/resample.h"
 #include "planted.h"
+#include "recording/subject.h"
 
 namespace tread {
 namespace {
+
+using diagnose::answer::Diagnosis;
+using diagnose::answer::Estimate;
+using diagnose::answer::RankedEffect;
+using diagnose::answer::Verdict;
+using diagnose::catalogue::Direction;
+using diagnose::catalogue::Effect;
+using diagnose::catalogue::effectCatalogue;
+using recording::numberAt;
+using recording::Subject;
 
 using namespace planted;
 
@@ -42,7 +54,7 @@ std::vector<std::pair<std::string, Scenario>> someDrives() {
 
 Diagnosis diagnosed(const Subject& truth, const std::vector<Effect>& effects = someEffects()) {
     const Case made = recorded(truth, someDrives(), 1);
-    return diagnose(made.nominal, made.file, {made.logs}, effects);
+    return diagnose::diagnosisOf(made.nominal, made.file, {made.logs}, effects);
 }
 
 std::vector<Effect> catalogued(const std::set<std::string>& names) {

@@ -5,11 +5,23 @@
 
 #include "blind/drives.h"
 #include "blind/measure.h"
-#include "diagnose/study.h"
+#include "diagnose/catalogue/effect.h"
+#include "diagnose/model/problem.h"
+#include "diagnose/model/replays.h"
+#include "diagnose/options.h"
 #include "planted/planted.h"
+#include "recording/diagnosis_file.h"
+#include "recording/recorded_drive.h"
 
 namespace tread {
 namespace {
+
+using diagnose::catalogue::effectCatalogue;
+using diagnose::model::Deviation;
+using diagnose::model::Rows;
+using recording::DiagnosisFile;
+using recording::recordedDrive;
+using recording::Recording;
 
 constexpr double kFineStep = 0.001;  // s
 constexpr double kMostNats = 0.5;    // of the 5 that an effect needs
@@ -19,7 +31,7 @@ TEST(Step, OfReplaysLooksLikeNoEffectWhateverTheCarHas) {
     Study study;
     Bench& bench = study.bench;
     bench.nominal.vehicle = planted::nominalCar();
-    bench.simulate = DiagnoseOptions{}.simulate;
+    bench.simulate = diagnose::Options{}.simulate;
     DiagnosisFile file;
     file.recordings.reserve(4);
     for (const Drive& drive : blindDrives(DriveSet::all)) {

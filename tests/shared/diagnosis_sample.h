@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/diagnosis.h"
+#include "diagnose/answer/diagnosis.h"
 
 namespace tread::shared {
 
@@ -30,9 +30,9 @@ inline Log constantly(const std::map<std::string, double>& values) {
     return log;
 }
 
-inline Diagnosis sampleDiagnosis() {
-    Diagnosis d;
-    d.verdict = Verdict::explained;
+inline diagnose::answer::Diagnosis sampleDiagnosis() {
+    diagnose::answer::Diagnosis d;
+    d.verdict = diagnose::answer::Verdict::explained;
     d.answer = "The gap is caused by tyre_relaxation (p = 0.97)";
     d.causes = {"tyre_relaxation"};
     d.effects = {
@@ -68,13 +68,13 @@ inline Diagnosis sampleDiagnosis() {
                   {"inertia.yaw", {2010, 30, 1.8}},
                   {"brakes.front_share", {0.82, 0.02, 0.1}},
                   {"front.suspension.spring", {23900, 700, 2.4}}};
-    d.testable = {
+    d.expected_evidence = {
         {"tyre_relaxation", 180}, {"steering_delay", 96}, {"damping", 40}, {"brake_fade", 0.2}, {"brake_gain", 1.1}};
     d.confusable = {{"damping", "roll_inertia", 0.86, 4.2, "sine_sweep"},
                     {"roll_steer_rear", "compliance_steer_rear", 0.97, 2.1, "double_lane_change"}};
-    d.next = {{"scenarios/sine_sweep.yaml", "tyre relaxation from steering delay", 34},
-              {"scenarios/straight_braking_100.yaml", "brake gain, brake fade: not testable now", 120}};
-    d.unexplained = {0.02, "lateral", "above 3 Hz"};
+    d.next = {{"scenarios/sine_sweep.yaml", {"tyre_relaxation"}, {"steering_delay"}, 34},
+              {"scenarios/straight_braking_100.yaml", {"brake_gain"}, {}, 120}};
+    d.unexplained = {0.02, "lateral", {"sine_sweep", 3.2}};
     d.credible_set = {"tyre_relaxation"};
     d.constancy = {{"tyre_relaxation", 0.44}, {"steering_delay", 0.002}};
     d.baselines = {"steering_delay", "tyre_relaxation"};
@@ -83,11 +83,11 @@ inline Diagnosis sampleDiagnosis() {
     d.seconds = 41;
     d.simulations = 2310;
     for (const char* name : {"double_lane_change", "sine_sweep"}) {
-        Overlay overlay{.recording = name,
-                        .measured = slalom(0.06, 1),
-                        .nominal = slalom(0, 1.05),
-                        .calibrated = slalom(0.015, 1.01),
-                        .extended = slalom(0.058, 1)};
+        diagnose::answer::Overlay overlay{.recording = name,
+                                          .measured = slalom(0.06, 1),
+                                          .nominal = slalom(0, 1.05),
+                                          .calibrated = slalom(0.015, 1.01),
+                                          .extended = slalom(0.058, 1)};
         overlay.hold_out = overlay.recording == "double_lane_change";
         if (!overlay.hold_out) overlay.allowed = constantly({{"chassis.yaw_rate", 0.02}, {"chassis.ay", 0.3}});
         d.overlays.push_back(overlay);

@@ -9,8 +9,12 @@
 #include <vector>
 
 #include "base/random.h"
-#include "diagnose/diagnosis.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/catalogue/effect.h"
+#include "diagnose/options.h"
 #include "places/places.h"
+#include "recording/diagnosis_file.h"
+#include "recording/subject.h"
 #include "tread/load.h"
 
 namespace tread::simple_car {
@@ -35,10 +39,10 @@ inline void drive(const VehicleParams& car, const Scenario& scenario, const Reco
 }
 
 struct Case {
-    Subject nominal{
+    recording::Subject nominal{
         .vehicle = loadVehicle(sourceFile("vehicles/compact.yaml")), .road = {}, .wind = {}, .instruments = {}};
-    DiagnosisFile file;
-    Recorded recorded;
+    recording::DiagnosisFile file;
+    recording::Recorded recorded;
 };
 
 // A slalom, straight on at first.
@@ -60,7 +64,7 @@ inline Case recorded(const VehicleParams& truth, const std::vector<Scenario>& dr
     Case made;
     Random random(seed);
     for (const Scenario& told : drives) {
-        Recording recording;
+        recording::Recording recording;
         recording.log = recording.name = "drive " + std::to_string(made.recorded.logs.size() + 1);
         made.file.recordings.push_back(recording);
         Scenario scenario = told;
@@ -84,14 +88,14 @@ inline Case recorded(double ratio, double drag_area, std::uint64_t seed) {
     return recorded(truth, {slalom(15), slalom(20), slalom(25)}, seed);
 }
 
-inline DiagnoseOptions options(int threads = 2) {
-    DiagnoseOptions options;
+inline diagnose::Options options(int threads = 2) {
+    diagnose::Options options;
     options.simulate = drive;
     options.threads = threads;
     return options;
 }
 
-inline Effect effect(const char* name, const char* path) {
+inline diagnose::catalogue::Effect effect(const char* name, const char* path) {
     return {name, "", "", {{.paths = {path}, .typical = 0.1, .relative = true}}};
 }
 

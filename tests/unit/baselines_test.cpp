@@ -3,11 +3,20 @@
 
 #include <cmath>
 
-#include "diagnose/baselines.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/diagnose.h"
+#include "diagnose/select/baselines.h"
 #include "shared/simple_car.h"
 
 namespace tread {
 namespace {
+
+using diagnose::answer::Baselines;
+using diagnose::answer::Diagnosis;
+using diagnose::select::largestReduction;
+using diagnose::select::leastBic;
+using diagnose::select::LinearEffect;
+using diagnose::select::reduction;
 
 // Of one number that moves a sum of squares `column`, with so large a product with the residual.
 LinearEffect effect(const std::string& name, double column, double with_residual, double highest = 4) {
@@ -44,10 +53,10 @@ TEST(Baselines, BicAsksTheLogarithmOfTheRowsForEachNumber) {
 TEST(Baselines, BothNameAPlantedRatioOfASimpleCar) {
     const simple_car::Case made =
         simple_car::recorded(14.5, loadVehicle(sourceFile("vehicles/compact.yaml")).aero.drag_area, 3);
-    const Diagnosis d =
-        diagnose(made.nominal, made.file, made.recorded,
-                 {simple_car::effect("drag", "aero.drag_area"), simple_car::effect("ratio", "steering.ratio")},
-                 simple_car::options(2));
+    const Diagnosis d = diagnose::diagnosisOf(
+        made.nominal, made.file, made.recorded,
+        {simple_car::effect("drag", "aero.drag_area"), simple_car::effect("ratio", "steering.ratio")},
+        simple_car::options(2));
     EXPECT_EQ(d.baselines.largest_reduction, "ratio");
     EXPECT_EQ(d.baselines.bic, "ratio");
 }

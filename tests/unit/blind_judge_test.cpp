@@ -7,6 +7,8 @@
 
 #include "blind/judge.h"
 #include "blind/make.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/catalogue/effect.h"
 #include "log/csv.h"
 #include "report/blind_report.h"
 #include "shared/scratch.h"
@@ -15,6 +17,13 @@
 
 namespace tread {
 namespace {
+
+using diagnose::answer::Diagnosis;
+using diagnose::answer::Overlay;
+using diagnose::answer::RankedEffect;
+using diagnose::answer::Verdict;
+using diagnose::catalogue::Direction;
+using diagnose::catalogue::Effect;
 
 const std::vector<Effect> kEffects{
     {"heavier", "", "", {{.paths = {"mass"}, .typical = 0.1, .relative = true, .direction = Direction::up}}},
@@ -36,7 +45,7 @@ Diagnosis blamed(const std::string& cause) {
     effect.name = cause;
     effect.probability = 0.97;
     diagnosis.effects = {effect};
-    diagnosis.testable[cause] = 40;
+    diagnosis.expected_evidence[cause] = 40;
     return diagnosis;
 }
 

@@ -5,10 +5,17 @@
 #include <nlohmann/json.hpp>
 
 #include "blind/score.h"
+#include "diagnose/answer/diagnosis.h"
 #include "tread/problem.h"
 
 namespace tread {
 namespace {
+
+using diagnose::answer::Diagnosis;
+using diagnose::answer::Estimate;
+using diagnose::answer::Overlay;
+using diagnose::answer::RankedEffect;
+using diagnose::answer::Verdict;
 
 CaseKey keyOf(const std::string& name, CaseKind kind, std::vector<std::string> effects = {}) {
     CaseKey key;
@@ -89,7 +96,7 @@ TEST(BlindScore, EffectThatResemblesAnotherIsRightAsAnAlternative) {
     diagnosis.verdict = Verdict::ambiguous;
     diagnosis.causes = {"drag"};
     diagnosis.alternatives = {{"mass"}};
-    diagnosis.testable = {{"drag", 600}, {"mass", 50}};
+    diagnosis.expected_evidence = {{"drag", 600}, {"mass", 50}};
     diagnosis.confusable = {{"drag", "mass", std::sqrt(0.98), 1, "coast_down"}};
     diagnosis.effects = {RankedEffect{.name = "drag", .parameters = {}},
                          RankedEffect{.name = "mass", .parameters = {}}};

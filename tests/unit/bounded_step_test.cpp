@@ -1,5 +1,5 @@
 // The best step between bounds, against conditions that any minimum of a convex problem meets, and by hand.
-#include "identify/bounded_step.h"
+#include "inference/bounded_step.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,8 @@
 
 namespace tread {
 namespace {
+
+using inference::boundedStep;
 
 // How much more each parameter would like to move.
 Eigen::VectorXd pull(const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient, const Eigen::VectorXd& x,

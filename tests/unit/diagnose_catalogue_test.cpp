@@ -8,12 +8,20 @@
 #include <string>
 
 #include "base/numbers.h"
-#include "diagnose/effect.h"
-#include "diagnose/subject.h"
+#include "diagnose/catalogue/effect.h"
+#include "recording/subject.h"
 #include "shared/vehicle_run.h"
 
 namespace tread {
 namespace {
+
+using diagnose::catalogue::applies;
+using diagnose::catalogue::Direction;
+using diagnose::catalogue::Effect;
+using diagnose::catalogue::effectCatalogue;
+using diagnose::catalogue::Knob;
+using recording::numberAt;
+using recording::Subject;
 
 const char* const kCars[] = {"compact", "awd_suv",          "electric_hatchback", "liu_compact",
                              "pickup",  "rear_drive_sedan", "sports_car",         "volvo_s90"};

@@ -2,10 +2,13 @@
 
 #include <cmath>
 
-#include "diagnose/unknown.h"
+#include "diagnose/select/unknown_cause.h"
+#include "inference/chi_squared.h"
 
 namespace tread {
 namespace {
+
+using inference::chiSquaredTail;
 
 // Closed forms: exp(-x/2) for 2 degrees of freedom, erfc(sqrt(x/2)) for 1, exp(-x/2)(1 + x/2) for 4.
 TEST(ChiSquared, TailIsThatOfTheClosedForms) {

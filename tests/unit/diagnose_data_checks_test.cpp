@@ -7,11 +7,18 @@
 #include <functional>
 
 #include "base/random.h"
-#include "diagnose/data_checks.h"
+#include "recording/checks/data_checks.h"
+#include "recording/diagnosis_file.h"
+#include "recording/subject.h"
 #include "shared/vehicle_run.h"
 
 namespace tread {
 namespace {
+
+using recording::DiagnosisFile;
+using recording::Subject;
+using recording::checks::DataWarning;
+using recording::checks::dataWarnings;
 
 std::vector<double>& of(Log& log, std::string_view name) {
     for (Channel& channel : log.channels) {

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "base/parallel.h"
 #include "base/random.h"
-#include "identify/gram.h"
-#include "identify/parallel.h"
+#include "inference/normal_equations.h"
 
 namespace tread {
 namespace {

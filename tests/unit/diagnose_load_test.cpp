@@ -4,15 +4,30 @@
 
 #include <algorithm>
 
-#include "diagnose/diagnosis_file.h"
+#include "diagnose/catalogue/effect.h"
+#include "diagnose/catalogue/effects_to_consider.h"
 #include "log/csv.h"
 #include "places/places.h"
+#include "recording/diagnosis_file.h"
+#include "recording/subject.h"
 #include "shared/foreign_logs.h"
 #include "shared/scratch.h"
 #include "tread/problem.h"
 
 namespace tread {
 namespace {
+
+using diagnose::catalogue::Direction;
+using diagnose::catalogue::effectCatalogue;
+using diagnose::catalogue::effectsToConsider;
+using diagnose::catalogue::loadOwnEffects;
+using diagnose::catalogue::OwnEffects;
+using recording::DiagnosisFile;
+using recording::loadDiagnosis;
+using recording::nominalSubject;
+using recording::readRecordings;
+using recording::Recorded;
+using recording::Subject;
 
 // The faults that loading throws, one line each.
 template <class Load>

@@ -1,12 +1,16 @@
 // The end of the car at which a side force is missing, on a linear single-track car that something pushes.
 #include <gtest/gtest.h>
 
-#include "diagnose/diagnosis.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/diagnose.h"
+#include "diagnose/options.h"
 #include "shared/linear_single_track.h"
 #include "shared/simple_car.h"
 
 namespace tread {
 namespace {
+
+using diagnose::answer::Shares;
 
 constexpr double kSpeed = 22, kDuration = 6, kStep = 0.01;
 
@@ -63,10 +67,11 @@ Shares found(double ahead) {
     }
     made.file.recordings = {{.log = "drive", .name = "drive"}};
     made.recorded.logs = {log};
-    DiagnoseOptions options;
+    diagnose::Options options;
     options.simulate = drive;
     options.threads = 1;
-    return diagnose(made.nominal, made.file, made.recorded, {simple_car::effect("drag", "aero.drag_area")}, options)
+    return diagnose::diagnosisOf(made.nominal, made.file, made.recorded, {simple_car::effect("drag", "aero.drag_area")},
+                                 options)
         .where.axle_force;
 }
 

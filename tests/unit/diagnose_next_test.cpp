@@ -1,12 +1,23 @@
 // What to drive next, on a car of three lines: a steering ratio and an understeer that look alike at one speed.
 #include <gtest/gtest.h>
 
-#include "diagnose/diagnosis_json.h"
-#include "diagnose/diagnosis_text.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/answer/diagnosis_json.h"
+#include "diagnose/answer/diagnosis_text.h"
+#include "diagnose/catalogue/effect.h"
+#include "diagnose/diagnose.h"
+#include "diagnose/options.h"
 #include "shared/simple_car.h"
 
 namespace tread {
 namespace {
+
+using diagnose::answer::Diagnosis;
+using diagnose::answer::diagnosisText;
+using diagnose::answer::NextDrive;
+using diagnose::answer::RankedEffect;
+using diagnose::answer::Verdict;
+using diagnose::catalogue::Effect;
 
 using simple_car::slalom;
 
@@ -19,9 +30,9 @@ Diagnosis diagnosed(const std::vector<Scenario>& drives) {
     VehicleParams truth = simple_car::Case{}.nominal.vehicle;
     truth.steering.play = 8e-4;  // as a ratio that is 12 % larger at 20 m/s
     const simple_car::Case made = simple_car::recorded(truth, drives, 5);
-    DiagnoseOptions options = simple_car::options();
+    diagnose::Options options = simple_car::options();
     options.possible_next = {{"the same again", slalom(20)}, {"slower", slalom(15)}, {"much slower", slalom(6)}};
-    return diagnose(made.nominal, made.file, made.recorded, kLookAlikes, options);
+    return diagnose::diagnosisOf(made.nominal, made.file, made.recorded, kLookAlikes, options);
 }
 
 TEST(NextDrive, SeparatesWhatOneSpeedCannot) {
@@ -49,16 +60,17 @@ TEST(NextDrive, SeparatesWhatOneSpeedCannot) {
 
 TEST(NextDrive, IsNotAskedWhereNothingIsPossible) {
     const simple_car::Case made = simple_car::recorded(simple_car::Case{}.nominal.vehicle, {slalom(20)}, 1);
-    EXPECT_TRUE(diagnose(made.nominal, made.file, made.recorded, kLookAlikes, simple_car::options()).next.empty());
+    EXPECT_TRUE(
+        diagnose::diagnosisOf(made.nominal, made.file, made.recorded, kLookAlikes, simple_car::options()).next.empty());
 }
 
 TEST(NextDrive, ShowsWhatTheDrivesCouldNotShow) {
     Scenario straight = slalom(20);
     straight.phases.front().steering = {};
     const simple_car::Case made = simple_car::recorded(simple_car::Case{}.nominal.vehicle, {straight, straight}, 2);
-    DiagnoseOptions options = simple_car::options();
+    diagnose::Options options = simple_car::options();
     options.possible_next = {{"straight on", straight}, {"slalom", slalom(20)}};
-    const Diagnosis d = diagnose(made.nominal, made.file, made.recorded, kLookAlikes, options);
+    const Diagnosis d = diagnose::diagnosisOf(made.nominal, made.file, made.recorded, kLookAlikes, options);
     EXPECT_EQ(d.verdict, Verdict::not_testable) << d.answer;
     ASSERT_FALSE(d.next.empty());
     for (const NextDrive& next : d.next) EXPECT_EQ(next.scenario, "slalom");

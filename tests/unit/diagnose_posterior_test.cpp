@@ -1,15 +1,23 @@
 // Probabilities of causes, against Bayes' rule by hand.
 #include "base/random.h"
-#include "diagnose/posterior.h"
+#include "diagnose/select/posterior.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "diagnose/thresholds.h"
+#include "diagnose/select/search.h"
+#include "diagnose/settings.h"
 
 namespace tread {
 namespace {
+
+using diagnose::kSettings;
+
+using diagnose::select::Candidate;
+using diagnose::select::Posterior;
+using diagnose::select::posterior;
+using diagnose::select::Search;
 
 constexpr double kNoMore = -1000;
 
@@ -39,7 +47,7 @@ TEST(Posterior, OfOneEffectIsItsShareOfPriorTimesEvidence) {
 TEST(Posterior, OfAPairCountsForBothAndIsSplitOverAllPairs) {
     const TenEffects study;
     const Search found{{judged({3, 7}, 12), judged({3}, 5), judged({}, 0)}};
-    const double doubted = kThresholds.further_share * 12;
+    const double doubted = kSettings.further_share * 12;
     const double none = 0.25, one = 0.045 * std::exp(5), two = 0.15 / 45 * std::exp(12 - doubted);
     const Posterior result = posterior(study, found, kNoMore);
     EXPECT_NEAR(result.of(7), two / (none + one + two), 1e-12);
@@ -50,14 +58,14 @@ TEST(Posterior, OfUnknownGrowsWithWhatLargerDisturbancesGain) {
     const TenEffects study;
     const Search found{{judged({3}, 5), judged({}, 0)}};
     const double gain = 8;
-    const double none = 0.25, one = 0.045 * std::exp(5), unknown = 0.1 * std::exp(5 + gain - kThresholds.unknown);
+    const double none = 0.25, one = 0.045 * std::exp(5), unknown = 0.1 * std::exp(5 + gain - kSettings.unknown);
     const Posterior result = posterior(study, found, gain);
     EXPECT_NEAR(result.ofUnknown(), unknown / (none + one + unknown), 1e-12);
 }
 
 TEST(Posterior, OfNothingThatShowsCountsWhatHasNotGainedEnough) {
     const TenEffects study;
-    const Search found{{judged({3}, kThresholds.effect + 0.1), judged({7}, kThresholds.effect - 0.1), judged({}, 0)}};
+    const Search found{{judged({3}, kSettings.effect + 0.1), judged({7}, kSettings.effect - 0.1), judged({}, 0)}};
     const Posterior result = posterior(study, found, 4);
     EXPECT_TRUE(result.shows(found.candidates[0].log_evidence));
     EXPECT_FALSE(result.shows(found.candidates[1].log_evidence));
@@ -67,21 +75,21 @@ TEST(Posterior, OfNothingThatShowsCountsWhatHasNotGainedEnough) {
 
 TEST(Thresholds, WhatIsTestableAndDoesNotShowIsSmallerThanTypical) {
     // Standard deviations between what is expected to gain so many nats, and what gains no more than `effect`.
-    for (const double expected : {kThresholds.testable, 10 * kThresholds.testable, 1000 * kThresholds.testable}) {
+    for (const double expected : {kSettings.testable, 10 * kSettings.testable, 1000 * kSettings.testable}) {
         const double freedom = 0.5 * std::log(1 + 2 * expected);
-        EXPECT_GT(std::sqrt(2 * expected) - std::sqrt(2 * (kThresholds.effect + freedom)), 2.5) << expected;
+        EXPECT_GT(std::sqrt(2 * expected) - std::sqrt(2 * (kSettings.effect + freedom)), 2.5) << expected;
     }
 }
 
 TEST(Thresholds, WhatIsTestableIsFoundNineteenTimesInTwenty) {
     // A gain that is measured with a standard deviation of one: its square over two, less what its freedom costs.
-    const double size = std::sqrt(2 * kThresholds.testable), freedom = 0.5 * std::log(1 + 2 * kThresholds.testable);
+    const double size = std::sqrt(2 * kSettings.testable), freedom = 0.5 * std::log(1 + 2 * kSettings.testable);
     Random random(1);
     constexpr int kMany = 100000;
     int found = 0;
     for (int i = 0; i < kMany; ++i) {
         const double seen = (0.6 + random.uniform()) * size + random.normal();
-        found += 0.5 * seen * seen - freedom > kThresholds.effect ? 1 : 0;
+        found += 0.5 * seen * seen - freedom > kSettings.effect ? 1 : 0;
     }
     EXPECT_GT(found, 0.95 * kMany);
     EXPECT_LT(found, 0.97 * kMany);

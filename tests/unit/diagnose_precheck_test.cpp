@@ -3,12 +3,27 @@
 
 #include <cmath>
 
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/answer/precheck.h"
+#include "diagnose/catalogue/effect.h"
+#include "diagnose/diagnose.h"
 #include "diagnose/precheck.h"
-#include "diagnose/thresholds.h"
+#include "diagnose/settings.h"
 #include "shared/simple_car.h"
 
 namespace tread {
 namespace {
+
+using diagnose::kSettings;
+
+using diagnose::answer::ConfusablePair;
+using diagnose::answer::Diagnosis;
+using diagnose::answer::Precheck;
+using diagnose::answer::precheckText;
+using diagnose::answer::Visibility;
+using diagnose::answer::visibility;
+using diagnose::catalogue::Effect;
+using diagnose::catalogue::Knob;
 
 using simple_car::effect;
 
@@ -19,15 +34,15 @@ double dragArea() {
 }
 
 Precheck checked(const simple_car::Case& made, const std::vector<Effect>& effects, int threads = 2) {
-    return precheck(made.nominal, made.file, made.recorded, effects, simple_car::options(threads));
+    return diagnose::precheckOf(made.nominal, made.file, made.recorded, effects, simple_car::options(threads));
 }
 
 TEST(Precheck, WhatNoDriveExcitesIsNotSeenAndWhatTheyDoIs) {
     const simple_car::Case made = simple_car::recorded(kNominalRatio, dragArea(), 3);
     const Precheck seen =
         checked(made, {effect("ratio", "steering.ratio"), effect("brakes", "brakes.full_pedal_torque")});
-    EXPECT_GT(seen.testable.at("ratio"), kThresholds.testable);
-    EXPECT_EQ(seen.testable.at("brakes"), 0) << "this car has none";
+    EXPECT_GT(seen.expected_evidence.at("ratio"), kSettings.testable);
+    EXPECT_EQ(seen.expected_evidence.at("brakes"), 0) << "this car has none";
     const std::string text = precheckText(seen);
     const std::size_t hidden = text.find("NOT SEEN");
     ASSERT_NE(hidden, std::string::npos) << text;
@@ -46,7 +61,7 @@ TEST(Precheck, EffectsWithTheSameTraceArePairedAndTheOthersAreNot) {
     EXPECT_EQ(pair.a, "ratio");
     EXPECT_EQ(pair.b, "wheelbase");
     EXPECT_GT(pair.cosine, 0.99);
-    EXPECT_LT(pair.separation, kThresholds.separable);
+    EXPECT_LT(pair.separation, kSettings.separable);
     EXPECT_NE(precheckText(seen).find("ALIKE     ratio and wheelbase"), std::string::npos);
 }
 
@@ -60,13 +75,13 @@ TEST(Precheck, PairsLookAlikeAndAreNearEachOther) {
     };
     const std::vector<ConfusablePair> near = alike(0.06), far = alike(0.6);
     ASSERT_EQ(near.size(), 1u);
-    EXPECT_LT(near.front().separation, kThresholds.separable);
+    EXPECT_LT(near.front().separation, kSettings.separable);
     EXPECT_TRUE(far.empty());
     // What one of them hardly shows is hard to tell from anything.
     const Precheck faint = checked(made, {{"understeer", "", "", {{.paths = {"steering.play"}, .typical = 3.58e-5}}},
                                           effect("ratio", "steering.ratio")});
-    EXPECT_GT(faint.testable.at("understeer"), kThresholds.shows);
-    EXPECT_LT(faint.testable.at("understeer"), 1.01 * kThresholds.separable);
+    EXPECT_GT(faint.expected_evidence.at("understeer"), kSettings.shows);
+    EXPECT_LT(faint.expected_evidence.at("understeer"), 1.01 * kSettings.separable);
     EXPECT_TRUE(faint.confusable.empty());
 }
 
@@ -81,8 +96,9 @@ TEST(Precheck, PromisesTheNatsThatDiagnosesFindWhenTheEffectIsThereAtItsTypicalS
     for (std::uint64_t seed = 1; seed <= kCars; ++seed) {
         const simple_car::Case made =
             simple_car::recorded(truth, {simple_car::slalom(15), simple_car::slalom(20), simple_car::slalom(25)}, seed);
-        promised += checked(made, {understeer}).testable.at("understeer") / kCars;
-        const Diagnosis d = diagnose(made.nominal, made.file, made.recorded, {understeer}, simple_car::options());
+        promised += checked(made, {understeer}).expected_evidence.at("understeer") / kCars;
+        const Diagnosis d =
+            diagnose::diagnosisOf(made.nominal, made.file, made.recorded, {understeer}, simple_car::options());
         found += d.effects.front().log_evidence / kCars;
     }
     // By chance the evidence of one car differs by the root of twice what is promised; half the logarithm of its
@@ -94,14 +110,14 @@ TEST(Precheck, DoesNotDependOnWhatTheRecordedCarWas) {
     const std::vector<Effect> effects{effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")};
     const Precheck nominal = checked(simple_car::recorded(kNominalRatio, dragArea(), 3), effects),
                    other = checked(simple_car::recorded(14.5, 1.2 * dragArea(), 3), effects);
-    for (const auto& [name, nats] : nominal.testable)
-        EXPECT_NEAR(other.testable.at(name), nats, 0.05 * nats) << name << ": only their noise is taken from drives";
+    for (const auto& [name, nats] : nominal.expected_evidence)
+        EXPECT_NEAR(other.expected_evidence.at(name), nats, 0.05 * nats) << name << ": only their noise is taken from drives";
 }
 
 TEST(Precheck, IsTheSameToTheBitForOneAndTwoThreads) {
     const simple_car::Case made = simple_car::recorded(14.5, dragArea(), 3);
     const std::vector<Effect> effects{effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")};
-    EXPECT_EQ(checked(made, effects, 1).testable, checked(made, effects, 2).testable);
+    EXPECT_EQ(checked(made, effects, 1).expected_evidence, checked(made, effects, 2).expected_evidence);
 }
 
 TEST(Visibility, GroupsStandInOrderOfWhatToExpect) {

@@ -1,15 +1,37 @@
 // The same drive of the car as it was before: what the model lacked already is no cause.
-#include "diagnose/reference.h"
+#include "recording/reference.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "diagnose/study.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/diagnose.h"
+#include "diagnose/model/noise.h"
+#include "diagnose/model/parameter.h"
+#include "diagnose/model/problem.h"
+#include "diagnose/model/replays.h"
+#include "recording/diagnosis_file.h"
+#include "recording/recorded_drive.h"
+#include "recording/subject.h"
 #include "shared/simple_car.h"
 
 namespace tread {
 namespace {
+
+using recording::kBlock;
+
+using diagnose::answer::Diagnosis;
+using diagnose::answer::Estimate;
+using diagnose::answer::Verdict;
+using diagnose::model::nuisances;
+using diagnose::model::Parameter;
+using diagnose::model::rowNoise;
+using diagnose::model::Rows;
+using recording::RecordedDrive;
+using recording::Recording;
+using recording::Subject;
+using recording::withChannelsOf;
 
 using simple_car::effect;
 
@@ -29,8 +51,9 @@ simple_car::Case compared(double ratio) {
 }
 
 Diagnosis diagnosed(const simple_car::Case& made) {
-    return diagnose(made.nominal, made.file, made.recorded,
-                    {effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")}, simple_car::options());
+    return diagnose::diagnosisOf(made.nominal, made.file, made.recorded,
+                                 {effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")},
+                                 simple_car::options());
 }
 
 TEST(Reference, WhatTheModelLackedAlreadyIsNoCause) {

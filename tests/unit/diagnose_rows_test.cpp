@@ -5,13 +5,30 @@
 #include <numbers>
 
 #include "base/random.h"
-#include "diagnose/disturbance.h"
-#include "diagnose/noise.h"
-#include "diagnose/replay.h"
-#include "diagnose/sliding.h"
+#include "diagnose/model/disturbance.h"
+#include "diagnose/model/noise.h"
+#include "recording/checks/left_out.h"
+#include "recording/diagnosis_file.h"
+#include "recording/recorded_drive.h"
+#include "recording/replay.h"
+#include "recording/sliding.h"
+#include "recording/subject.h"
 
 namespace tread {
 namespace {
+
+using recording::kBlock;
+
+using diagnose::model::Disturbances;
+using diagnose::model::RowNoise;
+using recording::RecordedDrive;
+using recording::recordedDrive;
+using recording::Recording;
+using recording::replayOf;
+using recording::slideApart;
+using recording::SpeedReplay;
+using recording::Subject;
+using recording::checks::leftOut;
 
 constexpr Eigen::Index kRows = 2000;
 

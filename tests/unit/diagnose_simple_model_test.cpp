@@ -6,21 +6,32 @@
 #include <cmath>
 #include <filesystem>
 
-#include "diagnose/diagnosis_json.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/answer/diagnosis_json.h"
+#include "diagnose/catalogue/effect.h"
+#include "diagnose/diagnose.h"
+#include "diagnose/options.h"
 #include "shared/scratch.h"
 #include "shared/simple_car.h"
 
 namespace tread {
 namespace {
 
+using diagnose::answer::Diagnosis;
+using diagnose::answer::diagnosisJson;
+using diagnose::answer::Estimate;
+using diagnose::answer::Verdict;
+using diagnose::catalogue::Direction;
+using diagnose::catalogue::Effect;
+
 using simple_car::effect;
 
 Diagnosis diagnosed(double ratio, int threads) {
     const simple_car::Case made =
         simple_car::recorded(ratio, loadVehicle(sourceFile("vehicles/compact.yaml")).aero.drag_area, 3);
-    return diagnose(made.nominal, made.file, made.recorded,
-                    {effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")},
-                    simple_car::options(threads));
+    return diagnose::diagnosisOf(made.nominal, made.file, made.recorded,
+                                 {effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")},
+                                 simple_car::options(threads));
 }
 
 TEST(DiagnosisOfASimpleCar, AnotherSteeringRatioIsNamedWithItsSize) {
@@ -44,9 +55,9 @@ TEST(DiagnosisOfASimpleCar, WhatChangesFromDriveToDriveIsUnknown) {
     constexpr std::array<double, 3> kRatios{13.5, 15, 18};
     for (std::size_t d = 0; d < kRatios.size(); ++d)
         made.recorded.logs[d] = simple_car::recorded(kRatios[d], drag, 5).recorded.logs[d];
-    const Diagnosis d =
-        diagnose(made.nominal, made.file, made.recorded,
-                 {effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")}, simple_car::options(2));
+    const Diagnosis d = diagnose::diagnosisOf(made.nominal, made.file, made.recorded,
+                                              {effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")},
+                                              simple_car::options(2));
     EXPECT_EQ(d.verdict, Verdict::unknown) << d.answer;
     EXPECT_TRUE(d.causes.empty());
     EXPECT_GT(d.probability_of_unknown, 0.5);
@@ -66,17 +77,18 @@ TEST(DiagnosisOfASimpleCar, WhatActsBeyondALimitIsNotPromisedToACarThatStaysWith
         "",
         "",
         {{.paths = {"brakes.stability_control.authority_offset"}, .typical = 1, .direction = Direction::up}}};
-    DiagnoseOptions options = simple_car::options();
+    diagnose::Options options = simple_car::options();
     options.simulate = driveWithControl;
     const auto promised = [&](double ratio) {
         simple_car::Case made = simple_car::recorded(ratio, 0.66, 3);
         made.file.tolerances = {{.path = "steering.ratio", .relative = 0.005}};
-        return diagnose(made.nominal, made.file, made.recorded, {effect("ratio", "steering.ratio"), control}, options);
+        return diagnose::diagnosisOf(made.nominal, made.file, made.recorded,
+                                     {effect("ratio", "steering.ratio"), control}, options);
     };
-    EXPECT_GT(promised(16.5).testable.at("control"), 100);
+    EXPECT_GT(promised(16.5).expected_evidence.at("control"), 100);
     const Diagnosis d = promised(14.5);
     EXPECT_EQ(d.causes, std::vector<std::string>{"ratio"}) << d.answer;
-    EXPECT_LT(d.testable.at("control"), 1);
+    EXPECT_LT(d.expected_evidence.at("control"), 1);
 }
 
 TEST(DiagnosisOfASimpleCar, AnswerIsTheSameToTheBitForOneAndTwoThreads) {
@@ -89,8 +101,8 @@ TEST(DiagnosisOfASimpleCar, TolerancesAllowWhatTheyDoToItsYawRate) {
     simple_car::Case made = simple_car::recorded(16.5, 0.66, 3);
     made.file.recordings.back().hold_out = true;
     made.file.tolerances = {{.path = "steering.ratio", .relative = 0.2}};
-    const Diagnosis d =
-        diagnose(made.nominal, made.file, made.recorded, {effect("drag", "aero.drag_area")}, simple_car::options());
+    const Diagnosis d = diagnose::diagnosisOf(made.nominal, made.file, made.recorded,
+                                              {effect("drag", "aero.drag_area")}, simple_car::options());
     ASSERT_EQ(d.overlays.size(), 3u);
     EXPECT_TRUE(d.overlays.back().allowed.channels.empty()) << "held out";
     for (std::size_t i = 0; i < 2; ++i) {
@@ -111,10 +123,11 @@ protected:
     simple_car::Case made = simple_car::recorded(14.5, 0.66, 3);
 
     Diagnosis diagnosed() const {
-        DiagnoseOptions options = simple_car::options();
+        diagnose::Options options = simple_car::options();
         options.cache = scratch.path("cache");
-        Diagnosis d = diagnose(made.nominal, made.file, made.recorded,
-                               {effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")}, options);
+        Diagnosis d =
+            diagnose::diagnosisOf(made.nominal, made.file, made.recorded,
+                                  {effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")}, options);
         d.seconds = 0;
         return d;
     }

@@ -3,10 +3,13 @@
 #include <set>
 
 #include "base/numbers.h"
-#include "diagnose/subject.h"
+#include "recording/subject.h"
 
 namespace tread {
 namespace {
+
+using recording::numberAt;
+using recording::Subject;
 
 TEST(DiagnosisSubject, CarKeepsItsPathsBesideRoadWindAndInstruments) {
     Subject subject;

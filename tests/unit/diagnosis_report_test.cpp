@@ -4,9 +4,12 @@
 
 #include <numbers>
 
-#include "diagnose/diagnosis_json.h"
-#include "diagnose/diagnosis_text.h"
-#include "diagnose/vehicle_with_effect.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/answer/diagnosis_json.h"
+#include "diagnose/answer/diagnosis_text.h"
+#include "diagnose/answer/vehicle_with_effect.h"
+#include "diagnose/answer/words.h"
+#include "recording/subject.h"
 #include "report/diagnosis_report.h"
 #include "shared/diagnosis_sample.h"
 #include "shared/page_charts.h"
@@ -15,6 +18,17 @@
 
 namespace tread {
 namespace {
+
+using diagnose::answer::ConfusablePair;
+using diagnose::answer::Diagnosis;
+using diagnose::answer::diagnosisJson;
+using diagnose::answer::diagnosisText;
+using diagnose::answer::Overlay;
+using diagnose::answer::probabilityInWords;
+using diagnose::answer::vehicleWithEffectYaml;
+using diagnose::answer::Verdict;
+using diagnose::answer::withCauses;
+using recording::Subject;
 
 std::string page(const Diagnosis& diagnosis) {
     return diagnosisReport({.title = "Diagnosis", .vehicle = "compact", .version = "0.1", .diagnosis = diagnosis});

@@ -1,4 +1,4 @@
-#include "diagnose/driver_inputs.h"
+#include "recording/driver_inputs.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,8 @@
 
 namespace tread {
 namespace {
+
+using recording::quietened;
 
 constexpr double kNoise = 0.002;  // rad
 

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/identification_text.h"
+#include "calibrate/identification.h"
+#include "calibrate/identification_text.h"
+#include "diagnose/answer/diagnosis.h"
+#include "recording/diagnosis_file.h"
 #include "report/identification_report.h"
 #include "shared/scratch.h"
 #include "shared/simple_car.h"
@@ -12,6 +15,15 @@
 
 namespace tread {
 namespace {
+
+using calibrate::calibratedVehicleYaml;
+using calibrate::FittedNumber;
+using calibrate::Identification;
+using calibrate::identificationJson;
+using calibrate::identificationText;
+using calibrate::otherNumbersInWords;
+using diagnose::answer::GapLevels;
+using recording::Recording;
 
 constexpr double kRatio = 15.2, kDrag = 0.85;  // of the true car; nominal: 16.5 and 0.66
 
@@ -24,7 +36,7 @@ simple_car::Case asked(std::uint64_t seed, std::vector<std::string> fit) {
 }
 
 Identification identified(const simple_car::Case& made) {
-    return identify(made.nominal, made.file, made.recorded, simple_car::options());
+    return calibrate::identificationOf(made.nominal, made.file, made.recorded, simple_car::options());
 }
 
 TEST(Identification, FindsThePlantedNumbersWithinThreeStandardDeviationsWhateverTheNoise) {

@@ -8,15 +8,37 @@
 #include "blind/make.h"
 #include "blind/score.h"
 #include "commands.h"
-#include "diagnose/sha256.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/catalogue/effect.h"
+#include "diagnose/catalogue/effects_to_consider.h"
+#include "diagnose/diagnose.h"
+#include "diagnose/options.h"
 #include "log/csv.h"
 #include "output.h"
 #include "progress.h"
+#include "recording/diagnosis_file.h"
 #include "report/blind_report.h"
+#include "store/sha256.h"
 #include "tread/load.h"
 
 namespace tread::program {
 namespace {
+
+using diagnose::answer::Diagnosis;
+using diagnose::catalogue::effectCatalogue;
+using diagnose::catalogue::effectsToConsider;
+using recording::DiagnosisFile;
+using recording::loadDiagnosis;
+using recording::nominalSubject;
+using recording::readRecordings;
+
+using tread::diagnose::answer::Diagnosis;
+using tread::diagnose::catalogue::effectCatalogue;
+using tread::diagnose::catalogue::effectsToConsider;
+using tread::recording::DiagnosisFile;
+using tread::recording::loadDiagnosis;
+using tread::recording::nominalSubject;
+using tread::recording::readRecordings;
 
 [[noreturn]] void refuse(const std::string& file, const std::string& text) {
     throw LoadError({{file, 0, 0, "", text}});
@@ -35,9 +57,10 @@ std::string madeOf(const BlindKey& key) {
 // A case as `tread blind make` wrote it.
 Diagnosis diagnosed(const Path& file, int threads) {
     const DiagnosisFile asked = loadDiagnosis(file);
-    DiagnoseOptions options;
+    tread::diagnose::Options options;
     options.threads = threads;
-    return diagnose(nominalSubject(asked), asked, readRecordings(asked), effectsToConsider(asked), options);
+    return tread::diagnose::diagnosisOf(nominalSubject(asked), asked, readRecordings(asked), effectsToConsider(asked),
+                                        options);
 }
 
 }  // namespace

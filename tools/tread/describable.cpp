@@ -9,17 +9,41 @@
 #include "compare/cross_plots.h"
 #include "compare/score.h"
 #include "compare/tolerances.h"
-#include "diagnose/diagnosis_file.h"
-#include "diagnose/subject_paths.h"
+#include "diagnose/catalogue/effect.h"
+#include "diagnose/catalogue/effects_to_consider.h"
 #include "import/import_map.h"
 #include "log/log_columns.h"
 #include "metrics/metrics.h"
+#include "recording/diagnosis_file.h"
+#include "recording/subject_paths.h"
 #include "run_inputs.h"
 #include "tread/load.h"
 #include "tyres_of.h"
 
 namespace tread::program {
 namespace {
+
+using diagnose::catalogue::Direction;
+using diagnose::catalogue::Effect;
+using diagnose::catalogue::effectCatalogue;
+using diagnose::catalogue::effectsToConsider;
+using diagnose::catalogue::Knob;
+using diagnose::catalogue::loadOwnEffects;
+using diagnose::catalogue::OwnEffects;
+using recording::checkedDiagnosis;
+using recording::DiagnosisFile;
+using recording::subjectNumber;
+
+using tread::diagnose::catalogue::Direction;
+using tread::diagnose::catalogue::Effect;
+using tread::diagnose::catalogue::effectCatalogue;
+using tread::diagnose::catalogue::effectsToConsider;
+using tread::diagnose::catalogue::Knob;
+using tread::diagnose::catalogue::loadOwnEffects;
+using tread::diagnose::catalogue::OwnEffects;
+using tread::recording::checkedDiagnosis;
+using tread::recording::DiagnosisFile;
+using tread::recording::subjectNumber;
 
 template <class T>
 std::vector<TopField> topOf() {

@@ -1,9 +1,12 @@
 #include <algorithm>
 
 #include "commands.h"
-#include "diagnose/diagnosis_json.h"
-#include "diagnose/diagnosis_text.h"
-#include "diagnose/vehicle_with_effect.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/answer/diagnosis_json.h"
+#include "diagnose/answer/diagnosis_text.h"
+#include "diagnose/answer/vehicle_with_effect.h"
+#include "diagnose/diagnose.h"
+#include "diagnose/options.h"
 #include "diagnose_check.h"
 #include "output.h"
 #include "progress.h"
@@ -13,6 +16,18 @@
 
 namespace tread::program {
 namespace {
+
+using diagnose::answer::Diagnosis;
+using diagnose::answer::diagnosisJson;
+using diagnose::answer::diagnosisText;
+using diagnose::answer::vehicleWithEffectYaml;
+using diagnose::answer::Verdict;
+
+using tread::diagnose::answer::Diagnosis;
+using tread::diagnose::answer::diagnosisJson;
+using tread::diagnose::answer::diagnosisText;
+using tread::diagnose::answer::vehicleWithEffectYaml;
+using tread::diagnose::answer::Verdict;
 
 int statusOf(const Diagnosis& diagnosis) {
     return diagnosis.verdict == Verdict::unknown || diagnosis.verdict == Verdict::not_testable ? kNo : kYes;
@@ -26,7 +41,7 @@ int diagnose(const DiagnoseRequest& request) {
         throw LoadError({{"tread diagnose", 0, 0, "", "found no file, expected diagnosis.yaml, or --init FOLDER"}});
     const DiagnosisInputs inputs = readDiagnosisInputs(request.file, request.data, request.vehicle);
     const Path out = request.output.empty() ? Path("out") : Path(request.output);
-    DiagnoseOptions options;
+    tread::diagnose::Options options;
     options.threads = request.threads;
     options.cache = out / "cache";
     if (request.check) return checkData(inputs, options, request.json);
@@ -37,7 +52,7 @@ int diagnose(const DiagnoseRequest& request) {
         Progress bar(100, "%");
         options.possible_next = shippedDrives();
         options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
-        diagnosis = tread::diagnose(inputs.nominal, inputs.file, inputs.recorded, inputs.effects, options);
+        diagnosis = tread::diagnose::diagnosisOf(inputs.nominal, inputs.file, inputs.recorded, inputs.effects, options);
     }
     warn("diagnose", diagnosis.data_warnings);
     diagnosis.data_warnings.insert(diagnosis.data_warnings.begin(), inputs.warnings.begin(), inputs.warnings.end());

@@ -8,13 +8,47 @@
 #include <stdexcept>
 
 #include "base/yaml_position.h"
-#include "diagnose/diagnosis_json.h"
+#include "diagnose/answer/diagnosis_json.h"
+#include "diagnose/answer/precheck.h"
+#include "diagnose/catalogue/effect.h"
+#include "diagnose/catalogue/effects_to_consider.h"
+#include "diagnose/options.h"
 #include "diagnose/precheck.h"
 #include "output.h"
 #include "progress.h"
+#include "recording/checks/data_checks.h"
+#include "recording/diagnosis_file.h"
 
 namespace tread::program {
 namespace {
+
+using diagnose::answer::confusableJson;
+using diagnose::answer::Precheck;
+using diagnose::answer::precheckText;
+using diagnose::answer::Visibility;
+using diagnose::answer::visibility;
+using diagnose::catalogue::applies;
+using diagnose::catalogue::Effect;
+using diagnose::catalogue::effectsToConsider;
+using recording::loadDiagnosis;
+using recording::nominalSubject;
+using recording::readRecordings;
+using recording::checks::DataWarning;
+using recording::checks::dataWarnings;
+
+using tread::diagnose::answer::confusableJson;
+using tread::diagnose::answer::Precheck;
+using tread::diagnose::answer::precheckText;
+using tread::diagnose::answer::Visibility;
+using tread::diagnose::answer::visibility;
+using tread::diagnose::catalogue::applies;
+using tread::diagnose::catalogue::Effect;
+using tread::diagnose::catalogue::effectsToConsider;
+using tread::recording::loadDiagnosis;
+using tread::recording::nominalSubject;
+using tread::recording::readRecordings;
+using tread::recording::checks::DataWarning;
+using tread::recording::checks::dataWarnings;
 
 struct Checked {
     std::vector<std::string> warnings;  // of the data, and of drives that the nominal car cannot repeat
@@ -22,12 +56,13 @@ struct Checked {
     Visibility groups;
 };
 
-Checked check(const DiagnosisInputs& inputs, DiagnoseOptions options) {
+Checked check(const DiagnosisInputs& inputs, tread::diagnose::Options options) {
     Checked checked{inputs.warnings, {}, {}};
     Progress bar(100, "%");
     options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
     try {
-        checked.precheck = precheck(inputs.nominal, inputs.file, inputs.recorded, inputs.effects, options);
+        checked.precheck =
+            tread::diagnose::precheckOf(inputs.nominal, inputs.file, inputs.recorded, inputs.effects, options);
     } catch (const std::invalid_argument& error) {
         checked.warnings.push_back(
             fmt::format("{}; so nothing can be said of what the drives could show. Look at "
@@ -36,12 +71,12 @@ Checked check(const DiagnosisInputs& inputs, DiagnoseOptions options) {
     }
     const std::vector<std::string>& more = checked.precheck.warnings;
     checked.warnings.insert(checked.warnings.end(), more.begin(), more.end());
-    checked.groups = visibility(checked.precheck.testable);
+    checked.groups = visibility(checked.precheck.expected_evidence);
     return checked;
 }
 
 std::string answer(std::size_t recordings, const Checked& checked) {
-    const std::size_t warnings = checked.warnings.size(), effects = checked.precheck.testable.size();
+    const std::size_t warnings = checked.warnings.size(), effects = checked.precheck.expected_evidence.size();
     std::string words = fmt::format("{} recording{}", recordings, recordings == 1 ? "" : "s");
     words = warnings == 0 ? words + (recordings == 1 ? " is fine" : " are fine")
                           : fmt::format("{} warning{} about {}", warnings, warnings == 1 ? "" : "s", words);
@@ -98,14 +133,14 @@ void warn(const char* command, const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings) fmt::print(stderr, "tread {}: {}\n", command, warning);
 }
 
-int checkData(const DiagnosisInputs& inputs, DiagnoseOptions options, bool json) {
+int checkData(const DiagnosisInputs& inputs, tread::diagnose::Options options, bool json) {
     const Checked checked = check(inputs, std::move(options));
     const std::string words = answer(inputs.recorded.logs.size(), checked);
     const std::vector<std::string> without = effectsWithoutNumbers(inputs);
     if (json) {
         printJson({{"answer", words},
                    {"data_warnings", checked.warnings},
-                   {"testable", checked.precheck.testable},
+                   {"expected_evidence", checked.precheck.expected_evidence},
                    {"confusable", confusableJson(checked.precheck.confusable)},
                    {"can_be_found", namesOf(checked.groups.found)},
                    {"may_show", namesOf(checked.groups.perhaps)},

@@ -5,18 +5,21 @@
 #include <vector>
 
 #include "commands.h"
-#include "diagnose/data_checks.h"
-#include "diagnose/diagnosis.h"
-#include "diagnose/diagnosis_file.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/catalogue/effect.h"
+#include "diagnose/options.h"
+#include "recording/checks/data_checks.h"
+#include "recording/diagnosis_file.h"
+#include "recording/subject.h"
 
 namespace tread::program {
 
 // A diagnosis and all that it names, read; with `vehicle`, that is the nominal car. Throws LoadError with every fault.
 struct DiagnosisInputs {
-    DiagnosisFile file;
-    Subject nominal;
-    std::vector<Effect> effects;
-    Recorded recorded;
+    recording::DiagnosisFile file;
+    recording::Subject nominal;
+    std::vector<diagnose::catalogue::Effect> effects;
+    recording::Recorded recorded;
     std::vector<std::string> warnings;  // of reading and of the data checks, one sentence or two each
 };
 DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const std::string& vehicle);
@@ -25,7 +28,7 @@ DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const st
 void warn(const char* command, const std::vector<std::string>& warnings);
 
 // Prints what the data checks found and what the drives could show of each effect; kNo when there are warnings.
-int checkData(const DiagnosisInputs& inputs, DiagnoseOptions options, bool json);
+int checkData(const DiagnosisInputs& inputs, tread::diagnose::Options options, bool json);
 
 // Writes a first diagnosis.yaml for the logs of a folder, and says what is left to fill in.
 int initDiagnosis(const Path& folder, const std::string& vehicle);

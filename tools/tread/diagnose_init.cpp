@@ -6,9 +6,16 @@
 #include "base/number_text.h"
 #include "diagnose_check.h"
 #include "output.h"
+#include "recording/diagnosis_file.h"
 
 namespace tread::program {
 namespace {
+
+using recording::DiagnosisFile;
+using recording::readRecordings;
+
+using tread::recording::DiagnosisFile;
+using tread::recording::readRecordings;
 
 bool isLog(const Path& file) {
     const std::string extension = file.extension().string();

@@ -1,17 +1,33 @@
 #include <algorithm>
 
 #include "base/yaml_session.h"
+#include "calibrate/identification.h"
+#include "calibrate/identification_text.h"
 #include "commands.h"
-#include "diagnose/identification_text.h"
-#include "diagnose/subject_paths.h"
+#include "diagnose/options.h"
 #include "diagnose_check.h"
 #include "output.h"
 #include "progress.h"
+#include "recording/subject_paths.h"
 #include "report/identification_report.h"
 #include "stages.h"
 
 namespace tread::program {
 namespace {
+
+using calibrate::calibratedVehicleYaml;
+using calibrate::FittedNumber;
+using calibrate::Identification;
+using calibrate::identificationJson;
+using calibrate::identificationText;
+using recording::pathFault;
+
+using tread::calibrate::calibratedVehicleYaml;
+using tread::calibrate::FittedNumber;
+using tread::calibrate::Identification;
+using tread::calibrate::identificationJson;
+using tread::calibrate::identificationText;
+using tread::recording::pathFault;
 
 void judgePaths(const std::vector<std::string>& paths) {
     std::vector<Problem> problems;
@@ -41,11 +57,11 @@ int identify(const IdentifyRequest& request) {
     Identification found;
     {
         Progress bar(100, "%");
-        DiagnoseOptions options;
+        tread::diagnose::Options options;
         options.threads = request.threads;
         options.cache = out / "cache";
         options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
-        found = tread::identify(inputs.nominal, inputs.file, inputs.recorded, options);
+        found = tread::calibrate::identificationOf(inputs.nominal, inputs.file, inputs.recorded, options);
     }
     std::vector<std::string>& warnings = found.gap.data_warnings;
     warn("identify", warnings);

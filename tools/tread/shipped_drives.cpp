@@ -5,10 +5,15 @@
 
 #include "base/setting.h"
 #include "commands.h"
+#include "diagnose/options.h"
 #include "scenario/load.h"
 
 namespace tread::program {
 namespace {
+
+using diagnose::PossibleDrive;
+
+using tread::diagnose::PossibleDrive;
 
 struct Shipped {
     const char* file;

@@ -3,12 +3,13 @@
 
 #include <vector>
 
-#include "diagnose/diagnosis.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/options.h"
 
 namespace tread::program {
 
 // Those that are found: in this folder, or where the program is built or installed. Each is named as `tread run` takes
 // it: "scenarios/step_steer_80.yaml --set scenario.start.speed=30".
-std::vector<PossibleDrive> shippedDrives();
+std::vector<diagnose::PossibleDrive> shippedDrives();
 
 }  // namespace tread::program

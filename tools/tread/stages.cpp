@@ -1,8 +1,13 @@
 #include "stages.h"
 
+#include "diagnose/answer/diagnosis.h"
 #include "log/csv.h"
 
 namespace tread::program {
+
+using diagnose::answer::Overlay;
+
+using tread::diagnose::answer::Overlay;
 
 void writeStages(const std::vector<Overlay>& overlays, const Path& folder) {
     for (const Overlay& overlay : overlays) {

@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "commands.h"
-#include "diagnose/diagnosis.h"
+#include "diagnose/answer/diagnosis.h"
 
 namespace tread::program {
 
 // A folder per recording: measured.csv (less what the model lacked in a reference), nominal.csv, calibrated.csv,
 // extended.csv.
-void writeStages(const std::vector<Overlay>& overlays, const Path& folder);
+void writeStages(const std::vector<diagnose::answer::Overlay>& overlays, const Path& folder);
 
 }  // namespace tread::program

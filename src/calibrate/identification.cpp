@@ -1,0 +1,229 @@
+#include "calibrate/identification.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+#include "base/number_text.h"
+#include "base/numbers.h"
+#include "base/pattern.h"
+#include "base/yaml_session.h"
+#include "calibrate/identification_text.h"
+#include "diagnose/explain/how_far.h"
+#include "diagnose/explain/where.h"
+#include "recording/reference.h"
+
+namespace tread::calibrate {
+namespace {
+
+namespace model = diagnose::model;
+namespace select = diagnose::select;
+namespace explain = diagnose::explain;
+using model::Deviation;
+using model::Parameter;
+using model::Problem;
+using model::Rows;
+using recording::Subject;
+using select::Fit;
+
+constexpr int kRounds = 6;             // of fitting and linearising at the fit
+constexpr double kSettled = 0.1;       // prior standard deviations that a round moved the numbers
+constexpr double kUndetermined = 0.9;  // of the prior's standard deviation that the drives leave
+constexpr double kNearBound = 1e-6;    // units
+const std::string kChosen = "fitted numbers";
+
+bool isChosen(const recording::DiagnosisFile& file, const std::string& path) {
+    return std::any_of(file.fit.begin(), file.fit.end(), [&](const std::string& one) { return matches(one, path); });
+}
+
+// What is asked for and cannot be fitted.
+void judgeChoice(const recording::DiagnosisFile& file, const Subject& nominal,
+                 const std::vector<Parameter>& uncertain) {
+    std::vector<tread::Problem> problems;
+    const auto add = [&](std::size_t i, std::string text) {
+        problems.push_back({"", 0, 0, "fit." + std::to_string(i), std::move(text)});
+    };
+    if (file.fit.empty())
+        problems.push_back({"", 0, 0, "fit", "found no number to fit, expected paths, e.g. front.tyre.lambda.Ky"});
+    Subject subject = nominal;
+    const std::vector<Number> all = numbers(subject);
+    for (std::size_t i = 0; i < file.fit.size(); ++i) {
+        const std::string& path = file.fit[i];
+        if (std::none_of(all.begin(), all.end(), [&](const Number& n) { return matches(path, n.path); }))
+            add(i, "found " + quote(path) + ", a number that this car does not have");
+        else if (std::none_of(uncertain.begin(), uncertain.end(),
+                              [&](const Parameter& p) { return matches(path, p.name()); }))
+            add(i, "found " + quote(path) +
+                       ", of which nothing says how well it is known; say it under tolerances: {path: " + path +
+                       ", absolute: ...}");
+    }
+    throwIfAny(std::move(problems));
+}
+
+// The chosen numbers are the knobs of the only effect; all other tolerances are nuisances.
+model::Differences differencesOf(const recording::DiagnosisFile& file, const Subject& nominal) {
+    model::Differences all;
+    all.parameters = model::nuisances(nominal, file.tolerances);
+    judgeChoice(file, nominal, all.parameters);
+    all.effects = {diagnose::catalogue::Effect{.name = kChosen, .question = {}, .source = {}, .knobs = {}}};
+    all.knobs.resize(1);
+    for (Eigen::Index i = 0; i < std::ssize(all.parameters); ++i)
+        (isChosen(file, all.parameters[i].name()) ? all.knobs[0] : all.nuisances).push_back(i);
+    return all;
+}
+
+// A fit, and what it was made with. So that a model that cannot be right is not forced onto what it cannot explain, all
+// that is uncertain in the recordings is taken as larger by as much as it leaves; while the car is still far off, that
+// keeps the fit near what is known before.
+struct Round {
+    model::Uncertainty uncertainty;            // of the recordings about the point
+    model::Uncertainty larger;                 // times the Birge ratio: with this it is fitted
+    model::Linearisation about, about_larger;  // with the one and with the other
+    double birge_ratio = 1;
+    Fit fit;
+};
+
+// All but the fit; `relevant`: nuisances; none: those that are found here.
+Round roundAt(const Problem& problem, model::Sensitivities about, std::vector<double> until,
+              const std::vector<Eigen::Index>* relevant) {
+    Round round;
+    round.uncertainty = model::uncertaintyAt(problem.replays, problem.drives, about.at, about.rows, std::move(until));
+    const std::vector<Eigen::Index> kept =
+        relevant ? *relevant : model::relevantNuisances(problem.nuisances, about, round.uncertainty);
+    round.about = model::linearisation(about, kept, round.uncertainty);
+    round.uncertainty.sizes = select::disturbanceSizes(
+        problem.drives, round.uncertainty,
+        model::productsWith(problem.allKnobs(), problem.drives, round.about, round.uncertainty));
+    round.birge_ratio = model::birgeRatio(problem.drives, round.uncertainty, about.rows);
+    round.larger = round.uncertainty;
+    for (model::RowNoise& noise : round.larger.noise) noise.deviation *= round.birge_ratio;
+    round.about_larger = model::linearisation(std::move(about), kept, round.larger);
+    return round;
+}
+
+// The last round, and what the first one found.
+struct Settled {
+    Round round;
+    Rows nominal;  // what the nominal car does
+    bool settled = false;
+};
+
+// Fits, and takes all sensitivities anew about the fit, until it moves little.
+std::optional<Settled> settled(const Problem& problem, const diagnose::Progress& progress) {
+    const std::vector<Eigen::Index>& knobs = problem.knobs[0];
+    std::vector<Eigen::Index> wanted = model::joined(problem.nuisances, knobs), relevant;
+    std::vector<double> until = model::endsOf(problem.drives);
+    std::optional<Settled> result;
+    Deviation at = problem.replays.origin();
+    Rows nominal;
+    for (int i = 0; i < kRounds; ++i) {
+        model::Sensitivities about =
+            model::sensitivities(problem.replays, problem.drives, at, {.parameters = wanted},
+                                 [&](double share) { progress((i + share) / kRounds, "sensitivities"); });
+        if (i == 0) model::expectDriven(problem.drives, about);
+        else if (std::any_of(about.rows.begin(), about.rows.end(), [](const auto& r) { return r.size() == 0; })) break;
+        if (i == 0) nominal = about.rows;
+        Round round = roundAt(problem, std::move(about), until, i == 0 ? nullptr : &relevant);
+        until = round.uncertainty.until;
+        relevant = round.about.nuisances;
+        if (i == 0) wanted = model::joined(relevant, knobs);
+        std::optional<Fit> fit =
+            select::fitted(problem.replays, problem.drives, round.larger, round.about_larger, knobs, at);
+        if (!fit) break;
+        const double moved = (fit->at - at)(knobs).cwiseAbs().maxCoeff();
+        at = fit->at;
+        round.fit = std::move(*fit);
+        result = Settled{std::move(round), nominal, i > 0 && moved < kSettled};
+        if (result->settled) break;
+    }
+    return result;
+}
+
+FittedNumber numberOf(const Parameter& parameter, double units, double sd) {
+    const Parameter::Move& one = parameter.moves.front();
+    const double low = one.nominal + parameter.lowest * one.by, high = one.nominal + parameter.highest * one.by;
+    return {.path = one.path,
+            .value = one.nominal + units * one.by,
+            .sd = sd * std::abs(one.by),
+            .nominal = one.nominal,
+            .prior_sd = std::abs(one.by),
+            .lowest = std::min(low, high),
+            .highest = std::max(low, high),
+            .z = units,
+            .at_bound = units < parameter.lowest + kNearBound || units > parameter.highest - kNearBound,
+            .determined = sd < kUndetermined};
+}
+
+void tellNumbers(Identification& found, const Problem& problem, const Fit& fit) {
+    for (Eigen::Index i = 0; i < std::ssize(fit.free); ++i) {
+        const Parameter& parameter = problem.replays.parameters[fit.free[i]];
+        const double units = fit.at(fit.free[i]), sd = std::sqrt(fit.covariance(i, i));
+        const FittedNumber number = numberOf(parameter, units, sd);
+        if (i < fit.nuisances()) found.gap.nuisance[number.path] = {number.value, number.sd, units};
+        else found.numbers.push_back(number);
+    }
+}
+
+// How the numbers hang together.
+void tellShape(Identification& found, const Round& round) {
+    const Fit& fit = round.fit;
+    const Eigen::Index knobs = std::ssize(found.numbers), nuisances = fit.nuisances();
+    const Eigen::MatrixXd left = fit.covariance.bottomRightCorner(knobs, knobs);
+    for (Eigen::Index i = 0; i < knobs; ++i) {
+        std::vector<double> row;
+        for (Eigen::Index j = 0; j < knobs; ++j) row.push_back(left(i, j) / std::sqrt(left(i, i) * left(j, j)));
+        found.correlation.push_back(std::move(row));
+    }
+    const model::NormalEquations sum = model::normalEquations(round.larger, fit.products, round.larger.sizes);
+    const Eigen::MatrixXd seen = inference::withoutFirst(sum, nuisances).products.topLeftCorner(knobs, knobs);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> shape(seen);
+    const double least = shape.eigenvalues()(0), most = shape.eigenvalues()(knobs - 1);
+    found.condition = least > 0 ? most / least : kInfinity;
+    for (Eigen::Index i = 0; i < knobs; ++i) found.weakest[found.numbers[i].path] = shape.eigenvectors()(i, 0);
+}
+
+// The stages of the gap: the nominal car, the chosen numbers alone, and all that was fitted.
+void tellGap(Identification& found, const Problem& problem, Settled settled) {
+    Round& round = settled.round;
+    Deviation alone = problem.replays.origin();
+    for (const Eigen::Index k : round.fit.knobs) alone(k) = round.fit.at(k);
+    select::Calibration car{
+        problem, std::move(settled.nominal), {}, std::move(round.uncertainty), std::move(round.about), {}, {}};
+    car.fit.at = problem.replays.origin();
+    found.gap.causes = {kChosen};
+    found.gap.where = explain::whereItLies(car, explain::missingForce(car));
+    explain::howFar(found.gap, car, {alone, round.fit});
+}
+
+}  // namespace
+
+Identification identificationOf(const Subject& nominal, recording::DiagnosisFile file, recording::Recorded recorded,
+                                const diagnose::Options& options) {
+    const auto started = std::chrono::steady_clock::now();
+    Identification found;
+    found.of_references = recording::beforeTheChange(file, recorded);
+    const Problem problem = model::problemOf(
+        nominal, file, recorded, [&](bool) { return differencesOf(file, nominal); }, options);
+    std::optional<Settled> result = settled(problem, diagnose::partOf(options.progress, 0, 0.9));
+    if (!result) throw SimulationError("the nominal car cannot be driven in the recordings", 0);
+
+    found.converged = result->settled;
+    found.birge_ratio = result->round.birge_ratio;
+    tellNumbers(found, problem, result->round.fit);
+    tellShape(found, result->round);
+    tellGap(found, problem, std::move(*result));
+    const diagnose::answer::HowFar& how_far = found.gap.how_far;
+    found.better = how_far.in_sample ? how_far.training.calibrated < how_far.training.nominal
+                                     : how_far.held_out.calibrated < how_far.held_out.nominal;
+    options.progress(1, "done");
+    found.gap.simulations = problem.replays.simulations.value();
+    found.gap.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    found.answer = found.gap.answer = identificationInWords(found);
+    return found;
+}
+
+}  // namespace tread::calibrate

@@ -1,0 +1,176 @@
+#include "calibrate/identification_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/answer/diagnosis_json.h"
+#include "recording/subject_paths.h"
+#include "tread/load.h"
+
+namespace tread::calibrate {
+namespace {
+
+using diagnose::answer::GapLevels;
+using diagnose::answer::HowFar;
+using diagnose::answer::NuisanceEstimate;
+using recording::isOfTheCar;
+using recording::numberAt;
+using recording::Subject;
+using recording::subjectNumber;
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kNotJustNoise = 1.2;
+constexpr double kMost = 0.5;  // of the squared gap that can be closed
+constexpr double kMoved = 1;   // prior standard deviations from which a number counts as moved
+constexpr std::size_t kNamed = 3;
+constexpr double kAlike = 0.9;   // correlation from which two numbers are told to be known together only
+constexpr double kFarMoved = 2;  // prior standard deviations
+constexpr double kBadly = 1e4;   // condition from which it is worth a line
+constexpr double kPartOf = 0.3;  // share of the weakest mixture from which a number is named
+
+std::string names(const std::vector<FittedNumber>& numbers, bool FittedNumber::*which, bool value) {
+    std::string list;
+    for (const FittedNumber& one : numbers)
+        if (one.*which == value) list += (list.empty() ? "" : ", ") + one.path;
+    return list;
+}
+
+const GapLevels& judged(const HowFar& how_far) {
+    return how_far.in_sample ? how_far.training : how_far.held_out;
+}
+
+std::string pairsOf(const Identification& found) {
+    std::string text;
+    for (std::size_t i = 0; i < found.numbers.size(); ++i) {
+        for (std::size_t j = i + 1; j < found.numbers.size(); ++j) {
+            if (std::abs(found.correlation[i][j]) < kAlike) continue;
+            text += fmt::format("TOGETHER  {} and {}: correlation {:.2f}\n", found.numbers[i].path,
+                                found.numbers[j].path, found.correlation[i][j]);
+        }
+    }
+    if (!(found.condition > kBadly)) return text;
+    std::string mixture;
+    for (const auto& [path, share] : found.weakest)
+        if (std::abs(share) > kPartOf) mixture += fmt::format("{}{} {:+.2f}", mixture.empty() ? "" : ", ", path, share);
+    return text + fmt::format("WEAKEST   condition {:.1e}; seen least: {}\n", found.condition, mixture);
+}
+
+}  // namespace
+
+std::string identificationInWords(const Identification& found) {
+    const std::size_t n = found.numbers.size();
+    const auto determined = std::count_if(found.numbers.begin(), found.numbers.end(),
+                                          [](const FittedNumber& one) { return one.determined; });
+    const GapLevels& level = judged(found.gap.how_far);
+    std::string text =
+        fmt::format("{} of {} number{} determined by these drives; gap {} {:.2f} -> {:.2f}", determined, n,
+                    n == 1 ? " is" : "s are", found.gap.how_far.in_sample ? "in the same drives" : "in held-out drives",
+                    level.nominal, level.calibrated);
+    text += fmt::format(" (the rest within tolerance, too: {:.2f}, noise floor {:.2f})", level.extended, level.floor);
+    if (!found.better) text += "; that is no better than the nominal car: do not use it";
+    if (!found.converged) text += "; the fit has not settled: numbers and errors are doubtful";
+    return text;
+}
+
+std::string otherNumbersInWords(const Identification& found) {
+    const GapLevels& level = judged(found.gap.how_far);
+    const auto closed = [&](double by) { return level.nominal * level.nominal - by * by; };
+    if (level.nominal < kNotJustNoise * level.floor || closed(level.calibrated) > kMost * closed(level.extended))
+        return {};
+    std::vector<std::pair<std::string, NuisanceEstimate>> moved;
+    for (const auto& one : found.gap.nuisance)
+        if (std::abs(one.second.z) > kMoved) moved.push_back(one);
+    if (moved.empty()) return {};
+    std::stable_sort(moved.begin(), moved.end(),
+                     [](const auto& a, const auto& b) { return std::abs(a.second.z) > std::abs(b.second.z); });
+    std::string list;
+    for (std::size_t i = 0; i < std::min(moved.size(), kNamed); ++i)
+        list += fmt::format("{}{} ({:+.1f})", i > 0 ? ", " : "", moved[i].first, moved[i].second.z);
+    return "most of the gap is closed by numbers that were not asked for, moved by so many standard deviations: " +
+           list;
+}
+
+std::string identificationText(const Identification& found) {
+    std::size_t width = 6;
+    for (const FittedNumber& one : found.numbers) width = std::max(width, one.path.size());
+    std::string text = found.answer + "\n";
+    if (found.of_references)
+        text +=
+            "BEFORE    fitted to the references: the car as it was before the change, in the drives that have one\n";
+    text += fmt::format("{:<{}}  {:>10}  {:>8}  {:>10}  {:>8}\n", "number", width, "value", "+-", "nominal", "+-");
+    for (const FittedNumber& one : found.numbers) {
+        const ReferenceRow* row = subjectNumber(one.path);
+        text += fmt::format("{:<{}}  {:>10.5g}  {:>8.2g}  {:>10.5g}  {:>8.2g}  {}{}{}{}\n", one.path, width, one.value,
+                            one.sd, one.nominal, one.prior_sd, row && row->unit != "-" ? row->unit : "",
+                            one.at_bound ? "  at its bound: known worse than was told?" : "",
+                            one.determined ? "" : "  not determined: as uncertain as before",
+                            !one.at_bound && std::abs(one.z) > kFarMoved
+                                ? fmt::format("  {:.1f} standard deviations from nominal", one.z)
+                                : "");
+    }
+    text += pairsOf(found);
+    if (const std::string others = otherNumbersInWords(found); !others.empty()) text += "OTHERS    " + others + "\n";
+    if (found.birge_ratio > kNotJustNoise)
+        text += fmt::format(
+            "LEFT      {:.1f} times the noise in the fitted drives: the model lacks something; errors are scaled by "
+            "it\n",
+            found.birge_ratio);
+    if (found.gap.how_far.in_sample)
+        text += "no recording is held out: the gap is judged on the drives that were fitted, too favourably\n";
+    return text;
+}
+
+Json identificationJson(const Identification& found) {
+    Json numbers = Json::object();
+    for (const FittedNumber& one : found.numbers) {
+        numbers[one.path] = {{"value", one.value},
+                             {"sd", one.sd},
+                             {"nominal", one.nominal},
+                             {"prior_sd", one.prior_sd},
+                             {"lowest", one.lowest},
+                             {"highest", one.highest},
+                             {"z", one.z},
+                             {"at_bound", one.at_bound},
+                             {"determined", one.determined}};
+    }
+    const Json gap = diagnosisJson(found.gap);
+    return {{"answer", found.answer},
+            {"numbers", numbers},
+            {"correlation", found.correlation},
+            {"condition", found.condition},
+            {"weakest", found.weakest},
+            {"fitted_to", found.of_references ? "references" : "recordings"},
+            {"not_determined", names(found.numbers, &FittedNumber::determined, false)},
+            {"birge_ratio", found.birge_ratio},
+            {"converged", found.converged},
+            {"better", found.better},
+            {"how_far", gap["how_far"]},
+            {"where", gap["where"]},
+            {"nuisance", gap["nuisance"]},
+            {"data_warnings", gap["data_warnings"]},
+            {"seconds", gap["seconds"]},
+            {"simulations", gap["simulations"]}};
+}
+
+std::string calibratedVehicleYaml(const recording::Subject& nominal, const Identification& found) {
+    Subject calibrated = nominal;
+    std::string head = "# " + found.answer + ".\n", beside, tolerances;
+    if (found.of_references) head += "# Fitted to the references: the car as it was before the change.\n";
+    for (const FittedNumber& one : found.numbers) {
+        const ReferenceRow* row = subjectNumber(one.path);
+        const bool car = isOfTheCar(one.path);
+        (car ? head : beside) += fmt::format("#   {} = {:.5g}{} (+- {:.2g}), nominal {:.5g}{}\n", one.path, one.value,
+                                             row && row->unit != "-" ? " " + row->unit : "", one.sd, one.nominal,
+                                             one.determined ? "" : ", not determined by the drives");
+        if (double* number = numberAt(calibrated, one.path); number && car) *number = one.value;
+        tolerances += fmt::format("#   - {{path: {}, absolute: {:.3g}}}\n", one.path, one.sd * std::sqrt(3.0));
+    }
+    if (!beside.empty()) head += "# Not of the car, and therefore not in this file:\n" + beside;
+    return head + "# As well as it is known now, for the tolerances of a diagnosis:\n" + tolerances +
+           vehicleYaml(calibrated.vehicle);
+}
+
+}  // namespace tread::calibrate

@@ -1,0 +1,122 @@
+// What a diagnosis answers; `diagnosis.json` is this, name by name.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "log/log.h"
+
+namespace tread::diagnose::answer {
+
+enum class Verdict { explained, nothing, ambiguous, unknown, not_testable };
+
+struct Estimate {  // of a parameter
+    double value = 0, sd = 0, low = 0, high = 0, neutral = 0;
+    bool at_bound = false;
+};
+
+struct RankedEffect {
+    std::string name;
+    double probability = 0;
+    double log_evidence = 0;                     // nats, over that of no effect
+    std::map<std::string, Estimate> parameters;  // by path
+};
+
+using Shares = std::map<std::string, double>;  // sum to 1
+
+struct WhereItLies {
+    Shares channels, recordings, phases, bands, regimes, generalised_force;
+    Shares axle_force;                                    // front, rear: side force that would do what is missing
+    std::map<std::string, Shares> channels_of_recording;  // the heat map; all of them sum to 1
+};
+
+// Root mean square of the gap in noise units; `floor` is what a perfect model would leave.
+struct GapLevels {
+    double nominal = 0, calibrated = 0, extended = 0, floor = 0;
+};
+
+struct HowFar {
+    GapLevels training, held_out;
+    double closure = 0, closure_low = 0, closure_high = 0;  // share of the nominal car's gap to the true one
+    bool in_sample = false;                                 // no recording was held out
+};
+
+struct NuisanceEstimate {
+    double value = 0, sd = 0, z = 0;
+};
+
+struct ConfusablePair {
+    std::string a, b;
+    double cosine = 0;      // of their signatures, nuisances projected out
+    double separation = 0;  // nats at typical size
+    std::string manoeuvre;  // recording that separates them most
+};
+
+struct NextDrive {
+    std::string scenario;
+    std::vector<std::string> one, other;  // causes that it tells apart; without `other`: the first from none
+    double nats = 0;
+};
+
+// That forces follow which no effect of the catalogue explains.
+struct ForceLaw {
+    std::string follows = {};                         // in words; empty when the gain is not clear
+    std::string unit = {};                            // of what they follow
+    std::map<std::string, double> coefficients = {};  // of each generalised force: N or N m per unit
+    std::string generalised_force = {};               // the largest of them; empty when effects act, too
+    double gain = 0;                                  // nats over the best model
+};
+
+struct Moment {
+    std::string recording = {};  // empty: none
+    double time = 0;             // s
+};
+
+struct Unexplained {
+    double share = 0;               // of the gap that the best answer leaves
+    std::string generalised_force;  // longitudinal, lateral, yaw, roll: where it acts
+    Moment when;                    // it acts most
+    ForceLaw law = {};              // that it follows, if any
+};
+
+// What simpler methods would answer: the name of one effect, or "none".
+struct Baselines {
+    std::string largest_reduction;  // of the squared gap, by one effect and nothing else
+    std::string bic;                // least Bayesian information criterion, tolerances free, disturbances unheard of
+};
+
+// Time histories for the report and the logs: measured, nominal, calibrated and with the effect.
+struct Overlay {
+    std::string recording;
+    bool hold_out = false;
+    Log measured, nominal, calibrated, extended;
+    Log allowed = {};  // standard deviation that the tolerances give the nominal car; empty for held-out drives
+};
+
+struct Diagnosis {
+    Verdict verdict = Verdict::not_testable;
+    std::string answer;  // in words
+    std::vector<std::string> causes;
+    std::vector<std::vector<std::string>> alternatives;  // instead of the causes, each as many as they
+    std::vector<RankedEffect> effects;                   // best first
+    double probability_of_nothing = 0;                   // none of the effects, or only such as have not shown
+    double probability_of_unknown = 0;
+    WhereItLies where;
+    HowFar how_far;
+    std::map<std::string, NuisanceEstimate> nuisance;
+    std::map<std::string, double> expected_evidence;  // nats, of each effect at its typical size
+    std::vector<ConfusablePair> confusable;
+    std::vector<NextDrive> next;
+    Unexplained unexplained;
+    std::vector<std::string> credible_set;
+    std::map<std::string, double> constancy;  // p of one value in all drives
+    Baselines baselines;
+    bool compared = false;  // every recording has a reference
+    std::vector<std::string> data_warnings;
+    double seconds = 0;
+    int simulations = 0;
+    std::vector<Overlay> overlays;
+};
+
+}  // namespace tread::diagnose::answer

@@ -1,0 +1,120 @@
+#include "diagnose/answer/diagnosis_json.h"
+
+#include <algorithm>
+#include <array>
+
+#include "diagnose/answer/words.h"
+
+namespace tread::diagnose::answer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 5> kNames{"explained", "nothing", "ambiguous", "unknown", "not_testable"};
+
+Json parametersOf(const RankedEffect& effect) {
+    Json json = Json::object();
+    for (const auto& [path, e] : effect.parameters) {
+        json[path] = {{"value", e.value}, {"sd", e.sd},           {"low", e.low},
+                      {"high", e.high},   {"neutral", e.neutral}, {"at_bound", e.at_bound}};
+    }
+    return json;
+}
+
+Json levelsOf(const GapLevels& levels) {
+    return {{"nominal", levels.nominal},
+            {"calibrated", levels.calibrated},
+            {"extended", levels.extended},
+            {"floor", levels.floor}};
+}
+
+Json whereOf(const WhereItLies& where) {
+    return {{"channels", where.channels},     {"recordings", where.recordings},
+            {"phases", where.phases},         {"bands", where.bands},
+            {"regimes", where.regimes},       {"generalised_force", where.generalised_force},
+            {"axle_force", where.axle_force}, {"channels_of_recording", where.channels_of_recording}};
+}
+
+// Of a list, each element as an object.
+template <class T, class ToJson>
+Json listOf(const std::vector<T>& values, ToJson to_json) {
+    Json list = Json::array();
+    for (const T& value : values) list.push_back(to_json(value));
+    return list;
+}
+
+}  // namespace
+
+std::string_view nameOf(Verdict verdict) {
+    return kNames[static_cast<std::size_t>(verdict)];
+}
+
+std::optional<Verdict> verdictNamed(std::string_view name) {
+    const auto found = std::find(kNames.begin(), kNames.end(), name);
+    if (found == kNames.end()) return std::nullopt;
+    return static_cast<Verdict>(found - kNames.begin());
+}
+
+Json effectJson(const RankedEffect& effect) {
+    return {{"name", effect.name},
+            {"probability", effect.probability},
+            {"log_evidence", effect.log_evidence},
+            {"parameters", parametersOf(effect)}};
+}
+
+Json confusableJson(const std::vector<ConfusablePair>& pairs) {
+    return listOf(pairs, [](const ConfusablePair& p) {
+        return Json{
+            {"a", p.a}, {"b", p.b}, {"cosine", p.cosine}, {"separation", p.separation}, {"manoeuvre", p.manoeuvre}};
+    });
+}
+
+Json baselinesJson(const Baselines& baselines) {
+    return {{"largest_reduction", baselines.largest_reduction}, {"bic", baselines.bic}};
+}
+
+Json diagnosisJson(const Diagnosis& d) {
+    Json nuisance = Json::object();
+    for (const auto& [path, n] : d.nuisance) nuisance[path] = {{"value", n.value}, {"sd", n.sd}, {"z", n.z}};
+    return {
+        {"answer", d.answer},
+        {"verdict", nameOf(d.verdict)},
+        {"causes", d.causes},
+        {"alternatives", namesOnlyIn(d.alternatives, d.causes)},
+        {"effects", listOf(d.effects, effectJson)},
+        {"probability_of_nothing", d.probability_of_nothing},
+        {"probability_of_unknown", d.probability_of_unknown},
+        {"where", whereOf(d.where)},
+        {"how_far",
+         {{"training", levelsOf(d.how_far.training)},
+          {"held_out", levelsOf(d.how_far.held_out)},
+          {"closure", d.how_far.closure},
+          {"closure_low", d.how_far.closure_low},
+          {"closure_high", d.how_far.closure_high},
+          {"in_sample", d.how_far.in_sample}}},
+        {"nuisance", nuisance},
+        {"expected_evidence", d.expected_evidence},
+        {"confusable", confusableJson(d.confusable)},
+        {"next", listOf(d.next,
+                        [](const NextDrive& n) {
+                            return Json{{"scenario", n.scenario}, {"separates", separatesInWords(n)}, {"nats", n.nats}};
+                        })},
+        {"unexplained",
+         {{"share", d.unexplained.share},
+          {"generalised_force", d.unexplained.generalised_force},
+          {"when", momentInWords(d.unexplained.when)},
+          {"law",
+           {{"follows", d.unexplained.law.follows},
+            {"unit", d.unexplained.law.unit},
+            {"coefficients", d.unexplained.law.coefficients},
+            {"gain", d.unexplained.law.gain}}}}},
+        {"credible_set", d.credible_set},
+        {"constancy", d.constancy},
+        {"baselines", baselinesJson(d.baselines)},
+        {"compared", d.compared},
+        {"data_warnings", d.data_warnings},
+        {"seconds", d.seconds},
+        {"simulations", d.simulations}};
+}
+
+}  // namespace tread::diagnose::answer

@@ -1,0 +1,19 @@
+// The catalogue by subsystem; effectCatalogue() is all of it.
+#pragma once
+
+#include <vector>
+
+#include "diagnose/catalogue/effect.h"
+
+namespace tread::diagnose::catalogue {
+
+std::vector<Effect> tyreEffects();
+std::vector<Effect> steeringEffects();
+std::vector<Effect> suspensionEffects();
+std::vector<Effect> drivelineEffects();
+std::vector<Effect> brakeEffects();
+std::vector<Effect> bodyEffects();
+std::vector<Effect> surroundingsEffects();
+std::vector<Effect> instrumentEffects();
+
+}  // namespace tread::diagnose::catalogue

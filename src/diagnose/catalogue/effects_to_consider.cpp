@@ -1,0 +1,40 @@
+#include "diagnose/catalogue/effects_to_consider.h"
+
+#include <algorithm>
+
+#include "base/did_you_mean.h"
+#include "base/number_text.h"
+#include "base/pattern.h"
+#include "base/yaml_session.h"
+
+namespace tread::diagnose::catalogue {
+
+std::vector<Effect> effectsToConsider(const recording::DiagnosisFile& file) {
+    std::vector<Effect> all = effectCatalogue();
+    if (!file.own_effects.empty()) {
+        const std::vector<Effect> own = loadOwnEffects(file.own_effects);
+        all.insert(all.end(), own.begin(), own.end());
+    }
+    if (file.effects.empty()) return all;
+
+    std::vector<std::string_view> names;
+    for (const Effect& effect : all) names.push_back(effect.name);
+    std::vector<Problem> problems;
+    for (std::size_t i = 0; i < file.effects.size(); ++i) {
+        const std::string& pattern = file.effects[i];
+        if (std::any_of(names.begin(), names.end(), [&](std::string_view name) { return matches(pattern, name); }))
+            continue;
+        const std::string suggestion = didYouMean(pattern, names);
+        problems.push_back({"", 0, 0, "effects." + std::to_string(i),
+                            "found " + quote(pattern) + ", which is no effect" +
+                                (suggestion.empty() ? ";" : suggestion) + " `tread describe effects` lists them"});
+    }
+    throwIfAny(std::move(problems));
+    std::erase_if(all, [&](const Effect& effect) {
+        return std::none_of(file.effects.begin(), file.effects.end(),
+                            [&](const std::string& pattern) { return matches(pattern, effect.name); });
+    });
+    return all;
+}
+
+}  // namespace tread::diagnose::catalogue

@@ -1,0 +1,245 @@
+#include "diagnose/explain/how_far.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "base/parallel.h"
+#include "base/random.h"
+#include "log/resample.h"
+#include "recording/checks/left_out.h"
+
+namespace tread::diagnose::explain {
+namespace {
+
+using answer::GapLevels;
+using answer::Overlay;
+using model::Deviation;
+using model::Drives;
+using model::Replays;
+using model::Rows;
+using model::Uncertainty;
+using recording::ObservedChannel;
+using recording::RecordedDrive;
+
+constexpr int kDraws = 12;            // of the posterior, each driven
+constexpr int kResamples = 400;       // of the recordings, spread over the draws
+constexpr double kStartError = 0.03;  // m/s: what a line through the first half second of speeds leaves
+constexpr double kSignificant = 2;    // standard deviations by which a gap must exceed its floor
+constexpr double kLow = 0.05, kHigh = 0.95;
+
+// What a model does in each drive, and the sum of squares of what is then off. No rows where it cannot be driven.
+struct Stage {
+    Rows rows;
+    std::vector<double> off;
+};
+struct Gaps {
+    std::vector<double> floor;  // per drive: the sum that noise alone leaves
+    Stage nominal, calibrated, extended;
+};
+
+// The drives that are looked at, and how uncertain they are.
+struct Judged {
+    const Replays& replays;
+    Drives drives;
+    const Uncertainty& uncertainty;
+    bool hold_out = false;
+};
+
+double sum(const std::vector<double>& values) {
+    double all = 0;
+    for (const double value : values) all += value;
+    return all;
+}
+
+GapLevels levels(const Gaps& gaps) {
+    const double floor = sum(gaps.floor);
+    const auto level = [&](const std::vector<double>& squares) {
+        return floor > 0 ? std::sqrt(sum(squares) / floor) : 0;
+    };
+    return {level(gaps.nominal.off), level(gaps.calibrated.off), level(gaps.extended.off), level(gaps.floor)};
+}
+
+// Rows of a drive as a log; with no rows, only their times.
+Log logOf(const RecordedDrive& drive, const Eigen::VectorXd& rows) {
+    Log log;
+    std::set<double> every;
+    for (const ObservedChannel& channel : drive.channels) every.insert(channel.times.begin(), channel.times.end());
+    const std::vector<double> time(every.begin(), every.end());
+    log.channels.push_back({"time", "s", time});
+    if (rows.size() == 0) return log;
+    for (const ObservedChannel& channel : drive.channels) {
+        Channel column{channel.name, drive.log.find(channel.name)->unit, std::vector<double>(time.size(), kRequired)};
+        for (Eigen::Index i = 0; i < channel.rows(); ++i) {
+            const auto place = std::lower_bound(time.begin(), time.end(), channel.times[i]) - time.begin();
+            column.values[place] = rows(channel.first_row + i);
+        }
+        log.channels.push_back(std::move(column));
+    }
+    return log;
+}
+
+// What was measured; its rows where something was taken off them.
+Log measuredOverlay(const RecordedDrive& drive) {
+    const bool compared = drive.compared();
+    Log log = compared ? logOf(drive, drive.measured) : Log{{{"time", "s", drive.time}}};
+    const std::vector<double> time = log.channels.front().values;
+    std::vector<Channel> inputs;
+    for (const char* input : {"driver.steering_wheel_angle", "driver.throttle", "driver.brake"}) {
+        const Channel* channel = drive.log.find(input);
+        if (channel) inputs.push_back({channel->name, channel->unit, resample(drive.time, channel->values, time)});
+    }
+    log.channels.insert(log.channels.begin() + 1, inputs.begin(), inputs.end());
+    for (const ObservedChannel& channel : drive.channels)
+        if (!compared) log.channels.push_back(*drive.log.find(channel.name));
+    return log;
+}
+
+// Drives every stage of the model, and adds its time histories to the overlays.
+Gaps gapsOf(const Judged& judged, const std::array<Deviation, 3>& stages, std::vector<Overlay>& overlays) {
+    const std::size_t n = judged.drives.size();
+    Gaps gaps{.floor = std::vector<double>(n), .nominal = {}, .calibrated = {}, .extended = {}};
+    Stage* const each[] = {&gaps.nominal, &gaps.calibrated, &gaps.extended};
+    for (Stage* stage : each) stage->rows.resize(n), stage->off.resize(n);
+    std::vector<Overlay> here(n);
+    std::vector<recording::Subject> subjects;
+    for (const Deviation& stage : stages) subjects.push_back(judged.replays.subjectAt(stage));
+    inParallel(n, judged.replays.threads, [&](std::size_t d) {
+        const RecordedDrive& drive = judged.drives[d];
+        const model::RowNoise& noise = judged.uncertainty.noise[d];
+        gaps.floor[d] = noise.expected;
+        Log* const logs[] = {&here[d].nominal, &here[d].calibrated, &here[d].extended};
+        here[d].recording = drive.name;
+        here[d].hold_out = judged.hold_out;
+        here[d].measured = measuredOverlay(drive);
+        for (std::size_t stage = 0; stage < stages.size(); ++stage) {
+            const std::optional<Log> motion = model::motionAt(judged.replays, drive, subjects[stage]);
+            Eigen::VectorXd& rows = each[stage]->rows[d];
+            if (motion) rows = recording::readings(drive, *motion, subjects[stage].instruments);
+            *logs[stage] = logOf(drive, rows);
+            const Eigen::VectorXd off = motion ? drive.measured - rows : drive.measured;
+            each[stage]->off[d] = model::squaresOf(judged.uncertainty, d, noise.over(off));
+        }
+    });
+    overlays.insert(overlays.end(), here.begin(), here.end());
+    return gaps;
+}
+
+// A point as likely as the posterior makes it.
+Deviation drawn(const Replays& replays, const select::Fit& fit, Random& random) {
+    Eigen::VectorXd normal(fit.covariance.rows());
+    for (double& one : normal) one = random.normal();
+    Deviation point = fit.at;
+    point(fit.free) += fit.covariance.llt().matrixL() * normal;
+    for (const Eigen::Index i : fit.free) {
+        const model::Parameter& parameter = replays.parameters[i];
+        point(i) = std::clamp(point(i), parameter.lowest, parameter.highest);
+    }
+    return point;
+}
+
+bool driven(const Rows& rows) {
+    return std::all_of(rows.begin(), rows.end(),
+                       [](const Eigen::VectorXd& r) { return r.size() > 0 && r.allFinite(); });
+}
+
+// Squared gaps of each drive to a car that may be the true one, before and after.
+struct TrueGaps {
+    std::vector<double> before, after;
+};
+
+// `truth` stands for the true car, from a start as uncertain as that of the replay. A gap that the answer leaves beyond
+// its floor in the recordings themselves is not closed whatever the posterior says.
+TrueGaps gapsTo(const Rows& truth, const Judged& judged, const Gaps& gaps, Random& random) {
+    TrueGaps found;
+    for (std::size_t d = 0; d < judged.drives.size(); ++d) {
+        const model::RowNoise& noise = judged.uncertainty.noise[d];
+        const double floor = gaps.floor[d];
+        const double beyond = gaps.extended.off[d] - floor - kSignificant * std::sqrt(2 * floor);
+        const Eigen::VectorXd start = random.normal() * kStartError * judged.uncertainty.directions[d].rightCols(1);
+        const auto squares = [&](const Rows& rows) { return (noise.over(rows[d] - truth[d]) + start).squaredNorm(); };
+        found.before.push_back(squares(gaps.nominal.rows));
+        found.after.push_back(squares(gaps.extended.rows) + std::max(0.0, beyond));
+    }
+    return found;
+}
+
+// The share that is closed in drives drawn with replacement; nothing when there is no gap in them.
+std::optional<double> resampled(const TrueGaps& gaps, Random& random) {
+    const std::size_t n = gaps.before.size();
+    double before = 0, after = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto d = static_cast<std::size_t>(random.uniform() * static_cast<double>(n));
+        before += gaps.before[d], after += gaps.after[d];
+    }
+    if (before <= 0) return std::nullopt;
+    return 1 - after / before;
+}
+
+// How much of the nominal car's gap to the true one the answer closes. The true car is not known, but the posterior
+// says what it can be: each draw of it is driven and stands for the truth once.
+void closure(answer::HowFar& how_far, const Judged& judged, const Gaps& gaps, const select::Fit& fit) {
+    if (!driven(gaps.nominal.rows) || !driven(gaps.extended.rows)) return;
+    Random random(1);
+    std::vector<double> closures;
+    double before = 0, after = 0;
+    for (int draw = 0; draw < kDraws; ++draw) {
+        const std::optional<Rows> truth =
+            model::rowsAt(judged.replays, judged.drives, drawn(judged.replays, fit, random));
+        if (!truth) continue;
+        const TrueGaps here = gapsTo(*truth, judged, gaps, random);
+        before += sum(here.before), after += sum(here.after);
+        for (int again = 0; again < kResamples / kDraws; ++again) {
+            if (const std::optional<double> closed = resampled(here, random)) closures.push_back(*closed);
+        }
+    }
+    if (closures.empty()) return;
+    std::sort(closures.begin(), closures.end());
+    const auto at = [&](double share) {
+        return closures[static_cast<std::size_t>(share * static_cast<double>(closures.size() - 1))];
+    };
+    how_far.closure = 1 - after / before;
+    how_far.closure_low = std::min(at(kLow), how_far.closure);
+    how_far.closure_high = std::max(at(kHigh), how_far.closure);
+}
+
+void tellLeftOut(answer::Diagnosis& diagnosis, Drives drives, const std::vector<double>& until) {
+    const std::vector<std::string> sentences = recording::checks::leftOut(drives, until);
+    diagnosis.data_warnings.insert(diagnosis.data_warnings.end(), sentences.begin(), sentences.end());
+}
+
+}  // namespace
+
+void howFar(answer::Diagnosis& diagnosis, const select::Calibration& car, const Stages& stages) {
+    const model::Problem& problem = car.problem;
+    const std::array<Deviation, 3> points{problem.replays.origin(), stages.calibrated, stages.answer.at};
+    answer::HowFar& how_far = diagnosis.how_far;
+    const Judged learnt{problem.replays, problem.drives, car.uncertainty, false};
+    const Gaps training = gapsOf(learnt, points, diagnosis.overlays);
+    for (std::size_t d = 0; d < car.allowed.size(); ++d)
+        diagnosis.overlays[d].allowed = logOf(problem.drives[d], car.allowed[d]);
+    how_far.training = levels(training);
+    tellLeftOut(diagnosis, problem.drives, car.uncertainty.until);
+    how_far.in_sample = problem.held_out.empty();
+    const double floor = sum(training.floor);
+    const double nominal = sum(training.nominal.off) - floor, left = sum(training.extended.off) - floor;
+    diagnosis.unexplained.share = nominal > 0 ? std::clamp(left / nominal, 0.0, 1.0) : 0;
+    if (how_far.in_sample) {
+        closure(how_far, learnt, training, stages.answer);
+        return;
+    }
+    const std::optional<Rows> here = model::rowsAt(problem.replays, problem.held_out, car.fit.at);
+    if (!here) return;
+    Uncertainty uncertainty =
+        model::uncertaintyAt(problem.replays, problem.held_out, car.fit.at, *here, model::endsOf(problem.held_out));
+    uncertainty.sizes = car.uncertainty.sizes;
+    const Judged held_out{problem.replays, problem.held_out, uncertainty, true};
+    const Gaps gaps = gapsOf(held_out, points, diagnosis.overlays);
+    how_far.held_out = levels(gaps);
+    tellLeftOut(diagnosis, problem.held_out, uncertainty.until);
+    closure(how_far, held_out, gaps, stages.answer);
+}
+
+}  // namespace tread::diagnose::explain

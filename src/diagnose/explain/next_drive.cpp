@@ -1,0 +1,247 @@
+#include "diagnose/explain/next_drive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <numeric>
+
+#include "base/parallel.h"
+#include "diagnose/explain/open_question.h"
+#include "diagnose/settings.h"
+
+namespace tread::diagnose::explain {
+namespace {
+
+using model::Problem;
+using model::RowNoise;
+using recording::ObservedChannel;
+using recording::RecordedDrive;
+using select::Calibration;
+using select::Fit;
+
+constexpr int kMostSimulations = 150;  // beyond, no further manoeuvre is looked at closely
+constexpr double kLoggedRate = 100;    // Hz
+
+// What the nominal car's instruments would show of a manoeuvre, driven as its file says; no channels when it cannot be.
+Log imagined(const recording::Replayer& replayer, const Scenario& told, const std::vector<ObservedChannel>& channels) {
+    Scenario scenario = told;
+    scenario.log.rate = kLoggedRate;
+    scenario.log.channels = {"driver.*", "driveline.gear", "chassis.vx", "chassis.yaw_rate"};
+    scenario.log.sensors = {};
+    for (const ObservedChannel& channel : channels) scenario.log.channels.push_back(channel.name);
+    Log log;
+    try {
+        replayer.simulate(replayer.nominal.vehicle, scenario, recorderInto(log), {});
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const SimulationError&) {
+        log.channels.clear();
+    }
+    return log;
+}
+
+// Manoeuvres that could be driven, as if the nominal car had been recorded in them.
+struct Rehearsal {
+    std::deque<recording::Recording> recordings;  // to which the drives point
+    std::vector<RecordedDrive> drives;
+};
+
+Rehearsal rehearsed(const Problem& problem, const std::vector<PossibleDrive>& possible) {
+    const std::vector<ObservedChannel>& channels = problem.drives.front().channels;
+    recording::DiagnosisFile file;
+    for (const ObservedChannel& channel : channels) file.channels.push_back({channel.name});
+    std::vector<Log> logs(possible.size());
+    inParallel(possible.size(), problem.replays.threads,
+               [&](std::size_t i) { logs[i] = imagined(problem.replays.replayer, possible[i].scenario, channels); });
+    problem.replays.simulations.add(static_cast<int>(possible.size()));
+    Rehearsal rehearsal;
+    for (std::size_t i = 0; i < possible.size(); ++i) {
+        if (logs[i].channels.empty() || logs[i].samples() < 2) continue;
+        rehearsal.recordings.push_back({.log = possible[i].name, .name = possible[i].name});
+        rehearsal.recordings.back().road = possible[i].scenario.road;
+        rehearsal.drives.push_back(recording::recordedDrive(rehearsal.recordings.back(), logs[i], file));
+    }
+    return rehearsal;
+}
+
+// Noise of the rows of a rehearsed drive: per channel as in the recordings.
+RowNoise noiseOf(const RecordedDrive& drive, const Calibration& car) {
+    RowNoise noise{.deviation = Eigen::VectorXd::Ones(drive.rows()), .ends = {}};
+    for (const ObservedChannel& channel : drive.channels) {
+        double sum = 0, count = 0;
+        for (std::size_t d = 0; d < car.drives().size(); ++d) {
+            for (const ObservedChannel& known : car.drives()[d].channels) {
+                const double one = car.uncertainty.noise[d].deviation(known.first_row);
+                if (known.name == channel.name && std::isfinite(one)) sum += one, count += 1;
+            }
+        }
+        if (count > 0) noise.deviation.segment(channel.first_row, channel.rows()).array() = sum / count;
+        noise.ends.push_back(channel.first_row + channel.rows());
+    }
+    return noise;
+}
+
+// One manoeuvre: what disturbs it, and by how much the two cars of each question differ there, over the noise.
+struct Look {
+    RowNoise noise;
+    Eigen::MatrixXd directions;
+    Eigen::VectorXd sizes;
+    std::vector<Eigen::VectorXd> differences;  // per question; empty when one of the cars cannot be driven so
+    std::vector<double> most;                  // nats per question if nothing of the car were uncertain
+};
+
+Look lookAt(const RecordedDrive& drive, const Calibration& car, const std::vector<Question>& questions) {
+    const model::Replays& replays = car.problem.replays;
+    Look look{.noise = noiseOf(drive, car), .directions = {}, .sizes = {}, .differences = {}, .most = {}};
+    const auto shown = [&](const model::Deviation& at) {
+        const recording::Subject subject = replays.subjectAt(at);
+        const std::optional<Log> motion = model::motionAt(replays, drive, subject);
+        return motion ? recording::readings(drive, *motion, subject.instruments) : Eigen::VectorXd{};
+    };
+    const model::Disturbances disturbing = model::disturbances(replays, drive, replays.nominal());
+    look.directions = look.noise.over(disturbing.columns);
+    look.sizes.resize(look.directions.cols());
+    for (Eigen::Index i = 0; i < look.sizes.size(); ++i)
+        look.sizes(i) = car.uncertainty.sizes[model::placeOf(disturbing.kinds[i])];
+    model::Deviation last;
+    Eigen::VectorXd rows;
+    for (const Question& question : questions) {
+        const Eigen::VectorXd one = shown(question.one);
+        if (last.size() == 0 || last != question.other) rows = shown(question.other), last = question.other;
+        const bool driven = one.size() > 0 && rows.size() > 0 && (one - rows).allFinite();
+        if (!driven) {
+            look.differences.emplace_back();
+            look.most.push_back(0);
+            continue;
+        }
+        look.differences.emplace_back(look.noise.over(one - rows));
+        const auto products = inference::productsOf(look.differences.back(), look.directions);
+        look.most.push_back(0.5 * inference::normalEquations(products, look.sizes).products(0, 0));
+    }
+    return look;
+}
+
+// How a drive answers to everything that may still move: all tolerances, and the knobs of those questions.
+struct Answers {
+    std::vector<Eigen::Index> parameters;  // tolerances, then knobs
+    Eigen::Index nuisances;                // how many tolerances
+    Eigen::MatrixXd columns;               // over the noise
+};
+
+Answers answersOf(const RecordedDrive& drive, const Look& look, const Problem& problem,
+                  const std::vector<Question>& questions) {
+    Answers answers{problem.nuisances, std::ssize(problem.nuisances), {}};
+    for (const Question& question : questions) {
+        for (const Fit* fit : question.fits)
+            answers.parameters.insert(answers.parameters.end(), fit->knobs.begin(), fit->knobs.end());
+    }
+    const auto knobs = answers.parameters.begin() + answers.nuisances;
+    std::sort(knobs, answers.parameters.end());
+    answers.parameters.erase(std::unique(knobs, answers.parameters.end()), answers.parameters.end());
+    const model::Sensitivities about = model::sensitivities(problem.replays, {&drive, 1}, problem.replays.origin(),
+                                                            {.parameters = answers.parameters});
+    answers.columns = look.noise.over(about.columns.front()(Eigen::all, answers.parameters));
+    return answers;
+}
+
+// Of the parameters that may still move with a fit: their columns, each as uncertain as one unit.
+Eigen::MatrixXd uncertainColumns(const Answers& answers, const Fit& fit) {
+    std::vector<Eigen::Index> places;  // tolerances, and the knobs of this fit
+    std::vector<Eigen::Index> known;   // their places in the fit; -1: as uncertain as before
+    for (Eigen::Index i = 0; i < std::ssize(answers.parameters); ++i) {
+        const auto place = std::find(fit.free.begin(), fit.free.end(), answers.parameters[i]);
+        if (place == fit.free.end() && i >= answers.nuisances) continue;
+        places.push_back(i);
+        known.push_back(place == fit.free.end() ? -1 : place - fit.free.begin());
+    }
+    const Eigen::Index n = std::ssize(places);
+    Eigen::MatrixXd covariance = Eigen::MatrixXd::Identity(n, n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        for (Eigen::Index j = 0; j < n; ++j)
+            if (known[i] >= 0 && known[j] >= 0) covariance(i, j) = fit.covariance(known[i], known[j]);
+    }
+    return answers.columns(Eigen::all, places) * Eigen::MatrixXd(covariance.llt().matrixL());
+}
+
+// Nats that are left of a difference when a car's uncertain numbers, as well as the recordings have determined them,
+// imitate it.
+double natsOf(const Look& look, const Answers& answers, const Fit& fit, const Eigen::VectorXd& difference) {
+    const Eigen::MatrixXd uncertain = uncertainColumns(answers, fit);
+    const Eigen::Index n = uncertain.cols();
+    Eigen::MatrixXd columns(difference.size(), n + 1);
+    columns << uncertain, difference;
+    const auto sum = inference::normalEquations(inference::productsOf(columns, look.directions), look.sizes);
+    return 0.5 * inference::withoutFirst(sum, n).products(0, 0);
+}
+
+// The manoeuvres while they are looked at: the most promising first; what one really tells bounds what is worth another
+// look.
+class Chooser {
+public:
+    Chooser(const Calibration& car, const Rehearsal& rehearsal, const std::vector<Question>& questions, int before)
+        : problem_(car.problem),
+          rehearsal_(rehearsal),
+          questions_(questions),
+          before_(before),
+          looks_(rehearsal.drives.size()),
+          answers_(rehearsal.drives.size()) {
+        inParallel(looks_.size(), problem_.replays.threads,
+                   [&](std::size_t d) { looks_[d] = lookAt(rehearsal.drives[d], car, questions); });
+    }
+
+    // For one question; without a scenario when none would tell.
+    answer::NextDrive best(std::size_t q) {
+        const Question& question = questions_[q];
+        std::vector<std::size_t> order(looks_.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::size_t a, std::size_t b) { return looks_[a].most[q] > looks_[b].most[q]; });
+        answer::NextDrive best{{}, question.causes_of_one, question.causes_of_other, 0};
+        for (const std::size_t d : order) {
+            if (looks_[d].most[q] <= std::max(best.nats, kSettings.separable)) break;
+            if (!looked(d)) continue;
+            double nats = kInfinity;
+            for (const Fit* fit : question.fits)
+                nats = std::min(nats, natsOf(looks_[d], *answers_[d], *fit, looks_[d].differences[q]));
+            if (nats > best.nats) best.nats = nats, best.scenario = rehearsal_.drives[d].name;
+        }
+        return best;
+    }
+
+private:
+    // Whether a manoeuvre is looked at closely: one always, others as long as that is not too much work.
+    bool looked(std::size_t d) {
+        if (answers_[d]) return true;
+        const bool first = std::none_of(answers_.begin(), answers_.end(), [](const auto& a) { return a.has_value(); });
+        if (!first && problem_.replays.simulations.value() - before_ > kMostSimulations) return false;
+        answers_[d] = answersOf(rehearsal_.drives[d], looks_[d], problem_, questions_);
+        return true;
+    }
+
+    const Problem& problem_;
+    const Rehearsal& rehearsal_;
+    const std::vector<Question>& questions_;
+    int before_;  // simulations, when the rehearsal began
+    std::vector<Look> looks_;
+    std::vector<std::optional<Answers>> answers_;
+};
+
+}  // namespace
+
+std::vector<answer::NextDrive> nextDrives(const answer::Diagnosis& diagnosis, const Calibration& car,
+                                          const select::Search& found, const std::vector<PossibleDrive>& possible) {
+    const std::vector<Question> questions = openQuestions(diagnosis, car.problem, found);
+    if (questions.empty() || possible.empty()) return {};
+    const int before = car.problem.replays.simulations.value();
+    const Rehearsal rehearsal = rehearsed(car.problem, possible);
+    Chooser chooser(car, rehearsal, questions, before);
+    std::vector<answer::NextDrive> next;
+    for (std::size_t q = 0; q < questions.size(); ++q) {
+        answer::NextDrive best = chooser.best(q);
+        if (best.nats >= kSettings.separable) next.push_back(std::move(best));
+    }
+    std::stable_sort(next.begin(), next.end(), [](const auto& a, const auto& b) { return a.nats > b.nats; });
+    return next;
+}
+
+}  // namespace tread::diagnose::explain

@@ -1,0 +1,13 @@
+// Where model and car differ: by channel, recording, phase of the manoeuvre, frequency band and operating regime.
+#pragma once
+
+#include "diagnose/explain/missing_force.h"
+
+namespace tread::diagnose::explain {
+
+// What each row of a drive may be off by when the model is right: noise and disturbances.
+Eigen::VectorXd floorOf(const model::Uncertainty& uncertainty, std::size_t drive);
+
+answer::WhereItLies whereItLies(const Calibration& car, const MissingForce& missing);
+
+}  // namespace tread::diagnose::explain

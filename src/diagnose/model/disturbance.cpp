@@ -1,0 +1,198 @@
+#include "diagnose/model/disturbance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/model/sensitivities.h"
+#include "inference/ornstein_uhlenbeck.h"
+#include "log/resample.h"
+#include "tread/tyre.h"
+
+namespace tread::diagnose::model {
+namespace {
+
+constexpr double kHat = 0.25;         // s, from hat to hat
+constexpr double kCorrelation = 0.5;  // s, time in which a disturbance falls to 1/e
+constexpr Eigen::Index kApart = 12;   // hats: after so many, a car has forgotten a push but for the speed that it cost
+constexpr double kLeastSlope = 0.1;   // of the tyres' slope at rest, that is left at the limit
+constexpr double kLeastKept = 0.02;   // of a change of speed, of which something is still known
+constexpr double kSlipVelocity = 0.005;  // of the forward speed, at which the tyres' slope is taken
+constexpr double kLightest = 0.05;       // share of the load that a compliant axle's slope can lose
+
+// Usual sizes: accelerations that wind and unevenness of a good road leave, and the tremble of a road wheel.
+constexpr double kLongitudinal = 0.02;  // m/s2
+constexpr double kLateral = 0.04;       // m/s2
+constexpr double kYaw = 0.04;           // rad/s2
+constexpr double kRoll = 0.08;          // rad/s2
+constexpr double kSteering = 0.0003;    // rad
+
+double hat(double t, double peak) {
+    return std::max(0.0, 1 - std::abs(t - peak) / kHat);
+}
+
+double peakOf(Eigen::Index hat) {
+    return static_cast<double>(hat) * kHat;
+}
+
+// Every kApart-th of the hats from the first one, as pushes.
+Pushing pushes(const VehicleParams& car, Disturbed kind, Eigen::Index first) {
+    return [=, &car](double time, const VehicleInput&, const VehicleOutput&) {
+        const double since = time - peakOf(first), period = kApart * kHat;
+        const double near = std::max(0.0, std::round(since / period)) * period;
+        const double size = hat(since, near);
+        switch (kind) {
+            case Disturbed::longitudinal:
+                return Push{.force = {size * usualSize(kind, car), 0, 0}};
+            case Disturbed::lateral:
+                return Push{.force = {0, size * usualSize(kind, car), 0}};
+            case Disturbed::yaw:
+                return Push{.moment = {0, 0, size * usualSize(kind, car)}};
+            default:
+                return Push{.moment = {size * usualSize(kind, car), 0, 0}};
+        }
+    };
+}
+
+// A drive about which small disturbances are taken.
+struct Course {
+    const RecordedDrive& drive;
+    Log motion;
+    Eigen::VectorXd rows;
+    Eigen::VectorXd by_start_speed;
+    Eigen::Index hats;
+    const recording::ObservedChannel* speed = nullptr;  // that shows it, if any
+};
+
+const recording::ObservedChannel* showsSpeed(const RecordedDrive& drive) {
+    const auto shows = [](const recording::ObservedChannel& channel) {
+        return !channel.times.empty() && (channel.name == "chassis.vx" || channel.name.ends_with(".spin"));
+    };
+    const auto found = std::find_if(drive.channels.begin(), drive.channels.end(), shows);
+    return found == drive.channels.end() ? nullptr : &*found;
+}
+
+// A push that is over has cost the car some speed. The change of the speed at the start that would leave the same, m/s;
+// `change`: of the rows by the push, `over`: s, from when on.
+double speedLost(const Course& course, const Eigen::VectorXd& change, double over) {
+    if (!course.speed) return 0;
+    const std::vector<double>& times = course.speed->times;
+    const auto before = std::lower_bound(times.begin(), times.end(), over) - times.begin() - 1;
+    const Eigen::Index first = course.speed->first_row, row = first + std::max<Eigen::Index>(before, 0);
+    const double kept = course.by_start_speed(row);
+    return kept > kLeastKept * course.by_start_speed(first) ? change(row) / kept : 0;
+}
+
+// What pushes of one kind do. A few replays with many pushes each answer for all hats: but for the speed that it cost,
+// a push is forgotten before the next one comes.
+Eigen::MatrixXd pushed(const Replays& replays, const Subject& subject, const Course& course, Disturbed kind) {
+    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(course.rows.size(), course.hats);
+    for (Eigen::Index first = 0; first < std::min(kApart, course.hats); ++first) {
+        const std::optional<Log> motion =
+            motionAt(replays, course.drive, subject, {.pushing = pushes(subject.vehicle, kind, first)});
+        if (!motion) continue;
+        Eigen::VectorXd change = recording::readings(course.drive, *motion, subject.instruments) - course.rows;
+        for (Eigen::Index which = first; which < course.hats; which += kApart) {
+            const double begins = peakOf(which) - kHat, over = begins + kApart * kHat;
+            auto column = columns.col(which);
+            const double slower = speedLost(course, change, over);
+            for (const recording::ObservedChannel& channel : course.drive.channels) {
+                for (Eigen::Index i = 0; i < channel.rows(); ++i) {
+                    const Eigen::Index row = channel.first_row + i;
+                    if (channel.times[i] < begins) continue;
+                    column(row) = channel.times[i] < over ? change(row) : slower * course.by_start_speed(row);
+                }
+            }
+            change -= column;
+        }
+    }
+    return columns;
+}
+
+// Of both front tyres at rest, N/rad, and the lateral acceleration at which the car slides, m/s2.
+struct FrontAxle {
+    double slope = 0, grip = 0;
+};
+
+FrontAxle frontAxle(const VehicleParams& car) {
+    const double rear = car.wheelbase - car.front_axle_distance;
+    const double load = car.mass * kStandardGravity * rear / (2 * car.wheelbase);
+    const TyreSteadyState at =
+        steadyState(car.front.tyre, {.Fz = load, .gamma = 0, .Vx = 1, .Vsx = 0, .Vsy = kSlipVelocity});
+    const double slope = std::abs(at.Fy) / kSlipVelocity;
+    const double compliant = 1 - slope * car.front.suspension.steer_by_lateral_force;
+    return {2 * slope / std::max(kLightest, compliant), kStandardGravity * at.muy};
+}
+
+// A hand that trembles pushes the front axle aside, by the slope that its tyres have left in the turn.
+Eigen::MatrixXd trembling(const Course& course, const VehicleParams& car, const Eigen::MatrixXd& lateral,
+                          const Eigen::MatrixXd& yaw) {
+    const FrontAxle axle = frontAxle(car);
+    const std::vector<double>& time = course.motion.channels.front().values;
+    const Channel* ay = course.motion.find("chassis.ay");
+    Eigen::MatrixXd columns(lateral.rows(), lateral.cols());
+    for (Eigen::Index i = 0; i < lateral.cols(); ++i) {
+        const double t = std::min(peakOf(i), time.back());
+        const double used = ay ? valueAt(time, ay->values, t) / axle.grip : 0;
+        const double force = std::max(kLeastSlope, 1 - used * used) * axle.slope * kSteering;
+        columns.col(i) = force / (car.mass * kLateral) * lateral.col(i) +
+                         force * car.front_axle_distance / (car.inertia.yaw * kYaw) * yaw.col(i);
+    }
+    return columns;
+}
+
+}  // namespace
+
+double usualSize(Disturbed kind, const VehicleParams& car) {
+    switch (kind) {
+        case Disturbed::longitudinal:
+            return kLongitudinal * car.mass;
+        case Disturbed::lateral:
+            return kLateral * car.mass;
+        case Disturbed::yaw:
+            return kYaw * car.inertia.yaw;
+        case Disturbed::roll:
+            return kRoll * car.inertia.roll;
+        case Disturbed::steering:
+            return kSteering;
+    }
+    return 0;
+}
+
+Eigen::VectorXd Disturbances::heights(const Eigen::VectorXd& impulses) const {
+    Eigen::VectorXd all(impulses.size());
+    for (Eigen::Index first = 0; first < impulses.size(); first += hats())
+        all.segment(first, hats()) = correlation_factor * impulses.segment(first, hats());
+    return all;
+}
+
+Disturbances disturbances(const Replays& replays, const RecordedDrive& drive, const Subject& subject) {
+    std::optional<Log> motion = motionAt(replays, drive, subject);
+    Course course{.drive = drive,
+                  .motion = motion ? std::move(*motion) : Log{},
+                  .rows = Eigen::VectorXd::Zero(drive.rows()),
+                  .by_start_speed = Eigen::VectorXd::Zero(drive.rows()),
+                  .hats = std::lround(std::ceil(drive.duration() / kHat)) + 1,
+                  .speed = showsSpeed(drive)};
+    const Eigen::Index hats = course.hats;
+    Disturbances result;
+    result.columns = Eigen::MatrixXd::Zero(drive.rows(), hats * std::ssize(kDisturbedKinds));
+    for (const Disturbed kind : kDisturbedKinds) {
+        for (Eigen::Index i = 0; i < hats; ++i) {
+            result.kinds.push_back(kind);
+            result.times.push_back(peakOf(i));
+        }
+    }
+    result.correlation_factor = inference::correlationFactor(hats, kHat, kCorrelation);
+    result.by_start_speed = course.by_start_speed;
+    if (!motion) return result;
+    course.rows = recording::readings(drive, course.motion, subject.instruments);
+    result.by_start_speed = course.by_start_speed = startSpeedColumn(replays, drive, subject, course.rows);
+    const auto of = [&](Disturbed kind) { return result.columns.middleCols(placeOf(kind) * hats, hats); };
+    for (const Disturbed kind : {Disturbed::longitudinal, Disturbed::lateral, Disturbed::yaw, Disturbed::roll})
+        of(kind) = pushed(replays, subject, course, kind);
+    of(Disturbed::steering) = trembling(course, subject.vehicle, of(Disturbed::lateral), of(Disturbed::yaw));
+    for (const Disturbed kind : kDisturbedKinds) of(kind) = (of(kind) * result.correlation_factor).eval();
+    return result;
+}
+
+}  // namespace tread::diagnose::model

@@ -1,0 +1,71 @@
+#include "diagnose/model/linearisation.h"
+
+namespace tread::diagnose::model {
+namespace {
+
+constexpr double kWorthDriving = 0.1;  // squared signal over noise of a nuisance of usual size
+constexpr double kNegligible = 0.01;   // nats that a nuisance of usual size makes of difference
+
+// Drives in which a nuisance makes a difference: only there is it worth a new look.
+std::vector<std::vector<bool>> worthDriving(const Linearisation& about, const Uncertainty& uncertainty) {
+    std::vector<std::vector<bool>> worth(about.nuisances.size(), std::vector<bool>(about.products.size()));
+    for (std::size_t d = 0; d < about.products.size(); ++d) {
+        const NormalEquations one = normalEquations(uncertainty, d, about.products[d], uncertainty.sizes);
+        for (std::size_t i = 0; i < worth.size(); ++i) worth[i][d] = one.products(i, i) > kWorthDriving;
+    }
+    return worth;
+}
+
+}  // namespace
+
+Linearisation linearisation(Sensitivities about, const std::vector<Eigen::Index>& nuisances,
+                            const Uncertainty& uncertainty) {
+    Linearisation result{std::move(about), nuisances, {}, {}};
+    for (std::size_t d = 0; d < uncertainty.noise.size(); ++d) {
+        Eigen::MatrixXd columns = uncertainty.noise[d].over(result.about.columns[d](Eigen::all, nuisances));
+        result.products.push_back(inference::productsOf(columns, uncertainty.directions[d]));
+        result.columns.push_back(std::move(columns));
+    }
+    return result;
+}
+
+std::vector<Eigen::Index> relevantNuisances(const std::vector<Eigen::Index>& nuisances, const Sensitivities& about,
+                                            const Uncertainty& uncertainty) {
+    const Linearisation all = linearisation(about, nuisances, uncertainty);
+    const NormalEquations sum = normalEquations(uncertainty, all.products, uncertainty.sizes);
+    std::vector<Eigen::Index> kept;
+    for (std::size_t i = 0; i < nuisances.size(); ++i)
+        if (0.5 * sum.products(i, i) > kNegligible) kept.push_back(nuisances[i]);
+    return kept;
+}
+
+Sensitivities nuisancesAt(const Replays& replays, Drives drives, const Deviation& at, const Linearisation& before,
+                          const Uncertainty& uncertainty, const std::function<void(double)>& progress) {
+    return sensitivities(
+        replays, drives, at,
+        {.parameters = before.nuisances, .worth = worthDriving(before, uncertainty), .elsewhere = &before.about},
+        progress);
+}
+
+Eigen::MatrixXd columnsAndResidual(Drives drives, const Uncertainty& uncertainty, const Sensitivities& about,
+                                   const std::vector<Eigen::Index>& parameters, const Rows& rows, std::size_t drive) {
+    const Eigen::Index n = std::ssize(parameters);
+    Eigen::MatrixXd all(rows[drive].size(), n + 1);
+    all.leftCols(n) = uncertainty.noise[drive].over(about.columns[drive](Eigen::all, parameters));
+    all.rightCols(1) = residual(drives, uncertainty, rows, drive);
+    return all;
+}
+
+std::vector<DriveProducts> productsWith(const std::vector<Eigen::Index>& parameters, Drives drives,
+                                        const Linearisation& linearisation, const Uncertainty& uncertainty) {
+    std::vector<DriveProducts> products;
+    for (std::size_t d = 0; d < drives.size(); ++d) {
+        const Sensitivities& about = linearisation.about;
+        products.push_back(
+            inference::extended(linearisation.products[d], linearisation.columns[d], uncertainty.directions[d],
+                                columnsAndResidual(drives, uncertainty, about, parameters, about.rows, d)));
+    }
+    return products;
+}
+
+}  // namespace tread::diagnose::model

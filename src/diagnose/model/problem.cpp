@@ -1,0 +1,103 @@
+#include "diagnose/model/problem.h"
+
+#include <fmt/format.h>
+
+#include <numeric>
+#include <stdexcept>
+
+#include "recording/reference.h"
+
+namespace tread::diagnose::model {
+namespace {
+
+constexpr double kBetweenDays = 0.2;  // of its tolerances, that a car differs by from itself on another day
+
+int comparedCount(Drives drives) {
+    int count = 0;
+    for (const RecordedDrive& drive : drives) count += drive.compared() ? 1 : 0;
+    return count;
+}
+
+}  // namespace
+
+std::vector<std::string> Problem::namesOf(const std::vector<std::size_t>& some) const {
+    std::vector<std::string> names;
+    for (const std::size_t e : some) names.push_back(effects[e].name);
+    return names;
+}
+
+std::vector<Eigen::Index> Problem::allKnobs() const {
+    std::vector<Eigen::Index> all;
+    for (const auto& of_effect : knobs) all.insert(all.end(), of_effect.begin(), of_effect.end());
+    return all;
+}
+
+Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, const recording::Recorded& recorded,
+                  const std::function<Differences(bool compared)>& differences, const Options& options) {
+    const recording::Replayer replayer{nominal, file.step, options.simulate};
+    Problem problem{.replays = {.replayer = replayer,
+                                .parameters = {},
+                                .threads = options.threads,
+                                .cache = options.cache,
+                                .simulations = {}},
+                    .drives = recording::recordedDrives(file, recorded, false, replayer, options.threads),
+                    .held_out = recording::recordedDrives(file, recorded, true, replayer, options.threads),
+                    .effects = {},
+                    .knobs = {},
+                    .nuisances = {}};
+    if (problem.drives.empty())
+        throw std::invalid_argument("every recording is held out, expected at least one from which to learn");
+    problem.replays.simulations.add(comparedCount(problem.drives) + comparedCount(problem.held_out));
+    Differences found = differences(problem.compared());
+    problem.replays.parameters = std::move(found.parameters);
+    problem.effects = std::move(found.effects);
+    problem.knobs = std::move(found.knobs);
+    problem.nuisances = std::move(found.nuisances);
+    return problem;
+}
+
+Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, const recording::Recorded& recorded,
+                  const std::vector<Effect>& effects, const Options& options) {
+    const auto differences = [&](bool compared) {
+        Differences all;
+        all.parameters = nuisances(nominal, file.tolerances, compared ? kBetweenDays : 1);
+        all.nuisances.resize(all.parameters.size());
+        std::iota(all.nuisances.begin(), all.nuisances.end(), 0);
+        for (const Effect& effect : effects) {
+            std::vector<Eigen::Index> knobs;
+            for (Parameter& parameter : knobsOf(effect, nominal)) {
+                knobs.push_back(std::ssize(all.parameters));
+                all.parameters.push_back(std::move(parameter));
+            }
+            if (knobs.empty()) continue;
+            all.effects.push_back(effect);
+            all.knobs.push_back(std::move(knobs));
+        }
+        return all;
+    };
+    return problemOf(nominal, file, recorded, differences, options);
+}
+
+NominalCar nominalCar(const Problem& problem, const Progress& progress) {
+    const Deviation origin = problem.replays.origin();
+    Sensitivities about = sensitivities(problem.replays, problem.drives, origin, {.parameters = problem.nuisances},
+                                        [&](double share) { progress(share, "sensitivities to tolerances"); });
+    expectDriven(problem.drives, about);
+    NominalCar car;
+    for (const Eigen::MatrixXd& columns : about.columns)
+        car.allowed.emplace_back(columns(Eigen::all, problem.nuisances).rowwise().norm());
+    car.uncertainty = uncertaintyAt(problem.replays, problem.drives, origin, about.rows, endsOf(problem.drives));
+    const std::vector<Eigen::Index> relevant = relevantNuisances(problem.nuisances, about, car.uncertainty);
+    car.about = linearisation(std::move(about), relevant, car.uncertainty);
+    return car;
+}
+
+void expectDriven(Drives drives, const Sensitivities& about) {
+    for (std::size_t d = 0; d < about.rows.size(); ++d) {
+        if (about.rows[d].size() == 0)
+            throw std::invalid_argument(
+                fmt::format("recording {}: the nominal car cannot be driven so", drives[d].name));
+    }
+}
+
+}  // namespace tread::diagnose::model

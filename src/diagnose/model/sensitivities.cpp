@@ -1,0 +1,108 @@
+#include "diagnose/model/sensitivities.h"
+
+#include <cmath>
+#include <mutex>
+
+#include "base/parallel.h"
+#include "diagnose/model/sensitivity_cache.h"
+
+namespace tread::diagnose::model {
+namespace {
+
+constexpr double kSpeedStep = 0.1;  // m/s
+
+// One column of one drive.
+struct Column {
+    std::size_t drive;
+    Eigen::Index parameter;
+    double by;  // units, of the difference
+};
+
+// Upwards, unless the parameter's limits leave room only below.
+double stepOf(const Parameter& parameter, double at, double step) {
+    if (at + step <= parameter.highest) return step;
+    return at - step >= parameter.lowest ? -step : parameter.highest - at;
+}
+
+std::vector<Column> columnsToDrive(const Replays& replays, Drives drives, const Deviation& at, const Wanted& wanted,
+                                   const std::vector<std::optional<Log>>& motions) {
+    std::vector<Column> columns;
+    for (std::size_t i = 0; i < wanted.parameters.size(); ++i) {
+        const Eigen::Index p = wanted.parameters[i];
+        const double by = stepOf(replays.parameters[p], at(p), wanted.step);
+        for (std::size_t d = 0; d < drives.size(); ++d) {
+            const bool worth = wanted.worth.empty() || wanted.worth[i][d];
+            if (motions[d] && worth && recording::firstLike(drives, d) == d) columns.push_back({d, p, by});
+        }
+    }
+    return columns;
+}
+
+// The difference of a column, to the other side where this one cannot be driven; nothing when neither can.
+std::optional<Eigen::VectorXd> difference(const Replays& replays, const RecordedDrive& drive, const Column& column,
+                                          const Subject& subject, const Log& motion, const Eigen::VectorXd& here) {
+    const Parameter& parameter = replays.parameters[column.parameter];
+    for (const double by : {column.by, -column.by}) {
+        if (by == 0) break;
+        Subject there = subject;
+        move(there, parameter, by);
+        const std::optional<Log> driven =
+            parameter.instruments_only ? std::optional(motion) : motionAt(replays, drive, there);
+        if (!driven) continue;
+        const Eigen::VectorXd change = (recording::readings(drive, *driven, there.instruments) - here) / by;
+        if (change.allFinite()) return change;
+    }
+    return std::nullopt;
+}
+
+void repeatsAnswerAlike(Drives drives, const std::vector<Eigen::Index>& parameters, Sensitivities& result) {
+    for (std::size_t d = 0; d < drives.size(); ++d) {
+        const std::size_t first = recording::firstLike(drives, d);
+        if (first == d) continue;
+        for (const Eigen::Index p : parameters) result.columns[d].col(p) = result.columns[first].col(p);
+    }
+}
+
+}  // namespace
+
+Sensitivities sensitivities(const Replays& replays, Drives drives, const Deviation& at, const Wanted& wanted,
+                            const std::function<void(double)>& progress) {
+    const Subject subject = replays.subjectAt(at);
+    const std::size_t n = drives.size();
+    Sensitivities result{at, Rows(n), std::vector<Eigen::MatrixXd>(n)};
+    std::vector<std::optional<Log>> motions(n);
+    inParallel(n, replays.threads, [&](std::size_t d) {
+        motions[d] = motionAt(replays, drives[d], subject);
+        result.columns[d] = Eigen::MatrixXd::Zero(drives[d].rows(), at.size());
+        if (wanted.elsewhere) result.columns[d] = wanted.elsewhere->columns[d];
+        if (motions[d]) result.rows[d] = recording::readings(drives[d], *motions[d], subject.instruments);
+    });
+
+    const std::vector<Column> columns = columnsToDrive(replays, drives, at, wanted, motions);
+    std::vector<std::filesystem::path> kept(n);
+    for (std::size_t d = 0; d < n && at.isZero(0); ++d) kept[d] = columnFolder(replays, drives[d], subject);
+    std::mutex guard;
+    double done = 0;
+    inParallel(columns.size(), replays.threads, [&](std::size_t i) {
+        const Column& one = columns[i];
+        const RecordedDrive& drive = drives[one.drive];
+        const Eigen::VectorXd& here = result.rows[one.drive];
+        const auto column = keptColumn(kept[one.drive], replays.parameters[one.parameter], one.by, here.size(), [&] {
+            return difference(replays, drive, one, subject, *motions[one.drive], here);
+        });
+        if (column) result.columns[one.drive].col(one.parameter) = *column;
+        const std::scoped_lock lock(guard);
+        progress(++done / static_cast<double>(columns.size()));
+    });
+    repeatsAnswerAlike(drives, wanted.parameters, result);
+    return result;
+}
+
+Eigen::VectorXd startSpeedColumn(const Replays& replays, const RecordedDrive& drive, const Subject& subject,
+                                 const Eigen::VectorXd& rows) {
+    const std::optional<Log> faster = motionAt(replays, drive, subject, {.faster = kSpeedStep});
+    if (!faster) return Eigen::VectorXd::Zero(drive.rows());
+    return (recording::readings(drive, *faster, subject.instruments) - rows) / kSpeedStep;
+}
+
+}  // namespace tread::diagnose::model

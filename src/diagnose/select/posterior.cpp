@@ -1,0 +1,100 @@
+#include "diagnose/select/posterior.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "diagnose/select/unknown_cause.h"
+#include "diagnose/settings.h"
+
+namespace tread::diagnose::select {
+namespace {
+
+constexpr std::size_t kMost = 4;  // effects of a candidate, none included
+
+// Prior probabilities of none, one, two and three causes of the catalogue, each split evenly over its members.
+constexpr std::array<double, kMost> kPrior{0.25, 0.45, 0.15, 0.05};
+constexpr double kPriorUnknown = 0.1;
+// Of the unknown causes, those that look like so many effects of the catalogue, and that neither larger disturbances
+// nor a law of forces give away.
+constexpr std::array<double, kMost> kLookAlike{0, 0.05, 0.05, 0.3};
+
+// Ways to choose so many of n effects.
+double choices(double n, std::size_t effects) {
+    double ways = 1;
+    for (std::size_t i = 0; i < effects; ++i)
+        ways *= std::max(1.0, n - static_cast<double>(i)) / static_cast<double>(i + 1);
+    return ways;
+}
+
+bool holds(const Candidate& candidate, std::size_t effect) {
+    return std::find(candidate.effects.begin(), candidate.effects.end(), effect) != candidate.effects.end();
+}
+
+template <class Of>
+double sumOf(const std::vector<Hypothesis>& hypotheses, Of&& of) {
+    double sum = 0;
+    for (const Hypothesis& one : hypotheses) {
+        if (of(one)) sum += one.probability;
+    }
+    return sum;
+}
+
+// Probabilities from the logarithms of prior times evidence; then the most probable first.
+void normalise(std::vector<Hypothesis>& hypotheses, std::vector<double> logs) {
+    const double most = *std::max_element(logs.begin(), logs.end());
+    double sum = 0;
+    for (double& one : logs) sum += one = std::exp(one - most);
+    for (std::size_t i = 0; i < logs.size(); ++i) hypotheses[i].probability = logs[i] / sum;
+    std::stable_sort(hypotheses.begin(), hypotheses.end(),
+                     [](const Hypothesis& a, const Hypothesis& b) { return a.probability > b.probability; });
+}
+
+}  // namespace
+
+double Posterior::ofUnknown() const {
+    return sumOf(hypotheses, [](const Hypothesis& one) { return one.unknown(); });
+}
+
+double Posterior::of(std::size_t effect) const {
+    return sumOf(hypotheses, [&](const Hypothesis& one) { return !one.unknown() && holds(*one.candidate, effect); });
+}
+
+bool Posterior::shows(double log_evidence) const {
+    return log_evidence >= kSettings.effect * birge_ratio;
+}
+
+double Posterior::ofNothingThatShows() const {
+    return sumOf(hypotheses,
+                 [&](const Hypothesis& one) { return !one.unknown() && !shows(one.candidate->log_evidence); });
+}
+
+Posterior posterior(const Calibration& car, const Search& found, double unknown_gain) {
+    const bool compared = car.problem.compared();
+    const auto n = static_cast<double>(car.problem.effects.size());
+    Posterior result;
+    result.birge_ratio = std::pow(model::birgeRatio(car.drives(), car.uncertainty, found.best().fit.rows), 2);
+    std::vector<double> logs;
+    const auto add = [&](const Candidate* candidate, bool look_alike, double prior, double evidence) {
+        result.hypotheses.push_back({candidate, look_alike});
+        logs.push_back(std::log(prior) + evidence / result.birge_ratio);
+    };
+    double strongest = -kInfinity;
+    for (const Candidate& one : found.candidates) {
+        const std::size_t count = std::min(one.effects.size(), kMost - 1);
+        const double ways = choices(n, count);
+        const double evidence =
+            one.log_evidence - kSettings.structureAllowance(count, found.best().log_evidence, compared);
+        strongest = std::max(strongest, evidence);
+        add(&one, false, kPrior[count] / ways, evidence);
+        result.heterogeneity.push_back(one.fitted ? heterogeneity(car, one.fit) : inference::Heterogeneity{});
+        if (count > 0 && one.fitted)
+            add(&one, true, kPriorUnknown * kLookAlike[count] / ways,
+                evidence + lookAlikeGain(one, result.heterogeneity.back(), compared));
+    }
+    add(nullptr, false, kPriorUnknown, strongest + unknown_gain - kSettings.unknown);
+    normalise(result.hypotheses, std::move(logs));
+    return result;
+}
+
+}  // namespace tread::diagnose::select

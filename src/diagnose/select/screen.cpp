@@ -1,0 +1,171 @@
+#include "diagnose/select/screen.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "diagnose/settings.h"
+#include "inference/bounded_step.h"
+
+namespace tread::diagnose::select {
+namespace {
+
+constexpr double kAlike = 0.5;  // cosine: pairs below are hard to tell apart because one of them hardly shows
+constexpr std::size_t kMostConfusable = 30;
+
+// Linear evidence of knobs with these products, as far as their bounds let them.
+double gain(const Problem& problem, const Eigen::MatrixXd& products, std::size_t effect, const Deviation& at) {
+    const std::vector<Eigen::Index> places = placesOf(problem, effect);
+    const Eigen::Index n = std::ssize(places), last = products.cols() - 1;
+    const inference::QuadraticModel knobs{
+        .information = products(places, places), .gradient = products(places, last), .at = Eigen::VectorXd::Zero(n)};
+    Eigen::VectorXd lowest(n), highest(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const Eigen::Index p = problem.knobs[effect][i];
+        const Parameter& parameter = problem.replays.parameters[p];
+        lowest(i) = parameter.lowest - at(p), highest(i) = parameter.highest - at(p);
+    }
+    return inference::logEvidence(knobs, inference::boundedStep(knobs, 0, lowest, highest));
+}
+
+// A point with the knobs of an effect at their typical size; nothing when none of them is bounded on one side.
+std::optional<Deviation> withOneSided(const Problem& problem, std::size_t effect, Deviation at) {
+    bool one_sided = false;
+    for (const Eigen::Index k : problem.knobs[effect]) {
+        const Parameter& knob = problem.replays.parameters[k];
+        one_sided = one_sided || knob.lowest == 0 || knob.highest == 0;
+        at(k) = std::clamp(knob.highest > 0 ? 1.0 : -1.0, knob.lowest, knob.highest);
+    }
+    if (!one_sided) return std::nullopt;
+    return at;
+}
+
+bool isFree(const Fit& fit, const std::vector<Eigen::Index>& knobs) {
+    return std::find_first_of(fit.knobs.begin(), fit.knobs.end(), knobs.begin(), knobs.end()) != fit.knobs.end();
+}
+
+// The recording with the largest part of what the first effect leaves of the second.
+std::string mostTelling(const Calibration& car, const Screen& screen, std::size_t a, std::size_t b) {
+    const Eigen::Index i = placesOf(car.problem, a).front(), j = placesOf(car.problem, b).front();
+    const double slope = screen.products(i, j) / screen.products(i, i);
+    const Eigen::Index offset = std::ssize(car.about.nuisances);
+    std::string recording;
+    double most = -1;
+    for (std::size_t d = 0; d < car.products.size(); ++d) {
+        const model::NormalEquations one =
+            model::normalEquations(car.uncertainty, d, car.products[d], car.uncertainty.sizes);
+        const auto at = [&](Eigen::Index r, Eigen::Index c) { return one.products(offset + r, offset + c); };
+        const double energy = at(j, j) - 2 * slope * at(i, j) + slope * slope * at(i, i);
+        if (energy > most) most = energy, recording = car.drives()[d].name;
+    }
+    return recording;
+}
+
+}  // namespace
+
+std::vector<Eigen::Index> placesOf(const Problem& problem, std::size_t effect) {
+    Eigen::Index first = 0;
+    for (std::size_t e = 0; e < effect; ++e) first += std::ssize(problem.knobs[e]);
+    std::vector<Eigen::Index> places(problem.knobs[effect].size());
+    std::iota(places.begin(), places.end(), first);
+    return places;
+}
+
+Screen screen(const Calibration& car) {
+    Screen result;
+    const model::NormalEquations sum = model::normalEquations(car.uncertainty, car.products, car.uncertainty.sizes);
+    result.products = inference::withoutFirst(sum, std::ssize(car.about.nuisances)).products;
+    for (std::size_t e = 0; e < car.problem.effects.size(); ++e) {
+        double most = 0;
+        for (const Eigen::Index i : placesOf(car.problem, e)) most = std::max(most, 0.5 * result.products(i, i));
+        result.expected_evidence.push_back(most);
+    }
+    result.gain = gainsOver(car, car.about, car.fit);
+    return result;
+}
+
+std::vector<double> expectedEvidenceAt(const Calibration& car, const Fit& found, const Screen& screen) {
+    const Problem& problem = car.problem;
+    std::vector<double> expected = screen.expected_evidence;
+    for (std::size_t e = 0; e < problem.effects.size(); ++e) {
+        if (expected[e] < kSettings.shows || isFree(found, problem.knobs[e])) continue;
+        const std::optional<Deviation> with = withOneSided(problem, e, found.at);
+        if (!with) continue;
+        const std::optional<Rows> rows = model::rowsAt(problem.replays, problem.drives, *with);
+        if (!rows) continue;
+        std::vector<Eigen::MatrixXd> further(rows->size());
+        for (std::size_t d = 0; d < rows->size(); ++d) {
+            further[d].resize((*rows)[d].size(), 2);
+            further[d] << car.uncertainty.noise[d].over((*rows)[d] - found.rows[d]),
+                model::residual(problem.drives, car.uncertainty, found.rows, d);
+        }
+        const double shown = 0.5 * productsBeside(car, found, further, car.uncertainty.sizes)(0, 0);
+        expected[e] = std::min(expected[e], shown);
+    }
+    return expected;
+}
+
+Eigen::MatrixXd productsBeside(const Calibration& car, const Fit& fit, const std::vector<Eigen::MatrixXd>& further,
+                               const Sizes& sizes) {
+    std::vector<DriveProducts> products;
+    for (std::size_t d = 0; d < fit.rows.size(); ++d) {
+        const Eigen::MatrixXd& directions = car.uncertainty.directions[d];
+        const DriveProducts free = inference::productsOf(fit.columns[d], directions);
+        products.push_back(inference::extended(free, fit.columns[d], directions, further[d]));
+    }
+    model::NormalEquations sum = model::normalEquations(car.uncertainty, products, sizes);
+    // The prior pulls the fitted parameters back: that is a gradient, too.
+    const Eigen::Index free = std::ssize(fit.free);
+    sum.products.topRightCorner(free, 1) -= fit.at(fit.free);
+    sum.products.bottomLeftCorner(1, free) = sum.products.topRightCorner(free, 1).transpose();
+    return inference::withoutFirst(sum, free).products;
+}
+
+Eigen::MatrixXd productsOfKnobs(const Calibration& car, const Linearisation& about, const Fit& fit,
+                                const Sizes& sizes) {
+    const std::vector<Eigen::Index> knobs = car.problem.allKnobs();
+    std::vector<Eigen::MatrixXd> columns;
+    for (std::size_t d = 0; d < fit.rows.size(); ++d)
+        columns.push_back(model::columnsAndResidual(car.drives(), car.uncertainty, about.about, knobs, fit.rows, d));
+    return productsBeside(car, fit, columns, sizes);
+}
+
+std::vector<double> gainsOver(const Calibration& car, const Linearisation& about, const Fit& fit) {
+    const Eigen::MatrixXd products = productsOfKnobs(car, about, fit, car.uncertainty.sizes);
+    std::vector<double> gains;
+    for (std::size_t e = 0; e < car.problem.effects.size(); ++e)
+        gains.push_back(gain(car.problem, products, e, fit.at));
+    return gains;
+}
+
+double cosine(const Problem& problem, const Eigen::MatrixXd& products, std::size_t a, std::size_t b) {
+    double largest = 0;
+    for (const Eigen::Index i : placesOf(problem, a)) {
+        for (const Eigen::Index j : placesOf(problem, b)) {
+            const double size = std::sqrt(products(i, i) * products(j, j));
+            if (size > 0) largest = std::max(largest, std::abs(products(i, j)) / size);
+        }
+    }
+    return largest;
+}
+
+std::vector<answer::ConfusablePair> confusablePairs(const Calibration& car, const Screen& screen,
+                                                    const std::vector<double>& expected_evidence) {
+    const Problem& problem = car.problem;
+    std::vector<answer::ConfusablePair> pairs;
+    for (std::size_t a = 0; a < problem.effects.size(); ++a) {
+        for (std::size_t b = a + 1; b < problem.effects.size(); ++b) {
+            const double least = std::min(expected_evidence[a], expected_evidence[b]);
+            if (least < kSettings.shows) continue;
+            const double alike = cosine(problem, screen.products, a, b), apart = least * (1 - alike * alike);
+            if (apart >= kSettings.separable || alike < kAlike) continue;
+            pairs.push_back(
+                {problem.effects[a].name, problem.effects[b].name, alike, apart, mostTelling(car, screen, a, b)});
+        }
+    }
+    std::sort(pairs.begin(), pairs.end(), [](const auto& x, const auto& y) { return x.separation < y.separation; });
+    if (pairs.size() > kMostConfusable) pairs.resize(kMostConfusable);
+    return pairs;
+}
+
+}  // namespace tread::diagnose::select

@@ -1,0 +1,115 @@
+#include "diagnose/select/unknown_cause.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "diagnose/settings.h"
+
+namespace tread::diagnose::select {
+namespace {
+
+constexpr std::array<double, 6> kAllLarger{1.6, 2.5, 4, 8, 16, 50};
+constexpr std::array<double, 3> kOneLarger{4, 15, 50};
+constexpr double kLeastShare = 0.02;  // of the information, that a drive must carry to have a say
+constexpr double kWider = 2;          // times the spread of an effect's size, that a look-alike has
+// Standard deviation of a value from drive to drive, as a share of it: of a true effect (the fit is linear there), and
+// of a look-alike.
+constexpr double kSame = 0.1, kVaried = 0.5;
+constexpr double kJumps = 0.04;  // of what is explained, that varies all the same: controllers set in or do not
+
+// Nats that larger disturbances gain on top of a model.
+double gainOfLargerDisturbances(const Calibration& car, const Fit& fit) {
+    const Sizes& usual = car.uncertainty.sizes;
+    const double now = logEvidence(fit, car.uncertainty, usual);
+    double best = -kInfinity;
+    const auto look = [&](const Sizes& sizes) {
+        best = std::max(best, logEvidence(fit, car.uncertainty, sizes) - now);
+    };
+    for (const double factor : kAllLarger) {
+        Sizes sizes = usual;
+        for (double& size : sizes) size *= factor;
+        look(sizes);
+    }
+    for (std::size_t kind = 0; kind < usual.size(); ++kind) {
+        for (const double factor : kOneLarger) {
+            Sizes sizes = usual;
+            sizes[kind] *= factor;
+            look(sizes);
+        }
+    }
+    return best;
+}
+
+// The equations of a fit with its knobs replaced by one value per drive along `direction`: nuisances, values, residual.
+Eigen::MatrixXd oneValuePerDrive(const Calibration& car, const Fit& fit, const Eigen::VectorXd& direction) {
+    const Eigen::Index n = std::ssize(fit.free), nuisances = fit.nuisances(), drives = std::ssize(fit.products);
+    const Eigen::Index last = nuisances + drives;
+    Eigen::MatrixXd products = Eigen::MatrixXd::Zero(last + 1, last + 1);
+    Eigen::MatrixXd pick = Eigen::MatrixXd::Zero(n + 1, nuisances + 2);
+    pick.topLeftCorner(nuisances, nuisances).setIdentity();
+    pick.block(0, nuisances, n, 1) = direction;
+    pick(n, nuisances + 1) = 1;
+    std::vector<Eigen::Index> places(nuisances + 2);
+    std::iota(places.begin(), places.end(), 0);
+    places.back() = last;
+    for (Eigen::Index d = 0; d < drives; ++d) {
+        const Eigen::MatrixXd one =
+            model::normalEquations(car.uncertainty, d, fit.products[d], car.uncertainty.sizes).products;
+        places[nuisances] = nuisances + d;
+        products(places, places) += (pick.transpose() * one * pick).eval();
+    }
+    // The prior pulls the nuisances back.
+    for (Eigen::Index i = 0; i < nuisances; ++i) {
+        products(i, last) -= fit.at(fit.free[i]);
+        products(last, i) = products(i, last);
+    }
+    return products;
+}
+
+}  // namespace
+
+UnknownCause unknownCause(const Calibration& car, const Search& found) {
+    const Candidate& best = found.best();
+    // No law is trusted in more detail than one more effect would be.
+    const double allowance = kSettings.structureAllowance(2, best.log_evidence, car.problem.compared());
+    answer::ForceLaw law = forceLaw(car, found.none().fit);
+    law.gain -= best.log_evidence + allowance;
+    const double larger = gainOfLargerDisturbances(car, best.fit), gain = std::max(law.gain, larger);
+    if (law.gain <= kSettings.unknown) {
+        law = forceLaw(car, best.fit);
+        law.gain -= allowance;
+        law.generalised_force.clear();  // of what the effects leave only
+    }
+    if (law.gain < std::max(larger, kSettings.unknown)) law = {.gain = law.gain};
+    return {.gain = gain, .law = std::move(law)};
+}
+
+inference::Heterogeneity heterogeneity(const Calibration& car, const Fit& fit) {
+    const Eigen::Index knobs = std::ssize(fit.knobs), nuisances = fit.nuisances();
+    if (knobs == 0) return {};
+    Eigen::VectorXd direction = Eigen::VectorXd::Zero(nuisances + knobs);
+    direction.tail(knobs) = fit.at(fit.knobs).normalized();
+    if (direction.isZero(0)) direction(nuisances) = 1;
+    const Eigen::MatrixXd left =
+        inference::withoutFirst({oneValuePerDrive(car, fit, direction), 0}, nuisances).products;
+    const Eigen::Index drives = std::ssize(fit.products);
+    return inference::heterogeneity(left.topLeftCorner(drives, drives), left.topRightCorner(drives, 1),
+                                    fit.at(fit.knobs).squaredNorm(), kLeastShare);
+}
+
+double lookAlikeGain(const Candidate& candidate, const inference::Heterogeneity& same, bool compared) {
+    double gain = 0;
+    if (!compared) {
+        for (const Eigen::Index k : candidate.fit.knobs) {
+            const double size = candidate.fit.at(k);
+            gain += 0.5 * size * size * (1 - 1 / (kWider * kWider)) - std::log(kWider);
+        }
+    }
+    const double one_value = compared ? kSettings.structure : kSame;
+    const double varied = inference::logBayesFactorOfSpread(same, kVaried, one_value);
+    return gain + (varied > 0 ? std::max(0.0, varied - kJumps * candidate.log_evidence) : varied);
+}
+
+}  // namespace tread::diagnose::select

@@ -1,0 +1,26 @@
+#include "inference/laplace.h"
+
+namespace tread::inference {
+
+Factor factorOfPriorAnd(const Eigen::MatrixXd& information) {
+    return Factor(Eigen::MatrixXd::Identity(information.rows(), information.cols()) + information);
+}
+
+double logDeterminant(const Factor& factor) {
+    return 2 * factor.matrixLLT().diagonal().array().log().sum();
+}
+
+double gainOf(const QuadraticModel& model, const Eigen::VectorXd& step) {
+    return step.dot(model.gradient - model.at) - 0.5 * (step.squaredNorm() + step.dot(model.information * step));
+}
+
+Eigen::VectorXd bestStep(const QuadraticModel& model) {
+    return factorOfPriorAnd(model.information).solve(model.gradient - model.at);
+}
+
+double logEvidence(const QuadraticModel& model, const Eigen::VectorXd& step) {
+    const double misfit = 0.5 * (model.squared_residual + model.at.squaredNorm()) - gainOf(model, step);
+    return -misfit - 0.5 * (model.log_determinant + logDeterminant(factorOfPriorAnd(model.information)));
+}
+
+}  // namespace tread::inference

@@ -1,0 +1,64 @@
+#include "inference/normal_equations.h"
+
+#include <numeric>
+
+#include "inference/laplace.h"
+
+namespace tread::inference {
+
+DriveProducts productsOf(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& disturbances) {
+    return {columns.transpose() * columns, disturbances.transpose() * disturbances, disturbances.transpose() * columns};
+}
+
+DriveProducts extended(const DriveProducts& products, const Eigen::MatrixXd& columns,
+                       const Eigen::MatrixXd& disturbances, const Eigen::MatrixXd& further) {
+    const Index old = products.columns.cols(), all = old + further.cols();
+    DriveProducts result{Eigen::MatrixXd(all, all), products.disturbances, Eigen::MatrixXd(products.mixed.rows(), all)};
+    result.columns.topLeftCorner(old, old) = products.columns;
+    result.columns.topRightCorner(old, further.cols()) = columns.transpose() * further;
+    result.columns.bottomLeftCorner(further.cols(), old) =
+        result.columns.topRightCorner(old, further.cols()).transpose();
+    result.columns.bottomRightCorner(further.cols(), further.cols()) = further.transpose() * further;
+    result.mixed.leftCols(old) = products.mixed;
+    result.mixed.rightCols(further.cols()) = disturbances.transpose() * further;
+    return result;
+}
+
+NormalEquations normalEquations(const DriveProducts& products, const Eigen::VectorXd& sizes) {
+    // (I + D S S D')^-1 = I - D S (I + S D'D S)^-1 S D'
+    const auto scale = sizes.asDiagonal();
+    const Factor factor = factorOfPriorAnd(scale * products.disturbances * scale);
+    const Eigen::MatrixXd half = factor.matrixL().solve(scale * products.mixed);
+    return {products.columns - half.transpose() * half, logDeterminant(factor)};
+}
+
+NormalEquations operator+(NormalEquations a, const NormalEquations& b) {
+    if (a.products.size() == 0) return b;
+    a.products += b.products;
+    a.log_determinant += b.log_determinant;
+    return a;
+}
+
+NormalEquations marginalised(const NormalEquations& equations, const std::vector<Index>& out) {
+    if (out.empty()) return equations;
+    const Factor factor = factorOfPriorAnd(equations.products(out, out));
+    const Eigen::MatrixXd half = factor.matrixL().solve(equations.products(out, Eigen::all));
+    NormalEquations left{equations.products - half.transpose() * half,
+                         equations.log_determinant + logDeterminant(factor)};
+    for (const Index i : out) {
+        left.products.row(i).setZero();
+        left.products.col(i).setZero();
+    }
+    return left;
+}
+
+NormalEquations withoutFirst(const NormalEquations& equations, Index count) {
+    std::vector<Index> out(count);
+    std::iota(out.begin(), out.end(), 0);
+    NormalEquations left = marginalised(equations, out);
+    const Index others = equations.products.cols() - count;
+    left.products = left.products.bottomRightCorner(others, others).eval();
+    return left;
+}
+
+}  // namespace tread::inference

@@ -1,0 +1,12 @@
+// Processes that wander about zero: exponentially correlated Gaussian noise (G. E. Uhlenbeck, L. S. Ornstein, 1930).
+#pragma once
+
+#include <Eigen/Dense>
+
+namespace tread::inference {
+
+// Cholesky factor of the correlation of `count` values of such a process, `spacing` apart: values of variance one are
+// this times independent impulses of variance one. `correlation_time` is in the unit of `spacing`.
+Eigen::MatrixXd correlationFactor(Eigen::Index count, double spacing, double correlation_time);
+
+}  // namespace tread::inference

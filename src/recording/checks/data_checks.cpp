@@ -1,0 +1,213 @@
+#include "recording/checks/data_checks.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "recording/checks/log_checks.h"
+#include "recording/observation.h"
+#include "recording/reference.h"
+
+namespace tread::recording::checks {
+namespace {
+
+constexpr double kLateral = 1;    // m/s2: less says little about tyres and steering
+constexpr double kSpeeds = 3;     // m/s, between the slowest and the fastest moment
+constexpr double kAlike = 0.995;  // correlation of the hand wheel in two recordings
+
+bool has(const Log& log, std::string_view name) {
+    const Channel* channel = log.find(name);
+    return channel && std::any_of(channel->values.begin(), channel->values.end(),
+                                  [](double value) { return std::isfinite(value); });
+}
+
+double range(const Log& log, std::string_view name) {
+    const Channel* channel = log.find(name);
+    double lowest = kInfinity, highest = -kInfinity;
+    if (channel) {
+        for (const double value : channel->values) {
+            if (!std::isfinite(value)) continue;
+            lowest = std::min(lowest, value);
+            highest = std::max(highest, value);
+        }
+    }
+    return highest > lowest ? highest - lowest : 0;
+}
+
+void checkInputs(const LogChecks& checks) {
+    if (!has(checks.log, "driver.steering_wheel_angle"))
+        checks.warn("driver.steering_wheel_angle", "is missing",
+                    "The drive cannot be repeated without it: only straight running is assumed",
+                    "Record the hand-wheel angle, or the road-wheel angle times the steering ratio");
+    if (!has(checks.log, "chassis.vx"))
+        checks.warn("chassis.vx", "is missing", "Neither the speed at the start nor that to be followed is known",
+                    "Record the speed over ground");
+    if (checks.recording.speed == SpeedReplay::pedals && !has(checks.log, "driver.throttle") &&
+        !has(checks.log, "driver.brake"))
+        checks.warn("driver.throttle, driver.brake", "are missing, though speed: pedals is asked for",
+                    "The car would roll out instead of being driven", "Say speed: followed for this recording");
+    if (checks.recording.speed == SpeedReplay::pedals && has(checks.log, "driver.throttle") &&
+        !has(checks.log, "driveline.gear"))
+        checks.warn("driveline.gear", "is missing",
+                    "An automatic shift at another moment than the car's hides or fakes effects of the driveline",
+                    "Record the gear, or choose a window in one gear");
+}
+
+// What was not measured before the change is of no use after it.
+void checkReference(const LogChecks& checks, const DiagnosisFile& file, const Log& after) {
+    std::vector<std::string> missing;
+    for (const ObservedQuantity& one : observedQuantities()) {
+        if (wanted(file, one.channel) && has(after, one.channel) && !has(checks.log, one.channel))
+            missing.push_back(one.channel);
+    }
+    if (missing.empty()) return;
+    checks.warn(fmt::format("{}", fmt::join(missing, ", ")), "not measured here, though in the recording itself",
+                "What the model lacked already is not known of it, so it is left out of both",
+                "Record the same channels before and after the change");
+}
+
+void checkNamed(std::vector<DataWarning>& found, const DiagnosisFile& file, const std::vector<Log>& logs) {
+    std::vector<std::string> nowhere;
+    for (const MeasuredChannel& told : file.channels) {
+        if (std::none_of(logs.begin(), logs.end(), [&](const Log& log) { return has(log, told.channel); }))
+            nowhere.push_back(told.channel);
+    }
+    if (nowhere.empty()) return;
+    found.push_back({"all recordings", fmt::format("{} stand under channels and in no log", fmt::join(nowhere, ", ")),
+                     "What was not measured cannot tell anything",
+                     "Say from which column they are to be read, or leave them out"});
+}
+
+// Which verdicts are still possible.
+void checkResponses(std::vector<DataWarning>& found, const std::vector<Log>& logs) {
+    const auto none = [&](std::initializer_list<const char*> channels) {
+        return std::none_of(logs.begin(), logs.end(), [&](const Log& log) {
+            return std::any_of(channels.begin(), channels.end(), [&](const char* name) { return has(log, name); });
+        });
+    };
+    const auto warn = [&](const char* what, const char* lost) {
+        found.push_back({"all recordings", what, lost, "Record it, or take other evidence for these causes"});
+    };
+    if (none({"chassis.yaw_rate", "chassis.ay"}))
+        warn("neither yaw rate nor lateral acceleration was measured",
+             "Nothing can be said about tyres, steering and side forces; drag, drive and brakes remain");
+    if (none({"chassis.ax", "chassis.vx"}))
+        warn("neither speed nor longitudinal acceleration was measured",
+             "Nothing can be said about drag, drive and brakes");
+    if (none({"chassis.roll", "chassis.roll_rate"}))
+        warn("no roll was measured",
+             "Roll stiffness, damping and height of the centre of gravity show only in what they do to the tyres");
+    if (none({"wheel.front_left.spin", "wheel.front_right.spin", "wheel.rear_left.spin", "wheel.rear_right.spin"}))
+        warn("no wheel speed was measured",
+             "Wheel radius, slip stiffness, brake balance and differentials can hardly be told apart");
+}
+
+void checkExcitation(std::vector<DataWarning>& found, const std::vector<Log>& logs) {
+    double lateral = 0, speeds = 0, slowest = kInfinity, fastest = 0;
+    bool turning_known = false;
+    for (const Log& log : logs) {
+        turning_known = turning_known || has(log, "chassis.ay") || has(log, "chassis.yaw_rate");
+        lateral = std::max(lateral, 0.5 * range(log, "chassis.ay"));
+        const Channel *vx = log.find("chassis.vx"), *yaw_rate = log.find("chassis.yaw_rate");
+        if (!vx) continue;
+        speeds = std::max(speeds, range(log, "chassis.vx"));
+        for (std::size_t i = 0; i < vx->values.size(); ++i) {
+            if (!std::isfinite(vx->values[i])) continue;
+            slowest = std::min(slowest, vx->values[i]);
+            fastest = std::max(fastest, vx->values[i]);
+            if (!has(log, "chassis.ay") && yaw_rate && std::isfinite(yaw_rate->values[i]))
+                lateral = std::max(lateral, std::abs(vx->values[i] * yaw_rate->values[i]));
+        }
+    }
+    const auto warn = [&](std::string what, const char* why, const char* advice) {
+        found.push_back({"all recordings", std::move(what), why, advice});
+    };
+    if (turning_known && lateral < kLateral)
+        warn(fmt::format("lateral acceleration never exceeds {:.2g} m/s2", lateral),
+             "Effects of tyres, steering and suspension are not testable with these drives",
+             "Add a step steer, a sine sweep or a lane change");
+    if (fastest == 0) return;
+    if (speeds < kSpeeds)
+        warn(fmt::format("the speed changes by no more than {:.2g} m/s in any drive", speeds),
+             "Effects of drive, brakes and drag are not testable with these drives",
+             "Add a coast-down, an acceleration and a stop");
+    else if (fastest < 2 * std::max(slowest, 1.0))
+        warn(fmt::format("all drives lie between {:.3g} and {:.3g} m/s", slowest, fastest),
+             "What grows with speed (drag, lift, understeer) is told badly from what does not",
+             "Add a drive at another speed");
+}
+
+bool alike(const Log& a, const Log& b) {
+    const Channel *x = a.find("driver.steering_wheel_angle"), *y = b.find("driver.steering_wheel_angle");
+    if (!x || !y || std::abs(a.channels[0].values.back() - b.channels[0].values.back()) > 0.5) return false;
+    const Channel *u = a.find("chassis.vx"), *v = b.find("chassis.vx");
+    if (u && v && std::abs(u->values.front() - v->values.front()) > 1) return false;
+    return relation(x->values, y->values).correlation > kAlike;
+}
+
+void checkTheSet(std::vector<DataWarning>& found, const DiagnosisFile& file, const std::vector<Log>& logs) {
+    const auto warn = [&](const char* what, const char* why, const char* advice) {
+        found.push_back({"all recordings", what, why, advice});
+    };
+    std::size_t training = 0, references = 0;
+    std::set<std::string> groups;
+    bool repeats = false;
+    for (const Recording& recording : file.recordings) {
+        training += !recording.hold_out;
+        references += !recording.reference.empty();
+        if (!recording.repeat_group.empty()) repeats |= !groups.insert(recording.repeat_group).second;
+    }
+    if (training == 1)
+        warn("only one recording is there to learn from",
+             "Whether a parameter is the same in every drive, the best test for an unknown cause, cannot be asked",
+             "Add drives of other kinds");
+    if (references > 0 && references < file.recordings.size())
+        warn("some have a reference and some have none",
+             "Where there is none, what the model lacked already is taken for a change of the car",
+             "Give every recording its reference, or leave those without one out");
+    if (training == file.recordings.size())
+        warn("no recording is held out",
+             "How far the gap shrinks is judged on the drives that the effect was fitted to: too favourable",
+             "Mark one or two drives with hold_out: true");
+    bool all_alike = logs.size() > 1 && !repeats;
+    for (std::size_t i = 1; i < logs.size(); ++i) all_alike = all_alike && alike(logs[0], logs[i]);
+    if (all_alike)
+        warn("all recordings show the same manoeuvre at the same speed",
+             "Causes that do the same in this manoeuvre cannot be told apart",
+             "Add drives of other kinds; give repeats of one a repeat_group");
+}
+
+}  // namespace
+
+std::string toText(const DataWarning& warning) {
+    return fmt::format("{}: {}. {}. {}.", warning.where, warning.what, warning.why, warning.advice);
+}
+
+std::vector<DataWarning> dataWarnings(const DiagnosisFile& file, const Recorded& recorded, const Subject& nominal) {
+    std::vector<DataWarning> found;
+    const auto check = [&](const Recording& recording, const Log& log) {
+        const LogChecks checks{recording, log, nominal, found};
+        checkInputs(checks);
+        checkChannels(checks);
+        checkKinematics(checks);
+        checkCar(checks);
+    };
+    for (std::size_t i = 0; i < recorded.logs.size(); ++i) {
+        const Recording& recording = file.recordings[i];
+        check(recording, recorded.logs[i]);
+        if (recording.reference.empty()) continue;
+        const Recording reference = referenceOf(recording);
+        check(reference, recorded.references[i]);
+        checkReference({reference, recorded.references[i], nominal, found}, file, recorded.logs[i]);
+    }
+    checkNamed(found, file, recorded.logs);
+    checkResponses(found, recorded.logs);
+    checkExcitation(found, recorded.logs);
+    checkTheSet(found, file, recorded.logs);
+    return found;
+}
+
+}  // namespace tread::recording::checks

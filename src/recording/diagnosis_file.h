@@ -1,0 +1,152 @@
+// What a diagnosis is asked: diagnosis.yaml.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "recording/instruments.h"
+#include "recording/subject.h"
+#include "log/log.h"
+#include "scenario/wind.h"
+#include "tread/describe.h"
+#include "tread/road_params.h"
+
+namespace tread::recording {
+
+// One measured channel: under which name the log has it, and how noisy it is.
+struct MeasuredChannel {
+    std::string channel;
+    std::string column = {};
+    std::string unit = {};
+    double noise = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(channel), About{"", "name in tread, e.g. chassis.yaw_rate"});
+        field(TREAD_FIELD(column), About{"", "name in the log; empty: the same"});
+        field(TREAD_FIELD(unit), About{"", "unit in the log when its header names none; empty: as the header says"});
+        field(TREAD_FIELD(noise),
+              About{"-", "standard deviation of one reading, SI; 0: estimated from the log", kNonNegative});
+    }
+};
+static_assert(describesEveryMember<MeasuredChannel>());
+
+// How the car's speed is brought about in the replay.
+enum class SpeedReplay { pedals, followed };
+constexpr auto enumNames(SpeedReplay) {
+    return std::array<std::string_view, 2>{"pedals", "followed"};
+}
+
+struct Recording {
+    std::string log;
+    std::string name = {};
+    SpeedReplay speed = SpeedReplay::pedals;
+    double from = 0;
+    double to = kInfinity;
+    std::string repeat_group = {};
+    std::string reference = {};
+    bool hold_out = false;
+    RoadParams road = {};
+    WindParams wind = {};
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(log), About{"", "log of the real car (CSV), relative to this file"});
+        field(TREAD_FIELD(name), About{"", "name in the report; empty: that of the log"});
+        field(TREAD_FIELD(speed),
+              About{"", "pedals: throttle and brake are replayed; followed: a driver keeps the measured speed"});
+        field(TREAD_FIELD(from), About{"s", "beginning of the window"});
+        field(TREAD_FIELD(to), About{"s", "end of the window"});
+        field(TREAD_FIELD(repeat_group), About{"", "recordings of one manoeuvre, repeated, share a name"});
+        field(TREAD_FIELD(reference),
+              About{"",
+                    "log of the same drive with the car as it was before, if there is one: what "
+                    "the model lacked already is then no part of the gap"});
+        field(TREAD_FIELD(hold_out), About{"", "not used to find the cause: judges how far the gap shrinks"});
+        field(TREAD_FIELD(road), About{"", "road as known"});
+        field(TREAD_FIELD(wind), About{"", "wind as known"});
+    }
+
+    static void check(const auto& self, auto&& complain) {
+        if (self.log.empty()) complain("log", "found no log, expected the file name of one");
+        if (!(self.from < self.to)) complain("to", "the window must end after its beginning (from < to)");
+    }
+};
+static_assert(describesEveryMember<Recording>());
+
+// How well a number of the car is known, in place of the tolerance in its description.
+struct KnownWithin {
+    std::string path;
+    double relative = 0;
+    double absolute = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(path), About{"", "number, or several with *, e.g. front.tyre.lambda.*"});
+        field(TREAD_FIELD(relative), About{"-", "known within this fraction", kNonNegative});
+        field(TREAD_FIELD(absolute), About{"-", "known within this much, in its SI unit", kNonNegative});
+    }
+
+    static void check(const auto& self, auto&& complain) {
+        if (self.path.empty()) complain("path", "found no path, expected that of a number, e.g. mass");
+    }
+};
+static_assert(describesEveryMember<KnownWithin>());
+
+struct DiagnosisFile {
+    std::string vehicle;
+    std::vector<std::string> vehicle_settings = {};
+    std::string import = {};
+    std::vector<MeasuredChannel> channels = {};
+    std::vector<Recording> recordings;
+    std::vector<KnownWithin> tolerances = {};
+    Instruments instruments;
+    std::vector<std::string> effects = {};
+    std::string own_effects;
+    std::vector<std::string> fit = {};
+    double step = 0.004;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(vehicle), About{"", "nominal car, relative to this file"});
+        field(TREAD_FIELD(vehicle_settings), About{"", "what is changed on it, each path=value"});
+        field(TREAD_FIELD(import),
+              About{"", "mapping of foreign logs (see tread import), relative to this file; none: guessed from names"});
+        field(TREAD_FIELD(channels), About{"", "measured channels; none: every channel of the logs that is known"});
+        field(TREAD_FIELD(recordings), About{"", "drives of the real car"});
+        field(TREAD_FIELD(tolerances), About{"", "how well numbers of the car are known"});
+        field(TREAD_FIELD(instruments), About{"", "instruments, as far as they are known"});
+        field(TREAD_FIELD(effects), About{"", "effects to consider, with * for any characters; none: all"});
+        field(TREAD_FIELD(own_effects), About{"", "file with further effects, relative to this file"});
+        field(TREAD_FIELD(fit),
+              About{"", "numbers that `tread identify` fits, with * for any characters, e.g. front.tyre.lambda.Ky"});
+        field(TREAD_FIELD(step), About{"s", "time step of the replay", {1e-4, 0.01}});
+    }
+
+    static void check(const auto& self, auto&& complain) {
+        if (self.vehicle.empty()) complain("vehicle", "found no vehicle, expected the file of the nominal car");
+        if (self.recordings.empty())
+            complain("recordings", "found no recording, expected the log of at least one drive of the real car");
+    }
+};
+static_assert(describesEveryMember<DiagnosisFile>());
+
+// Throws LoadError. File names in it are made relative to its folder; those of the logs to `data`, when it is given.
+DiagnosisFile loadDiagnosis(const std::filesystem::path& file, const std::filesystem::path& data = {});
+
+// The same, without looking whether the logs are there.
+DiagnosisFile checkedDiagnosis(const std::filesystem::path& file);
+
+// ---- What it names, read; each throws LoadError with every fault ----
+
+// The nominal car with its settings, and the instruments.
+Subject nominalSubject(const DiagnosisFile& file);
+
+// The recordings in their order: channels under tread's names in SI units, cut to the window, time from 0. `notes` say
+// what was changed or guessed, one sentence each.
+struct Recorded {
+    std::vector<Log> logs;
+    std::vector<Log> references = {};  // as many as logs, or none; one without channels where a recording has none
+    std::vector<std::string> notes = {};
+};
+Recorded readRecordings(const DiagnosisFile& file);
+
+}  // namespace tread::recording

@@ -1,0 +1,98 @@
+#include "recording/driver_inputs.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "inference/whitening.h"
+
+namespace tread::recording {
+namespace {
+
+constexpr std::array<std::size_t, 5> kReaches{50, 25, 12, 6, 3};  // samples to either side, the widest that fits
+constexpr double kLikeNoise = 1.3;                                // times the noise, that a parabola may leave
+
+constexpr double kLongestGap = 0.25;  // s, over which a driver does not do much
+
+// The middle of a parabola through evenly spaced values; nothing when they lie farther from it than noise does.
+std::optional<double> middleOf(std::span<const double> values, double noise) {
+    const auto reach = static_cast<double>(values.size() / 2);
+    double n = 0, xx = 0, xxxx = 0, y = 0, xy = 0, xxy = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double x = static_cast<double>(i) - reach;
+        n += 1, xx += x * x, xxxx += x * x * x * x;
+        y += values[i], xy += x * values[i], xxy += x * x * values[i];
+    }
+    const double bend = (n * xxy - xx * y) / (n * xxxx - xx * xx), slope = xy / xx, middle = (y - bend * xx) / n;
+    double squares = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double x = static_cast<double>(i) - reach, off = values[i] - middle - (slope + bend * x) * x;
+        squares += off * off;
+    }
+    if (!(squares <= (n - 3) * kLikeNoise * kLikeNoise * noise * noise)) return std::nullopt;
+    return middle;
+}
+
+}  // namespace
+
+std::vector<double> quietened(const std::vector<double>& values) {
+    const double noise = inference::noiseBehind(values, inference::kThirdDifference);
+    std::vector<double> result = values;
+    if (noise == 0) return result;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        for (const std::size_t reach : kReaches) {
+            if (i < reach || i + reach >= values.size()) continue;
+            const auto middle = middleOf(std::span(values).subspan(i - reach, 2 * reach + 1), noise);
+            if (!middle) continue;
+            result[i] = *middle;
+            break;
+        }
+    }
+    return result;
+}
+
+Log quietInputs(const Log& log) {
+    Log inputs;
+    for (const Channel& channel : log.channels) {
+        if (channel.name.starts_with("driver.") || channel.name == "chassis.vx")
+            inputs.channels.push_back({channel.name, channel.unit, quietened(channel.values)});
+    }
+    return inputs;
+}
+
+std::optional<InputGap> firstGap(const RecordedDrive& drive) {
+    std::vector<const char*> needed{"driver.steering_wheel_angle", "driver.clutch"};
+    if (drive.recording->speed == SpeedReplay::followed) needed.push_back("chassis.vx");
+    else needed.insert(needed.end(), {"driver.throttle", "driver.brake"});
+    std::optional<InputGap> first;
+    for (const char* name : needed) {
+        const Channel* channel = drive.log.find(name);
+        if (!channel) continue;
+        double known = drive.time.front();
+        for (std::size_t i = 0; i < drive.time.size(); ++i) {
+            const bool missing = !std::isfinite(channel->values[i]);
+            if (missing && i + 1 < drive.time.size()) continue;
+            if (drive.time[i] - known > kLongestGap && (!first || known < first->from))
+                first = InputGap{name, known, drive.time[i]};
+            known = drive.time[i];
+        }
+    }
+    return first;
+}
+
+Curve driverInput(const RecordedDrive& drive, const std::string& channel, const Instrument& instrument,
+                  const Limits& limits) {
+    Curve curve;
+    const Channel* shown = drive.inputs.find(channel);
+    if (!shown) return curve;
+    for (std::size_t i = 0; i < drive.time.size(); ++i) {
+        if (!std::isfinite(shown->values[i])) continue;
+        const double value = (shown->values[i] - instrument.bias) / instrument.gain;
+        curve.points.push_back({drive.time[i] - instrument.delay, std::clamp(value, limits.lowest, limits.highest)});
+    }
+    return curve;
+}
+
+}  // namespace tread::recording

@@ -1,0 +1,60 @@
+// The instruments of a measured car: how each group of channels was observed.
+#pragma once
+
+#include "tread/describe.h"
+
+namespace tread::recording {
+
+// How one channel reads: delayed, then reading = gain value + bias.
+struct Instrument {
+    double gain = 1;
+    double bias = 0;
+    double delay = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(gain), About{"-", "reading over value"});
+        field(TREAD_FIELD(bias), About{"-", "reading at zero, in the SI unit of the channel"});
+        field(TREAD_FIELD(delay), About{"s", "by which its reading is late", {-1, 1}});
+    }
+};
+static_assert(describesEveryMember<Instrument>());
+
+// Where the inertial unit sits and how it leans.
+struct InertialUnit {
+    double x = 0, y = 0, z = 0;
+    double roll = 0, pitch = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(x), About{"m", "forward of the centre of gravity"});
+        field(TREAD_FIELD(y), About{"m", "left of the centre of gravity"});
+        field(TREAD_FIELD(z), About{"m", "above the centre of gravity"});
+        field(TREAD_FIELD(roll), About{"rad", "misalignment, positive with the right side down"});
+        field(TREAD_FIELD(pitch), About{"rad", "misalignment, positive with the nose down"});
+    }
+};
+static_assert(describesEveryMember<InertialUnit>());
+
+struct Instruments {
+    InertialUnit inertial_unit;
+    Instrument ax, ay, yaw_rate, roll_rate, roll, speed, sideslip, wheel_speed;
+    Instrument steering_wheel_angle;  // how the input was recorded
+    Instrument throttle, brake;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(inertial_unit), About{"", "place and lean of the accelerometers"});
+        field(TREAD_FIELD(ax), About{"", "longitudinal acceleration"});
+        field(TREAD_FIELD(ay), About{"", "lateral acceleration"});
+        field(TREAD_FIELD(yaw_rate), About{"", "yaw rate"});
+        field(TREAD_FIELD(roll_rate), About{"", "roll rate"});
+        field(TREAD_FIELD(roll), About{"", "roll angle"});
+        field(TREAD_FIELD(speed), About{"", "speed over ground, forward"});
+        field(TREAD_FIELD(sideslip), About{"", "sideslip angle, or lateral velocity"});
+        field(TREAD_FIELD(wheel_speed), About{"", "speeds of the four wheels"});
+        field(TREAD_FIELD(steering_wheel_angle), About{"", "steering-wheel angle, as recorded for the replay"});
+        field(TREAD_FIELD(throttle), About{"", "throttle pedal, as recorded for the replay"});
+        field(TREAD_FIELD(brake), About{"", "brake pedal, as recorded for the replay"});
+    }
+};
+static_assert(describesEveryMember<Instruments>());
+
+}  // namespace tread::recording

@@ -1,0 +1,129 @@
+#include <algorithm>
+
+#include "base/did_you_mean.h"
+#include "base/number_text.h"
+#include "base/read_yaml.h"
+#include "base/setting.h"
+#include "base/yaml_position.h"
+#include "recording/diagnosis_file.h"
+#include "recording/subject_paths.h"
+#include "log/log_columns.h"
+#include "tread/load.h"
+
+namespace tread::recording {
+namespace {
+
+using Path = std::filesystem::path;
+
+std::string beside(const Path& folder, const std::string& name) {
+    return name.empty() ? name : (folder / name).lexically_normal().string();
+}
+
+// What only others can judge: paths of numbers, names of channels and effects, files that are there.
+struct Faults {
+    const Path& file;
+    std::vector<Problem> problems = {};
+
+    void add(const std::string& path, std::string text) {
+        if (text.empty()) return;
+        const TextPosition position = positionOfValue(file.string(), path);
+        problems.push_back({file.string(), position.line, position.column, path, std::move(text)});
+    }
+    void addUnlessThere(const std::string& path, const std::string& name) {
+        if (!name.empty() && !std::filesystem::exists(name))
+            add(path, "found " + quote(name) + ", which does not exist, expected the name of a file");
+    }
+};
+
+std::string channelFault(const std::string& channel) {
+    if (logUnit(channel)) return {};
+    std::vector<std::string> names;
+    for (const ReferenceRow& row : referenceTable<LogColumns>()) names.push_back(row.path);
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    const std::string suggestion = didYouMean(channel, known);
+    return "found the unknown channel " + quote(channel) + ", expected a name such as chassis.yaw_rate" +
+           (suggestion.empty() ? ";" : suggestion) + " `tread describe log` lists all";
+}
+
+void judgeNames(Faults& faults, const DiagnosisFile& diagnosis, bool with_logs) {
+    const auto at = [](const char* list, std::size_t i, const char* field) {
+        return std::string(list) + "." + std::to_string(i) + "." + field;
+    };
+    for (std::size_t i = 0; i < diagnosis.channels.size(); ++i)
+        faults.add(at("channels", i, "channel"), channelFault(diagnosis.channels[i].channel));
+    for (std::size_t i = 0; i < diagnosis.tolerances.size(); ++i)
+        faults.add(at("tolerances", i, "path"), pathFault(diagnosis.tolerances[i].path));
+    for (std::size_t i = 0; i < diagnosis.fit.size(); ++i)
+        faults.add("fit." + std::to_string(i), pathFault(diagnosis.fit[i]));
+    faults.addUnlessThere("vehicle", diagnosis.vehicle);
+    faults.addUnlessThere("import", diagnosis.import);
+    faults.addUnlessThere("own_effects", diagnosis.own_effects);
+    for (std::size_t i = 0; i < diagnosis.recordings.size(); ++i) {
+        const std::string& name = diagnosis.recordings[i].name;
+        if (name == "." || name == ".." || name.find_first_of("/\\") != std::string::npos)
+            faults.add(
+                at("recordings", i, "name"),
+                "found " + quote(name) + ", expected a name without slashes: a folder of the answer is called so");
+    }
+    for (std::size_t i = 0; i < diagnosis.recordings.size() && with_logs; ++i) {
+        faults.addUnlessThere(at("recordings", i, "log"), diagnosis.recordings[i].log);
+        faults.addUnlessThere(at("recordings", i, "reference"), diagnosis.recordings[i].reference);
+        if (diagnosis.recordings[i].reference == diagnosis.recordings[i].log)
+            faults.add(at("recordings", i, "reference"),
+                       "found the recording itself, expected the log of the same drive before the change");
+    }
+    if (std::all_of(diagnosis.recordings.begin(), diagnosis.recordings.end(),
+                    [](const Recording& recording) { return recording.hold_out; }))
+        faults.add("recordings", "found hold_out at every recording, expected at least one from which to learn");
+}
+
+// The names of the recordings tell them apart in the report.
+void nameRecordings(DiagnosisFile& diagnosis) {
+    std::vector<std::string> taken;
+    for (Recording& recording : diagnosis.recordings) {
+        std::string name = recording.name.empty() ? Path(recording.log).stem().string() : recording.name;
+        const std::string plain = name;
+        for (int i = 2; std::find(taken.begin(), taken.end(), name) != taken.end(); ++i)
+            name = plain + " (" + std::to_string(i) + ")";
+        recording.name = name;
+        taken.push_back(name);
+    }
+}
+
+DiagnosisFile load(const Path& file, const Path& data, bool with_logs) {
+    DiagnosisFile diagnosis = readYaml<DiagnosisFile>(file);
+    const Path folder = file.parent_path();
+    diagnosis.vehicle = beside(folder, diagnosis.vehicle);
+    diagnosis.import = beside(folder, diagnosis.import);
+    diagnosis.own_effects = beside(folder, diagnosis.own_effects);
+    for (Recording& recording : diagnosis.recordings) {
+        for (std::string* log : {&recording.log, &recording.reference})
+            *log = beside(data.empty() ? folder : data, *log);
+    }
+    nameRecordings(diagnosis);
+    Faults faults{file};
+    judgeNames(faults, diagnosis, with_logs);
+    throwIfAny(std::move(faults.problems));
+    return diagnosis;
+}
+
+}  // namespace
+
+DiagnosisFile loadDiagnosis(const Path& file, const Path& data) {
+    return load(file, data, true);
+}
+
+DiagnosisFile checkedDiagnosis(const Path& file) {
+    return load(file, {}, false);
+}
+
+Subject nominalSubject(const DiagnosisFile& file) {
+    Subject subject;
+    subject.vehicle = loadVehicle(file.vehicle);
+    subject.instruments = file.instruments;
+    applySettings(subject.vehicle, file.vehicle_settings, "vehicle_settings",
+                  [](std::string_view) { return std::string("`tread describe vehicle` lists all paths"); });
+    return subject;
+}
+
+}  // namespace tread::recording

@@ -1,0 +1,100 @@
+#include "recording/observation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+
+#include "tread/vehicle_output.h"
+
+namespace tread::recording {
+namespace {
+
+// Value of evenly spaced rows at a time, held beyond both ends.
+double at(std::span<const double> values, double rows_per_second, double t) {
+    const double row = std::clamp(t * rows_per_second, 0.0, static_cast<double>(values.size() - 1));
+    const auto below = static_cast<std::size_t>(row);
+    const auto above = std::min(below + 1, values.size() - 1);
+    return values[below] + (row - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
+std::vector<double> derivative(std::span<const double> values, double rows_per_second) {
+    std::vector<double> rates(values.size(), 0);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::size_t before = i > 0 ? i - 1 : 0, after = std::min(i + 1, values.size() - 1);
+        if (after > before)
+            rates[i] = (values[after] - values[before]) * rows_per_second / static_cast<double>(after - before);
+    }
+    return rates;
+}
+
+const std::vector<double>& column(const Log& motion, const std::string& name) {
+    if (const Channel* channel = motion.find(name)) return channel->values;
+    throw std::logic_error("the model's motion has no " + name);
+}
+
+// Accelerations away from the centre of gravity, and gravity on a leaning unit (level axes, small angles).
+std::vector<double> acceleration(const Log& motion, const InertialUnit& unit, bool lateral, double rows_per_second) {
+    std::vector<double> values = column(motion, lateral ? "chassis.ay" : "chassis.ax");
+    const double lean = lateral ? unit.roll : -unit.pitch;
+    for (double& value : values) value += kStandardGravity * lean;
+    if (unit.x == 0 && unit.y == 0 && unit.z == 0) return values;
+    const std::vector<double>& yaw_rate = column(motion, "chassis.yaw_rate");
+    const std::vector<double> yaw = derivative(yaw_rate, rows_per_second);
+    const std::vector<double> tilt =
+        derivative(column(motion, lateral ? "chassis.roll_rate" : "chassis.pitch_rate"), rows_per_second);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double squared = yaw_rate[i] * yaw_rate[i];
+        values[i] += lateral ? yaw[i] * unit.x - squared * unit.y - tilt[i] * unit.z
+                             : -yaw[i] * unit.y - squared * unit.x + tilt[i] * unit.z;
+    }
+    return values;
+}
+
+}  // namespace
+
+const std::vector<ObservedQuantity>& observedQuantities() {
+    static const std::vector<ObservedQuantity> quantities{
+        {"chassis.vx", &Instruments::speed, "speed"},
+        {"chassis.ax", &Instruments::ax, "longitudinal acceleration"},
+        {"chassis.ay", &Instruments::ay, "lateral acceleration"},
+        {"chassis.yaw_rate", &Instruments::yaw_rate, "yaw rate"},
+        {"chassis.roll_rate", &Instruments::roll_rate, "roll rate"},
+        {"chassis.roll", &Instruments::roll, "roll angle"},
+        {"chassis.vy", &Instruments::sideslip, "lateral velocity"},
+        {"chassis.sideslip", &Instruments::sideslip, "sideslip angle"},
+        {"wheel.front_left.spin", &Instruments::wheel_speed, "speed of the front left wheel"},
+        {"wheel.front_right.spin", &Instruments::wheel_speed, "speed of the front right wheel"},
+        {"wheel.rear_left.spin", &Instruments::wheel_speed, "speed of the rear left wheel"},
+        {"wheel.rear_right.spin", &Instruments::wheel_speed, "speed of the rear right wheel"},
+    };
+    return quantities;
+}
+
+std::string observedQuantitiesListed() {
+    std::string list;
+    for (const ObservedQuantity& quantity : observedQuantities()) list += (list.empty() ? "" : ", ") + quantity.channel;
+    return list;
+}
+
+std::vector<double> readings(const Log& motion, const Instruments& instruments, const ObservedQuantity& quantity,
+                             const std::vector<double>& times) {
+    const std::vector<double>& time = column(motion, "time");
+    const double rows_per_second = time.size() > 1 ? 1 / (time[1] - time[0]) : 1;
+    const Instrument& instrument = instruments.*quantity.instrument;
+    const bool ax = quantity.channel == "chassis.ax", ay = quantity.channel == "chassis.ay";
+    const std::vector<double> shown = ax || ay ? acceleration(motion, instruments.inertial_unit, ay, rows_per_second)
+                                               : column(motion, quantity.channel);
+    std::vector<double> result(times.size());
+    for (std::size_t i = 0; i < times.size(); ++i)
+        result[i] = instrument.gain * at(shown, rows_per_second, times[i] - instrument.delay) + instrument.bias;
+    // The instrument shows the angle; the velocity follows from it.
+    if (quantity.channel == "chassis.vy" && instrument.bias != 0) {
+        const std::vector<double>& vx = column(motion, "chassis.vx");
+        for (std::size_t i = 0; i < times.size(); ++i)
+            result[i] += instrument.bias * (at(vx, rows_per_second, times[i] - instrument.delay) - 1);
+    }
+    return result;
+}
+
+}  // namespace tread::recording

@@ -1,0 +1,25 @@
+// From the motion of a car to what its instruments show.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "recording/instruments.h"
+#include "log/log.h"
+
+namespace tread::recording {
+
+// A channel that a diagnosis can use, and the instrument that shows it.
+struct ObservedQuantity {
+    std::string channel;
+    Instrument Instruments::*instrument;
+    std::string subsystem;  // in words, for answers
+};
+const std::vector<ObservedQuantity>& observedQuantities();
+std::string observedQuantitiesListed();
+
+// Readings of an instrument at the times of its samples. `motion` has evenly spaced rows from time 0.
+std::vector<double> readings(const Log& motion, const Instruments& instruments, const ObservedQuantity& quantity,
+                             const std::vector<double>& times);
+
+}  // namespace tread::recording

@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "base/did_you_mean.h"
+#include "base/number_text.h"
+#include "base/read_yaml.h"
+#include "recording/reference.h"
+#include "import/import.h"
+#include "log/csv.h"
+#include "log/log_columns.h"
+
+namespace tread::recording {
+namespace {
+
+constexpr double kShortest = 1;  // s, of a recording that can tell anything
+
+bool isTreadLog(const std::string& file) {
+    std::string text = readBytes(file);
+    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+    return text.starts_with("time [s]");
+}
+
+// The column that a channel is to be read from, under its own name and in its unit.
+void takeColumn(Log& log, const MeasuredChannel& wanted, const std::string& file) {
+    if (wanted.column.empty() || wanted.column == wanted.channel) return;
+    const Channel* column = log.find(wanted.column);
+    if (!column) {
+        std::vector<std::string_view> names;
+        for (const Channel& channel : log.channels) names.push_back(channel.name);
+        throw LoadError({{file, 0, 0, wanted.column,
+                          "the log has no such column, from which " + wanted.channel + " should be read" +
+                              didYouMean(wanted.column, names)}});
+    }
+    Channel taken = *column;
+    taken.name = wanted.channel;
+    if (taken.unit.empty() || taken.unit == "-") taken.unit = wanted.unit.empty() ? taken.unit : wanted.unit;
+    std::erase_if(log.channels, [&](const Channel& channel) { return channel.name == wanted.channel; });
+    log.channels.push_back(std::move(taken));
+}
+
+// What the mapping asked for is no news; what the file needed is. Doubts are those of the data checks.
+bool concernsTheData(const Change& change) {
+    static constexpr std::string_view kKinds[] = {"duplicates", "backwards", "gaps",     "jump",
+                                                  "uneven",     "spikes",    "wild_time"};
+    return std::find(std::begin(kKinds), std::end(kKinds), change.kind) != std::end(kKinds);
+}
+
+ImportMap mapOf(const DiagnosisFile& file, const ForeignTable& table, std::vector<std::string>& guesses) {
+    ImportMap map = file.import.empty() ? guessMap(table, guesses) : readYaml<ImportMap>(file.import);
+    for (const MeasuredChannel& wanted : file.channels) {
+        if (wanted.column.empty()) continue;
+        std::erase_if(map.map, [&](const ImportChannel& channel) { return channel.channel == wanted.channel; });
+        ImportChannel channel;
+        channel.channel = wanted.channel;
+        channel.from = wanted.column;
+        channel.unit = wanted.unit;
+        map.map.push_back(std::move(channel));
+    }
+    return map;
+}
+
+Log readLogOf(const Recording& recording, const DiagnosisFile& file, std::vector<std::string>& notes) {
+    const auto note = [&](const std::string& text) { notes.push_back(recording.name + ": " + text); };
+    if (file.import.empty() && isTreadLog(recording.log)) {
+        Log log = readLog(recording.log);
+        for (const MeasuredChannel& channel : file.channels) takeColumn(log, channel, recording.log);
+        throwIfAny(unitFaults(log, recording.log));
+        return log;
+    }
+    const ForeignTable table = readForeignTable(recording.log);
+    std::vector<std::string> guesses;
+    const ImportMap map = mapOf(file, table, guesses);
+    const Imported imported = importLog(table, map);
+    for (const std::string& guess : guesses) note(guess + "; give a mapping (import) to say it");
+    for (const Change& change : imported.changes) {
+        if (!concernsTheData(change)) continue;
+        note(change.channel.empty() ? change.text : change.channel + ": " + change.text);
+    }
+    return imported.logs.front();
+}
+
+// Samples that are missing at the ends of a channel (an imported delay) are no part of the recording.
+Log windowed(const Log& log, const Recording& recording) {
+    const std::vector<double>& time = log.channels.front().values;
+    const auto first = std::lower_bound(time.begin(), time.end(), recording.from) - time.begin();
+    const auto last = std::upper_bound(time.begin(), time.end(), recording.to) - time.begin();
+    if (last - first < 2 || time[last - 1] - time[first] < kShortest) {
+        throw LoadError(
+            {{recording.log, 0, 0, "",
+              fmt::format("has {:.3g} s within the window from {} s to {}, expected at least {} s: a "
+                          "shorter drive cannot tell causes apart",
+                          last > first ? time[last - 1] - time[first] : 0.0, numberText(recording.from),
+                          recording.to == kInfinity ? "the end" : numberText(recording.to) + " s", kShortest)}});
+    }
+    Log cut;
+    for (const Channel& channel : log.channels) {
+        cut.channels.push_back({channel.name, channel.unit,
+                                std::vector<double>(channel.values.begin() + first, channel.values.begin() + last)});
+    }
+    const double begin = cut.channels.front().values.front();
+    for (double& t : cut.channels.front().values) t -= begin;
+    return cut;
+}
+
+}  // namespace
+
+Recorded readRecordings(const DiagnosisFile& file) {
+    Recorded recorded;
+    std::vector<Problem> problems;
+    const auto read = [&](const Recording& recording) {
+        try {
+            return windowed(readLogOf(recording, file, recorded.notes), recording);
+        } catch (const LoadError& error) {
+            problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+            return Log{};
+        }
+    };
+    for (const Recording& recording : file.recordings) {
+        recorded.logs.push_back(read(recording));
+        recorded.references.push_back(recording.reference.empty() ? Log{} : read(referenceOf(recording)));
+    }
+    throwIfAny(std::move(problems));
+    return recorded;
+}
+
+}  // namespace tread::recording

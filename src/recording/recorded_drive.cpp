@@ -1,0 +1,141 @@
+#include "recording/recorded_drive.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "recording/driver_inputs.h"
+#include "recording/observation.h"
+
+namespace tread::recording {
+namespace {
+
+constexpr double kStartFit = 0.5;       // s, over which the speed at the start is fitted by a line
+constexpr double kTimeRounding = 1e-9;  // s
+constexpr double kAlikeSpeed = 0.03;    // by which repeats of a drive may differ at the start, as a share
+
+// Value at t = 0 of the line through the first half second.
+double atStart(const std::vector<double>& time, const std::vector<double>& values) {
+    double n = 0, t = 0, v = 0, tt = 0, tv = 0;
+    for (std::size_t i = 0; i < time.size() && time[i] <= kStartFit; ++i) {
+        if (!std::isfinite(values[i])) continue;
+        n += 1, t += time[i], v += values[i], tt += time[i] * time[i], tv += time[i] * values[i];
+    }
+    const double spread = n * tt - t * t;
+    return spread > 0 ? (v * tt - t * tv) / spread : n > 0 ? v / n : kRequired;
+}
+
+double startSpeed(const Log& log, const std::vector<double>& time, const std::string& name) {
+    const Channel* speed = log.find("chassis.vx");
+    const double value = speed ? atStart(time, speed->values) : kRequired;
+    if (std::isfinite(value)) return std::max(0.0, value);
+    throw std::invalid_argument(fmt::format(
+        "recording {}: found no speed in its first half second, expected chassis.vx: the replay starts at it", name));
+}
+
+// Standard deviation of a block's mean as the file tells it; 0: not told.
+double toldNoise(const DiagnosisFile& file, const std::string& channel, double sample_interval) {
+    for (const MeasuredChannel& told : file.channels) {
+        if (told.channel == channel) return told.noise / std::sqrt(std::max(1.0, kBlock / sample_interval));
+    }
+    return 0;
+}
+
+// A driver who follows the measured speed makes it, and the acceleration along the car, his own: what is left there is
+// his error, not the car's.
+bool isOfTheDriver(const Recording& recording, const std::string& channel) {
+    return recording.speed == SpeedReplay::followed && (channel == "chassis.vx" || channel == "chassis.ax");
+}
+
+}  // namespace
+
+bool compared(Drives drives) {
+    return !drives.empty() &&
+           std::all_of(drives.begin(), drives.end(), [](const RecordedDrive& drive) { return drive.compared(); });
+}
+
+std::size_t firstLike(Drives drives, std::size_t drive) {
+    const RecordedDrive& here = drives[drive];
+    const std::string& group = here.recording->repeat_group;
+    const auto sameRows = [](const ObservedChannel& a, const ObservedChannel& b) {
+        return a.name == b.name && a.times == b.times;
+    };
+    for (std::size_t other = 0; other < drive && !group.empty(); ++other) {
+        const RecordedDrive& there = drives[other];
+        if (there.recording->repeat_group == group &&
+            std::abs(there.speed - here.speed) < kAlikeSpeed * here.speed &&
+            std::equal(here.channels.begin(), here.channels.end(), there.channels.begin(), there.channels.end(),
+                       sameRows))
+            return other;
+    }
+    return drive;
+}
+
+bool wanted(const DiagnosisFile& file, const std::string& channel) {
+    if (file.channels.empty()) return true;
+    return std::any_of(file.channels.begin(), file.channels.end(),
+                       [&](const MeasuredChannel& told) { return told.channel == channel; });
+}
+
+Eigen::VectorXd blockMeans(const ObservedChannel& channel, const std::vector<double>& time,
+                           const std::vector<double>& readings) {
+    Eigen::VectorXd means(channel.rows());
+    Eigen::Index row = 0;
+    for (std::size_t i = 0; i < time.size();) {
+        const double block = std::floor((time[i] + kTimeRounding) / kBlock);
+        double sum = 0, count = 0;
+        for (; i < time.size() && std::floor((time[i] + kTimeRounding) / kBlock) == block; ++i) {
+            if (std::isfinite(channel.measured[i])) sum += readings[i], count += 1;
+        }
+        if (count > 0) means(row++) = sum / count;
+    }
+    return means;
+}
+
+RecordedDrive recordedDrive(const Recording& recording, const Log& log, const DiagnosisFile& file) {
+    RecordedDrive drive{.name = recording.name.empty() ? recording.log : recording.name,
+                        .recording = &recording,
+                        .log = log,
+                        .inputs = quietInputs(log),
+                        .time = {},
+                        .channels = {},
+                        .measured = {}};
+    if (log.samples() < 2)
+        throw std::invalid_argument(fmt::format("recording {}: found fewer than two samples", drive.name));
+    drive.time = log.channels.front().values;
+    drive.speed = startSpeed(log, drive.time, drive.name);
+    drive.gap = firstGap(drive);
+    if (drive.gap) drive.until = drive.gap->from;
+    Eigen::Index rows = 0;
+    for (const ObservedQuantity& quantity : observedQuantities()) {
+        const Channel* measured = log.find(quantity.channel);
+        if (!measured || !wanted(file, measured->name) || isOfTheDriver(recording, measured->name)) continue;
+        ObservedChannel channel{.name = measured->name, .measured = measured->values, .times = {}};
+        double last = -1;
+        for (std::size_t i = 0; i < drive.time.size(); ++i) {
+            const double block = std::floor((drive.time[i] + kTimeRounding) / kBlock);
+            if (!std::isfinite(measured->values[i]) || block == last) continue;
+            channel.times.push_back((block + 0.5) * kBlock);
+            last = block;
+        }
+        if (channel.times.empty()) continue;
+        channel.noise = toldNoise(file, channel.name, drive.duration() / static_cast<double>(drive.time.size() - 1));
+        channel.first_row = rows;
+        rows += channel.rows();
+        drive.channels.push_back(std::move(channel));
+    }
+    if (drive.channels.empty()) {
+        throw std::invalid_argument(
+            fmt::format("recording {}: found no channel that a diagnosis can use, expected at least one of {}",
+                        drive.name, observedQuantitiesListed()));
+    }
+    drive.measured.resize(rows);
+    for (const ObservedChannel& channel : drive.channels)
+        drive.measured.segment(channel.first_row, channel.rows()) =
+            blockMeans(channel, drive.time, channel.measured);
+    return drive;
+}
+
+}  // namespace tread::recording

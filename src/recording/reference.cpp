@@ -1,0 +1,143 @@
+#include "recording/reference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+
+#include "base/parallel.h"
+#include "recording/observation.h"
+#include "recording/replay.h"
+#include "recording/sliding.h"
+#include "log/resample.h"
+
+namespace tread::recording {
+namespace {
+
+constexpr double kAnotherDrive = 0.25;  // of what an input does, that differs from the reference's
+constexpr double kStill = 0.05;         // rad, or share of a pedal: little enough for a hand or foot that corrects
+constexpr double kShorter = 0.2;        // s
+constexpr double kAnotherSpeed = 0.1;   // share, at the start: a speedometer may have changed
+
+double rms(std::span<const double> values) {
+    double sum = 0, count = 0;
+    for (const double value : values)
+        if (std::isfinite(value)) sum += value * value, count += 1;
+    return count > 0 ? std::sqrt(sum / count) : 0;
+}
+
+// Throws unless the driver does the same in both.
+void expectSameDrive(const RecordedDrive& drive, const RecordedDrive& reference) {
+    const auto another = [&](const std::string& found) {
+        throw std::invalid_argument(
+            fmt::format("recording {}: {}, expected a reference that is the same drive, begun at the same time of its "
+                        "log; cut the logs alike (from, to) or leave the reference out",
+                        drive.name, found));
+    };
+    if (std::abs(drive.speed - reference.speed) > kAnotherSpeed * std::max(drive.speed, 1.0))
+        another(fmt::format("begins at {:.2f} m/s, its reference at {:.2f} m/s", drive.speed, reference.speed));
+    if (reference.duration() < drive.duration() - kShorter)
+        another(fmt::format("takes {:.2f} s, its reference {:.2f} s", drive.duration(), reference.duration()));
+    const bool followed = drive.recording->speed == SpeedReplay::followed;
+    for (const std::string name : {"driver.steering_wheel_angle", "driver.throttle", "driver.brake"}) {
+        if (followed && name != "driver.steering_wheel_angle") continue;  // those of a replay are the model's own
+        const Channel *here = drive.inputs.find(name), *there = reference.inputs.find(name);
+        if (!here || !there) continue;
+        const std::vector<double> then = resample(reference.time, there->values, drive.time);
+        std::vector<double> off = here->values;
+        for (std::size_t i = 0; i < off.size(); ++i) off[i] -= then[i];
+        const double size = rms(here->values), differs = rms(off);
+        if (differs > kAnotherDrive * size + kStill)
+            another(fmt::format("{} differs by {:.3g} (root mean square, {:.3g} in all) from that of its reference",
+                                name, differs, size));
+    }
+}
+
+// Takes off the drive's rows what the nominal car lacks in its reference.
+void lessReference(RecordedDrive& drive, const RecordedDrive& reference, const Replayer& replayer) {
+    expectSameDrive(drive, reference);
+    Eigen::VectorXd model;
+    try {
+        model = readings(reference, replayed(reference, replayer.nominal, replayer), replayer.nominal.instruments);
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const SimulationError& error) {
+        throw std::invalid_argument(fmt::format(
+            "recording {}: the nominal car cannot be driven as its reference was: {}", drive.name, error.what()));
+    }
+    drive.until_reference = std::min(reference.until, slideApart(reference, model));
+    if (reference.until < drive.until) drive.gap = reference.gap;
+    drive.until = std::min(drive.until, drive.until_reference);
+    const Eigen::VectorXd lacks = reference.measured - model;
+    for (const ObservedChannel& channel : drive.channels) {
+        const auto known = std::find_if(reference.channels.begin(), reference.channels.end(),
+                                        [&](const ObservedChannel& one) { return one.name == channel.name; });
+        const std::span<const double> of_channel(lacks.data() + known->first_row, known->times.size());
+        std::vector<double> times = channel.times;
+        for (double& t : times) t = std::clamp(t, known->times.front(), known->times.back());
+        const std::vector<double> then = resample(known->times, of_channel, times);
+        drive.measured.segment(channel.first_row, channel.rows()) -=
+            Eigen::Map<const Eigen::VectorXd>(then.data(), channel.rows());
+    }
+    drive.runs += reference.runs;
+}
+
+}  // namespace
+
+Recording referenceOf(const Recording& recording) {
+    Recording reference = recording;
+    reference.name = fmt::format("reference of {} ({})", recording.name, recording.reference);
+    reference.log = recording.reference;
+    reference.reference.clear();
+    return reference;
+}
+
+bool beforeTheChange(DiagnosisFile& file, Recorded& recorded) {
+    std::vector<Recording> recordings;
+    std::vector<Log> logs;
+    for (std::size_t i = 0; i < file.recordings.size(); ++i) {
+        if (file.recordings[i].reference.empty()) continue;
+        recordings.push_back(referenceOf(file.recordings[i]));
+        recordings.back().name = file.recordings[i].name;
+        logs.push_back(recorded.references[i]);
+    }
+    if (recordings.empty()) return false;
+    file.recordings = std::move(recordings);
+    recorded.logs = std::move(logs);
+    recorded.references.clear();
+    return true;
+}
+
+Log withChannelsOf(const Log& log, const Log& reference) {
+    Log common = log;
+    std::erase_if(common.channels, [&](const Channel& channel) {
+        const bool observed = std::any_of(observedQuantities().begin(), observedQuantities().end(),
+                                          [&](const ObservedQuantity& one) { return one.channel == channel.name; });
+        return observed && !reference.find(channel.name);
+    });
+    return common;
+}
+
+std::vector<RecordedDrive> recordedDrives(const DiagnosisFile& file, const Recorded& recorded, bool held_out,
+                                          const Replayer& replayer, int threads) {
+    std::vector<RecordedDrive> drives, references;
+    std::vector<Recording> before;
+    before.reserve(file.recordings.size());  // drives point at their recordings
+    for (std::size_t i = 0; i < file.recordings.size(); ++i) {
+        const Recording& recording = file.recordings[i];
+        if (recording.hold_out != held_out) continue;
+        const bool compared = !recording.reference.empty();
+        drives.push_back(recordedDrive(
+            recording, compared ? withChannelsOf(recorded.logs[i], recorded.references[i]) : recorded.logs[i], file));
+        before.push_back(referenceOf(recording));
+        references.push_back(compared ? recordedDrive(before.back(), recorded.references[i], file) : RecordedDrive{});
+    }
+    inParallel(drives.size(), threads, [&](std::size_t i) {
+        if (references[i].rows() > 0) lessReference(drives[i], references[i], replayer);
+    });
+    return drives;
+}
+
+}  // namespace tread::recording

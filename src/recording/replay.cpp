@@ -1,0 +1,116 @@
+#include "recording/replay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/numbers.h"
+#include "recording/driver_inputs.h"
+#include "recording/observation.h"
+#include "scenario/run_in.h"
+
+namespace tread::recording {
+namespace {
+
+constexpr double kStanding = 0.3;  // m/s
+constexpr double kParked = 0.3;    // brake pedal of a standing car whose log has none
+constexpr HoldSpeed kFollow{.proportional = 0.8, .integral = 0.5, .brake = 0.5};
+
+// What is changed on the subject against the nominal one, done to a road or wind that is known for this drive.
+template <class T>
+T changed(T known, const T& subject, const T& nominal) {
+    T now = subject, before = nominal;
+    const std::vector<Number> news = numbers(now), olds = numbers(before);
+    for (const Number& number : numbers(known)) {
+        for (std::size_t i = 0; i < news.size() && i < olds.size(); ++i) {
+            if (news[i].path == number.path && *news[i].value != *olds[i].value)
+                *number.value += *news[i].value - *olds[i].value;
+        }
+    }
+    return known;
+}
+
+// How fast the car is when its instrument shows this.
+double speedBehind(double shown, const Instrument& instrument) {
+    return std::max(0.0, (shown - instrument.bias) / instrument.gain);
+}
+
+Phase driven(const RecordedDrive& drive, const Instruments& instruments) {
+    Phase phase;
+    phase.name = "the drive";
+    const Curve steering =
+        driverInput(drive, "driver.steering_wheel_angle", instruments.steering_wheel_angle, Angle::kLimits);
+    if (!steering.empty()) phase.steering = Table<Angle>{steering};
+    if (drive.recording->speed == SpeedReplay::followed) {
+        HoldSpeed follow = kFollow;
+        follow.profile = driverInput(drive, "chassis.vx", instruments.speed, {.lowest = 0});
+        phase.throttle = follow;
+    } else {
+        const Curve throttle = driverInput(drive, "driver.throttle", instruments.throttle, Pedal::kLimits);
+        const Curve brake = driverInput(drive, "driver.brake", instruments.brake, Pedal::kLimits);
+        if (!throttle.empty()) phase.throttle = Table<Pedal>{throttle};
+        if (!brake.empty()) phase.brake = Table<Pedal>{brake};
+    }
+    const Curve clutch = driverInput(drive, "driver.clutch", {}, Pedal::kLimits);
+    if (!clutch.empty()) phase.clutch = Table<Pedal>{clutch};
+    phase.until.duration = drive.duration();
+    return phase;
+}
+
+// The gear that a drive holds, as the only one: the model must not shift at another time.
+void holdGear(VehicleParams& vehicle, const RecordedDrive& drive) {
+    const Channel* gear = drive.log.find("driveline.gear");
+    auto& gearbox = vehicle.driveline.gearbox;
+    if (!gear || gear->values.empty()) return;
+    const double held = std::round(gear->values.front());
+    const bool constant = std::all_of(gear->values.begin(), gear->values.end(),
+                                      [&](double g) { return !std::isfinite(g) || std::round(g) == held; });
+    if (!constant || held < 1 || held > static_cast<double>(gearbox.ratios.size())) return;
+    gearbox.ratios = {gearbox.ratios[static_cast<std::size_t>(held) - 1]};
+}
+
+}  // namespace
+
+Scenario replayOf(const RecordedDrive& drive, const Subject& subject, const Replayer& replayer) {
+    const Subject& nominal = replayer.nominal;
+    Scenario scenario;
+    scenario.title = drive.name;
+    scenario.step = scenario.substep = replayer.step;
+    scenario.road = changed(drive.recording->road, subject.road, nominal.road);
+    scenario.wind = changed(drive.recording->wind, subject.wind, nominal.wind);
+    scenario.start.speed = drive.speed < kStanding ? 0 : speedBehind(drive.speed, subject.instruments.speed);
+    scenario.phases.push_back(driven(drive, subject.instruments));
+    if (scenario.start.speed == 0) {
+        const auto* brake = std::get_if<Table<Pedal>>(&scenario.phases.front().brake);
+        scenario.start.brake = brake ? brake->points(0) : kParked;
+    }
+    const Channel* yaw_rate = drive.log.find("chassis.yaw_rate");
+    if (yaw_rate && beginsInTurn(drive.speed, drive.time, yaw_rate->values)) runIntoTurn(scenario);
+    scenario.time_limit = drive.duration() + 1;
+    scenario.log.rate = 1 / replayer.step;
+    scenario.log.channels = {"chassis.pitch_rate"};
+    for (const ObservedQuantity& quantity : observedQuantities()) scenario.log.channels.push_back(quantity.channel);
+    return scenario;
+}
+
+Log replayed(const RecordedDrive& drive, const Subject& subject, const Replayer& replayer, const Pushing& pushing) {
+    VehicleParams vehicle = subject.vehicle;
+    holdGear(vehicle, drive);
+    Log motion;
+    replayer.simulate(vehicle, replayOf(drive, subject, replayer), recorderInto(motion), pushing);
+    return motion;
+}
+
+Eigen::VectorXd readings(const RecordedDrive& drive, const Log& motion, const Instruments& instruments) {
+    Eigen::VectorXd rows(drive.rows());
+    for (const ObservedChannel& channel : drive.channels) {
+        for (const ObservedQuantity& quantity : observedQuantities()) {
+            if (quantity.channel != channel.name) continue;
+            rows.segment(channel.first_row, channel.rows()) =
+                blockMeans(channel, drive.time, readings(motion, instruments, quantity, drive.time));
+        }
+    }
+    return rows;
+}
+
+}  // namespace tread::recording

@@ -1,0 +1,40 @@
+#include "recording/sliding.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tread::recording {
+namespace {
+
+constexpr double kSlideApart = 0.08;  // rad in the window: as much as a car slips in all that still grips
+constexpr double kSlideWindow = 1.5;  // s
+constexpr double kSlowestSlide = 5;   // m/s, at which an angle of the velocity means much
+
+}  // namespace
+
+double slideApart(const RecordedDrive& drive, const Eigen::VectorXd& model) {
+    const auto find = [&](const char* name) {
+        return std::find_if(drive.channels.begin(), drive.channels.end(),
+                            [&](const ObservedChannel& channel) { return channel.name == name; });
+    };
+    const auto ay = find("chassis.ay"), yaw_rate = find("chassis.yaw_rate"), vx = find("chassis.vx");
+    const auto none = drive.channels.end();
+    if (ay == none || yaw_rate == none || vx == none) return kInfinity;
+    const std::vector<double>& times = ay->times;
+    if (times != yaw_rate->times || times != vx->times) return kInfinity;
+
+    const auto rate = [&](const Eigen::VectorXd& rows, Eigen::Index row) {
+        const double speed = std::max(rows(vx->first_row + row), kSlowestSlide);
+        return rows(ay->first_row + row) / speed - rows(yaw_rate->first_row + row);
+    };
+    const Eigen::Index window = std::lround(std::floor(kSlideWindow / kBlock));
+    std::vector<double> apart(times.size(), 0);
+    for (Eigen::Index i = 1; i < ay->rows(); ++i) {
+        apart[i] = apart[i - 1] + (rate(drive.measured, i) - rate(model, i)) * (times[i] - times[i - 1]);
+        const Eigen::Index before = std::max<Eigen::Index>(i - window, 0);
+        if (std::abs(apart[i] - apart[before]) > kSlideApart) return times[before];
+    }
+    return kInfinity;
+}
+
+}  // namespace tread::recording

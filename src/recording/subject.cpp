@@ -1,0 +1,14 @@
+#include "recording/subject.h"
+
+#include "base/numbers.h"
+
+namespace tread::recording {
+
+double* numberAt(Subject& subject, std::string_view path) {
+    for (const Number& number : numbers(subject)) {
+        if (number.path == path) return number.value;
+    }
+    return nullptr;
+}
+
+}  // namespace tread::recording
