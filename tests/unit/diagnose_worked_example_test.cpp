@@ -1,0 +1,110 @@
+// The worked example of src/diagnose/README.md: two drives of three rows, one nuisance parameter, one effect parameter,
+// one disturbance of size 2 in each drive. All expected values are rational numbers or logarithms of such, by hand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "diagnose/unknown.h"
+#include "identify/bounded_step.h"
+#include "identify/gram.h"
+
+namespace tread {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kExact = 1e-12;
+
+struct Drive {
+    MatrixXd columns;  // nuisance, effect, residual
+    MatrixXd disturbance;
+
+    Gram gram(double size) const { return whitened(driveGram(columns, disturbance), VectorXd::Constant(1, size)); }
+};
+
+struct Example {
+    Drive first{MatrixXd{{0, 1, 3}, {0, 1, 0}, {3, 2, 5}}, MatrixXd{{0}, {1}, {1}}};
+    Drive second{MatrixXd{{3, 1, 6}, {3, 2, 6}, {1, 3, 5}}, MatrixXd{{1}, {1}, {0}}};
+
+    Gram both(double size = 2) const { return first.gram(size) + second.gram(size); }
+};
+
+void expectEqual(const MatrixXd& found, const MatrixXd& expected) {
+    EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), kExact) << found;
+}
+
+TEST(WorkedExample, ProductsInTheMetricOfTheDisturbances) {
+    const Example example;
+    expectEqual(example.first.gram(2).products,
+                MatrixXd{{5, 2, 25 / 3.0}, {2, 2, 19 / 3.0}, {25 / 3.0, 19 / 3.0, 206 / 9.0}});
+    expectEqual(example.second.gram(2).products, MatrixXd{{3, 4, 9}, {4, 10, 17}, {9, 17, 33}});
+    EXPECT_NEAR(example.both().log_determinant, 2 * std::log(9), kExact);
+}
+
+TEST(WorkedExample, InformationEvidenceAndGainOfTheEffect) {
+    const Gram gram = Example{}.both();
+    const MatrixXd left = marginalised(gram, {0}).products;
+    const double information = left(1, 1), gradient = left(1, 2);
+    EXPECT_NEAR(information, 8, kExact);
+    EXPECT_NEAR(gradient, 106 / 9.0, kExact);
+    const double none = logEvidence(gram, 2, {0}), effect = logEvidence(gram, 2, {0, 1});
+    EXPECT_NEAR(none, -0.5 * (1823 / 81.0 + 3 * std::log(9)), kExact);
+    EXPECT_NEAR(effect - none, 0.5 * gradient * gradient / (1 + information) - std::log(3), kExact);
+    EXPECT_NEAR(effect - none, 6.60783, 5e-6);
+    EXPECT_NEAR(0.5 * information, 4, kExact);  // expected evidence
+}
+
+TEST(WorkedExample, EstimateAndItsStandardDeviation) {
+    const Gram gram = Example{}.both();
+    const MatrixXd information = gram.products.topLeftCorner(2, 2);
+    const VectorXd gradient = gram.products.topRightCorner(2, 1);
+    const auto step = [&](double highest) {
+        const VectorXd lowest{{-4, -8}}, limits{{4, highest}};
+        return boundedStep(information, gradient, VectorXd::Zero(2), 0, lowest, limits);
+    };
+    expectEqual(step(8), VectorXd{{256 / 243.0, 106 / 81.0}});
+    expectEqual(step(0.5), VectorXd{{43 / 27.0, 0.5}});
+    const MatrixXd covariance = (MatrixXd::Identity(2, 2) + information).inverse();
+    EXPECT_NEAR(std::sqrt(covariance(1, 1)), 1 / 3.0, kExact);
+}
+
+// The effect as two columns, each of one drive alone.
+TEST(WorkedExample, HeterogeneityBetweenTheDrives) {
+    Example example;
+    for (Drive* drive : {&example.first, &example.second}) {
+        const bool is_first = drive == &example.first;
+        MatrixXd apart = MatrixXd::Zero(3, 4);
+        apart.col(0) = drive->columns.col(0);
+        apart.col(is_first ? 1 : 2) = drive->columns.col(1);
+        apart.col(3) = drive->columns.col(2);
+        drive->columns = apart;
+    }
+    const MatrixXd left = marginalised(example.both(), {0}).products;
+    const MatrixXd each = left.block(1, 1, 2, 2);
+    const VectorXd gradient = left.block(1, 3, 2, 1);
+    expectEqual(each, MatrixXd{{14 / 9.0, -8 / 9.0}, {-8 / 9.0, 74 / 9.0}});
+    expectEqual(each.inverse() * gradient, VectorXd{{43 / 18.0, 25 / 18.0}});
+    const double q = gradient.dot(each.inverse() * gradient) - gradient.sum() * gradient.sum() / each.sum();
+    EXPECT_NEAR(q, 1.5, kExact);
+    EXPECT_NEAR(chiSquaredTail(q, 1), std::erfc(std::sqrt(0.75)), kExact);
+}
+
+TEST(WorkedExample, ResemblanceGainsLittle) {
+    const double value = 106 / 81.0, q = 1.5, precision = value * value * 8;  // 8: information of both drives together
+    Candidate effect{.effects = {0}, .log_evidence = 6.60783, .fit = {}, .fitted = true};
+    effect.fit.knobs = {0};
+    effect.fit.at = VectorXd::Constant(1, value);
+    const Constancy same{.q = q, .degrees_of_freedom = 1, .p = 0.220671, .spread = std::sqrt(q / precision)};
+    EXPECT_NEAR(same.spread, 0.330887, 5e-7);
+    EXPECT_NEAR(imitationGain(effect, same, false), -0.0913338, 5e-8);
+}
+
+TEST(WorkedExample, LargerDisturbancesAreLessLikely) {
+    const Example example;
+    const double usual = logEvidence(example.both(), 2, {0, 1}), larger = logEvidence(example.both(3.2), 2, {0, 1});
+    EXPECT_NEAR(larger - usual, -0.656231, 5e-7);
+}
+
+}  // namespace
+}  // namespace tread
