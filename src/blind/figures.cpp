@@ -63,6 +63,7 @@ void Counter::countCase(const CaseKey& key, const CaseAnswer& answer) {
             baselines("_false_alarm", answer, [](const std::string& claim) { return claim != "none"; });
             break;
         case CaseKind::outside:
+        case CaseKind::mixed:
             outside(key, answer);
             break;
         case CaseKind::small:

@@ -178,12 +178,12 @@ TEST(BlindMake, RepeatsAreNotAlike) {
 }
 
 TEST(BlindMake, KeyReadsBack) {
-    BlindKey key{.tread_version = "0.1",
-                 .seed = 42,
-                 .vehicle = "car.yaml",
-                 .generator = "another",
-                 .drives = DriveSet::step_steers,
-                 .cases = {}};
+    BlindKey key;
+    key.tread_version = "0.1";
+    key.seed = 42;
+    key.vehicle = "car.yaml";
+    key.generator = "another";
+    key.drives = DriveSet::step_steers;
     key.cases.push_back(drawn(CaseKind::two, 1).key);
     key.cases.push_back(drawn(CaseKind::outside, 1).key);
     EXPECT_EQ(keyText(parseKey(keyText(key), "key.json")), keyText(key));
