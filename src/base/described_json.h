@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "tread/describe.h"
@@ -77,6 +78,9 @@ void readJson(T& value, const nlohmann::ordered_json& json, const std::string& p
         value = json.is_null() ? std::numeric_limits<T>::quiet_NaN() : json.template get<T>();
     } else if constexpr (std::is_integral_v<T>) {
         expect(json.is_number_integer(), "a whole number");
+        const bool fits = json.is_number_unsigned() ? std::in_range<T>(json.template get<std::uint64_t>())
+                                                    : std::in_range<T>(json.template get<std::int64_t>());
+        expect(fits, "a whole number within the range of this one");
         value = json.template get<T>();
     } else if constexpr (requires { typename T::mapped_type; }) {
         expect(json.is_object(), "an object");
