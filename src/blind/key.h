@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "blind/drives.h"
+#include "blind/program_hash.h"
 #include "tread/describe.h"
 
 namespace tread {
@@ -92,7 +93,8 @@ struct CaseKey {
 static_assert(describesEveryMember<CaseKey>());
 
 struct BlindKey {
-    std::string tread_version, program;
+    std::string tread_version;
+    Program program;
     std::uint64_t seed = 0;
     std::string vehicle, generator;
     DriveSet drives = DriveSet::all;
@@ -102,7 +104,7 @@ struct BlindKey {
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(tread_version), About{"", "version of tread that made the cases"});
-        field(TREAD_FIELD(program), About{"", "hash of the sources and settings from which that tread was built"});
+        field(TREAD_FIELD(program), About{"", "that made them, by the hashes of its sources"});
         field(TREAD_FIELD(seed), About{"", "another number, other cases"});
         field(TREAD_FIELD(vehicle), About{"", "file of the nominal car"});
         field(TREAD_FIELD(generator), About{"", "another simulator that drove the cars; empty: tread"});

@@ -99,6 +99,7 @@ BlindKey makeCases(const BlindOrder& order, const VehicleParams& nominal, const 
                    const std::filesystem::path& folder, const std::function<void(int cases)>& progress) {
     BlindKey key;
     key.tread_version = order.tread_version;
+    key.program = programHash();
     key.seed = order.seed;
     key.vehicle = order.vehicle;
     key.drives = order.drives;
