@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "blind/diagnose_case.h"
 #include "blind/judge.h"
 #include "blind/make.h"
 #include "blind/score.h"
@@ -30,14 +31,6 @@ std::string withoutSlash(std::string folder) {
 std::string madeOf(const BlindKey& key) {
     const std::string by = key.generator.empty() ? "" : ", driven by " + key.generator;
     return fmt::format("{} cases of seed {}, {}{}", key.cases.size(), key.seed, key.vehicle, by);
-}
-
-// A case as `tread blind make` wrote it.
-Diagnosis diagnosed(const Path& file, int threads) {
-    const DiagnosisFile asked = loadDiagnosis(file);
-    DiagnoseOptions options;
-    options.threads = threads;
-    return diagnose(nominalSubject(asked), asked, readRecordings(asked), effectsToConsider(asked), options);
 }
 
 }  // namespace
@@ -77,18 +70,21 @@ int blindMake(const BlindMakeOptions& options) {
 int blindScore(const BlindScoreOptions& options) {
     // The hash is of the key as it lies there; its words are read when all is answered.
     const std::string sealed = readBytes(options.key);
-    const Path output = options.output, answers_folder = output / "answers";
+    const References references = options.no_references ? References::left_out : References::used;
+    const Path output = options.no_references ? Path(options.output) / "without_references" : Path(options.output);
+    const Path answers_folder = output / "answers";
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     JudgeOptions judging;
     judging.jobs = options.jobs > 0 ? options.jobs : cores;
     judging.threads = std::max(1, cores / judging.jobs);
     Progress progress(0, "cases");
     judging.progress = [&](int done, int) { progress.at(done); };
-    std::vector<CaseAnswer> answers = judge(options.cases, answers_folder, diagnosed, judging);
+    const auto diagnose = [&](const Path& file, int threads) { return diagnosedCase(file, references, threads); };
+    std::vector<CaseAnswer> answers = judge(options.cases, answers_folder, diagnose, judging);
 
     const BlindKey key = parseKey(sealed, options.key);
     lookUp(answers, key, options.cases, answers_folder, effectCatalogue());
-    const BlindScore scored = score(key.cases, answers);
+    const BlindScore scored = score(key, answers);
     const std::string json = scoreJson(scored);
     writeFile(output / "score.json", json);
     writeFile(
