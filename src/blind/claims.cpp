@@ -1,6 +1,7 @@
 #include "blind/claims.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "blind/bands.h"
 
@@ -68,6 +69,22 @@ std::vector<Claim> claimsOf(const CaseKey& key, const CaseAnswer& answer) {
     if (answer.verdict == Verdict::nothing) claims.push_back({answer.probability_of_nothing, !anythingShows(key)});
     if (callsUnknown(answer)) claims.push_back({answer.probability_of_unknown, !key.outsider.empty()});
     return claims;
+}
+
+std::vector<NumberError> numberErrors(const CaseKey& key, const CaseAnswer& answer) {
+    std::vector<NumberError> errors;
+    for (const RankedEffect& effect : answer.effects) {
+        if (!has(answer.causes, effect.name) || !has(key.effects, effect.name)) continue;
+        for (const auto& [path, estimate] : effect.parameters) {
+            const auto found = key.numbers.find(path);
+            if (found == key.numbers.end()) continue;
+            const PlantedNumber& truth = found->second;
+            const double off = estimate.value - truth.value, relative = std::abs(off / (truth.value - truth.nominal));
+            const bool determined = estimate.sd > 0 && !estimate.at_bound && std::isfinite(off);
+            errors.push_back({determined ? off / estimate.sd : kInfinity, std::isnan(relative) ? kInfinity : relative});
+        }
+    }
+    return errors;
 }
 
 }  // namespace tread

@@ -38,4 +38,12 @@ bool mayBeTrue(const CaseKey& key, const CaseAnswer& answer);
 bool has(const std::vector<std::string>& names, const std::string& name);
 bool hasAll(const std::vector<std::string>& names, const std::vector<std::string>& of);
 
+// ---- Numbers of the causes that were rightly named ----
+
+struct NumberError {
+    double in_sd;     // truth within 2: a hit; infinite at a bound and without a standard deviation
+    double relative;  // to the distance of the truth from the nominal car's number
+};
+std::vector<NumberError> numberErrors(const CaseKey& key, const CaseAnswer& answer);
+
 }  // namespace tread

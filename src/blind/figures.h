@@ -1,6 +1,5 @@
 // The figures of a blind check: of so many cases (claims, numbers), how many were so. What is asked of a case, and into
-// which groups it falls, is decided by the key alone; only figures of what was said (claims, numbers of rightly named
-// causes, the force named with "unknown") count what the answers say.
+// which groups it falls, is decided by the key alone (questions.h, groups.h).
 #pragma once
 
 #include <string>
@@ -36,24 +35,9 @@ struct Figure : Count {
     bool missed() const { return target > 0 && of > 0 && (at_least ? share() < target : share() > target); }
 };
 
-// Cases of which figures are given besides those of all.
-struct Group {
-    std::string name;   // in the JSON
-    std::string words;  // for people
-};
-const std::vector<Group>& groups();
-
 // All figures, those of all cases first, then group by group; each in the order of the questions. A case whose answer
 // has failed is counted as one that says nothing. Answers stand in the order of the keys. Throws LoadError where a key
 // does not say what its drives show.
 std::vector<Figure> countFigures(const std::vector<CaseKey>& keys, const std::vector<CaseAnswer>& answers);
-
-// ---- Numbers of the causes that were rightly named ----
-
-struct NumberError {
-    double in_sd;     // truth within 2: a hit; infinite at a bound and without a standard deviation
-    double relative;  // to the distance of the truth from the nominal car's number
-};
-std::vector<NumberError> numberErrors(const CaseKey& key, const CaseAnswer& answer);
 
 }  // namespace tread

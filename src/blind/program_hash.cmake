@@ -15,8 +15,8 @@ function(program_files root)
         ${root}/src/report/*.cmake ${root}/src/report/*.css ${root}/src/report/*.js
         ${root}/tools/tread/*.cpp ${root}/tools/tread/*.h
         ${root}/src/blind/bands.* ${root}/src/blind/claims.* ${root}/src/blind/figures.* ${root}/src/blind/frozen.*
-        ${root}/src/blind/outcomes.* ${root}/src/blind/program_hash.* ${root}/src/blind/reliability.*
-        ${root}/src/blind/score.* ${root}/src/blind/score_*)
+        ${root}/src/blind/groups.* ${root}/src/blind/outcomes.* ${root}/src/blind/program_hash.*
+        ${root}/src/blind/questions.* ${root}/src/blind/reliability.* ${root}/src/blind/score.* ${root}/src/blind/score_*)
     file(GLOB_RECURSE diagnosis RELATIVE ${root} ${again} ${root}/include/*.h ${root}/src/*.cpp ${root}/src/*.h)
     list(APPEND diagnosis CMakeLists.txt)
     list(REMOVE_ITEM diagnosis ${scoring})

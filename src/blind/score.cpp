@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "base/median.h"
-#include "blind/claims.h"
 #include "tread/problem.h"
 
 namespace tread {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "blind/claims.h"
 #include "blind/figures.h"
 #include "blind/frozen.h"
 #include "blind/outcomes.h"

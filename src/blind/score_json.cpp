@@ -1,5 +1,5 @@
 #include "base/described_json.h"
-#include "blind/bands.h"
+#include "blind/groups.h"
 #include "blind/score.h"
 
 namespace tread {
@@ -48,7 +48,7 @@ Json orNull(const std::optional<double>& value) {
 
 std::string scoreJson(const BlindScore& score) {
     Json groups_json = Json::object(), bins = Json::array(), rows = Json::array(), errors = Json::array();
-    for (const Group& group : groups()) {
+    for (const CaseGroup& group : caseGroups()) {
         Json figures = figuresOf(score, group.name);
         if (!figures.empty()) groups_json[group.name] = {{"words", group.words}, {"figures", std::move(figures)}};
     }

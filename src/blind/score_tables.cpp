@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "blind/bands.h"
+#include "blind/groups.h"
 
 namespace tread {
 namespace {
@@ -36,8 +37,8 @@ Row rowOf(const Figure& figure, const std::string& words) {
 }
 
 std::string wordsOfGroup(std::string_view name) {
-    const auto found =
-        std::find_if(groups().begin(), groups().end(), [&](const Group& group) { return group.name == name; });
+    const auto found = std::find_if(caseGroups().begin(), caseGroups().end(),
+                                    [&](const CaseGroup& group) { return group.name == name; });
     return found->words;
 }
 
@@ -75,25 +76,19 @@ int casesIn(const BlindScore& score, const Figure& figure, const std::vector<std
     return cases;
 }
 
-std::vector<std::string> bandGroups(const std::string& prefix) {
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < kBands.size(); ++i) names.push_back(fmt::format("{}band_{}", prefix, i));
-    return names;
-}
-
 ScoreTable bandTable(const BlindScore& score) {
     ScoreTable table{.title = "By what the drives show",
                      .header = {"figure", "all", "< 6", "6-22", "22-100", ">= 100", "apart", "alike"},
                      .rows = {}};
-    std::vector<std::string> weaker = bandGroups("");
-    weaker.insert(weaker.end(), {"testable_told_apart", "testable_alike"});
+    std::vector<std::string> weaker = weakerBandGroups();
+    weaker.insert(weaker.end(), {kTestableAndApart, kTestableAlike});
     for (const Figure& figure : score.figures) {
         if (!figure.group.empty()) break;
         addParts(table, score, figure, figure.words, weaker);
         addParts(table, score, figure, "  largest reduction", weaker, largestReductionOf);
         addParts(table, score, figure, "  BIC", weaker, bicOf);
-        const bool of_two = casesIn(score, figure, bandGroups("stronger_")) == figure.of;
-        if (of_two) addParts(table, score, figure, "  by the stronger of two", bandGroups("stronger_"));
+        const bool of_two = casesIn(score, figure, strongerBandGroups()) == figure.of;
+        if (of_two) addParts(table, score, figure, "  by the stronger of two", strongerBandGroups());
     }
     table.note = fmt::format(
         "Expected evidence in nats, as the sealed key has it; of two, the weaker counts. Of something with {:.0f} "
@@ -108,11 +103,8 @@ ScoreTable bandTable(const BlindScore& score) {
 // Of figures that are asked of several kinds.
 ScoreTable kindTable(const BlindScore& score) {
     ScoreTable table{.title = "By kind", .header = {"figure", "all"}, .rows = {}};
-    std::vector<std::string> names;
-    for (const std::string_view kind : enumNames(CaseKind{})) {
-        names.push_back("kind_" + std::string(kind));
-        table.header.emplace_back(kind);
-    }
+    for (const std::string_view kind : enumNames(CaseKind{})) table.header.emplace_back(kind);
+    const std::vector<std::string> names = kindGroups();
     for (const Figure& figure : score.figures) {
         if (!figure.group.empty()) break;
         const auto of_kind = [&](const std::string& name) { return score.figure(figure.name, name).of > 0; };
@@ -178,7 +170,7 @@ ScoreTable overallTable(const BlindScore& score) {
         if (!figure.group.empty()) break;
         if (figure.of == 0) continue;
         table.rows.push_back(rowOf(figure, figure.words));
-        const int of_families = casesIn(score, figure, {"first_family", "second_family"});
+        const int of_families = casesIn(score, figure, familyGroups());
         for (const Figure& part : score.figures) {
             const bool family = part.group.ends_with("_family") && of_families == figure.of;
             if (part.name == figure.name && !part.group.empty() && part.of > 0 && (family || part.target > 0))

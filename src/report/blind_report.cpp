@@ -10,7 +10,7 @@
 namespace tread {
 namespace {
 
-std::string percent(double share) {
+std::string wholePercent(double share) {
     return fmt::format("{:.0f} %", 100 * share);
 }
 
@@ -62,7 +62,7 @@ Chart reliabilityChart(const BlindScore& score) {
 std::vector<Card> cardsOf(const BlindScore& score) {
     const auto card = [&](const char* label, const char* name) {
         const Figure& figure = score.figure(name);
-        return figure.of > 0 ? Card{label, percent(figure.share()), fmt::format("of {}", figure.of)}
+        return figure.of > 0 ? Card{label, wholePercent(figure.share()), fmt::format("of {}", figure.of)}
                              : Card{label, "–", "no such case"};
     };
     return {card("Single effects named first", "named_first"),
@@ -86,10 +86,10 @@ std::string blindReport(const BlindReport& report) {
          {"Programs", score.frozen.words},
          {"References", score.references ? "every drive compared with its reference" : "none"},
          {"Gap closed, single effects",
-          score.median_closure ? percent(*score.median_closure) + " in the median, on held-out drives" : ""},
+          score.median_closure ? wholePercent(*score.median_closure) + " in the median, on held-out drives" : ""},
          {"Error of numbers", score.median_relative_error
                                   ? fmt::format("{} in the median, of the distance from the nominal car's number",
-                                                percent(*score.median_relative_error))
+                                                wholePercent(*score.median_relative_error))
                                   : ""},
          {"90 % set, single effects", score.mean_credible_set
                                           ? fmt::format("{:.1f} causes in the mean, median {:.0f}",

@@ -30,7 +30,8 @@ std::string withoutSlash(std::string folder) {
 
 std::string madeOf(const BlindKey& key) {
     const std::string by = key.generator.empty() ? "" : ", driven by " + key.generator;
-    return fmt::format("{} cases of seed {}, {}{}", key.cases.size(), key.seed, key.vehicle, by);
+    return fmt::format("{} cases of seed {}, world {}, {}{}", key.cases.size(), key.seed,
+                       enumNames(key.world)[static_cast<std::size_t>(key.world)], key.vehicle, by);
 }
 
 }  // namespace
@@ -85,15 +86,14 @@ int blindScore(const BlindScoreOptions& options) {
     const BlindKey key = parseKey(sealed, options.key);
     lookUp(answers, key, options.cases, answers_folder, effectCatalogue());
     const BlindScore scored = score(key, answers);
-    const std::string json = scoreJson(scored);
+    const std::string json = scoreJson(scored), made_of = madeOf(key), hash = sha256(sealed);
     writeFile(output / "score.json", json);
-    writeFile(
-        output / "report.html",
-        blindReport({.made_of = madeOf(key), .key_sha256 = sha256(sealed), .version = TREAD_VERSION, .score = scored}));
+    writeFile(output / "report.html",
+              blindReport({.made_of = made_of, .key_sha256 = hash, .version = TREAD_VERSION, .score = scored}));
     if (options.json) {
         printJson(nlohmann::json::parse(json));
     } else {
-        print(scoreText(scored));
+        print(fmt::format("{}  {}\n  SHA-256 of the key: {}\n", scoreText(scored), made_of, hash));
     }
     std::fprintf(stderr, "report: %s\n", (output / "report.html").c_str());
     return scored.failed > 0 ? kRunFailed : kYes;
