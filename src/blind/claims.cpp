@@ -1,18 +1,12 @@
 #include "blind/claims.h"
 
 #include <algorithm>
-#include <set>
+#include <cmath>
 
-#include "diagnose/answer/diagnosis.h"
-#include "diagnose/settings.h"
+#include "blind/bands.h"
 
 namespace tread {
 namespace {
-
-using diagnose::kSettings;
-
-using diagnose::answer::RankedEffect;
-using diagnose::answer::Verdict;
 
 double probabilityOf(const CaseAnswer& answer, const std::string& effect) {
     for (const RankedEffect& ranked : answer.effects) {
@@ -33,39 +27,64 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+bool hasAll(const std::vector<std::string>& names, const std::vector<std::string>& of) {
+    return std::all_of(of.begin(), of.end(), [&](const std::string& one) { return has(names, one); });
+}
+
 bool blames(const CaseAnswer& answer) {
-    return answer.verdict == Verdict::explained || answer.verdict == Verdict::ambiguous;
+    return !answer.causes.empty();
+}
+
+bool callsUnknown(const CaseAnswer& answer) {
+    return answer.verdict == Verdict::unknown;
 }
 
 bool alarms(const CaseAnswer& answer) {
-    return blames(answer) || answer.verdict == Verdict::unknown;
+    return blames(answer) || callsUnknown(answer);
 }
 
-double natsOf(const CaseAnswer& answer, const std::string& effect) {
-    const auto found = answer.testable.find(effect);
-    return found == answer.testable.end() ? 0 : found->second;
+bool firstIsTrue(const CaseKey& key, const CaseAnswer& answer) {
+    return blames(answer) && !answer.effects.empty() && has(key.effects, answer.effects.front().name);
 }
 
-bool testable(const CaseAnswer& answer, const std::string& effect) {
-    return natsOf(answer, effect) >= kSettings.testable;
+bool namesExactly(const CaseKey& key, const CaseAnswer& answer) {
+    return answer.alternatives.empty() && hasAll(answer.causes, key.effects) && hasAll(key.effects, answer.causes);
 }
 
-bool testable(const CaseKey& key, const CaseAnswer& answer) {
-    return std::any_of(key.effects.begin(), key.effects.end(),
-                       [&](const std::string& effect) { return testable(answer, effect); });
+bool namesAnyTrue(const CaseKey& key, const CaseAnswer& answer) {
+    const std::set<std::string> named = namedIn(answer);
+    return std::any_of(named.begin(), named.end(), [&](const std::string& name) { return has(key.effects, name); });
+}
+
+bool mayBeTrue(const CaseKey& key, const CaseAnswer& answer) {
+    const auto is_true = [&](const std::vector<std::string>& causes) { return hasAll(key.effects, causes); };
+    return blames(answer) &&
+           (is_true(answer.causes) || std::any_of(answer.alternatives.begin(), answer.alternatives.end(), is_true));
 }
 
 std::vector<Claim> claimsOf(const CaseKey& key, const CaseAnswer& answer) {
     std::vector<Claim> claims;
     for (const std::string& name : namedIn(answer))
         claims.push_back({probabilityOf(answer, name), has(key.effects, name)});
-    if (answer.verdict == Verdict::nothing) {
-        const bool shows = key.kind == CaseKind::outside || (key.kind != CaseKind::small && testable(key, answer));
-        claims.push_back({answer.probability_of_nothing, !shows});
-    }
-    if (answer.verdict == Verdict::unknown)
-        claims.push_back({answer.probability_of_unknown, key.kind == CaseKind::outside});
+    if (answer.verdict == Verdict::nothing) claims.push_back({answer.probability_of_nothing, !anythingShows(key)});
+    if (callsUnknown(answer)) claims.push_back({answer.probability_of_unknown, !key.outsider.empty()});
     return claims;
+}
+
+std::vector<NumberError> numberErrors(const CaseKey& key, const CaseAnswer& answer) {
+    std::vector<NumberError> errors;
+    for (const RankedEffect& effect : answer.effects) {
+        if (!has(answer.causes, effect.name) || !has(key.effects, effect.name)) continue;
+        for (const auto& [path, estimate] : effect.parameters) {
+            const auto found = key.numbers.find(path);
+            if (found == key.numbers.end()) continue;
+            const PlantedNumber& truth = found->second;
+            const double off = estimate.value - truth.value, relative = std::abs(off / (truth.value - truth.nominal));
+            const bool determined = estimate.sd > 0 && !estimate.at_bound && std::isfinite(off);
+            errors.push_back({determined ? off / estimate.sd : kInfinity, std::isnan(relative) ? kInfinity : relative});
+        }
+    }
+    return errors;
 }
 
 }  // namespace tread

@@ -8,17 +8,11 @@
 
 #include "blind/make.h"
 #include "blind/shown.h"
-#include "diagnose/answer/diagnosis.h"
-#include "diagnose/catalogue/effect.h"
 #include "log/csv.h"
 #include "tread/load.h"
 
 namespace tread {
 namespace {
-
-using diagnose::answer::Diagnosis;
-using diagnose::answer::Overlay;
-using diagnose::catalogue::Effect;
 
 namespace fs = std::filesystem;
 
@@ -73,6 +67,7 @@ CaseAnswer answered(const fs::path& cases, const fs::path& answers, const std::s
         overlays = std::move(diagnosis.overlays);
     } catch (const std::exception& error) {
         answer.name = name;
+        answer.program = programHash();
         answer.failure = error.what();
     }
     keep(answers, answer, overlays);
@@ -151,7 +146,8 @@ void lookUp(std::vector<CaseAnswer>& found, const BlindKey& key, const fs::path&
             std::find_if(found.begin(), found.end(), [&](const CaseAnswer& a) { return a.name == made.name; });
         if (answer == found.end() || made.kind != CaseKind::one) continue;
         const int index = static_cast<int>(i);
-        const DrawnCase drawn = drawnCase(key.seed, index, made.kind, nominal, shown, made.draw);
+        DrawnCase drawn = drawnCase(key.seed, index, made.kind, nominal, shown, made.draw);
+        drawn.key.shows = made.shows;  // found after the case was drawn
         if (drawn.key != made) continue;
         const std::map<std::string, Log> clean = cleanDrives(drawn.truth, drives, key.seed, index);
         answer->closure_obtained = obtainedClosure(keptOverlays(answers, made.name, clean), clean);

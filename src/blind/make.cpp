@@ -8,15 +8,12 @@
 
 #include "blind/gauges.h"
 #include "blind/shown.h"
-#include "diagnose/catalogue/effect.h"
 #include "log/csv.h"
 #include "run/simulate.h"
 #include "tread/load.h"
 
 namespace tread {
 namespace {
-
-using diagnose::catalogue::Effect;
 
 // Of twenty cases: eight with one cause, four with two, three without, three from outside, two too small.
 constexpr std::array<CaseKind, 20> kProportions{
@@ -100,12 +97,12 @@ DrawnCase drawnCase(std::uint64_t seed, int index, CaseKind kind, const VehicleP
 
 BlindKey makeCases(const BlindOrder& order, const VehicleParams& nominal, const std::vector<Effect>& effects,
                    const std::filesystem::path& folder, const std::function<void(int cases)>& progress) {
-    BlindKey key{.tread_version = order.tread_version,
-                 .seed = order.seed,
-                 .vehicle = order.vehicle,
-                 .generator = {},
-                 .drives = order.drives,
-                 .cases = {}};
+    BlindKey key;
+    key.tread_version = order.tread_version;
+    key.program = programHash();
+    key.seed = order.seed;
+    key.vehicle = order.vehicle;
+    key.drives = order.drives;
     const std::vector<Drive> drives = blindDrives(order.drives);
     const std::vector<CaseKind> kinds = kindsOf(order);
     const std::vector<Effect> shown = shownEffects(nominal, effects, drives);

@@ -1,74 +1,104 @@
 #include "blind/score.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
 
 #include "base/median.h"
-#include "diagnose/answer/diagnosis.h"
+#include "tread/problem.h"
 
 namespace tread {
 namespace {
 
-using diagnose::answer::RankedEffect;
-
-// The errors of the parameters of one effect, in standard deviations.
-std::vector<double> errorsOf(const CaseKey& key, const RankedEffect& effect) {
-    std::vector<double> errors;
-    for (const auto& [path, estimate] : effect.parameters) {
-        const auto truth = key.numbers.find(path);
-        if (truth == key.numbers.end() || !(estimate.sd > 0) || estimate.at_bound) continue;
-        errors.push_back((estimate.value - truth->second.value) / estimate.sd);
+// One for each key, in their order.
+std::vector<CaseAnswer> inOrder(const std::vector<CaseKey>& keys, const std::vector<CaseAnswer>& answers) {
+    std::vector<CaseAnswer> ordered;
+    for (const CaseKey& key : keys) {
+        const auto found =
+            std::find_if(answers.begin(), answers.end(), [&](const CaseAnswer& a) { return a.name == key.name; });
+        CaseAnswer answer;
+        if (found == answers.end()) answer.failure = "the case was not diagnosed";
+        else if (found->failure.empty()) answer = *found;
+        else answer.failure = found->failure;
+        answer.name = key.name;
+        ordered.push_back(std::move(answer));
     }
-    return errors;
+    return ordered;
+}
+
+// What the drives show differs with and without references: the key must be that of how they were diagnosed.
+void checkReferences(const BlindKey& key, const std::vector<CaseAnswer>& answers) {
+    for (const CaseAnswer& answer : answers) {
+        if (!answer.failure.empty() || answer.compared == key.references) continue;
+        const auto words = [](bool with) { return with ? "with references" : "without references"; };
+        throw LoadError(
+            {{"", 0, 0, answer.name,
+              fmt::format("found a case that was diagnosed {}, expected one {}: the key says what drives {} "
+                          "show (see --no-references)",
+                          words(answer.compared), words(key.references), words(key.references))}});
+    }
+}
+
+std::optional<double> medianOf(const std::vector<double>& values) {
+    return values.empty() ? std::nullopt : std::optional(median(values));
+}
+
+void addSingles(BlindScore& score, const std::vector<CaseKey>& keys, const std::vector<CaseAnswer>& answers) {
+    std::vector<double> closures, sets;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        if (keys[i].kind != CaseKind::one || !answers[i].failure.empty()) continue;
+        sets.push_back(static_cast<double>(answers[i].credible_set.size()));
+        if (std::isfinite(answers[i].closure_obtained)) closures.push_back(answers[i].closure_obtained);
+    }
+    score.median_closure = medianOf(closures);
+    score.median_credible_set = medianOf(sets);
+    if (!sets.empty())
+        score.mean_credible_set = std::accumulate(sets.begin(), sets.end(), 0.0) / static_cast<double>(sets.size());
+}
+
+void addNumbersAndClaims(BlindScore& score, const std::vector<CaseKey>& keys, const std::vector<CaseAnswer>& answers) {
+    std::vector<Claim> claims;
+    std::vector<double> relative;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        for (const Claim& claim : claimsOf(keys[i], answers[i])) claims.push_back(claim);
+        for (const NumberError& error : numberErrors(keys[i], answers[i])) {
+            score.number_errors.push_back(error);
+            relative.push_back(error.relative);
+        }
+    }
+    score.reliability = reliability(claims);
+    score.calibration_error = calibrationError(score.reliability);
+    score.median_relative_error = medianOf(relative);
 }
 
 }  // namespace
 
-const Figure& BlindScore::figure(std::string_view name) const {
+const Figure& BlindScore::figure(std::string_view name, std::string_view group) const {
     for (const Figure& one : figures) {
-        if (one.name == name) return one;
+        if (one.name == name && one.group == group) return one;
     }
-    throw std::out_of_range("no figure " + std::string(name));
+    throw std::out_of_range(fmt::format("no figure {} of the group \"{}\"", name, group));
 }
 
-BlindScore score(const std::vector<CaseKey>& keys, const std::vector<CaseAnswer>& answers) {
+BlindScore score(const BlindKey& key, const std::vector<CaseAnswer>& found, const Program& own) {
+    checkReferences(key, found);
+    const std::vector<CaseAnswer> answers = inOrder(key.cases, found);
     BlindScore score;
-    Counter counter;
-    std::vector<Claim> claims;
-    std::vector<double> closures, seconds, sets;
-    for (const CaseKey& key : keys) {
-        ++score.cases;
-        const auto found =
-            std::find_if(answers.begin(), answers.end(), [&](const CaseAnswer& a) { return a.name == key.name; });
-        if (found == answers.end() || !found->failure.empty()) {
-            ++score.failed;
-            continue;
-        }
-        const CaseAnswer& answer = *found;
-        counter.countCase(key, answer);
-        for (const Claim& claim : claimsOf(key, answer)) claims.push_back(claim);
-        ++score.confusion[wordsOf(key)][wordsOf(answer)];
-        seconds.push_back(answer.seconds);
-        for (const RankedEffect& effect : answer.effects) {
-            if (!has(answer.causes, effect.name) || !has(key.effects, effect.name)) continue;
-            for (const double error : errorsOf(key, effect)) {
-                score.parameter_errors.push_back(error);
-                counter.count("parameter_2sd", std::abs(error) <= 2);
-            }
-        }
-        if (key.kind != CaseKind::one) continue;
-        sets.push_back(static_cast<double>(answer.credible_set.size()));
-        if (blames(answer) && std::isfinite(answer.closure_obtained)) closures.push_back(answer.closure_obtained);
-    }
-    score.figures = counter.figures;
-    score.reliability = reliability(claims);
-    score.calibration_error = calibrationError(score.reliability);
-    if (!closures.empty()) score.median_closure = median(closures);
-    if (!sets.empty()) {
-        score.median_credible_set = median(sets);
-        score.mean_credible_set = std::accumulate(sets.begin(), sets.end(), 0.0) / static_cast<double>(sets.size());
+    score.cases = static_cast<int>(key.cases.size());
+    score.references = key.references;
+    score.frozen = frozen(key.program, found, own);
+    score.figures = countFigures(key.cases, answers);
+    score.outcomes = outcomes(key.cases, answers);
+    score.confusion = confusion(key.cases, answers);
+    addNumbersAndClaims(score, key.cases, answers);
+    addSingles(score, key.cases, answers);
+    std::vector<double> seconds;
+    for (const CaseAnswer& answer : answers) {
+        if (answer.failure.empty()) seconds.push_back(answer.seconds);
+        else ++score.failed;
     }
     score.median_seconds = median(seconds);
     for (const double s : seconds) score.longest_seconds = std::max(score.longest_seconds, s);

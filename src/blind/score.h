@@ -1,38 +1,45 @@
-// How good the answers to a blind check are. Pure: keys and answers in, figures out.
+// How good the answers to a blind check are. Pure: key and answers in, figures out.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "blind/claims.h"
 #include "blind/figures.h"
+#include "blind/frozen.h"
+#include "blind/outcomes.h"
 
 namespace tread {
 
 struct BlindScore {
     int cases = 0, failed = 0;
+    bool references = false;  // the drives were compared with references
+    Frozen frozen;
     std::vector<Figure> figures;
     std::vector<ReliabilityBin> reliability;
     double calibration_error = 0;
-    std::map<std::string, std::map<std::string, int>> confusion;   // truth, answer
-    std::vector<double> parameter_errors;                          // in standard deviations, of the causes named
-    std::optional<double> median_closure;                          // obtained, single effects that were blamed
+    std::vector<OutcomeRow> outcomes;
+    Confusion confusion;
+    std::vector<NumberError> number_errors;       // of the causes rightly named
+    std::optional<double> median_relative_error;  // of these numbers
+    std::optional<double> median_closure;         // obtained, single effects where it could be looked up
     std::optional<double> median_credible_set, mean_credible_set;  // sizes, single effects
     double median_seconds = 0, longest_seconds = 0;
 
-    const Figure& figure(std::string_view name) const;
+    // Of all cases, or of a group; throws std::out_of_range when there is no such figure.
+    const Figure& figure(std::string_view name, std::string_view group = {}) const;
 };
 
-// Answers are found by the names of their cases; cases without one count as failed.
-BlindScore score(const std::vector<CaseKey>& keys, const std::vector<CaseAnswer>& answers);
+// Answers are found by the names of their cases. A case without one counts as answered with nothing; it has `failed`.
+// Throws LoadError where the key does not say what the drives show, or says it of drives with references when the
+// answers are without, or the other way round.
+BlindScore score(const BlindKey& key, const std::vector<CaseAnswer>& answers, const Program& own = programHash());
 
-std::string scoreText(const BlindScore& score);  // for people
+// In one sentence.
+std::string scoreInWords(const BlindScore& score);
+
+std::string scoreText(const BlindScore& score);  // for people, 110 columns wide
 std::string scoreJson(const BlindScore& score);
-
-// What is so, and what was answered, in few words: rows and columns of the confusion.
-std::string wordsOf(const CaseKey& key);
-std::string wordsOf(const CaseAnswer& answer);
 
 }  // namespace tread

@@ -3,120 +3,111 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <set>
 
-#include "blind/score.h"
-#include "diagnose/answer/diagnosis.h"
-#include "diagnose/answer/diagnosis_json.h"
+#include "blind/score_tables.h"
 
 namespace tread {
 namespace {
 
-using diagnose::answer::Verdict;
+constexpr std::size_t kWidth = 110;       // columns
+constexpr std::size_t kWidestWords = 48;  // of a cell; what is longer is cut
 
-bool reached(const Figure& figure) {
-    return figure.at_least ? figure.share() >= figure.target : figure.share() <= figure.target;
+std::string cut(const std::string& text) {
+    return text.size() <= kWidestWords ? text : text.substr(0, kWidestWords - 3) + "...";
 }
 
-std::string targetOf(const Figure& figure) {
-    if (figure.target == 0) return "";
-    const char* word = figure.of == 0 ? "" : reached(figure) ? "reached" : "missed";
-    return fmt::format("{} {:.0f} %  {}", figure.at_least ? ">=" : "<=", 100 * figure.target, word);
+std::vector<std::size_t> widthsOf(const ScoreTable& table) {
+    std::vector<std::size_t> widths;
+    for (const std::string& word : table.header) widths.push_back(word.size());
+    for (const ScoreTable::Row& row : table.rows) {
+        for (std::size_t i = 0; i < row.cells.size(); ++i) widths[i] = std::max(widths[i], cut(row.cells[i]).size());
+    }
+    return widths;
 }
 
-std::string joined(std::vector<std::string> names) {
-    std::sort(names.begin(), names.end());
-    return fmt::format("{}", fmt::join(names, " + "));
+std::string lineOf(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths, std::size_t words) {
+    std::string line;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        line += i < words ? fmt::format("  {:<{}}", cut(cells[i]), widths[i])
+                          : fmt::format("  {:>{}}", cut(cells[i]), widths[i]);
+    return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
 }
 
-double rmsOf(const std::vector<double>& values) {
+// In lines of the width, each two columns from the left, but for the first, if it is to stand out.
+std::string wrapped(const std::string& text, bool first_out = false) {
+    std::string lines, line = " ";
+    for (std::size_t from = 0; from < text.size();) {
+        const std::size_t to = std::min(text.find(' ', from), text.size());
+        if (line.size() + 1 + to - from > kWidth) lines += line + "\n", line = " ";
+        line += " " + text.substr(from, to - from);
+        from = to + 1;
+    }
+    return (lines + line + "\n").substr(first_out ? 2 : 0);
+}
+
+std::string textOf(const ScoreTable& table) {
+    const std::vector<std::size_t> widths = widthsOf(table);
+    std::string text = "\n" + table.title + "\n" + lineOf(table.header, widths, table.words);
+    for (const ScoreTable::Row& row : table.rows) text += lineOf(row.cells, widths, table.words);
+    if (!table.note.empty()) text += wrapped(table.note);
+    return text;
+}
+
+std::string numbersInWords(const BlindScore& score) {
     double sum = 0;
-    for (const double value : values) sum += value * value;
-    return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
+    int finite = 0;
+    for (const NumberError& error : score.number_errors) {
+        if (!std::isfinite(error.in_sd)) continue;
+        sum += error.in_sd * error.in_sd;
+        ++finite;
+    }
+    if (score.number_errors.empty()) return "Numbers of causes rightly named: none.";
+    return fmt::format(
+        "Numbers of causes rightly named: {}, of which {} at a bound or without a standard deviation; rms {:.2f} sd; "
+        "error in the median {:.0f} % of the distance from the nominal car's number.",
+        score.number_errors.size(), static_cast<int>(score.number_errors.size()) - finite,
+        finite > 0 ? std::sqrt(sum / finite) : 0, 100 * *score.median_relative_error);
+}
+
+std::string restInWords(const BlindScore& score) {
+    return wrapped(numbersInWords(score)) +
+           wrapped("Closure obtained on held-out drives, single effects: " +
+                   (score.median_closure ? fmt::format("{:.0f} % in the median.", 100 * *score.median_closure)
+                                         : "none could be driven again.")) +
+           wrapped("Causes in the 90 % set, single effects: " +
+                   (score.mean_credible_set ? fmt::format("{:.1f} in the mean, {:.0f} in the median.",
+                                                          *score.mean_credible_set, *score.median_credible_set)
+                                            : "there are no such cases.")) +
+           wrapped(fmt::format("Time of a diagnosis: {:.0f} s in the median, {:.0f} s at most.", score.median_seconds,
+                               score.longest_seconds));
 }
 
 }  // namespace
 
+std::string scoreInWords(const BlindScore& score) {
+    std::vector<std::string> parts;
+    const auto add = [&](const char* name, const char* words) {
+        const Figure& figure = score.figure(name);
+        if (figure.of > 0) parts.push_back(fmt::format("{} {} of {}", words, figure.hits, figure.of));
+    };
+    add("named_first", "one effect named first in");
+    add("pair_both", "both of two in");
+    add("false_alarm", "false alarms");
+    add("unknown", "outsiders called unknown");
+    add("wrong_confident", "wrong and confident");
+    parts.push_back(fmt::format("calibration error {:.3f}", score.calibration_error));
+    return fmt::format("Blind check of {} cases, {}: {}", score.cases, score.frozen.frozen ? "frozen" : "NOT frozen",
+                       fmt::join(parts, ", "));
+}
+
 std::string scoreText(const BlindScore& score) {
-    const Figure& first = score.figure("named_first");
-    std::string text = fmt::format(
-        "Blind check of {} cases: a single testable effect is named first in {} of {}, false alarms {} of {}, "
-        "calibration error {:.3f}\n\n",
-        score.cases, first.hits, first.of, score.figure("false_alarm").hits, score.figure("false_alarm").of,
-        score.calibration_error);
-    for (const Figure& figure : score.figures) {
-        const Interval interval = figure.interval();
-        const std::string share = figure.of > 0 ? fmt::format("{:5.1f} % [{:.0f}, {:.0f}]", 100 * figure.share(),
-                                                              100 * interval.low, 100 * interval.high)
-                                                : "-";
-        text += fmt::format("  {:<70} {:>7}  {:<20} {}\n", figure.what, fmt::format("{}/{}", figure.hits, figure.of),
-                            share, targetOf(figure));
-    }
-    text +=
-        fmt::format("\n  stated probabilities: expected calibration error {:.3f} (<= 0.05)\n", score.calibration_error);
-    text += fmt::format("  parameters of the causes named: {} errors, rms {:.2f} sd\n", score.parameter_errors.size(),
-                        rmsOf(score.parameter_errors));
-    text += "  closure obtained on held-out drives, single effects: ";
-    text += score.median_closure ? fmt::format("median {:.0f} %\n", 100 * *score.median_closure)
-                                 : "none was blamed on the catalogue and driven again\n";
-    text += "  causes in the 90 % set, single effects: ";
-    text += score.mean_credible_set
-                ? fmt::format("mean {:.1f}, median {:.0f}\n", *score.mean_credible_set, *score.median_credible_set)
-                : "there are no cases of one effect\n";
-    text += fmt::format("  time of a diagnosis: median {:.0f} s, longest {:.0f} s\n", score.median_seconds,
-                        score.longest_seconds);
-    if (score.failed > 0) text += fmt::format("  {} cases without an answer\n", score.failed);
-    text += "\nWhat was so, and what was answered:\n";
-    for (const auto& [truth, answers] : score.confusion) {
-        for (const auto& [answer, count] : answers) text += fmt::format("  {:<52} {:<52} {}\n", truth, answer, count);
-    }
-    return text;
-}
-
-std::string scoreJson(const BlindScore& score) {
-    using Json = nlohmann::json;
-    const auto orNull = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
-    Json figures = Json::object(), bins = Json::array();
-    for (const Figure& figure : score.figures) {
-        const Interval interval = figure.interval();
-        figures[figure.name] = {{"what", figure.what}, {"hits", figure.hits},
-                                {"of", figure.of},     {"share", figure.of > 0 ? Json(figure.share()) : Json(nullptr)},
-                                {"low", interval.low}, {"high", interval.high}};
-        if (figure.target != 0) figures[figure.name][figure.at_least ? "at_least" : "at_most"] = figure.target;
-    }
-    for (const ReliabilityBin& bin : score.reliability) {
-        bins.push_back(
-            {{"from", bin.from}, {"to", bin.to}, {"claims", bin.claims}, {"right", bin.right}, {"stated", bin.stated}});
-    }
-    const Json json{{"cases", score.cases},
-                    {"failed", score.failed},
-                    {"figures", figures},
-                    {"reliability", bins},
-                    {"calibration_error", score.calibration_error},
-                    {"parameter_errors", score.parameter_errors},
-                    {"parameter_error_rms", rmsOf(score.parameter_errors)},
-                    {"median_closure", orNull(score.median_closure)},
-                    {"mean_credible_set", orNull(score.mean_credible_set)},
-                    {"median_credible_set", orNull(score.median_credible_set)},
-                    {"median_seconds", score.median_seconds},
-                    {"longest_seconds", score.longest_seconds},
-                    {"confusion", score.confusion}};
-    return json.dump(2) + "\n";
-}
-
-std::string wordsOf(const CaseKey& key) {
-    if (key.kind == CaseKind::none) return "nothing";
-    if (key.kind == CaseKind::outside) return "outside: " + key.outsider;
-    return (key.kind == CaseKind::small ? "too small: " : "") + joined(key.effects);
-}
-
-std::string wordsOf(const CaseAnswer& answer) {
-    if (answer.verdict == Verdict::explained) return joined(answer.causes);
-    if (answer.verdict != Verdict::ambiguous) return std::string(nameOf(answer.verdict));
-    std::set<std::string> either{joined(answer.causes)};
-    for (const auto& alternative : answer.alternatives) either.insert(joined(alternative));
-    return fmt::format("{}", fmt::join(either, " or "));
+    std::string text = wrapped(scoreInWords(score), true) + wrapped(score.frozen.words) +
+                       fmt::format("  diagnosed {} references\n", score.references ? "with" : "without");
+    if (score.failed > 0)
+        text += fmt::format("  {} of {} cases without an answer: counted as answered with nothing\n", score.failed,
+                            score.cases);
+    for (const ScoreTable& table : scoreTables(score)) text += textOf(table);
+    return text + "\n" + restInWords(score);
 }
 
 }  // namespace tread

@@ -3,35 +3,33 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "blind/score_tables.h"
 #include "report/html.h"
 #include "report/text.h"
 
 namespace tread {
 namespace {
 
-std::string tenthsOfPercent(double share) {
-    return fmt::format("{:.1f} %", 100 * share);
+std::string wholePercent(double share) {
+    return fmt::format("{:.0f} %", 100 * share);
 }
 
-bool missed(const Figure& figure) {
-    return figure.target > 0 && figure.of > 0 &&
-           (figure.at_least ? figure.share() < figure.target : figure.share() > figure.target);
+std::string withDash(const std::string& words) {
+    return words.starts_with("  ") ? "– " + words.substr(2) : words;
 }
 
-std::vector<std::vector<Cell>> figureRows(const BlindScore& score) {
+std::vector<std::vector<Cell>> rowsOf(const ScoreTable& table) {
     std::vector<std::vector<Cell>> rows;
-    for (const Figure& figure : score.figures) {
-        if (figure.of == 0) continue;
-        const Interval interval = figure.interval();
-        rows.push_back({{.text = figure.what.starts_with(" ") ? "– " + figure.what : figure.what},
-                        {.text = fmt::format("{} of {}", figure.hits, figure.of), .number = true},
-                        {.text = tenthsOfPercent(figure.share()), .number = true, .alarm = missed(figure)},
-                        {.text = fmt::format("{} to {}", tenthsOfPercent(interval.low), tenthsOfPercent(interval.high)),
-                         .number = true},
-                        {.text = figure.target > 0 ? fmt::format("{} {}", figure.at_least ? "at least" : "at most",
-                                                                 tenthsOfPercent(figure.target))
-                                                   : "",
-                         .number = true}});
+    for (const ScoreTable::Row& row : table.rows) {
+        std::vector<Cell>& cells = rows.emplace_back();
+        for (std::size_t i = 0; i < row.cells.size(); ++i) {
+            Cell cell{.text = i < table.words ? withDash(row.cells[i]) : row.cells[i], .number = i >= table.words};
+            const std::string& column = table.header[i];
+            if (column == "share") cell.bar = row.share;
+            cell.alarm = (row.missed && column == "asked for") ||
+                         ((column == "wrong" || column == "no answer") && !cell.text.empty());
+            cells.push_back(std::move(cell));
+        }
     }
     return rows;
 }
@@ -40,7 +38,7 @@ std::vector<std::vector<Cell>> figureRows(const BlindScore& score) {
 std::string untried(const BlindScore& score) {
     std::vector<std::string> names;
     for (const Figure& figure : score.figures)
-        if (figure.of == 0 && figure.target > 0) names.push_back(figure.what);
+        if (figure.of == 0 && figure.target > 0) names.push_back(figure.words);
     return names.empty() ? "" : fmt::format("No case says anything of: {}.", fmt::join(names, "; "));
 }
 
@@ -61,16 +59,19 @@ Chart reliabilityChart(const BlindScore& score) {
             .note = fmt::format("{} claims; expected calibration error {:.3f}.", claims, score.calibration_error)};
 }
 
-std::vector<std::vector<Cell>> confusionRows(const BlindScore& score) {
-    std::vector<std::vector<Cell>> rows;
-    for (const auto& [truth, answers] : score.confusion) {
-        for (const auto& [answer, count] : answers) {
-            rows.push_back({{.text = truth},
-                            {.text = answer, .alarm = truth != answer && truth.find(':') == std::string::npos},
-                            {.text = std::to_string(count), .number = true}});
-        }
-    }
-    return rows;
+std::vector<Card> cardsOf(const BlindScore& score) {
+    const auto card = [&](const char* label, const char* name) {
+        const Figure& figure = score.figure(name);
+        return figure.of > 0 ? Card{label, wholePercent(figure.share()), fmt::format("of {}", figure.of)}
+                             : Card{label, "–", "no such case"};
+    };
+    return {card("Single effects named first", "named_first"),
+            card("False alarms", "false_alarm"),
+            card("Outsiders called unknown", "unknown"),
+            card("Wrong and confident, of all claims", "wrong_confident"),
+            card("Numbers within 2 sd", "numbers_2sd"),
+            {"Calibration error", formatNumber(score.calibration_error, 2), ""},
+            {"Time of a diagnosis", formatNumber(score.median_seconds, 3), "s"}};
 }
 
 }  // namespace
@@ -78,35 +79,34 @@ std::vector<std::vector<Cell>> confusionRows(const BlindScore& score) {
 std::string blindReport(const BlindReport& report) {
     const BlindScore& score = report.score;
     HtmlPage page("Blind check of the diagnosis");
-    const std::string text = scoreText(score);
-    page.answer(text.substr(0, text.find('\n')));
-    const auto card = [&](const char* label, const char* name) {
-        const Figure& figure = score.figure(name);
-        return figure.of > 0 ? Card{label, tenthsOfPercent(figure.share()), ""} : Card{label, "–", "no such case"};
-    };
-    page.cards(
-        {card("Single cause named first", "named_first"),
-         card("False alarms", "false_alarm"),
-         card("Unknown causes recognised", "unknown"),
-         {"Gap closed, single causes, median", score.median_closure ? tenthsOfPercent(*score.median_closure) : "–",
-          score.median_closure ? "" : "none blamed"},
-         {"Calibration error", formatNumber(score.calibration_error, 2), ""},
-         {"Time of a diagnosis", formatNumber(score.median_seconds, 3), "s"}});
-    page.keyValues({{"Cases", report.made_of},
-                    {"90 % set, single causes", score.mean_credible_set
-                                                    ? fmt::format("{:.1f} causes in the mean, median {:.0f}",
-                                                                  *score.mean_credible_set, *score.median_credible_set)
-                                                    : ""},
-                    {"SHA-256 of the key", report.key_sha256},
-                    {"Made by", "tread " + report.version}});
-    if (score.failed > 0) page.warnings({fmt::format("{} of {} cases have no answer.", score.failed, score.cases)});
-    page.section("Figures");
-    page.table({"What", "Cases", "Share", "Wilson 95 %", "Asked for"}, figureRows(score));
-    if (const std::string rest = untried(score); !rest.empty()) page.text(rest);
-    page.section("Probabilities");
-    page.figures({reliabilityChart(score)});
-    page.section("Confusion");
-    page.table({"What was so", "What was answered", "Cases"}, confusionRows(score));
+    page.answer(scoreInWords(score), score.frozen.frozen ? "frozen" : "not frozen", score.frozen.frozen);
+    page.cards(cardsOf(score));
+    page.keyValues(
+        {{"Cases", report.made_of},
+         {"Programs", score.frozen.words},
+         {"References", score.references ? "every drive compared with its reference" : "none"},
+         {"Gap closed, single effects",
+          score.median_closure ? wholePercent(*score.median_closure) + " in the median, on held-out drives" : ""},
+         {"Error of numbers", score.median_relative_error
+                                  ? fmt::format("{} in the median, of the distance from the nominal car's number",
+                                                wholePercent(*score.median_relative_error))
+                                  : ""},
+         {"90 % set, single effects", score.mean_credible_set
+                                          ? fmt::format("{:.1f} causes in the mean, median {:.0f}",
+                                                        *score.mean_credible_set, *score.median_credible_set)
+                                          : ""},
+         {"SHA-256 of the key", report.key_sha256},
+         {"Made by", "tread " + report.version}});
+    if (score.failed > 0)
+        page.warnings({fmt::format("{} of {} cases have no answer: counted as answered with nothing.", score.failed,
+                                   score.cases)});
+    for (const ScoreTable& table : scoreTables(score)) {
+        page.section(table.title);
+        if (!table.note.empty()) page.text(table.note);
+        page.table(table.header, rowsOf(table));
+        if (table.header.back() == "asked for" && !untried(score).empty()) page.text(untried(score));
+        if (table.header.front() == "from") page.figures({reliabilityChart(score)});
+    }
     return page.finish();
 }
 

@@ -3,10 +3,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "blind/answer.h"
+#include "blind/key.h"
 #include "cli/program.h"
+#include "diagnose/sha256.h"
 #include "places/places.h"
 #include "shared/scratch.h"
-#include "store/sha256.h"
 
 namespace tread {
 namespace {
@@ -55,6 +57,75 @@ TEST(BlindCommand, FewDrivesAreMadeAndNamedInTheKey) {
     EXPECT_FALSE(std::filesystem::exists(scratch.path("cases/case_001/sine_sweep_90.csv")));
     const auto key = nlohmann::json::parse(contentOf(scratch.path("cases.key.json")));
     EXPECT_EQ(key.at("drives"), "coast_and_accelerate");
+}
+
+TEST(BlindCommand, KeyRecordsTheProgramThatMadeTheCases) {
+    const Scratch scratch;
+    ASSERT_EQ(runProgram(make(scratch, {"--kinds", "none"})).status, 0);
+    const BlindKey key = parseKey(contentOf(scratch.path("cases.key.json")), "key");
+    EXPECT_EQ(key.program, programHash());
+}
+
+// A check of one case whose answer is there already: nothing has to be diagnosed.
+struct AnsweredCheck {
+    Scratch scratch;
+    BlindKey key;
+    CaseAnswer answer;
+
+    AnsweredCheck() {
+        key.generator = "another simulator";
+        key.program = answer.program = programHash();
+        CaseKey one;
+        one.name = answer.name = "case_001";
+        one.kind = CaseKind::one;
+        one.effects = answer.causes = {"drag_area"};
+        one.shows["drag_area"] = {.nats = 40, .rival = "mass", .separation = 30};
+        key.cases = {one};
+        answer.verdict = Verdict::explained;
+        answer.effects = {{.name = "drag_area", .probability = 0.98, .parameters = {}}};
+        std::filesystem::create_directories(scratch.path("cases/case_001"));
+        scratch.file("cases/case_001/diagnosis.yaml", "");
+    }
+
+    Result scored(const std::string& answers, std::vector<std::string> more = {}) const {
+        std::filesystem::create_directories(scratch.path(answers + "/case_001"));
+        scratch.file(answers + "/case_001/answer.json", answerText(answer));
+        scratch.file("key.json", keyText(key));
+        std::vector<std::string> line{
+            "blind", "score", scratch.path("cases"), scratch.path("key.json"), "-o", scratch.path("out")};
+        line.insert(line.end(), more.begin(), more.end());
+        return runProgram(line);
+    }
+};
+
+TEST(BlindCommand, CheckByOneProgramIsCalledFrozenAndByTwoIsNot) {
+    AnsweredCheck check;
+    const Result frozen = check.scored("out/answers");
+    ASSERT_EQ(frozen.status, 0) << frozen.err;
+    EXPECT_EQ(firstLine(frozen.out).find("Blind check of 1 cases, frozen: one effect named first in 1 of 1"), 0u)
+        << frozen.out;
+    EXPECT_TRUE(nlohmann::json::parse(contentOf(check.scratch.path("out/score.json"))).at("frozen"));
+    check.key.program.diagnosis = std::string(64, '0');
+    const Result other = check.scored("out/answers");
+    EXPECT_NE(other.out.find("NOT frozen: the key records program 000000000000"), std::string::npos) << other.out;
+    EXPECT_NE(contentOf(check.scratch.path("out/report.html")).find("not frozen"), std::string::npos);
+}
+
+TEST(BlindCommand, ScoreWithoutReferencesHasAFolderOfItsOwn) {
+    const AnsweredCheck check;
+    const Result scored = check.scored("out/without_references/answers", {"--no-references"});
+    ASSERT_EQ(scored.status, 0) << scored.err;
+    EXPECT_NE(scored.out.find("diagnosed without references"), std::string::npos) << scored.out;
+    EXPECT_TRUE(std::filesystem::exists(check.scratch.path("out/without_references/report.html")));
+    EXPECT_FALSE(std::filesystem::exists(check.scratch.path("out/score.json")));
+}
+
+TEST(BlindCommand, KeyThatDoesNotSayWhatTheDrivesShowIsRefused) {
+    AnsweredCheck check;
+    check.key.cases[0].shows.clear();
+    const Result scored = check.scored("out/answers");
+    EXPECT_EQ(scored.status, 2);
+    EXPECT_NE(scored.err.find("drag_area"), std::string::npos) << scored.err;
 }
 
 TEST(BlindCommand, FolderWithoutCasesIsRefused) {

@@ -7,20 +7,13 @@
 
 #include "base/numbers.h"
 #include "blind/make.h"
-#include "diagnose/catalogue/effect.h"
-#include "recording/subject.h"
+#include "diagnose/sha256.h"
 #include "shared/scratch.h"
 #include "shared/vehicles.h"
-#include "store/sha256.h"
 #include "tread/problem.h"
 
 namespace tread {
 namespace {
-
-using diagnose::catalogue::Direction;
-using diagnose::catalogue::Effect;
-using recording::numberAt;
-using recording::Subject;
 
 const std::vector<Effect> kEffects{
     {"heavier", "", "", {{{"mass"}, 0.1, true, Direction::up}}},
@@ -185,12 +178,12 @@ TEST(BlindMake, RepeatsAreNotAlike) {
 }
 
 TEST(BlindMake, KeyReadsBack) {
-    BlindKey key{.tread_version = "0.1",
-                 .seed = 42,
-                 .vehicle = "car.yaml",
-                 .generator = "another",
-                 .drives = DriveSet::step_steers,
-                 .cases = {}};
+    BlindKey key;
+    key.tread_version = "0.1";
+    key.seed = 42;
+    key.vehicle = "car.yaml";
+    key.generator = "another";
+    key.drives = DriveSet::step_steers;
     key.cases.push_back(drawn(CaseKind::two, 1).key);
     key.cases.push_back(drawn(CaseKind::outside, 1).key);
     EXPECT_EQ(keyText(parseKey(keyText(key), "key.json")), keyText(key));

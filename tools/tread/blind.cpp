@@ -4,41 +4,20 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "blind/diagnose_case.h"
 #include "blind/judge.h"
 #include "blind/make.h"
 #include "blind/score.h"
 #include "commands.h"
-#include "diagnose/answer/diagnosis.h"
-#include "diagnose/catalogue/effect.h"
-#include "diagnose/catalogue/effects_to_consider.h"
-#include "diagnose/diagnose.h"
-#include "diagnose/options.h"
+#include "diagnose/sha256.h"
 #include "log/csv.h"
 #include "output.h"
 #include "progress.h"
-#include "recording/diagnosis_file.h"
 #include "report/blind_report.h"
-#include "store/sha256.h"
 #include "tread/load.h"
 
 namespace tread::program {
 namespace {
-
-using diagnose::answer::Diagnosis;
-using diagnose::catalogue::effectCatalogue;
-using diagnose::catalogue::effectsToConsider;
-using recording::DiagnosisFile;
-using recording::loadDiagnosis;
-using recording::nominalSubject;
-using recording::readRecordings;
-
-using tread::diagnose::answer::Diagnosis;
-using tread::diagnose::catalogue::effectCatalogue;
-using tread::diagnose::catalogue::effectsToConsider;
-using tread::recording::DiagnosisFile;
-using tread::recording::loadDiagnosis;
-using tread::recording::nominalSubject;
-using tread::recording::readRecordings;
 
 [[noreturn]] void refuse(const std::string& file, const std::string& text) {
     throw LoadError({{file, 0, 0, "", text}});
@@ -51,16 +30,8 @@ std::string withoutSlash(std::string folder) {
 
 std::string madeOf(const BlindKey& key) {
     const std::string by = key.generator.empty() ? "" : ", driven by " + key.generator;
-    return fmt::format("{} cases of seed {}, {}{}", key.cases.size(), key.seed, key.vehicle, by);
-}
-
-// A case as `tread blind make` wrote it.
-Diagnosis diagnosed(const Path& file, int threads) {
-    const DiagnosisFile asked = loadDiagnosis(file);
-    tread::diagnose::Options options;
-    options.threads = threads;
-    return tread::diagnose::diagnosisOf(nominalSubject(asked), asked, readRecordings(asked), effectsToConsider(asked),
-                                        options);
+    return fmt::format("{} cases of seed {}, world {}, {}{}", key.cases.size(), key.seed,
+                       enumNames(key.world)[static_cast<std::size_t>(key.world)], key.vehicle, by);
 }
 
 }  // namespace
@@ -100,27 +71,29 @@ int blindMake(const BlindMakeOptions& options) {
 int blindScore(const BlindScoreOptions& options) {
     // The hash is of the key as it lies there; its words are read when all is answered.
     const std::string sealed = readBytes(options.key);
-    const Path output = options.output, answers_folder = output / "answers";
+    const References references = options.no_references ? References::left_out : References::used;
+    const Path output = options.no_references ? Path(options.output) / "without_references" : Path(options.output);
+    const Path answers_folder = output / "answers";
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     JudgeOptions judging;
     judging.jobs = options.jobs > 0 ? options.jobs : cores;
     judging.threads = std::max(1, cores / judging.jobs);
     Progress progress(0, "cases");
     judging.progress = [&](int done, int) { progress.at(done); };
-    std::vector<CaseAnswer> answers = judge(options.cases, answers_folder, diagnosed, judging);
+    const auto diagnose = [&](const Path& file, int threads) { return diagnosedCase(file, references, threads); };
+    std::vector<CaseAnswer> answers = judge(options.cases, answers_folder, diagnose, judging);
 
     const BlindKey key = parseKey(sealed, options.key);
     lookUp(answers, key, options.cases, answers_folder, effectCatalogue());
-    const BlindScore scored = score(key.cases, answers);
-    const std::string json = scoreJson(scored);
+    const BlindScore scored = score(key, answers);
+    const std::string json = scoreJson(scored), made_of = madeOf(key), hash = sha256(sealed);
     writeFile(output / "score.json", json);
-    writeFile(
-        output / "report.html",
-        blindReport({.made_of = madeOf(key), .key_sha256 = sha256(sealed), .version = TREAD_VERSION, .score = scored}));
+    writeFile(output / "report.html",
+              blindReport({.made_of = made_of, .key_sha256 = hash, .version = TREAD_VERSION, .score = scored}));
     if (options.json) {
         printJson(nlohmann::json::parse(json));
     } else {
-        print(scoreText(scored));
+        print(fmt::format("{}  {}\n  SHA-256 of the key: {}\n", scoreText(scored), made_of, hash));
     }
     std::fprintf(stderr, "report: %s\n", (output / "report.html").c_str());
     return scored.failed > 0 ? kRunFailed : kYes;

@@ -134,6 +134,9 @@ void addBlindScore(CLI::App& app, BlindScoreOptions& o) {
     app.add_option("-o,--output", o.output, "folder for answers, score.json and report.html; goes on where it stopped")
         ->required();
     app.add_option("--jobs", o.jobs, "cases at a time (default: one per core)")->check(CLI::Range(1, 256));
+    app.add_flag("--no-references", o.no_references,
+                 "diagnose the cases without their references; answers, score and report go to without_references in "
+                 "the output folder");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 

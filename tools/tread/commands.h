@@ -131,6 +131,7 @@ struct BlindScoreOptions {
     std::string key;    // file
     std::string output;
     int jobs = 0;  // cases at a time; 0: one per core
+    bool no_references = false;
     bool json = false;
 };
 int blindScore(const BlindScoreOptions& options);

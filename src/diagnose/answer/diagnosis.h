@@ -1,27 +1,51 @@
 // What a diagnosis answers; `diagnosis.json` is this, name by name.
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "log/log.h"
+#include "tread/describe.h"
 
 namespace tread::diagnose::answer {
 
 enum class Verdict { explained, nothing, ambiguous, unknown, not_testable };
+constexpr auto enumNames(Verdict) {
+    return std::array<std::string_view, 5>{"explained", "nothing", "ambiguous", "unknown", "not_testable"};
+}
 
 struct Estimate {  // of a parameter
     double value = 0, sd = 0, low = 0, high = 0, neutral = 0;
     bool at_bound = false;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(value), About{"-", "best value, SI"});
+        field(TREAD_FIELD(sd), About{"-", "standard deviation"});
+        field(TREAD_FIELD(low), About{"-", "lower end of the 90 % interval"});
+        field(TREAD_FIELD(high), About{"-", "upper end of the 90 % interval"});
+        field(TREAD_FIELD(neutral), About{"-", "of the nominal car"});
+        field(TREAD_FIELD(at_bound), About{"", "the value stands at the limit of what was tried"});
+    }
 };
+static_assert(describesEveryMember<Estimate>());
 
 struct RankedEffect {
     std::string name;
     double probability = 0;
-    double log_evidence = 0;                     // nats, over that of no effect
-    std::map<std::string, Estimate> parameters;  // by path
+    double log_evidence = 0;
+    std::map<std::string, Estimate> parameters;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(name), About{"", "of the effect"});
+        field(TREAD_FIELD(probability), About{"-", "that it is one of the causes"});
+        field(TREAD_FIELD(log_evidence), About{"nat", "over that of no effect"});
+        field(TREAD_FIELD(parameters), About{"", "by path"});
+    }
 };
+static_assert(describesEveryMember<RankedEffect>());
 
 using Shares = std::map<std::string, double>;  // sum to 1
 
@@ -82,9 +106,16 @@ struct Unexplained {
 
 // What simpler methods would answer: the name of one effect, or "none".
 struct Baselines {
-    std::string largest_reduction;  // of the squared gap, by one effect and nothing else
-    std::string bic;                // least Bayesian information criterion, tolerances free, disturbances unheard of
+    std::string largest_reduction;
+    std::string bic;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(largest_reduction), About{"", "of the squared gap, by one effect and nothing else"});
+        field(TREAD_FIELD(bic),
+              About{"", "least Bayesian information criterion, tolerances free, disturbances unheard of"});
+    }
 };
+static_assert(describesEveryMember<Baselines>());
 
 // Time histories for the report and the logs: measured, nominal, calibrated and with the effect.
 struct Overlay {

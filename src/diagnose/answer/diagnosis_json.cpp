@@ -1,25 +1,12 @@
 #include "diagnose/answer/diagnosis_json.h"
 
-#include <algorithm>
-#include <array>
-
 #include "diagnose/answer/words.h"
+#include "store/described_json.h"
 
 namespace tread::diagnose::answer {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::array<std::string_view, 5> kNames{"explained", "nothing", "ambiguous", "unknown", "not_testable"};
-
-Json parametersOf(const RankedEffect& effect) {
-    Json json = Json::object();
-    for (const auto& [path, e] : effect.parameters) {
-        json[path] = {{"value", e.value}, {"sd", e.sd},           {"low", e.low},
-                      {"high", e.high},   {"neutral", e.neutral}, {"at_bound", e.at_bound}};
-    }
-    return json;
-}
 
 Json levelsOf(const GapLevels& levels) {
     return {{"nominal", levels.nominal},
@@ -46,20 +33,7 @@ Json listOf(const std::vector<T>& values, ToJson to_json) {
 }  // namespace
 
 std::string_view nameOf(Verdict verdict) {
-    return kNames[static_cast<std::size_t>(verdict)];
-}
-
-std::optional<Verdict> verdictNamed(std::string_view name) {
-    const auto found = std::find(kNames.begin(), kNames.end(), name);
-    if (found == kNames.end()) return std::nullopt;
-    return static_cast<Verdict>(found - kNames.begin());
-}
-
-Json effectJson(const RankedEffect& effect) {
-    return {{"name", effect.name},
-            {"probability", effect.probability},
-            {"log_evidence", effect.log_evidence},
-            {"parameters", parametersOf(effect)}};
+    return enumNames(verdict)[static_cast<std::size_t>(verdict)];
 }
 
 Json confusableJson(const std::vector<ConfusablePair>& pairs) {
@@ -67,10 +41,6 @@ Json confusableJson(const std::vector<ConfusablePair>& pairs) {
         return Json{
             {"a", p.a}, {"b", p.b}, {"cosine", p.cosine}, {"separation", p.separation}, {"manoeuvre", p.manoeuvre}};
     });
-}
-
-Json baselinesJson(const Baselines& baselines) {
-    return {{"largest_reduction", baselines.largest_reduction}, {"bic", baselines.bic}};
 }
 
 Json diagnosisJson(const Diagnosis& d) {
@@ -81,7 +51,7 @@ Json diagnosisJson(const Diagnosis& d) {
         {"verdict", nameOf(d.verdict)},
         {"causes", d.causes},
         {"alternatives", namesOnlyIn(d.alternatives, d.causes)},
-        {"effects", listOf(d.effects, effectJson)},
+        {"effects", jsonOf(d.effects)},
         {"probability_of_nothing", d.probability_of_nothing},
         {"probability_of_unknown", d.probability_of_unknown},
         {"where", whereOf(d.where)},
@@ -110,7 +80,7 @@ Json diagnosisJson(const Diagnosis& d) {
             {"gain", d.unexplained.law.gain}}}}},
         {"credible_set", d.credible_set},
         {"constancy", d.constancy},
-        {"baselines", baselinesJson(d.baselines)},
+        {"baselines", jsonOf(d.baselines)},
         {"compared", d.compared},
         {"data_warnings", d.data_warnings},
         {"seconds", d.seconds},
