@@ -2,13 +2,17 @@
 
 #include <cmath>
 
-#include "base/described_json.h"
 #include "blind/gauges.h"
+#include "diagnose/answer/diagnosis.h"
 #include "log/resample.h"
+#include "store/described_json.h"
 #include "tread/problem.h"
 
 namespace tread {
 namespace {
+
+using diagnose::answer::Diagnosis;
+using diagnose::answer::Overlay;
 
 // Sum of the squared differences of the measured channels, in units of their noise.
 double squaredGap(const Log& log, const Log& clean) {

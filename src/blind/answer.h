@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "blind/program_hash.h"
-#include "diagnose/diagnosis.h"
+#include "diagnose/answer/diagnosis.h"
 #include "tread/describe.h"
 
 namespace tread {
@@ -17,15 +17,15 @@ struct CaseAnswer {
     std::string name;
     Program program;
     bool compared = false;
-    Verdict verdict = Verdict::not_testable;
+    diagnose::answer::Verdict verdict = diagnose::answer::Verdict::not_testable;
     std::vector<std::string> causes;
     std::vector<std::vector<std::string>> alternatives;
     std::vector<std::string> credible_set;
-    std::vector<RankedEffect> effects;
+    std::vector<diagnose::answer::RankedEffect> effects;
     double probability_of_nothing = 0, probability_of_unknown = 0;
     std::map<std::string, double> expected_evidence;
     std::string generalised_force;
-    Baselines baselines;
+    diagnose::answer::Baselines baselines;
     double closure = 0, closure_low = 0, closure_high = 0;
     double closure_obtained = std::numeric_limits<double>::quiet_NaN();
     double seconds = 0;
@@ -60,11 +60,11 @@ struct CaseAnswer {
 };
 static_assert(describesEveryMember<CaseAnswer>());
 
-CaseAnswer answerOf(const std::string& name, const Diagnosis& diagnosis);
+CaseAnswer answerOf(const std::string& name, const diagnose::answer::Diagnosis& diagnosis);
 
 // Share of the squared gap between the nominal model and the car without its noise that is closed, over the recordings
 // that were held out; not a number without any. `clean` are their drives without noise, by the names of the recordings.
-double obtainedClosure(const std::vector<Overlay>& overlays, const std::map<std::string, Log>& clean);
+double obtainedClosure(const std::vector<diagnose::answer::Overlay>& overlays, const std::map<std::string, Log>& clean);
 
 std::string answerText(const CaseAnswer& answer);  // JSON
 // Throws LoadError that names the file.

@@ -4,9 +4,13 @@
 #include <cmath>
 
 #include "blind/bands.h"
+#include "diagnose/answer/diagnosis.h"
 
 namespace tread {
 namespace {
+
+using diagnose::answer::RankedEffect;
+using diagnose::answer::Verdict;
 
 double probabilityOf(const CaseAnswer& answer, const std::string& effect) {
     for (const RankedEffect& ranked : answer.effects) {

@@ -1,6 +1,19 @@
 #include "blind/diagnose_case.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/catalogue/effects_to_consider.h"
+#include "diagnose/options.h"
+#include "recording/diagnosis_file.h"
+#include "diagnose/diagnose.h"
 
 namespace tread {
+
+using diagnose::answer::Diagnosis;
+using diagnose::catalogue::effectsToConsider;
+using recording::DiagnosisFile;
+using recording::loadDiagnosis;
+using recording::nominalSubject;
+using recording::readRecordings;
+using recording::Recording;
 
 DiagnosisFile askedOf(const std::filesystem::path& diagnosis_yaml, References references) {
     DiagnosisFile asked = loadDiagnosis(diagnosis_yaml);
@@ -12,9 +25,9 @@ DiagnosisFile askedOf(const std::filesystem::path& diagnosis_yaml, References re
 
 Diagnosis diagnosedCase(const std::filesystem::path& diagnosis_yaml, References references, int threads) {
     const DiagnosisFile asked = askedOf(diagnosis_yaml, references);
-    DiagnoseOptions options;
+    diagnose::Options options;
     options.threads = threads;
-    return diagnose(nominalSubject(asked), asked, readRecordings(asked), effectsToConsider(asked), options);
+    return diagnose::diagnosisOf(nominalSubject(asked), asked, readRecordings(asked), effectsToConsider(asked), options);
 }
 
 }  // namespace tread

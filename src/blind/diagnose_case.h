@@ -3,16 +3,18 @@
 
 #include <filesystem>
 
-#include "diagnose/diagnosis.h"
+#include "diagnose/answer/diagnosis.h"
+#include "recording/diagnosis_file.h"
 
 namespace tread {
 
 // Without references, those that the file names are left out, as if there were none.
 enum class References { used, left_out };
 
-DiagnosisFile askedOf(const std::filesystem::path& diagnosis_yaml, References references);
+recording::DiagnosisFile askedOf(const std::filesystem::path& diagnosis_yaml, References references);
 
 // Throws as loading and diagnosing do.
-Diagnosis diagnosedCase(const std::filesystem::path& diagnosis_yaml, References references, int threads);
+diagnose::answer::Diagnosis diagnosedCase(const std::filesystem::path& diagnosis_yaml, References references,
+                                          int threads);
 
 }  // namespace tread

@@ -1,6 +1,9 @@
 #include "blind/gauges.h"
+#include "recording/instruments.h"
 
 namespace tread {
+
+using recording::Instruments;
 
 const std::vector<Gauge>& gauges() {
     // Guesses of a good inertial unit, an optical speed sensor and the car's own wheel speeds.

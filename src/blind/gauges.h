@@ -4,13 +4,13 @@
 #include <string_view>
 #include <vector>
 
-#include "diagnose/instruments.h"
+#include "recording/instruments.h"
 
 namespace tread {
 
 struct Gauge {
     std::string_view channel;
-    Instrument Instruments::*instrument;
+    recording::Instrument recording::Instruments::*instrument;
     double noise;      // standard deviation of one reading, in the SI unit of the channel
     double vibration;  // amplitude of what engine and road shake it with, at about 8 Hz
 };

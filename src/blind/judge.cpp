@@ -8,11 +8,17 @@
 
 #include "blind/make.h"
 #include "blind/shown.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/catalogue/effect.h"
 #include "log/csv.h"
 #include "tread/load.h"
 
 namespace tread {
 namespace {
+
+using diagnose::answer::Diagnosis;
+using diagnose::answer::Overlay;
+using diagnose::catalogue::Effect;
 
 namespace fs = std::filesystem;
 

@@ -8,12 +8,13 @@
 
 #include "blind/answer.h"
 #include "blind/key.h"
-#include "diagnose/effect.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/catalogue/effect.h"
 
 namespace tread {
 
 // Diagnoses what a diagnosis.yaml asks, on so many threads.
-using Diagnoser = std::function<Diagnosis(const std::filesystem::path& file, int threads)>;
+using Diagnoser = std::function<diagnose::answer::Diagnosis(const std::filesystem::path& file, int threads)>;
 
 struct JudgeOptions {
     int jobs = 1;     // cases at a time
@@ -30,6 +31,6 @@ std::vector<CaseAnswer> judge(const std::filesystem::path& cases, const std::fil
 // Fills in `closure_obtained`, with the key: the cars are drawn again and driven without noise. Left out where the
 // catalogue or the nominal car is no longer that of the key, and where another simulator drove them.
 void lookUp(std::vector<CaseAnswer>& found, const BlindKey& key, const std::filesystem::path& cases,
-            const std::filesystem::path& answers, const std::vector<Effect>& effects);
+            const std::filesystem::path& answers, const std::vector<diagnose::catalogue::Effect>& effects);
 
 }  // namespace tread

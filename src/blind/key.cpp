@@ -1,7 +1,7 @@
 #include "blind/key.h"
 
-#include "base/described_json.h"
 #include "blind/enum_named.h"
+#include "store/described_json.h"
 #include "tread/problem.h"
 
 namespace tread {

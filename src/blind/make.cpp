@@ -8,12 +8,15 @@
 
 #include "blind/gauges.h"
 #include "blind/shown.h"
+#include "diagnose/catalogue/effect.h"
 #include "log/csv.h"
 #include "run/simulate.h"
 #include "tread/load.h"
 
 namespace tread {
 namespace {
+
+using diagnose::catalogue::Effect;
 
 // Of twenty cases: eight with one cause, four with two, three without, three from outside, two too small.
 constexpr std::array<CaseKind, 20> kProportions{

@@ -6,10 +6,15 @@
 #include <string>
 
 #include "blind/gauges.h"
+#include "recording/instruments.h"
 #include "run/simulate.h"
 
 namespace tread {
 namespace {
+
+using recording::InertialUnit;
+using recording::Instrument;
+using recording::Instruments;
 
 constexpr double kStep = 0.001;                           // s; the diagnosis replays with another
 constexpr double kVibration = 8, kVibrationSpread = 0.5;  // 1/s

@@ -9,7 +9,7 @@
 
 #include "blind/bands.h"
 #include "blind/claims.h"
-#include "diagnose/diagnosis_json.h"
+#include "diagnose/answer/diagnosis_json.h"
 
 namespace tread {
 namespace {

@@ -1,6 +1,6 @@
-#include "base/described_json.h"
 #include "blind/groups.h"
 #include "blind/score.h"
+#include "store/described_json.h"
 
 namespace tread {
 namespace {

@@ -2,10 +2,15 @@
 
 #include "blind/gauges.h"
 #include "blind/measure.h"
+#include "diagnose/catalogue/effect.h"
 #include "run/simulate.h"
 
 namespace tread {
 namespace {
+
+using diagnose::catalogue::Direction;
+using diagnose::catalogue::Effect;
+using diagnose::catalogue::Knob;
 
 // Sum of squares of what all readings change by, in units of their noise. An effect that shows with less vanishes in
 // what is not known of the car.

@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "blind/drives.h"
-#include "diagnose/effect.h"
+#include "diagnose/catalogue/effect.h"
 #include "tread/vehicle.h"
 
 namespace tread {
 
 // The effects whose typical size changes the readings of these drives by more than their noise.
-std::vector<Effect> shownEffects(const VehicleParams& nominal, const std::vector<Effect>& effects,
-                                 const std::vector<Drive>& drives);
+std::vector<diagnose::catalogue::Effect> shownEffects(const VehicleParams& nominal,
+                                                      const std::vector<diagnose::catalogue::Effect>& effects,
+                                                      const std::vector<Drive>& drives);
 
 }  // namespace tread

@@ -3,11 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/parameter.h"
+#include "diagnose/catalogue/effect.h"
+#include "diagnose/model/parameter.h"
+#include "recording/subject.h"
 #include "tread/problem.h"
 
 namespace tread {
 namespace {
+
+using diagnose::catalogue::applies;
+using diagnose::catalogue::Direction;
+using diagnose::catalogue::Effect;
+using diagnose::catalogue::Knob;
+using diagnose::model::nuisances;
+using diagnose::model::Parameter;
+using recording::numberAt;
+using recording::Subject;
 
 constexpr double kSmallest = 0.6, kLargest = 1.6;           // of the typical size
 constexpr double kFaintest = 0.05, kStrongestFaint = 0.15;  // that no drive can show

@@ -10,14 +10,14 @@
 
 #include "base/random.h"
 #include "blind/key.h"
-#include "diagnose/effect.h"
-#include "diagnose/subject.h"
+#include "diagnose/catalogue/effect.h"
+#include "recording/subject.h"
 #include "run/push.h"
 
 namespace tread {
 
 struct Truth {
-    Subject car;
+    recording::Subject car;
     std::map<std::string, double, std::less<>> low_pass;  // 1/s, by channel: instruments that are slow
     std::function<Pushing()> push;                        // from outside the catalogue; asked once for each drive
 };
@@ -37,7 +37,8 @@ struct DrawnCase {
     Truth truth;
     CaseKey key;
 };
-DrawnCase drawCase(const VehicleParams& nominal, const std::vector<Effect>& effects, CaseKind kind, Random& random);
+DrawnCase drawCase(const VehicleParams& nominal, const std::vector<diagnose::catalogue::Effect>& effects, CaseKind kind,
+                   Random& random);
 
 // Seed of the nth of something that has a seed itself.
 std::uint64_t seedOf(std::uint64_t seed, std::uint64_t n);

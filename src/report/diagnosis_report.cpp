@@ -16,6 +16,9 @@
 namespace tread {
 namespace {
 
+using diagnose::answer::momentInWords;
+using diagnose::answer::separatesInWords;
+
 using diagnose::answer::Diagnosis;
 using diagnose::answer::eachTogether;
 using diagnose::answer::GapLevels;

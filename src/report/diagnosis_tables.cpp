@@ -17,6 +17,8 @@
 namespace tread {
 namespace {
 
+using diagnose::answer::separatesInWords;
+
 using diagnose::kSettings;
 
 using diagnose::answer::channelInWords;

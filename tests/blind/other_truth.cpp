@@ -168,7 +168,7 @@ Drawn draw(const Truth& known, const tread::VehicleParams& nominal, const std::v
     const auto make = [&](const std::vector<Change>& changes) {
         for (const auto& [parameter, units] : changes) {
             change(shared, parameter, units);
-            tread::move(as_drawn, parameter, units);
+            move(as_drawn, parameter, units);
         }
     };
     make(wrong);

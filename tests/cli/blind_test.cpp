@@ -6,12 +6,15 @@
 #include "blind/answer.h"
 #include "blind/key.h"
 #include "cli/program.h"
-#include "diagnose/sha256.h"
+#include "diagnose/answer/diagnosis.h"
 #include "places/places.h"
 #include "shared/scratch.h"
+#include "store/sha256.h"
 
 namespace tread {
 namespace {
+
+using diagnose::answer::Verdict;
 
 std::vector<std::string> make(const Scratch& scratch, std::vector<std::string> more = {}) {
     std::vector<std::string> line{"blind",     "make",

@@ -7,6 +7,7 @@
 
 #include "diagnose/answer/diagnosis.h"
 #include "diagnose/catalogue/effects_to_consider.h"
+#include "diagnose/diagnose.h"
 #include "places/places.h"
 #include "recording/diagnosis_file.h"
 
@@ -33,7 +34,8 @@ TEST_P(OtherSimulator, ChangeIsNamedFirstAndExplainsTheGap) {
     const std::filesystem::path logs = std::filesystem::path(data ? data : "") / "chrono" / GetParam().folder;
     if (!data || !std::filesystem::exists(logs)) GTEST_SKIP() << "the logs are not part of this project";
     const DiagnosisFile file = loadDiagnosis(sourceFile("scenarios/diagnose/chrono_case.yaml"), logs);
-    const Diagnosis d = diagnose::diagnosisOf(nominalSubject(file), file, readRecordings(file), effectsToConsider(file));
+    const Diagnosis d =
+        diagnose::diagnosisOf(nominalSubject(file), file, readRecordings(file), effectsToConsider(file));
     EXPECT_EQ(d.verdict, Verdict::explained) << d.answer;
     ASSERT_FALSE(d.causes.empty());
     EXPECT_EQ(d.effects.front().name, GetParam().cause);

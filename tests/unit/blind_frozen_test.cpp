@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "diagnose/sha256.h"
 #include "places/places.h"
 #include "shared/scratch.h"
+#include "store/sha256.h"
 
 namespace tread {
 namespace {

@@ -8,7 +8,10 @@
 #include "blind/diagnose_case.h"
 #include "blind/judge.h"
 #include "blind/make.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/catalogue/effect.h"
 #include "log/csv.h"
+#include "recording/diagnosis_file.h"
 #include "report/blind_report.h"
 #include "shared/scratch.h"
 #include "shared/vehicles.h"
@@ -16,6 +19,15 @@
 
 namespace tread {
 namespace {
+
+using diagnose::answer::Diagnosis;
+using diagnose::answer::Overlay;
+using diagnose::answer::RankedEffect;
+using diagnose::answer::Verdict;
+using diagnose::catalogue::Direction;
+using diagnose::catalogue::Effect;
+using recording::DiagnosisFile;
+using recording::readRecordings;
 
 const std::vector<Effect> kEffects{
     {"heavier", "", "", {{.paths = {"mass"}, .typical = 0.1, .relative = true, .direction = Direction::up}}},

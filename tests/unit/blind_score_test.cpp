@@ -9,10 +9,15 @@
 #include "blind/bands.h"
 #include "blind/claims.h"
 #include "blind/score.h"
+#include "diagnose/answer/diagnosis.h"
 #include "tread/problem.h"
 
 namespace tread {
 namespace {
+
+using diagnose::answer::Overlay;
+using diagnose::answer::RankedEffect;
+using diagnose::answer::Verdict;
 
 // Each effect shows with 50 nats, and is told apart.
 CaseKey keyOf(const std::string& name, CaseKind kind, std::vector<std::string> effects = {}, double nats = 50) {

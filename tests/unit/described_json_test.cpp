@@ -1,5 +1,5 @@
 // Described structs as JSON: there and back, and messages that name the field.
-#include "base/described_json.h"
+#include "store/described_json.h"
 
 #include <gtest/gtest.h>
 

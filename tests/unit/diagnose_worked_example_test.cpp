@@ -4,12 +4,18 @@
 
 #include <cmath>
 
-#include "diagnose/unknown.h"
-#include "identify/bounded_step.h"
-#include "identify/gram.h"
+#include "diagnose/select/search.h"
+#include "diagnose/select/unknown_cause.h"
+#include "inference/bounded_step.h"
+#include "inference/chi_squared.h"
+#include "inference/normal_equations.h"
 
 namespace tread {
 namespace {
+
+using diagnose::select::Candidate;
+using inference::boundedStep;
+using inference::chiSquaredTail;
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;

@@ -9,15 +9,18 @@
 #include "blind/make.h"
 #include "blind/score.h"
 #include "commands.h"
-#include "diagnose/sha256.h"
+#include "diagnose/catalogue/effect.h"
 #include "log/csv.h"
 #include "output.h"
 #include "progress.h"
 #include "report/blind_report.h"
+#include "store/sha256.h"
 #include "tread/load.h"
 
 namespace tread::program {
 namespace {
+
+using diagnose::catalogue::effectCatalogue;
 
 [[noreturn]] void refuse(const std::string& file, const std::string& text) {
     throw LoadError({{file, 0, 0, "", text}});
