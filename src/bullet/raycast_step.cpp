@@ -57,7 +57,7 @@ void RaycastVehicle::Implementation::drive(const btCollisionWorld* world, double
     const bool moves = car.mass > 0 && motion.position_W.allFinite() && motion.orientation.coeffs().allFinite();
     start = motion;
     if (moves) {
-        roll(world, std::min(dt, kLongestStep));
+        move(world, std::min(dt, kLongestStep));
         simulated = std::min(dt, kLongestStep);
     }
     reached = motion;
@@ -172,7 +172,7 @@ bool RaycastVehicle::Implementation::isFarFromRay(std::size_t wheel) const {
 }
 
 // Moves `motion` to the end of the step.
-void RaycastVehicle::Implementation::roll(const btCollisionWorld* world, double dt) {
+void RaycastVehicle::Implementation::move(const btCollisionWorld* world, double dt) {
     const int substeps = substep.within(dt);
     const double h = dt / substeps;
     auto& [next, begin, end, planes] = room;

@@ -59,11 +59,11 @@ Wrench aeroWrench(const Vehicle& vehicle, const BodyFrame& body, const Vector3& 
     const AeroForces air = forces(params.aero, body.velocity_B - body.to_world.transpose() * wind_W);
     Wrench wrench;
     const double centre = -params.lateral_offset;
-    wrench.add(air.drag_B, {0, centre, params.aero.height - params.height});
+    wrench.add(air.drag_B, {0, centre, params.aero.height - params.centre_of_gravity_height});
     wrench.add({0, 0, air.front_lift}, {params.front_axle_distance, centre, 0});
     wrench.add({0, 0, air.rear_lift}, {params.front_axle_distance - params.wheelbase, centre, 0});
     const double middle = params.front_axle_distance - 0.5 * params.wheelbase;
-    wrench.add({0, air.side_force, 0}, {middle, 0, params.aero.height - params.height});
+    wrench.add({0, air.side_force, 0}, {middle, 0, params.aero.height - params.centre_of_gravity_height});
     wrench.moment_B += Vector3(air.roll_moment, 0, air.yaw_moment);
     return wrench;
 }

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "tread/vehicle.h"
+#include "tyre/four_tyres.h"
 
 namespace tread {
 namespace {
@@ -47,7 +48,8 @@ Vehicle::Corner cornerOf(const VehicleParams& params, std::size_t wheel, double 
 
     Vehicle::Corner corner;
     corner.hub_B = {front ? params.front_axle_distance : -rear_axle_distance,
-                    sideSign(wheel) * beside - params.lateral_offset, radius * std::cos(camber) - params.height};
+                    sideSign(wheel) * beside - params.lateral_offset,
+                    radius * std::cos(camber) - params.centre_of_gravity_height};
     corner.static_force = load - axle.unsprung_mass * gravity;
     corner.lateral_slope = sideSign(wheel) * axle.suspension.roll_centre_height / (0.5 * axle.track);
     corner.unsprung_mass = axle.unsprung_mass;
@@ -72,8 +74,8 @@ Vehicle prepare(const VehicleParams& params, double gravity) {
     }
     vehicle.recedes =
         params.front.suspension.longitudinal_compliance > 0 || params.rear.suspension.longitudinal_compliance > 0;
-    vehicle.tyres =
-        together({vehicle.corners[0].tyre, vehicle.corners[1].tyre, vehicle.corners[2].tyre, vehicle.corners[3].tyre});
+    vehicle.tyres = std::make_shared<const FourTyres>(
+        together({vehicle.corners[0].tyre, vehicle.corners[1].tyre, vehicle.corners[2].tyre, vehicle.corners[3].tyre}));
 
     // Mass matrix of the body whose unsprung masses move freely along z: the rigid car less m_u J J^T per wheel, where
     // J takes the body's acceleration to the vertical acceleration of a hub.

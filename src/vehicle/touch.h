@@ -1,7 +1,7 @@
 // A wheel of a body on the plane of the road: where it touches, and its axes there.
 #pragma once
 
-#include "tread/wheeled_body.h"
+#include "vehicle/wheeled_body.h"
 
 namespace tread {
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vehicle/aligning_compliance.h"
+
 namespace tread {
 namespace {
 
@@ -71,8 +73,8 @@ PerWheel<WheelContact> advanceTravel(PerWheel<WheelState>& wheels, const Vehicle
             compliance(suspension, wheel.fx + dt * wheel.fx_rate, wheel.fy + dt * wheel.fy_rate, isLeft(i));
         wheel.steer = steer[i] + lean.toe + yielding.toe;
         if (suspension.steer_by_aligning_moment != 0) {
-            wheel.steer += wheel.moment_steer.advance(suspension.steer_by_aligning_moment, corner.aligning_stiffness,
-                                                      turningResistance(corner, wheel.spin, dt), wheel.mz, dt);
+            const AligningLoad load{wheel.mz, corner.aligning_stiffness, turningResistance(corner, wheel.spin, dt)};
+            wheel.steer += advance(wheel.moment_steer, suspension.steer_by_aligning_moment, load, dt);
         }
         contacts[i] = wheelContact(end, corner, {wheel.recession.travel, 0, wheel.travel},
                                    lean.camber + yielding.camber, wheel.steer, road, i);

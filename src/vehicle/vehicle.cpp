@@ -7,6 +7,7 @@
 
 #include "tread/vehicle.h"
 
+#include "tyre/four_tyres.h"
 #include "vehicle/body.h"
 #include "vehicle/recession.h"
 #include "vehicle/travel.h"
@@ -148,7 +149,7 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
     if (vehicle.tyres_shifted) shiftMotions(motion_begin, motion_end, vehicle);
     if (vehicle.warmth_felt) applyWarmth(factors, state.wheels, vehicle);
     const PerWheel<TyreForces> paper =
-        advance(tyres, spin, vehicle.tyres, factors, motion_begin, motion_end, torques, dt);
+        advance(tyres, spin, *vehicle.tyres, factors, motion_begin, motion_end, torques, dt);
 
     // What each wheel hands to the body.
     Wrench wrench = weight(vehicle, to);

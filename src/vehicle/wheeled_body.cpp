@@ -1,6 +1,6 @@
 // A step of the body on its wheels: velocity Verlet for the body with an implicit step of every wheel inside it, as in
 // vehicle.cpp.
-#include "tread/wheeled_body.h"
+#include "vehicle/wheeled_body.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,10 +84,10 @@ void limit(TyreState& tyre, TyreForces& forces, const TyreCoefficients& p, doubl
 }
 
 // Tyres and spins of up to four wheels, from `first` on.
-void roll(std::array<BodyWheelState, kMostWheels>& wheels, const WheeledBody& body, std::size_t first,
-          const std::array<Touch, kMostWheels>& touches, const std::array<TyreMotion, kMostWheels>& motions,
-          std::span<const WheelDemand> begin, std::span<const WheelDemand> end,
-          std::array<TyreForces, kMostWheels>& forces, double dt) {
+void stepTyres(std::array<BodyWheelState, kMostWheels>& wheels, const WheeledBody& body, std::size_t first,
+               const std::array<Touch, kMostWheels>& touches, const std::array<TyreMotion, kMostWheels>& motions,
+               std::span<const WheelDemand> begin, std::span<const WheelDemand> end,
+               std::array<TyreForces, kMostWheels>& forces, double dt) {
     PerWheel<TyreState> states;
     PerWheel<double> spins;
     PerWheel<TyreFactors> factors;
@@ -211,7 +211,7 @@ void advance(ChassisMotion& motion, WheeledBodyState& state, const WheeledBody& 
     // Tyres and spins, four at a time.
     std::array<TyreForces, kMostWheels> forces;
     for (std::size_t first = 0; first < body.wheel_count; first += kWheels)
-        roll(state.wheels, body, first, touches, motions, begin, end, forces, dt);
+        stepTyres(state.wheels, body, first, touches, motions, begin, end, forces, dt);
 
     // One wrench moves the body.
     Wrench wrench;
