@@ -9,6 +9,7 @@
 
 #include "bullet/convert.h"
 #include "bullet/raycast_parts.h"
+#include "vehicle/tyre_load.h"
 
 namespace tread {
 
@@ -218,8 +219,7 @@ void RaycastVehicle::Implementation::pushGround() {
         const btVector3 turn = (body->getInvInertiaTensorWorld() * arm.cross(normal)).cross(arm);
         const double inverse_mass = body->getInvMass() + static_cast<double>(normal.dot(turn));
         const TyreParams& tyre = car.wheels[i].tyre;
-        const double stiffness = tyre.parameters.pz1 * tyre.lambda.Cz;
-        const double taken = std::min(1.0, 1 / (simulated * simulated * stiffness * inverse_mass));
+        const double taken = std::min(1.0, 1 / (simulated * simulated * radialStiffness(tyre) * inverse_mass));
         body->activate();
         body->applyImpulse(toBullet(Vector3(-taken * impulses[i])), arm);
     }

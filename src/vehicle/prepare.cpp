@@ -2,6 +2,7 @@
 
 #include "tread/vehicle.h"
 #include "tyre/four_tyres.h"
+#include "vehicle/tyre_load.h"
 
 namespace tread {
 namespace {
@@ -40,7 +41,7 @@ Vehicle::Corner cornerOf(const VehicleParams& params, std::size_t wheel, double 
     tyre.lambda.mux *= grip;
     tyre.lambda.muy *= grip;
     const TyreCoefficients& p = tyre.parameters;
-    const double radius = p.Ro - load / (p.pz1 * tyre.lambda.Cz);
+    const double radius = p.Ro - load / radialStiffness(tyre);
 
     // The track is measured at the contacts, which lie below the hubs in the plane of the leaning wheels.
     const double camber = axle.suspension.camber;

@@ -86,9 +86,9 @@ BrakeInput brakeInput(const Vehicle& vehicle, const VehicleState& state, const V
 
 StabilityControlInput stabilityControlInput(const Vehicle& vehicle, const BodyFrame& body,
                                             const PerWheel<double>& steer) {
-    return {.speed = body.velocity_B.x(),
+    return {.speed = body.motion.velocity_B.x(),
             .steer = middle(steer.front_left, steer.front_right),
-            .yaw_rate = body.angular_velocity_B.z(),
+            .yaw_rate = body.motion.angular_velocity_B.z(),
             .wheelbase = vehicle.params.wheelbase};
 }
 
@@ -137,8 +137,8 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
         steer_rate[i] = (steer_end[i] - steer_begin[i]) / dt + wheel.moment_steer.rate;
         tyres[i] = wheel.tyre;
         motion_begin[i] = wheel.motion;
-        motion_end[i] =
-            tyreMotion(contacts[i], to, contactSlopes(wheel, vehicle, i), wheel.rate, steer_rate[i], wheel.load);
+        motion_end[i] = tyreMotion(contacts[i], to, contactSlopes(wheel, vehicle, i), wheel.rate, steer_rate[i],
+                                   grippingLoad(vehicle.corners[i].tyre, wheel.load));
         motion_begin[i].psidot -= yieldingRate(state, i) - yielding_begin[i];  // it yields evenly over the step
         if (vehicle.recedes) recede(motion_end[i], wheel.recession, contacts[i]);
         wheel.motion = motion_end[i];
