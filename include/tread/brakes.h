@@ -3,9 +3,9 @@
 
 #include "tread/anti_lock.h"
 #include "tread/curve.h"
-#include "tread/delay_line.h"
 #include "tread/describe.h"
 #include "tread/stability_control.h"
+#include "tread/state_parts.h"
 #include "tread/wheels.h"
 
 namespace tread {

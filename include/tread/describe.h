@@ -63,6 +63,7 @@ struct About {
     Limits limits = kAny;
     double tolerance = 0;            // how well a real car's value is usually known, as a fraction of it (0: not said)
     std::string_view argument = {};  // for a Curve: SI unit of its argument
+    std::string_view old_name = {};  // of a renamed field: files and settings that use it are still read
 };
 
 template <class T>

@@ -11,19 +11,19 @@ struct Start {
     double y = 0;          // m
     double heading = 0;    // rad, about the vertical, 0 along x
     double speed = 0;      // m/s, forward
-    VehicleInput input{};  // brake and clutch as they are held; the hand wheel too, where the car stands
+    VehicleInput input{};  // brake and clutch as they are held; the steering wheel too, where the car stands
 };
 
 struct Equilibrium {
     ChassisMotion motion;
     VehicleState state;
-    VehicleInput input;       // with the throttle that holds the speed and the hand-wheel angle that holds the heading
-    double throttle = 0;      // that this needs; outside 0 to 1 the car cannot hold the speed
+    VehicleInput input;   // with the throttle that holds the speed and the steering-wheel angle that holds the heading
+    double throttle = 0;  // that this needs; outside 0 to 1 the car cannot hold the speed
     double acceleration = 0;  // m/s2, of the body that is left: not small when there is no equilibrium there
 };
 
-// A car that rolls is held at its speed and heading while it settles: throttle, hand wheel and sideslip are found that
-// do so (on a bank, or with tyres that pull). A car that stands is left to its brakes.
+// A car that rolls is held at its speed and heading while it settles: throttle, steering wheel and sideslip are found
+// that do so (on a bank, or with tyres that pull). A car that stands is left to its brakes.
 Equilibrium equilibrium(const Vehicle& vehicle, const Surroundings& surroundings, const Start& start);
 
 }  // namespace tread

@@ -23,7 +23,8 @@
 #include <memory>
 
 #include "tread/bullet_precision.h"
-#include "tread/wheeled_body.h"
+#include "tread/vehicle.h"
+#include "tread/wheeled_body_state.h"
 
 class btCollisionObject;
 

@@ -1,17 +1,17 @@
 // Steering: from the driver's hands to the two front wheels, and the torque that comes back.
 //
-// The driver's angle reaches the hand wheel late (delay and lag); from there play, ratio and the compliance of column
-// and rack lie in the way to the wheels. Hands off, the hand wheel turns by itself under the moments of the tyres.
+// The driver's angle reaches the steering wheel late (delay and lag); from there play, ratio and the compliance of
+// column and rack lie in the way to the wheels. Hands off, the steering wheel turns by itself under the moments of the
+// tyres.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 
-#include "tread/compliance.h"
 #include "tread/curve.h"
-#include "tread/delay_line.h"
 #include "tread/describe.h"
+#include "tread/state_parts.h"
 
 namespace tread {
 
@@ -33,22 +33,22 @@ struct SteeringParams {
     static constexpr double kLongestDelay = 0.2;  // s
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(ratio), About{"-", "hand-wheel angle over mean road-wheel angle", kPositive, 0.02});
+        field(TREAD_FIELD(ratio), About{"-", "steering-wheel angle over mean road-wheel angle", kPositive, 0.02});
         field(TREAD_FIELD(ratio_curve),
-              About{"-", "that ratio over the hand-wheel angle to either side, in place of ratio", kPositive, 0.02,
+              About{"-", "that ratio over the steering-wheel angle to either side, in place of ratio", kPositive, 0.02,
                     "rad"});
         field(TREAD_FIELD(ackermann),
               About{"-", "0: wheels parallel, 1: both wheels tangent to circles about the rear axle's extension", kAny,
                     0.2});
         field(TREAD_FIELD(delay),
-              About{"s", "time by which the hand wheel follows the driver's angle late", {0, kLongestDelay}});
+              About{"s", "time by which the steering wheel follows the driver's angle late", {0, kLongestDelay}});
         field(TREAD_FIELD(lag),
-              About{"s", "time constant with which the hand wheel follows the driver's angle", kNonNegative});
+              About{"s", "time constant with which the steering wheel follows the driver's angle", kNonNegative});
         field(TREAD_FIELD(play),
-              About{"rad", "angle at the hand wheel, about the centre, over which the wheels do not follow",
+              About{"rad", "angle at the steering wheel, about the centre, over which the wheels do not follow",
                     kNonNegative});
         field(TREAD_FIELD(column_compliance),
-              About{"rad/(N m)", "twist of the column over the torque at the hand wheel", kNonNegative, 0.3});
+              About{"rad/(N m)", "twist of the column over the torque at the steering wheel", kNonNegative, 0.3});
         field(TREAD_FIELD(rack_compliance),
               About{"rad/(N m)", "yielding of both road wheels over the sum of their moments, behind the column",
                     kNonNegative, 0.3});
@@ -56,17 +56,18 @@ struct SteeringParams {
               About{"m", "distance of the contact centre behind the steering axis, for the moments", kAny, 0.2});
         field(TREAD_FIELD(scrub_radius),
               About{"m", "distance of the contact centre outside the steering axis, for the moments"});
-        field(TREAD_FIELD(inertia),
-              About{"kg m2", "inertia at the hand wheel of all that steers, when the hands are off", kPositive, 0.3});
-        field(TREAD_FIELD(damping), About{"N m s/rad", "damping at the hand wheel", kNonNegative, 0.3});
-        field(TREAD_FIELD(friction), About{"N m", "dry friction at the hand wheel", kNonNegative, 0.3});
+        field(
+            TREAD_FIELD(inertia),
+            About{"kg m2", "inertia at the steering wheel of all that steers, when the hands are off", kPositive, 0.3});
+        field(TREAD_FIELD(damping), About{"N m s/rad", "damping at the steering wheel", kNonNegative, 0.3});
+        field(TREAD_FIELD(friction), About{"N m", "dry friction at the steering wheel", kNonNegative, 0.3});
     }
 
     static void check(const auto& self, auto&& complain) {
         const auto& points = self.ratio_curve.points;
         if (!points.empty() && points.front().x < 0)
             complain("ratio_curve",
-                     "found a negative hand-wheel angle, expected 0 and above: it counts to either side");
+                     "found a negative steering-wheel angle, expected 0 and above: it counts to either side");
         // The road-wheel angle h / r(h) must grow with h: r > h dr/dh.
         for (std::size_t i = 1; i < points.size(); ++i) {
             const auto &a = points[i - 1], &b = points[i];
@@ -95,14 +96,14 @@ struct RoadWheels {
     RoadWheelAngles per_mean{1, 1};  // -
 };
 
-// Road-wheel angles at a hand-wheel angle, without toe. Track and wheelbase in m.
+// Road-wheel angles at a steering-wheel angle, without toe. Track and wheelbase in m.
 RoadWheelAngles roadWheelAngles(const SteeringParams& params, double steering_wheel_angle, double track,
                                 double wheelbase);
 
 // ---- Motion ----
 
 struct SteeringState {
-    double angle = 0;        // rad, of the hand wheel
+    double angle = 0;        // rad, of the steering wheel
     double rate = 0;         // rad/s
     double delayed = 0;      // rad, the driver's angle after its delay
     double lagged = 0;       // rad, and after its lag
@@ -113,7 +114,7 @@ struct SteeringState {
     DelayLine delay;
 };
 
-// At rest with the hand wheel held at an angle.
+// At rest with the steering wheel held at an angle.
 SteeringState steadySteering(const SteeringParams& params, double steering_wheel_angle, double track, double wheelbase);
 
 struct SteeringInput {
@@ -142,9 +143,9 @@ inline double steeringMoment(const SteeringParams& params, double fx, double fy,
     return mz - params.caster_trail * fy - (left ? params.scrub_radius : -params.scrub_radius) * fx;
 }
 
-// Torque by which the driver turns the hand wheel, N m, positive to the left; without what accelerates it. The moments
-// are those of steeringMoment.
-double handWheelTorque(const SteeringState& state, const SteeringParams& params, double left_moment,
-                       double right_moment);
+// Torque by which the driver turns the steering wheel, N m, positive to the left; without what accelerates it. The
+// moments are those of steeringMoment.
+double steeringWheelTorque(const SteeringState& state, const SteeringParams& params, double left_moment,
+                           double right_moment);
 
 }  // namespace tread

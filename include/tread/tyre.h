@@ -19,7 +19,7 @@
 
 namespace tread {
 
-// Structs that the formulas take are templates over the number type: double, or Lanes for four wheels at once.
+// Structs that the formulas take are templates over the number type: double, or four doubles for four wheels at once.
 
 // The numbers p, q, r, s of the paper's appendix and of its transient part.
 template <class T>
@@ -468,5 +468,9 @@ TyreForces rimForces(const TyreState& state, const TyreParams& tyre, const TyreM
 
 // The same tyre mounted on the other side of the car.
 TyreParams mirrored(const TyreParams& tyre);
+
+// A car tyre in the size of any wheel: the shape of a measured 205/60R15, friction 1, its lengths in proportion to the
+// radius and its forces to the load.
+TyreParams similarTyre(double load, double radius);
 
 }  // namespace tread

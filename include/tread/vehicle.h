@@ -6,16 +6,16 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
 
 #include "tread/aero.h"
 #include "tread/brakes.h"
-#include "tread/compliance.h"
 #include "tread/driveline.h"
-#include "tread/four_tyres.h"
 #include "tread/road.h"
+#include "tread/state_parts.h"
 #include "tread/steering.h"
 #include "tread/suspension.h"
 #include "tread/tyre.h"
@@ -86,7 +86,7 @@ struct VehicleParams {
     double wheelbase = kRequired;
     double front_axle_distance = kRequired;
     double lateral_offset = 0;
-    double height = kRequired;
+    double centre_of_gravity_height = kRequired;
     AxleParams front;
     AxleParams rear;
     SteeringParams steering;
@@ -106,7 +106,11 @@ struct VehicleParams {
                     "distance of the centre of gravity left of the middle of the tracks (uneven load); the car stands "
                     "level on it",
                     {-0.3, 0.3}});
-        field(TREAD_FIELD(height), About{"m", "height of the centre of gravity above the road", kPositive, 0.05});
+        field(TREAD_FIELD(centre_of_gravity_height), About{.unit = "m",
+                                                           .meaning = "height of the centre of gravity above the road",
+                                                           .limits = kPositive,
+                                                           .tolerance = 0.05,
+                                                           .old_name = "height"});
         field(TREAD_FIELD(front), About{"", "front axle"});
         field(TREAD_FIELD(rear), About{"", "rear axle"});
         field(TREAD_FIELD(steering), About{"", "steering"});
@@ -127,6 +131,9 @@ struct VehicleParams {
 };
 static_assert(describesEveryMember<VehicleParams>());
 
+// Tyres of four wheels in the form in which they are computed together.
+struct FourTyres;
+
 // What follows from the parameters and never changes during a run.
 struct Vehicle {
     struct Corner {
@@ -143,11 +150,11 @@ struct Vehicle {
 
     VehicleParams params;
     PerWheel<Corner> corners;
-    FourTyres tyres;             // of the corners, for evaluation together
-    bool recedes = false;        // some wheel moves along x
-    bool tyres_shifted = false;  // some tyre has ply-steer or conicity
-    bool tyres_warm = false;     // some tyre's temperature may differ from the nominal one
-    bool warmth_felt = false;    // and that changes its forces
+    std::shared_ptr<const FourTyres> tyres;  // of the corners; copies of the car share them
+    bool recedes = false;                    // some wheel moves along x
+    bool tyres_shifted = false;              // some tyre has ply-steer or conicity
+    bool tyres_warm = false;                 // some tyre's temperature may differ from the nominal one
+    bool warmth_felt = false;                // and that changes its forces
     Eigen::Matrix<double, 6, 6>
         inverse_mass;  // body axes: forces and moments to accelerations, unsprung masses free to move along z
 };

@@ -17,12 +17,12 @@ struct VehicleInput {
     double hands_off = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(steering_wheel_angle), About{"rad", "hand-wheel angle, positive to the left"});
+        field(TREAD_FIELD(steering_wheel_angle), About{"rad", "steering-wheel angle, positive to the left"});
         field(TREAD_FIELD(throttle), About{"-", "throttle pedal", kFraction});
         field(TREAD_FIELD(brake), About{"-", "brake pedal", kFraction});
         field(TREAD_FIELD(clutch), About{"-", "clutch pedal, 1 separates engine and gearbox", kFraction});
         field(TREAD_FIELD(parking_brake), About{"-", "parking brake", kFraction});
-        field(TREAD_FIELD(hands_off), About{"-", "1 leaves the hand wheel to itself", kFraction});
+        field(TREAD_FIELD(hands_off), About{"-", "1 leaves the steering wheel to itself", kFraction});
     }
 };
 static_assert(describesEveryMember<VehicleInput>());
@@ -93,9 +93,10 @@ struct SteeringOutput {
     double torque = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(angle), About{"rad", "angle of the hand wheel, positive to the left"});
-        field(TREAD_FIELD(torque),
-              About{"N m", "torque of the driver on the hand wheel without power assistance, positive to the left"});
+        field(TREAD_FIELD(angle), About{"rad", "angle of the steering wheel, positive to the left"});
+        field(
+            TREAD_FIELD(torque),
+            About{"N m", "torque of the driver on the steering wheel without power assistance, positive to the left"});
     }
 };
 static_assert(describesEveryMember<SteeringOutput>());

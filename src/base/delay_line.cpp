@@ -1,23 +1,24 @@
-#include "tread/delay_line.h"
+#include "base/delay_line.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace tread {
 
-double DelayLine::advance(double begin, double end, double delay, double dt) {
-    const double interval = delay / kIntervals;
+double advance(DelayLine& line, double begin, double end, double delay, double dt) {
+    auto& past = line.past;
+    const double interval = delay / DelayLine::kIntervals;
     constexpr double kRounding = 1e-9;  // a point that lies at the end of the step belongs to it
-    const double points = std::floor((age_ + dt) / interval + kRounding);
-    const auto after = [&](std::size_t i) { return i + 1 < past_.size() ? i + 1 : 0; };
+    const double points = std::floor((line.age + dt) / interval + kRounding);
+    const auto after = [&](std::size_t i) { return i + 1 < past.size() ? i + 1 : 0; };
     // Of more points than the line holds only the last matter.
-    for (double i = std::max(points - (kIntervals + 1.0), 0.0) + 1; i <= points; ++i) {
-        newest_ = after(newest_);
-        past_[newest_] = begin + (end - begin) * std::clamp((i * interval - age_) / dt, 0.0, 1.0);
+    for (double i = std::max(points - (DelayLine::kIntervals + 1.0), 0.0) + 1; i <= points; ++i) {
+        line.newest = after(line.newest);
+        past[line.newest] = begin + (end - begin) * std::clamp((i * interval - line.age) / dt, 0.0, 1.0);
     }
-    age_ = std::max(age_ + dt - points * interval, 0.0);
-    const double oldest = past_[after(newest_)], next = past_[after(after(newest_))];
-    return oldest + (next - oldest) * std::min(age_ / interval, 1.0);
+    line.age = std::max(line.age + dt - points * interval, 0.0);
+    const double oldest = past[after(line.newest)], next = past[after(after(line.newest))];
+    return oldest + (next - oldest) * std::min(line.age / interval, 1.0);
 }
 
 }  // namespace tread

@@ -58,7 +58,7 @@ void readFields(const YamlReader& reader, const YamlPlace& place, T& object) {
     YamlFields fields(reader, place);
     if (!fields.readable()) return;
     T::describe(object, [&](std::string_view name, auto& value, const About& about) {
-        readValue(reader, fields.take(name), value, about);
+        readValue(reader, fields.take(name, about.old_name), value, about);
     });
     fields.rejectUnknown();
     if constexpr (Checked<T>) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,32 +37,36 @@ std::size_t elementIndex(std::string_view name, std::size_t size);
 
 std::string unknownPathText(const std::string& path, const std::vector<ReferenceRow>& known, PathListing listing);
 
-// Calls `visit(field, about)` for the field at the path; false when there is none.
+// Calls `visit(field, about, its path)` for the field at the path; false when there is none. The path may have old
+// names, the one that is visited has not; `walked` is what lies before `value`.
 template <class T, class Visit>
-bool visitField(T& value, std::string_view path, const About& about, const Visit& visit) {
+bool visitField(T& value, std::string_view path, const About& about, const Visit& visit,
+                const std::string& walked = {}) {
     if (path.empty()) {
-        visit(value, about);
+        visit(value, about, walked);
         return true;
     }
     bool found = false;
     if constexpr (Described<T>) {
         const std::string_view name = takeName(path);
         T::describe(value, [&](std::string_view field, auto& inner, const About& inner_about) {
-            if (field == name) found = visitField(inner, path, inner_about, visit);
+            if (field != name && (inner_about.old_name.empty() || inner_about.old_name != name)) return;
+            found = visitField(inner, path, inner_about, visit, joinPath(walked, field));
         });
     } else if constexpr (IsVector<T>::value) {
-        const std::size_t index = elementIndex(takeName(path), value.size());
-        if (index < value.size()) found = visitField(value[index], path, about, visit);
+        const std::string_view name = takeName(path);
+        const std::size_t index = elementIndex(name, value.size());
+        if (index < value.size()) found = visitField(value[index], path, about, visit, joinPath(walked, name));
     } else if constexpr (IsVariant<T>::value) {
         const std::string_view name = takeName(path);
         std::visit(
             [&](auto& inner) {
-                if (inner.kName == name) found = visitField(inner, path, about, visit);
+                if (inner.kName == name) found = visitField(inner, path, about, visit, joinPath(walked, name));
             },
             value);
     } else if constexpr (IsOptional<T>::value) {
         auto inner = value ? *value : typename T::value_type{};
-        found = visitField(inner, path, about, visit);
+        found = visitField(inner, path, about, visit, walked);
         if (found) value = std::move(inner);
     }
     return found;
@@ -75,14 +80,19 @@ template <Described T>
 void applySettings(T& object, std::span<const std::string> assignments, std::string_view what, PathListing listing) {
     YamlSession session;
     T changed = object;
+    std::map<std::string, std::string> given;  // path of a field: as it was spelt
     for (const std::string& assignment : assignments) {
         const auto setting = detail::parseSetting(assignment, what, listing, session.problems);
         if (!setting) continue;
         const YamlReader reader(session, setting->value);
         const YamlPlace place = reader.root(setting->path);
-        const bool found = detail::visitField(changed, setting->path, About{}, [&](auto& field, const About& about) {
+        const auto read = [&](auto& field, const About& about, const std::string& path) {
+            const auto& [present, spelt] = *given.emplace(path, setting->path).first;
+            if (spelt != setting->path)
+                return reader.complain(place, sameFieldTwice(spelt == present ? setting->path : spelt, present));
             detail::readValue(reader, place, field, about);
-        });
+        };
+        const bool found = detail::visitField(changed, setting->path, About{}, read);
         if (!found) reader.complain(place, detail::unknownPathText(setting->path, referenceTable<T>(), listing));
     }
     throwIfAny(session.problems);

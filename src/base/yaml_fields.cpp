@@ -12,6 +12,11 @@ constexpr std::size_t kFewNames = 12;  // so many are listed when no name is nea
 
 }  // namespace
 
+std::string sameFieldTwice(std::string_view old_name, std::string_view name) {
+    return "found " + quote(old_name) + " beside " + quote(name) + ", which is the same field, expected one of them; " +
+           "remove " + quote(old_name) + ", its old name";
+}
+
 YamlFields::YamlFields(const YamlReader& reader, YamlPlace place) : reader_(reader), place_(std::move(place)) {
     if (!place_.node) return;
     if (place_.node->kind != YamlNode::Kind::map) {
@@ -39,9 +44,21 @@ YamlPlace YamlFields::find(std::string_view name) const {
     return reader_.child(place_, key->second + 1, name);
 }
 
-YamlPlace YamlFields::take(std::string_view name) {
+YamlPlace YamlFields::take(std::string_view name, std::string_view old_name) {
     known_.push_back(name);
+    if (!old_name.empty()) takeOldKey(name, old_name);
     return find(name);
+}
+
+// From here on the old key counts as the new one.
+void YamlFields::takeOldKey(std::string_view name, std::string_view old_name) {
+    auto old_key = keys_.extract(old_name);
+    if (old_key.empty()) return;
+    const std::size_t old_index = old_key.mapped();
+    old_key.key() = name;
+    if (keys_.insert(std::move(old_key)).inserted) return;
+    const YamlNode& key = reader_.document_.nodes[place_.node->children[old_index]];
+    reader_.complain({&key, key.line, key.column, place_.path}, sameFieldTwice(old_name, name));
 }
 
 void YamlFields::rejectUnknown() const {

@@ -11,6 +11,9 @@
 
 namespace tread {
 
+// The fault of whoever gives a renamed field by both of its names.
+std::string sameFieldTwice(std::string_view old_name, std::string_view name);
+
 class YamlFields {
 public:
     YamlFields(const YamlReader& reader, YamlPlace place);
@@ -18,8 +21,8 @@ public:
     // False when something else stands where the map should be.
     bool readable() const { return readable_; }
 
-    // The value of a field; marks its key as known.
-    YamlPlace take(std::string_view name);
+    // The value of a field; marks its key as known. `old_name` may stand in place of the name, not beside it.
+    YamlPlace take(std::string_view name, std::string_view old_name = {});
 
     // Complains about the keys that no field took.
     void rejectUnknown() const;
@@ -29,6 +32,7 @@ public:
 
 private:
     YamlPlace find(std::string_view name) const;
+    void takeOldKey(std::string_view name, std::string_view old_name);
 
     const YamlReader& reader_;
     YamlPlace place_;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "base/interpolate.h"
 #include "bullet/body_link.h"
 #include "bullet/convert.h"
 #include "bullet/substep.h"
@@ -125,14 +126,8 @@ void BulletVehicle::plan(double dt) {
     const Surroundings surroundings{s.road, s.gravity(), s.wind};
     const int substeps = s.substep.within(dt);
     const auto inputAt = [&](int k) {
-        VehicleInput input = s.input;
-        const double share = static_cast<double>(k) / substeps;
-        input.steering_wheel_angle += share * (s.next.steering_wheel_angle - s.input.steering_wheel_angle);
-        input.throttle += share * (s.next.throttle - s.input.throttle);
-        input.brake += share * (s.next.brake - s.input.brake);
-        input.clutch += share * (s.next.clutch - s.input.clutch);
-        input.parking_brake += share * (s.next.parking_brake - s.input.parking_brake);
-        input.hands_off = s.next.hands_off;
+        VehicleInput input = interpolated(s.input, s.next, static_cast<double>(k) / substeps);
+        input.hands_off = s.next.hands_off;  // hands are on the wheel or off it
         return input;
     };
     for (int k = 0; k < substeps; ++k) {

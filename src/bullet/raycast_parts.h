@@ -95,7 +95,7 @@ struct RaycastVehicle::Implementation {
     std::unique_lock<std::mutex> lockRays() const;
     bool isFarFromRay(std::size_t wheel) const;
     void findGround(std::size_t wheel, const WheelRay& ray, const btCollisionWorld* world);
-    void roll(const btCollisionWorld* world, double dt);
+    void move(const btCollisionWorld* world, double dt);
     void pushGround();
 
     // raycast_sleep.cpp

@@ -16,11 +16,6 @@ namespace {
 constexpr double kRestSpeed = 0.01;  // m/s
 constexpr double kRestSpin = 0.05;   // rad/s
 
-bool same(const WheelDemand& a, const WheelDemand& b) {
-    return a.steer == b.steer && a.drive_torque == b.drive_torque && a.brake_torque == b.brake_torque &&
-           a.friction == b.friction;
-}
-
 }  // namespace
 
 // A sleeping car costs a look at its inputs and at the ground that it stands on.
@@ -39,7 +34,7 @@ bool RaycastVehicle::Implementation::staysAsleep(const btCollisionWorld* world) 
         for (std::size_t i = 0; i < wheelCount(); ++i) info(i).m_deltaRotation = 0;
     }
     for (std::size_t i = 0; i < wheelCount() && !wakes; ++i) {
-        wakes = !same(demand(i), demands[i]) || !(tuningOf(info(i)) == tunings[i]);
+        wakes = demand(i) != demands[i] || !(tuningOf(info(i)) == tunings[i]);
         if (world && !wakes) wakes = !isThere(grounds[i], *world);
     }
     if (!wakes) return true;

@@ -9,6 +9,7 @@
 
 #include "bullet/convert.h"
 #include "bullet/raycast_parts.h"
+#include "vehicle/tyre_load.h"
 
 namespace tread {
 
@@ -57,7 +58,7 @@ void RaycastVehicle::Implementation::drive(const btCollisionWorld* world, double
     const bool moves = car.mass > 0 && motion.position_W.allFinite() && motion.orientation.coeffs().allFinite();
     start = motion;
     if (moves) {
-        roll(world, std::min(dt, kLongestStep));
+        move(world, std::min(dt, kLongestStep));
         simulated = std::min(dt, kLongestStep);
     }
     reached = motion;
@@ -172,7 +173,7 @@ bool RaycastVehicle::Implementation::isFarFromRay(std::size_t wheel) const {
 }
 
 // Moves `motion` to the end of the step.
-void RaycastVehicle::Implementation::roll(const btCollisionWorld* world, double dt) {
+void RaycastVehicle::Implementation::move(const btCollisionWorld* world, double dt) {
     const int substeps = substep.within(dt);
     const double h = dt / substeps;
     auto& [next, begin, end, planes] = room;
@@ -218,8 +219,7 @@ void RaycastVehicle::Implementation::pushGround() {
         const btVector3 turn = (body->getInvInertiaTensorWorld() * arm.cross(normal)).cross(arm);
         const double inverse_mass = body->getInvMass() + static_cast<double>(normal.dot(turn));
         const TyreParams& tyre = car.wheels[i].tyre;
-        const double stiffness = tyre.parameters.pz1 * tyre.lambda.Cz;
-        const double taken = std::min(1.0, 1 / (simulated * simulated * stiffness * inverse_mass));
+        const double taken = std::min(1.0, 1 / (simulated * simulated * radialStiffness(tyre) * inverse_mass));
         body->activate();
         body->applyImpulse(toBullet(Vector3(-taken * impulses[i])), arm);
     }

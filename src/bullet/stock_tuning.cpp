@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bullet/convert.h"
+#include "vehicle/tyre_load.h"
 
 namespace tread {
 
@@ -86,7 +87,7 @@ BodyWheel wheelFromTuning(const btWheelInfo& info, double mass, double resting_l
     wheel.roll_share = within(info.m_rollInfluence, 0, 1, 0.1);
 
     // Spring and tyre in series are as soft as the stock spring alone.
-    const double radial = wheel.tyre.parameters.pz1 * wheel.tyre.lambda.Cz;
+    const double radial = radialStiffness(wheel.tyre);
     const double stock = within(info.m_suspensionStiffness * mass, 0, kMostForce, 0.2 * radial);
     const double share = stock / radial;
     const double alone = share < kHardestSpring / (1 + kHardestSpring) ? share / (1 - share) : kHardestSpring;
@@ -106,8 +107,7 @@ BodyWheel wheelFromFile(const btWheelInfo& info, const VehicleParams& params, bo
     BodyWheel wheel = geometryOf(info);
     wheel.tyre = tyre ? *tyre : mounted(own.tyre ? *own.tyre : axle.tyre, left);
     wheel.inertia = axle.wheel_inertia;
-    wheel.strut.stiffness =
-        std::max(axle.suspension.spring, kSoftestSpring * wheel.tyre.parameters.pz1 * wheel.tyre.lambda.Cz);
+    wheel.strut.stiffness = std::max(axle.suspension.spring, kSoftestSpring * radialStiffness(wheel.tyre));
     wheel.strut.bump = axle.suspension.damper.bump;
     wheel.strut.rebound = axle.suspension.damper.rebound;
     wheel.strut.most_force = kMostForce;

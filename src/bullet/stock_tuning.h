@@ -7,6 +7,7 @@
 
 #include "tread/bullet_precision.h"
 #include "tread/raycast_vehicle.h"
+#include "vehicle/wheeled_body.h"
 
 namespace tread {
 

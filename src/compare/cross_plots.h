@@ -24,7 +24,7 @@ struct CrossPlot {
 };
 static_assert(describesEveryMember<CrossPlot>());
 
-// Hand wheel and lateral acceleration: the defaults of TU Munich's VVUQ framework for ISO 19364 (5 deg and 3 %, 0.1
+// Steering wheel and lateral acceleration: the defaults of TU Munich's VVUQ framework for ISO 19364 (5 deg and 3 %, 0.1
 // m/s2 and 6 %). For sideslip and roll the standard's numbers were not at hand: 0.3 deg and 0.2 deg with 6 % are
 // tread's choice.
 inline std::vector<CrossPlot> iso19364CrossPlots() {

@@ -7,7 +7,7 @@
 
 namespace tread {
 
-// Signs and units that the physics of a car contradicts: lateral acceleration against vx times yaw rate, hand wheel
+// Signs and units that the physics of a car contradicts: lateral acceleration against vx times yaw rate, steering wheel
 // against yaw rate, wheel speeds against vx.
 std::vector<Change> doubts(const Log& log);
 

@@ -47,15 +47,16 @@ double fromRest(const Acceleration& a, double value) {
 
 MetricTable<Acceleration> table() {
     return {
-        {{"time_0_to_100_kmh", "s", "from the throttle pedal to 100 km/h; undefined when the car rolls before"},
+        {{"time_0_to_100_kmh", "s", "from the throttle pedal to 100 km/h; undefined when the car rolls before",
+          Say{1, "100 km/h after {} s", 1}},
          [](const Acceleration& a) { return fromRest(a, a.timeTo(100)); }},
         {{"time_0_to_60_kmh", "s", "from the throttle pedal to 60 km/h"},
          [](const Acceleration& a) { return fromRest(a, a.timeTo(60)); }},
-        {{"time_80_to_120_kmh", "s", "between the two speeds"},
+        {{"time_80_to_120_kmh", "s", "between the two speeds", Say{2, "80 to 120 km/h within {} s", 1}},
          [](const Acceleration& a) { return a.timeTo(120) - a.timeTo(80); }},
         {{"distance_0_to_100_kmh", "m", "from the throttle pedal to 100 km/h"},
          [](const Acceleration& a) { return fromRest(a, a.distanceTo(100)); }},
-        {{"time_400_m", "s", "from rest over 400 m"},
+        {{"time_400_m", "s", "from rest over 400 m", Say{3, "400 m within {} s", 1}},
          [](const Acceleration& a) {
              const auto t = firstCrossing(a.way, kStandingDistance, a.onset);
              return fromRest(a, t ? *t - a.onset : kUndefined);

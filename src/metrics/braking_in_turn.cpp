@@ -25,14 +25,16 @@ TurnDisturbance findBraking(const Log& log) {
     return turnDisturbance(log, kName, *onset, firstCrossing(brake, kReleased * most, peak).value_or(brake.end()));
 }
 
+MetricTable<TurnDisturbance> table() {
+    return turnDisturbanceTable("brake is applied", {1, "decelerates at {} m/s2", 2}, {});
+}
+
 }  // namespace
 
 Manoeuvre brakingInTurn() {
     return {kName, "braking in a steady turn: yaw rate, sideslip and path a second later (after ISO 7975)",
-            [] { return definitions(turnDisturbanceTable("brake is applied")); },
-            [](const Log& log, const KnownCar&) {
-                return values(turnDisturbanceTable("brake is applied"), findBraking(log));
-            }};
+            [] { return definitions(table()); },
+            [](const Log& log, const KnownCar&) { return values(table(), findBraking(log)); }};
 }
 
 }  // namespace tread

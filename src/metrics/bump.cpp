@@ -33,13 +33,15 @@ struct Bump {
 MetricTable<Bump> table() {
     return {
         {{"speed", "m/s", "before the bump"}, [](const Bump& b) { return b.speed; }},
-        {{"highest_az", "m/s2", "largest upward acceleration of the body"}, [](const Bump& b) { return b.highest_az; }},
+        {{"highest_az", "m/s2", "largest upward acceleration of the body", Say{1, "body thrown up at {} m/s2", 1}},
+         [](const Bump& b) { return b.highest_az; }},
         {{"lowest_az", "m/s2", "largest downward acceleration, negative"}, [](const Bump& b) { return b.lowest_az; }},
         {{"peak_pitch_rate", "deg/s", "largest magnitude"}, [](const Bump& b) { return kDegrees * b.pitch_rate; }},
         {{"peak_roll_rate", "deg/s", "largest magnitude"}, [](const Bump& b) { return kDegrees * b.roll_rate; }},
         {{"highest_load", "-", "largest load of a wheel over its load before"},
          [](const Bump& b) { return b.highest_load; }},
-        {{"lowest_load", "-", "smallest load of a wheel over its load before"},
+        {{"lowest_load", "-", "smallest load of a wheel over its load before",
+          Say{2, "lightest wheel carries {} % of its load", 0, 100}},
          [](const Bump& b) { return b.lowest_load; }},
         {{"off_the_road", "s",
           fmt::format("time with less than {:.0f} % of that load, of the wheel with the longest", 100 * kOffTheRoad)},
@@ -49,7 +51,8 @@ MetricTable<Bump> table() {
         {{"rebound", "mm", "largest travel downwards"}, [](const Bump& b) { return 1000 * b.rebound; }},
         {{"settling_time", "s",
           fmt::format("from the first change of a wheel load to the last vertical acceleration above {:.2g} m/s2",
-                      kCalm)},
+                      kCalm),
+          Say{3, "calm after {} s", 1}},
          [](const Bump& b) { return b.settling; }},
     };
 }

@@ -30,13 +30,16 @@ struct Crosswind {
 MetricTable<Crosswind> table() {
     const std::string reading = fmt::format("{:.0f} s after the wind has come", kReading);
     return {
-        {{"path_deviation", "m", "distance from the line before, " + reading + ", positive to where the car is pushed"},
+        {{"path_deviation", "m", "distance from the line before, " + reading + ", positive to where the car is pushed",
+          Say{1, "{} m off its line after 2 s", 2}},
          [](const Crosswind& c) { return c.deviation; }},
         {{"yaw_angle", "deg", "change of heading, " + reading + "; negative: the car turns into the wind"},
          [](const Crosswind& c) { return kDegrees * c.yaw; }},
-        {{"peak_yaw_rate", "deg/s", "largest yaw rate up to then, positive to where the car is pushed"},
+        {{"peak_yaw_rate", "deg/s", "largest yaw rate up to then, positive to where the car is pushed",
+          Say{2, "turns at up to {} deg/s", 2}},
          [](const Crosswind& c) { return kDegrees * c.peak_yaw_rate; }},
-        {{"peak_ay", "m/s2", "largest lateral acceleration up to then"}, [](const Crosswind& c) { return c.peak_ay; }},
+        {{"peak_ay", "m/s2", "largest lateral acceleration up to then", Say{3, "pushed at {} m/s2", 2}},
+         [](const Crosswind& c) { return c.peak_ay; }},
         {{"speed", "m/s", "when the wind comes"}, [](const Crosswind& c) { return c.speed; }},
     };
 }

@@ -41,18 +41,21 @@ MetricTable<Drop> table() {
          [](const Drop& d) { return kMillimetres * d.height; }},
         {{"settling_time", "s",
           fmt::format("from the beginning until the body stays within {:.0f} % of the drop; undefined when it does not",
-                      100 * kSettledShare)},
+                      100 * kSettledShare),
+          Say{1, "settles within {} s", 2}},
          [](const Drop& d) { return d.settling_time; }},
-        {{"overshoot", "-", "how far below rest the body dips, over the drop"},
+        {{"overshoot", "-", "how far below rest the body dips, over the drop",
+          Say{4, "dips by {} % of the drop", 0, 100}},
          [](const Drop& d) { return std::max(0.0, d.dip / d.height); }},
         {{"damped_frequency", "Hz",
           "from the times at which the body passes its height at rest; undefined when it does not swing"},
          [](const Drop& d) { return d.bounce.damped_frequency; }},
-        {{"bounce_frequency", "Hz", "damped frequency over sqrt(1 - damping ratio^2)"},
+        {{"bounce_frequency", "Hz", "damped frequency over sqrt(1 - damping ratio^2)", Say{2, "bounces at {} Hz", 2}},
          [](const Drop& d) {
              return d.bounce.damped_frequency / std::sqrt(1 - d.bounce.damping_ratio * d.bounce.damping_ratio);
          }},
-        {{"damping_ratio", "-", "from the logarithmic decrement of the swings; undefined with fewer than two"},
+        {{"damping_ratio", "-", "from the logarithmic decrement of the swings; undefined with fewer than two",
+          Say{3, "damping ratio {}", 2}},
          [](const Drop& d) { return d.bounce.damping_ratio; }},
     };
 }

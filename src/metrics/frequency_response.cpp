@@ -54,6 +54,7 @@ MetricTable<SteeringResponse> answerTable(FrequencyCurve SteeringResponse::*answ
                                           std::string_view words, const std::string& unit) {
     MetricTable<SteeringResponse> lines;
     const auto name = [&](std::string_view metric) { return fmt::format("{}_{}", what, metric); };
+    const bool is_said = answer == &SteeringResponse::yaw_rate;
     const auto lowest_gain = [answer](const SteeringResponse& r) { return std::abs((r.*answer).front().transfer); };
     lines.push_back({{name("lowest_gain"), unit,
                       fmt::format("{} over steering-wheel angle at the lowest frequency of the steering", words)},
@@ -63,7 +64,8 @@ MetricTable<SteeringResponse> answerTable(FrequencyCurve SteeringResponse::*answ
          [answer, lowest_gain](const SteeringResponse& r) {
              return std::abs(peakOf(r.*answer).transfer) / lowest_gain(r);
          }});
-    lines.push_back({{name("peak_frequency"), "Hz", fmt::format("where the gain of the {} is largest", words)},
+    lines.push_back({{name("peak_frequency"), "Hz", fmt::format("where the gain of the {} is largest", words),
+                      is_said ? Say{2, "largest at {} Hz", 2} : Say{}},
                      [answer](const SteeringResponse& r) { return peakOf(r.*answer).frequency; }});
     lines.push_back(
         {{name("bandwidth"), "Hz",
@@ -84,11 +86,13 @@ MetricTable<SteeringResponse> answerTable(FrequencyCurve SteeringResponse::*answ
         const std::string where =
             fmt::format("at {:.1f} Hz; undefined where the steering has less than {:.0f} % of its largest power",
                         frequency, 100 * kLeastPower);
-        lines.push_back({{at_frequency("gain"), unit, fmt::format("{} over steering-wheel angle {}", words, where)},
+        lines.push_back({{at_frequency("gain"), unit, fmt::format("{} over steering-wheel angle {}", words, where),
+                          is_said && frequency == 0.5 ? Say{1, "yaw rate gain {} 1/s at 0.5 Hz", 3} : Say{}},
                          [answer, frequency](const SteeringResponse& r) { return gainAt(r.*answer, frequency); }});
         lines.push_back(
             {{at_frequency("phase_lag"), "deg",
-              fmt::format("by which the {} lags the steering-wheel angle {}", words, where)},
+              fmt::format("by which the {} lags the steering-wheel angle {}", words, where),
+              is_said && frequency == 1.0 ? Say{3, "lags by {} deg at 1 Hz", 0} : Say{}},
              [answer, frequency](const SteeringResponse& r) { return kDegrees * phaseLagAt(r.*answer, frequency); }});
         lines.push_back(
             {{at_frequency("coherence"), "-",

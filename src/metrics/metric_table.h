@@ -1,5 +1,5 @@
-// The metrics of a manoeuvre, one line each: the one place that says their names, units and definitions, and how their
-// values follow from what was found in a log.
+// The metrics of a manoeuvre, one line each: the one place that says their names, units, definitions and words, and how
+// their values follow from what was found in a log.
 #pragma once
 
 #include <functional>
@@ -29,7 +29,8 @@ std::vector<MetricDefinition> definitions(const MetricTable<Found>& table) {
 template <class Found>
 std::vector<Metric> values(const MetricTable<Found>& table, const Found& found) {
     std::vector<Metric> out;
-    for (const auto& [about, value] : table) out.push_back({about.name, value(found), about.unit, about.definition});
+    for (const auto& [about, value] : table)
+        out.push_back({about.name, value(found), about.unit, about.definition, about.say});
     return out;
 }
 

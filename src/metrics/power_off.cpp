@@ -42,15 +42,17 @@ TurnDisturbance findPowerOff(const Log& log) {
     return turnDisturbance(log, kName, release, log.channels.front().values.back());
 }
 
+MetricTable<TurnDisturbance> table() {
+    return turnDisturbanceTable("throttle is released", {}, {3, "sideslip changes by {} deg", 2});
+}
+
 }  // namespace
 
 Manoeuvre powerOff() {
     return {kName,
             "the throttle released in a steady turn: yaw rate, sideslip and path a second later (after ISO 9816)",
-            [] { return definitions(turnDisturbanceTable("throttle is released")); },
-            [](const Log& log, const KnownCar&) {
-                return values(turnDisturbanceTable("throttle is released"), findPowerOff(log));
-            }};
+            [] { return definitions(table()); },
+            [](const Log& log, const KnownCar&) { return values(table(), findPowerOff(log)); }};
 }
 
 }  // namespace tread

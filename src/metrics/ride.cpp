@@ -18,7 +18,7 @@ constexpr std::string_view kName = "ride";
 constexpr double kApproach = 2;      // s at the beginning, in which the road may still be smooth
 constexpr double kShortest = 4;      // s of riding after that
 constexpr double kSlowest = 3;       // m/s
-constexpr double kMostSteering = 5;  // deg of the hand wheel: more is driving, not riding
+constexpr double kMostSteering = 5;  // deg of the steering wheel: more is driving, not riding
 constexpr double kSmooth = 0.02;     // m/s2, weighted: nobody feels less (ISO 2631-1, annex C: threshold 0.015)
 constexpr double kPercent = 100;
 constexpr double kMillimetres = 1000;
@@ -37,7 +37,8 @@ MetricTable<Ride> table() {
         {{"speed", "km/h", "mean speed after the first two seconds, as for all that follows"},
          [](const Ride& r) { return r.speed / kKmh; }},
         {{"vertical_weighted", "m/s2",
-          "root mean square of the vertical acceleration at the centre of gravity, weighted by Wk of ISO 2631-1"},
+          "root mean square of the vertical acceleration at the centre of gravity, weighted by Wk of ISO 2631-1",
+          Say{1, "weighted vertical acceleration {} m/s2", 2}},
          [](const Ride& r) { return r.vertical; }},
         {{"longitudinal_weighted", "m/s2", "that of the longitudinal acceleration, weighted by Wd"},
          [](const Ride& r) { return r.longitudinal; }},
@@ -51,9 +52,11 @@ MetricTable<Ride> table() {
                           "dynamic load coefficient: standard deviation of the wheel load over its mean"},
                          [i](const Ride& r) { return kPercent * r.load_variation[i]; }});
     }
-    lines.push_back({{"lowest_load", "%", "smallest load of any wheel over its mean; 0: the wheel lifts off"},
+    lines.push_back({{"lowest_load", "%", "smallest load of any wheel over its mean; 0: the wheel lifts off",
+                      Say{2, "lightest wheel carries {} % of its load", 0}},
                      [](const Ride& r) { return kPercent * r.lowest_load; }});
-    lines.push_back({{"travel", "mm", "largest standard deviation of the suspension travel of any wheel"},
+    lines.push_back({{"travel", "mm", "largest standard deviation of the suspension travel of any wheel",
+                      Say{3, "suspension travels by {} mm", 1}},
                      [](const Ride& r) { return kMillimetres * r.travel; }});
     return lines;
 }
@@ -97,7 +100,7 @@ Ride findRide(const Log& log) {
     if (const auto hand = channelIfThere(log, kName, "driver.steering_wheel_angle")) {
         const double turned = kDegrees * range(part(*hand, from, to)).width();
         if (turned > kMostSteering) {
-            notFound(kName, fmt::format("the hand wheel turns by {:.2g} deg, looked for at most {:.2g} deg", turned,
+            notFound(kName, fmt::format("the steering wheel turns by {:.2g} deg, looked for at most {:.2g} deg", turned,
                                         kMostSteering));
         }
     }

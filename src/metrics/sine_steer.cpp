@@ -169,21 +169,28 @@ struct SineSteer {
     Answer yaw_rate, ay;
 };
 
+// How an answer to the steering is put into words.
+struct AnswerWords {
+    Say gain, phase_lag, first_lag;
+};
+
 MetricTable<SineSteer> answerTable(Answer SineSteer::*answer, std::string_view what, std::string_view words,
-                                   std::string_view gain_unit) {
+                                   std::string_view gain_unit, const AnswerWords& say) {
     const auto name = [&](std::string_view metric) { return fmt::format("{}_{}", what, metric); };
     return {
         {{name("gain"), std::string(gain_unit),
           fmt::format("amplitude of the {} over that of the steering-wheel angle: of least-squares sines over the last "
                       "two periods of a continuous sine, peak to peak of a single period",
-                      words)},
+                      words),
+          say.gain},
          [answer](const SineSteer& s) { return (s.*answer).gain; }},
         {{name("phase_lag"), "deg",
-          fmt::format("by which the {} lags the steering-wheel angle, same fits; undefined for a single period",
-                      words)},
+          fmt::format("by which the {} lags the steering-wheel angle, same fits; undefined for a single period", words),
+          say.phase_lag},
          [answer](const SineSteer& s) { return (s.*answer).phase_lag; }},
         {{name("first_peak_lag"), "s",
-          fmt::format("from the first peak of the steering to that of the {}; undefined for a continuous sine", words)},
+          fmt::format("from the first peak of the steering to that of the {}; undefined for a continuous sine", words),
+          say.first_lag},
          [answer](const SineSteer& s) { return (s.*answer).first_lag; }},
         {{name("second_peak_lag"), "s",
           fmt::format("from the second peak of the steering to that of the {}; undefined for a continuous sine",
@@ -204,8 +211,14 @@ MetricTable<SineSteer> table() {
          [](const SineSteer& s) { return kDegrees * s.amplitude; }},
     };
     const auto add = [&](const MetricTable<SineSteer>& more) { lines.insert(lines.end(), more.begin(), more.end()); };
-    add(answerTable(&SineSteer::yaw_rate, "yaw_rate", "yaw rate", "1/s"));
-    add(answerTable(&SineSteer::ay, "ay", "lateral acceleration", "m/s2/rad"));
+    add(answerTable(&SineSteer::yaw_rate, "yaw_rate", "yaw rate", "1/s",
+                    {.gain = {1, "yaw rate gain {} 1/s", 3},
+                     .phase_lag = {2, "yaw rate lags by {} deg", 1},
+                     .first_lag = {3, "first yaw rate peak lags by {} ms", 0, 1000}}));
+    add(answerTable(&SineSteer::ay, "ay", "lateral acceleration", "m/s2/rad",
+                    {.gain = {},
+                     .phase_lag = {4, "lateral acceleration by {} deg", 1},
+                     .first_lag = {5, "that of the lateral acceleration by {} ms", 0, 1000}}));
     return lines;
 }
 

@@ -36,15 +36,18 @@ MetricTable<SlowSteer> table() {
     const std::string range = fmt::format("regression over {:.3g} to {:.3g} g", kLow / kGravity, kHigh / kGravity);
     return {
         {{"steering_angle_03g", "deg",
-          "A: steering-wheel angle at 0.3 g, from straight ahead, on the line of the " + range},
+          "A: steering-wheel angle at 0.3 g, from straight ahead, on the line of the " + range,
+          Say{1, "steering-wheel angle at 0.3 g {} deg", 1}},
          [](const SlowSteer& s) { return kDegrees * s.angle; }},
         {{"steering_wheel_gradient", "deg/g", "d steering-wheel angle / d ay, " + range},
          [](const SlowSteer& s) { return kDegrees * kGravity * s.slope; }},
         {{"understeer_gradient", "deg/g",
           "d road-wheel angle (by the steering ratio) / d ay, less wheelbase / speed^2; undefined when these are not "
-          "known"},
+          "known",
+          Say{2, "understeer gradient {} deg/g", 2}},
          [](const SlowSteer& s) { return kDegrees * kGravity * s.understeer; }},
-        {{"largest_ay", "m/s2", "largest magnitude of the lateral acceleration"},
+        {{"largest_ay", "m/s2", "largest magnitude of the lateral acceleration",
+          Say{3, "up to {} m/s2 of lateral acceleration", 2}},
          [](const SlowSteer& s) { return s.largest_ay; }},
         {{"steering_angle_largest_ay", "deg", "magnitude of the steering-wheel angle there"},
          [](const SlowSteer& s) { return kDegrees * s.angle_there; }},

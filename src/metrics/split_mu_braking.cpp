@@ -32,7 +32,8 @@ MetricTable<SplitMu> table() {
     return {
         {{"steering_first_2s", "deg",
           fmt::format("largest turn of the steering wheel from its angle at brake actuation, in the first {:.0f} s",
-                      kFirst)},
+                      kFirst),
+          Say{1, "the driver corrects by {} deg in the first 2 s", 0}},
          [](const SplitMu& s) { return kDegrees * s.first; }},
         {{"largest_steering", "deg", "the same over the whole stop" + slow},
          [](const SplitMu& s) { return kDegrees * s.steering; }},
@@ -40,14 +41,16 @@ MetricTable<SplitMu> table() {
          [](const SplitMu& s) { return s.stop.initial_speed; }},
         {{"stopping_distance", "m", "path from the start of brake actuation to standstill"},
          [](const SplitMu& s) { return s.stop.distance; }},
-        {{"mfdd", "m/s2", "mean fully developed deceleration: (vb^2 - ve^2) / (2 (se - sb)), vb = 0.8 v0, ve = 0.1 v0"},
+        {{"mfdd", "m/s2", "mean fully developed deceleration: (vb^2 - ve^2) / (2 (se - sb)), vb = 0.8 v0, ve = 0.1 v0",
+          Say{3, "MFDD {} m/s2", 2}},
          [](const SplitMu& s) { return s.mfdd; }},
         {{"lateral_deviation", "m",
           "largest distance from the line along which the car pointed at brake actuation; left is positive"},
          [](const SplitMu& s) { return s.deviation; }},
         {{"largest_yaw_rate", "deg/s", "largest magnitude of the yaw rate" + slow},
          [](const SplitMu& s) { return kDegrees * s.yaw_rate; }},
-        {{"largest_yaw_angle", "deg", "largest turn of the car from its heading at brake actuation" + slow},
+        {{"largest_yaw_angle", "deg", "largest turn of the car from its heading at brake actuation" + slow,
+          Say{2, "the car turns by {} deg", 1}},
          [](const SplitMu& s) { return kDegrees * s.yaw; }},
     };
 }

@@ -205,16 +205,18 @@ MetricTable<SteadyCircle> table() {
          [](const SteadyCircle& s) { return 1 / s.means.curvature; }},
         {{"understeer_gradient", "deg/g",
           "d(road-wheel angle - wheelbase / radius) / d ay; " + range +
-              "; undefined when neither wheelbase nor slip angles are known and the radius changes"},
+              "; undefined when neither wheelbase nor slip angles are known and the radius changes",
+          Say{1, "understeer gradient {} deg/g", 2}},
          [](const SteadyCircle& s) { return kPerG * s.understeer; }},
         {{"steering_wheel_gradient", "deg/g",
           "d steering-wheel angle / d ay by the method; " + range + "; undefined when the steering wheel is held"},
          [](const SteadyCircle& s) { return kPerG * s.steering_wheel; }},
-        {{"roll_gradient", "deg/g", "d roll angle / d ay; " + range},
+        {{"roll_gradient", "deg/g", "d roll angle / d ay; " + range, Say{2, "roll gradient {} deg/g", 2}},
          [](const SteadyCircle& s) { return kPerG * s.roll; }},
         {{"sideslip_gradient", "deg/g", "d sideslip angle / d ay by the method; " + range},
          [](const SteadyCircle& s) { return kPerG * s.sideslip; }},
-        {{"largest_ay", "m/s2", "largest magnitude of the lateral acceleration"},
+        {{"largest_ay", "m/s2", "largest magnitude of the lateral acceleration",
+          Say{3, "up to {} m/s2 of lateral acceleration", 2}},
          [](const SteadyCircle& s) { return s.largest_ay; }},
     };
 }

@@ -160,23 +160,27 @@ struct StepSteer {
     bool steady() const { return std::abs(yaw_rate.drift) <= kSteadyDrift && std::abs(ay.drift) <= kSteadyDrift; }
 };
 
-MetricTable<StepSteer> responseTable(Response StepSteer::*response, std::string_view what, std::string_view words) {
+MetricTable<StepSteer> responseTable(Response StepSteer::*response, std::string_view what, std::string_view words,
+                                     const Say& response_time, const Say& overshoot) {
     const auto name = [&](std::string_view metric) { return fmt::format("{}_{}", what, metric); };
     return {
-        {{name("response_time"), "s", fmt::format("from half the steering input to 90 % of the steady {}", words)},
+        {{name("response_time"), "s", fmt::format("from half the steering input to 90 % of the steady {}", words),
+          response_time},
          [response](const StepSteer& s) { return (s.*response).time90; }},
         {{name("peak_response_time"), "s",
           fmt::format("from half the steering input to the peak of the {}; undefined without overshoot", words)},
          [response](const StepSteer& s) { return (s.*response).peak_time; }},
-        {{name("overshoot"), "-", fmt::format("(peak - steady) / steady {}", words)},
+        {{name("overshoot"), "-", fmt::format("(peak - steady) / steady {}", words), overshoot},
          [response](const StepSteer& s) { return (s.*response).overshoot; }},
     };
 }
 
 MetricTable<StepSteer> table() {
-    MetricTable<StepSteer> lines = responseTable(&StepSteer::yaw_rate, "yaw_rate", "yaw rate");
+    MetricTable<StepSteer> lines =
+        responseTable(&StepSteer::yaw_rate, "yaw_rate", "yaw rate", {1, "yaw rate answers within {} ms", 0, 1000},
+                      {2, "overshoots by {} %", 0, 100});
     const auto add = [&](const MetricTable<StepSteer>& more) { lines.insert(lines.end(), more.begin(), more.end()); };
-    add(responseTable(&StepSteer::ay, "ay", "lateral acceleration"));
+    add(responseTable(&StepSteer::ay, "ay", "lateral acceleration", {}, {}));
     add({
         {{"yaw_rate_gain", "1/s", "steady yaw rate over steering-wheel angle"},
          [](const StepSteer& s) { return s.yaw_rate.steady / s.step.amplitude; }},
@@ -196,7 +200,8 @@ MetricTable<StepSteer> table() {
          [](const StepSteer& s) { return kDegrees * s.step.amplitude; }},
         {{"steering_rate", "deg/s", "mean rate from 10 to 90 % of the step"},
          [](const StepSteer& s) { return kDegrees * std::abs(s.step.rate); }},
-        {{"steady_ay", "m/s2", "lateral acceleration at the end of the hold, less that before"},
+        {{"steady_ay", "m/s2", "lateral acceleration at the end of the hold, less that before",
+          Say{3, "settles at {} m/s2 of lateral acceleration", 2}},
          [](const StepSteer& s) { return s.ay.steady; }},
         {{"steady", "-",
           fmt::format("1 when yaw rate and lateral acceleration change by at most {:.0f} % over the last part of the "

@@ -42,7 +42,8 @@ MetricTable<Braking> table() {
     MetricTable<Braking> lines = {
         {{"initial_speed", "m/s", "speed when the driver starts to actuate the brake"},
          [](const Braking& b) { return b.stop.initial_speed; }},
-        {{"stopping_distance", "m", "path from the start of brake actuation to standstill"},
+        {{"stopping_distance", "m", "path from the start of brake actuation to standstill",
+          Say{1, "stops within {} m", 1}},
          [](const Braking& b) { return b.stop.distance; }},
         {{"corrected_stopping_distance", "m",
           fmt::format("stopping distance times (nominal / initial speed)^2, nominal: the nearest whole {:.0f} km/h",
@@ -50,20 +51,23 @@ MetricTable<Braking> table() {
          [](const Braking& b) { return correctedDistance(b.stop); }},
         {{"stopping_time", "s", "from the start of brake actuation to standstill"},
          [](const Braking& b) { return b.stop.duration(); }},
-        {{"mfdd", "m/s2", "mean fully developed deceleration: (vb^2 - ve^2) / (2 (se - sb)), vb = 0.8 v0, ve = 0.1 v0"},
+        {{"mfdd", "m/s2", "mean fully developed deceleration: (vb^2 - ve^2) / (2 (se - sb)), vb = 0.8 v0, ve = 0.1 v0",
+          Say{2, "mean fully developed deceleration {} m/s2", 2}},
          [](const Braking& b) { return b.mfdd; }},
         {{"mean_deceleration", "m/s2", "initial speed over stopping time"},
          [](const Braking& b) { return b.stop.initial_speed / b.stop.duration(); }},
         {{"peak_deceleration", "m/s2", "largest deceleration between brake actuation and standstill"},
          [](const Braking& b) { return b.peak; }},
         {{"lateral_deviation", "m",
-          "largest distance from the line along which the car pointed at brake actuation; left is positive"},
+          "largest distance from the line along which the car pointed at brake actuation; left is positive",
+          Say{4, "{} m off its line", 2}},
          [](const Braking& b) { return b.deviation; }},
     };
     for (std::size_t wheel = 0; wheel < kWheels.size(); ++wheel) {
         lines.push_back({{fmt::format("locked_share_{}", kWheels[wheel]), "-",
                           fmt::format("share of the time, down to {:.0f} m/s, with a slip ratio below {:.1f}",
-                                      kLockedUntil, kLockedSlip)},
+                                      kLockedUntil, kLockedSlip),
+                          wheel == 0 ? Say{3, "front left wheel locked for {} % of the time", 0, 100} : Say{}},
                          [wheel](const Braking& b) { return b.locked_shares[wheel]; }});
     }
     return lines;

@@ -1,4 +1,4 @@
-// Straight on with the hand wheel held: how far the car drifts off, as on a crowned road or with tyres that pull.
+// Straight on with the steering wheel held: how far the car drifts off, as on a crowned road or with tyres that pull.
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kName = "straight_running";
 constexpr double kShortest = 50;           // m
-constexpr double kFixed = 1.0 / kDegrees;  // rad by which the hand wheel may move
+constexpr double kFixed = 1.0 / kDegrees;  // rad by which the steering wheel may move
 constexpr double kConstantSpeed = 0.1;     // share by which the speed may change
 constexpr double kGentle = 2;              // m/s2 of lateral acceleration
 constexpr double kAtFirst = 0.2;           // s that tell the first line
@@ -30,7 +30,7 @@ struct StraightRunning {
 
 MetricTable<StraightRunning> table() {
     return {
-        {{"drift", "m", "distance from the first line at the end, positive to the left"},
+        {{"drift", "m", "distance from the first line at the end, positive to the left", Say{1, "drifts by {} m", 2}},
          [](const StraightRunning& s) { return s.drift; }},
         {{"drift_per_100m", "m", "the same, scaled by the square of the distance to a drive of 100 m"},
          [](const StraightRunning& s) { return s.drift * std::pow(100 / s.distance, 2); }},
@@ -38,9 +38,11 @@ MetricTable<StraightRunning> table() {
         {{"yaw_angle", "deg", "change of heading"}, [](const StraightRunning& s) { return kDegrees * s.yaw; }},
         {{"last_yaw_rate", "deg/s", fmt::format("mean of the last {:.0f} s", kAtLast)},
          [](const StraightRunning& s) { return kDegrees * s.yaw_rate; }},
-        {{"last_ay", "m/s2", fmt::format("mean lateral acceleration of the last {:.0f} s", kAtLast)},
+        {{"last_ay", "m/s2", fmt::format("mean lateral acceleration of the last {:.0f} s", kAtLast),
+          Say{2, "{} m/s2 at last", 3}},
          [](const StraightRunning& s) { return s.ay; }},
-        {{"hand_torque", "N m", "of the driver who holds the wheel, mean of that time, positive to the left"},
+        {{"hand_torque", "N m", "of the driver who holds the wheel, mean of that time, positive to the left",
+          Say{3, "{} N m at the steering wheel", 2}},
          [](const StraightRunning& s) { return s.hand_torque; }},
         {{"speed", "m/s", "mean"}, [](const StraightRunning& s) { return s.speed; }},
     };
@@ -53,7 +55,7 @@ StraightRunning findStraightRunning(const Log& log) {
     const TimeSeries &hand = needed[0], &x = needed[1], &y = needed[2];
     const double begin = x.begin(), end = x.end(), late = std::max(begin, end - kAtLast);
     if (range(hand).width() > kFixed) {
-        notFound(kName, fmt::format("the hand wheel turns by {:.2g} deg, looked for a fixed one",
+        notFound(kName, fmt::format("the steering wheel turns by {:.2g} deg, looked for a fixed one",
                                     kDegrees * range(hand).width()));
     }
     const double speed = mean(needed[6], begin, end);
@@ -83,7 +85,7 @@ StraightRunning findStraightRunning(const Log& log) {
 }  // namespace
 
 Manoeuvre straightRunning() {
-    return {kName, "straight on with the hand wheel held: drift, pull at the hand wheel",
+    return {kName, "straight on with the steering wheel held: drift, pull at the steering wheel",
             [] { return definitions(table()); },
             [](const Log& log, const KnownCar&) { return values(table(), findStraightRunning(log)); }};
 }

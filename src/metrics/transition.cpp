@@ -31,9 +31,11 @@ struct Transition {
 MetricTable<Transition> table() {
     const std::string range = fmt::format("regression over {:.1f} to {:.1f} m/s2", kFirstAy, kLastAy);
     return {
-        {{"steering_sensitivity", "g/100deg", "d ay / d steering-wheel angle, " + range},
+        {{"steering_sensitivity", "g/100deg", "d ay / d steering-wheel angle, " + range,
+          Say{1, "steering sensitivity {} g/100 deg", 2}},
          [](const Transition& t) { return t.sensitivity / kGravity * 100 / kDegrees; }},
-        {{"steering_deadband", "deg", "steering-wheel angle at which that line starts from ay = 0"},
+        {{"steering_deadband", "deg", "steering-wheel angle at which that line starts from ay = 0",
+          Say{2, "dead band {} deg", 2}},
          [](const Transition& t) { return kDegrees * t.deadband; }},
         {{"yaw_rate_gain", "1/s", "d yaw rate / d steering-wheel angle over the same time"},
          [](const Transition& t) { return t.yaw_gain; }},

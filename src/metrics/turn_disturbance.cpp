@@ -79,20 +79,23 @@ TurnDisturbance turnDisturbance(const Log& log, std::string_view name, double on
     return d;
 }
 
-MetricTable<TurnDisturbance> turnDisturbanceTable(const std::string& foot) {
+MetricTable<TurnDisturbance> turnDisturbanceTable(const std::string& foot, const Say& deceleration,
+                                                  const Say& sideslip) {
     const std::string reading = fmt::format("{:.0f} s after the {}", kReading, foot);
     return {
-        {{"yaw_rate_ratio", "-", "yaw rate over speed / radius before, " + reading},
+        {{"yaw_rate_ratio", "-", "yaw rate over speed / radius before, " + reading,
+          Say{2, "turns {} times as fast as the circle asks after 1 s", 2}},
          [](const TurnDisturbance& d) { return d.yaw_rate_ratio; }},
         {{"ay_ratio", "-", "lateral acceleration over speed^2 / radius before, " + reading},
          [](const TurnDisturbance& d) { return d.ay_ratio; }},
-        {{"mean_deceleration", "m/s2", "loss of speed over time up to " + reading},
+        {{"mean_deceleration", "m/s2", "loss of speed over time up to " + reading, deceleration},
          [](const TurnDisturbance& d) { return d.deceleration; }},
         {{"path_deviation", "m",
-          "distance from the circle " + reading + ", positive inwards; undefined without position and heading"},
+          "distance from the circle " + reading + ", positive inwards; undefined without position and heading",
+          Say{4, "{} m inside of the circle", 2}},
          [](const TurnDisturbance& d) { return d.path_deviation; }},
         {{"sideslip_change", "deg",
-          "change of the sideslip angle up to " + reading + ", positive when the tail goes out"},
+          "change of the sideslip angle up to " + reading + ", positive when the tail goes out", sideslip},
          [](const TurnDisturbance& d) { return kDegrees * d.sideslip_change; }},
         {{"yaw_acceleration", "deg/s2", "mean over the first 0.5 s after the " + foot + ", positive into the turn"},
          [](const TurnDisturbance& d) { return kDegrees * d.yaw_acceleration; }},

@@ -16,7 +16,7 @@ struct TurnDisturbance {
     double speed;     // m/s
     double ay;        // m/s2
     double radius;    // m, positive
-    double steering;  // rad, of the hand wheel
+    double steering;  // rad, of the steering wheel
     // A second after the onset; NaN when the log ends before.
     double deceleration;      // m/s2, mean
     double yaw_rate_ratio;    // -, over v(t) / radius
@@ -32,6 +32,7 @@ struct TurnDisturbance {
 // `end` closes the manoeuvre. Throws MetricError when the car does not turn steadily before the onset.
 TurnDisturbance turnDisturbance(const Log& log, std::string_view manoeuvre, double onset, double end);
 
-MetricTable<TurnDisturbance> turnDisturbanceTable(const std::string& foot);
+MetricTable<TurnDisturbance> turnDisturbanceTable(const std::string& foot, const Say& deceleration,
+                                                  const Say& sideslip);
 
 }  // namespace tread

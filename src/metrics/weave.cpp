@@ -78,15 +78,18 @@ MetricTable<Weave> table() {
     const std::string centre = fmt::format("on centre, within {:.0f} % of the amplitude", 100 * kCentre);
     const std::string no_torque = "; undefined when no torque is logged";
     return {
-        {{"steering_sensitivity", "g/100deg", "d ay / d steering-wheel angle " + centre},
+        {{"steering_sensitivity", "g/100deg", "d ay / d steering-wheel angle " + centre,
+          Say{1, "steering sensitivity {} g/100 deg", 2}},
          [](const Weave& w) { return w.ay_over_steering.slope / kGravity * 100 / kDegrees; }},
-        {{"steering_hysteresis", "deg", "steering-wheel angle between the two branches at ay = 0"},
+        {{"steering_hysteresis", "deg", "steering-wheel angle between the two branches at ay = 0",
+          Say{3, "hysteresis {} deg", 1}},
          [](const Weave& w) { return kDegrees * w.ay_over_steering.width; }},
         {{"ay_hysteresis", "m/s2", "lateral acceleration between the two branches at zero steering-wheel angle"},
          [](const Weave& w) { return w.ay_over_steering.height; }},
         {{"yaw_rate_gain", "1/s", "d yaw rate / d steering-wheel angle " + centre},
          [](const Weave& w) { return w.yaw_rate_over_steering.slope; }},
-        {{"yaw_rate_lag", "s", "mean time from zero steering-wheel angle to zero yaw rate"},
+        {{"yaw_rate_lag", "s", "mean time from zero steering-wheel angle to zero yaw rate",
+          Say{2, "yaw rate lags by {} ms", 0, 1000}},
          [](const Weave& w) { return w.yaw_rate_lag; }},
         {{"steering_stiffness", "N m/rad", "d steering-wheel torque / d steering-wheel angle " + centre + no_torque},
          [](const Weave& w) { return w.torque_over_steering.slope; }},

@@ -27,7 +27,7 @@ CarShape carShape(const VehicleParams& vehicle, const CarOutline& outline) {
         shape.hubs[i] = prepared.corners[i].hub_B;
         shape.wheel_radius[i] = prepared.corners[i].tyre.parameters.Ro;
     }
-    shape.height = vehicle.height;
+    shape.height = vehicle.centre_of_gravity_height;
     shape = aroundWheels(shape, vehicle.front_axle_distance, vehicle.wheelbase - vehicle.front_axle_distance,
                          std::max(vehicle.front.track, vehicle.rear.track));
     if (outline.width > 0) {

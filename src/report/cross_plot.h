@@ -18,8 +18,8 @@ struct PlotAxis {
 };
 
 // The quantities that several figures share.
-inline constexpr PlotAxis kHandWheel{"driver.steering_wheel_angle", "hand-wheel angle", "deg"};
-inline constexpr PlotAxis kHandWheelTorque{"steering.torque", "hand-wheel torque", "N m"};
+inline constexpr PlotAxis kSteeringWheel{"driver.steering_wheel_angle", "steering-wheel angle", "deg"};
+inline constexpr PlotAxis kSteeringWheelTorque{"steering.torque", "steering-wheel torque", "N m"};
 inline constexpr PlotAxis kForwardSpeed{"chassis.vx", "speed", "km/h"};
 inline constexpr PlotAxis kLongitudinal{"chassis.ax", "longitudinal acceleration", "m/s2"};
 inline constexpr PlotAxis kLateral{"chassis.ay", "lateral acceleration", "m/s2"};

@@ -38,11 +38,11 @@ std::vector<Chart> frequencyFigures(const Log& log) {
         return std::vector<Series>{curve("yaw rate", found.yaw_rate, value, scale, Colour::blue),
                                    curve("lateral acceleration", found.ay, value, scale, Colour::vermillion)};
     };
-    std::vector<Chart> charts{figure("Gain of the yaw rate", {"yaw rate / hand-wheel angle", "1/s", 0.0},
+    std::vector<Chart> charts{figure("Gain of the yaw rate", {"yaw rate / steering-wheel angle", "1/s", 0.0},
                                      {curve("", found.yaw_rate, gainAt, 1, Colour::blue)}),
-                              figure("Gain of the lateral acceleration", {"ay / hand-wheel angle", "m/s2/deg", 0.0},
+                              figure("Gain of the lateral acceleration", {"ay / steering-wheel angle", "m/s2/deg", 0.0},
                                      {curve("", found.ay, gainAt, 1 / degrees, Colour::vermillion)}),
-                              figure("Phase", {"phase against the hand wheel", "deg"}, both(phaseLagAt, -degrees))};
+                              figure("Phase", {"phase against the steering wheel", "deg"}, both(phaseLagAt, -degrees))};
     if (found.segments > 1) {
         charts.push_back(figure("Coherence", {"coherence", "-", 0.0, 1.02}, both(coherenceAt, 1)));
     } else {

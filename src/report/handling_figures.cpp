@@ -34,7 +34,7 @@ std::optional<Series> lineThrough(const Series& curve, double slope, double from
         .name = "", .x = {0, end}, .y = {offset, offset + slope * end}, .colour = Colour::vermillion, .dashed = true};
 }
 
-// Where the hand wheel is held, the path says how the car understeers.
+// Where the steering wheel is held, the path says how the car understeers.
 std::optional<Chart> curvatureFigure(const Log& log) {
     const Channel *ay = completeChannel(log, kLateral.channel), *rate = completeChannel(log, kYawRate.channel);
     const Channel* speed = completeChannel(log, kForwardSpeed.channel);
@@ -60,11 +60,11 @@ std::optional<Chart> understeerFigure(const RunReport& content) {
         if (chart) chart->note = note;
         return chart;
     }
-    auto chart = crossPlot(content.log, "Understeer", kLateral, kHandWheel);
+    auto chart = crossPlot(content.log, "Understeer", kLateral, kSteeringWheel);
     if (!chart) return chart;
     // A right turn is drawn as a left one.
     Series& curve = chart->series.front();
-    curve.name = "hand wheel";
+    curve.name = "steering wheel";
     const auto [low, high] = std::minmax_element(curve.x.begin(), curve.x.end());
     if (-*low > *high) {
         for (auto* values : {&curve.x, &curve.y}) {
@@ -74,7 +74,7 @@ std::optional<Chart> understeerFigure(const RunReport& content) {
     const double largest = *std::max_element(curve.x.begin(), curve.x.end());
     const double upper = std::min(0.375 * kStandardGravity, 0.6 * largest);
     if (auto line = lineThrough(curve, *slope / kStandardGravity, 0.1 * kStandardGravity, upper)) {
-        line->name = fmt::format("{:.3g} deg/g at the hand wheel", *slope);
+        line->name = fmt::format("{:.3g} deg/g at the steering wheel", *slope);
         chart->series.push_back(*std::move(line));
     }
     chart->note = note;
@@ -83,7 +83,7 @@ std::optional<Chart> understeerFigure(const RunReport& content) {
 
 std::optional<Chart> stepFigure(const RunReport& content) {
     const auto amplitude = metricNamed(content.metrics, "steering_amplitude");  // deg
-    const Channel* hand = completeChannel(content.log, kHandWheel.channel);
+    const Channel* hand = completeChannel(content.log, kSteeringWheel.channel);
     if (!amplitude || *amplitude == 0 || !hand) return std::nullopt;
     const double step = *amplitude / displayUnit("rad").scale;
     const std::vector<double>& time = content.log.channels.front().values;
@@ -121,14 +121,14 @@ std::optional<Chart> stepFigure(const RunReport& content) {
         mark.width = 1.2;
         chart.series.push_back(std::move(mark));
     };
-    add(kHandWheel, "", "", Colour::grey);
+    add(kSteeringWheel, "", "", Colour::grey);
     add(kYawRate, "yaw_rate_gain", "yaw_rate_response_time", Colour::blue);
     add(kLateral, "ay_gain", "ay_response_time", Colour::vermillion);
     return chart;
 }
 
 std::vector<Chart> dwellFigures(const Log& log) {
-    const auto hand = valuesFor(log, kHandWheel), yaw_rate = valuesFor(log, kYawRate);
+    const auto hand = valuesFor(log, kSteeringWheel), yaw_rate = valuesFor(log, kYawRate);
     if (!hand || !yaw_rate) return {};
     DwellSteering steering{};
     try {
@@ -154,7 +154,7 @@ std::vector<Chart> dwellFigures(const Log& log) {
         line.width = 1.2;
         return line;
     };
-    Chart wheel = over("Steering", kHandWheel, *hand),
+    Chart wheel = over("Steering", kSteeringWheel, *hand),
           turning = over("Yaw rate after the steering", kYawRate, *yaw_rate);
     for (Chart* chart : {&wheel, &turning})
         chart->series.push_back(upright(*chart, steering.end, "completion of steer"));

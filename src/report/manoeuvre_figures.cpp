@@ -69,15 +69,16 @@ struct Row {
 
 const std::vector<Row>& table() {
     static const Figures roll = over("Roll", kLateral, kRoll), sideslip = over("Sideslip", kLateral, kSideslip);
-    static const std::vector<Figures> loops{
-        over("Lateral acceleration", kHandWheel, kLateral), over("Yaw rate", kHandWheel, kYawRate),
-        over("Hand-wheel torque", kHandWheel, kHandWheelTorque), over("Hand-wheel torque", kLateral, kHandWheelTorque)};
+    static const std::vector<Figures> loops{over("Lateral acceleration", kSteeringWheel, kLateral),
+                                            over("Yaw rate", kSteeringWheel, kYawRate),
+                                            over("Steering-wheel torque", kSteeringWheel, kSteeringWheelTorque),
+                                            over("Steering-wheel torque", kLateral, kSteeringWheelTorque)};
     static const std::vector<Row> kRows = {
         {"step_steer", {step, path}},
         {"slowly_increasing_steer", {understeer, roll, sideslip, path}},
         {"steady_circle", {understeer, roll, sideslip, path}},
         {"frequency_response", {bode}},
-        {"sine_steer", {over("Yaw rate", kHandWheel, kYawRate), steering, path}},
+        {"sine_steer", {over("Yaw rate", kSteeringWheel, kYawRate), steering, path}},
         {"sine_with_dwell", {dwell, over("Yaw rate and sideslip", kSideslip, kYawRate), path}},
         {"straight_braking", {braking, friction}},
         {"split_mu_braking", {braking, path, wheelFriction}},
@@ -87,8 +88,8 @@ const std::vector<Row>& table() {
         {"coast_down", {over("Deceleration", kForwardSpeed, kLongitudinal)}},
         {"weave", loops},
         {"transition", loops},
-        {"free_steer", {over("Yaw rate", kHandWheel, kYawRate), path}},
-        {"lane_change", {course, gg, over("Yaw rate", kHandWheel, kYawRate), friction}},
+        {"free_steer", {over("Yaw rate", kSteeringWheel, kYawRate), path}},
+        {"lane_change", {course, gg, over("Yaw rate", kSteeringWheel, kYawRate), friction}},
         {"parked", {}},
         {"hill_start", {}},
         {"drop_and_settle", {}},

@@ -144,10 +144,10 @@ std::vector<Chart> wheelFrictionFigures(const Log& log) {
 }
 
 std::optional<Chart> steeringFigure(const Log& log) {
-    const Channel* angle = completeChannel(log, kHandWheel.channel);
+    const Channel* angle = completeChannel(log, kSteeringWheel.channel);
     constexpr double kStraight = 0.01;  // rad: a run without steering has no response to it
     if (!angle || extent(angle->values) < kStraight) return std::nullopt;
-    return crossPlot(log, "Response to steering", kHandWheel, kLateral);
+    return crossPlot(log, "Response to steering", kSteeringWheel, kLateral);
 }
 
 std::optional<Chart> accelerationFigure(const Log& log) {

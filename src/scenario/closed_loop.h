@@ -31,7 +31,7 @@ struct HoldSpeed {
     }
 };
 
-// Hand wheel by an integral controller of the path's curvature. The wheel turns at
+// Steering wheel by an integral controller of the path's curvature. The wheel turns at
 //     bandwidth * steering ratio * wheelbase * (curvature wanted - curvature driven),
 // so that a neutral car closes in on the target with the time constant 1 / bandwidth.
 struct HoldLateralAcceleration {
@@ -57,7 +57,7 @@ struct HoldRadius {
     }
 };
 
-// Hand wheel by a driver who looks ahead on the path of the course and steers for the arc that leads there from the
+// Steering wheel by a driver who looks ahead on the path of the course and steers for the arc that leads there from the
 // present direction of travel (pure pursuit; Coulter, Carnegie Mellon CMU-RI-TR-92-01, 1992). The angle for an arc is
 // that of a car of the given understeer gradient; hand and eye lag behind.
 struct FollowPath {
@@ -73,14 +73,14 @@ struct FollowPath {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(preview_time), About{"s", "how far ahead the driver looks", kPositive});
         field(TREAD_FIELD(preview_distance), About{"m", "the same at low speed: never nearer than this", kPositive});
-        field(TREAD_FIELD(gain), About{"-", "hand-wheel angle over the one that the arc needs", kPositive});
+        field(TREAD_FIELD(gain), About{"-", "steering-wheel angle over the one that the arc needs", kPositive});
         field(TREAD_FIELD(lead),
               About{"-", "share of the curvature that is still missing by which the driver steers more", kNonNegative});
         field(TREAD_FIELD(understeer),
               About{"rad s2/m", "understeer gradient, at the road wheels, that the driver reckons with"});
         field(TREAD_FIELD(delay), About{"s", "dead time between eye and hand", {0, 2}});
         field(TREAD_FIELD(lag), About{"s", "time constant of arms and steering wheel", kNonNegative});
-        field(TREAD_FIELD(largest_rate), About{"rad/s", "fastest turn of the hand wheel", kPositive});
+        field(TREAD_FIELD(largest_rate), About{"rad/s", "fastest turn of the steering wheel", kPositive});
     }
 };
 

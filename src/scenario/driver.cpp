@@ -30,7 +30,7 @@ void Driver::beginPhase() {
     hands_.begin(held_.steering_wheel_angle);
 }
 
-void Driver::look(double time, const ChassisOutput& chassis, double hand_wheel_angle) {
+void Driver::look(double time, const ChassisOutput& chassis, double steering_wheel_angle) {
     const double dt = time - seen_time_, elapsed = time - phase_start_;
     if (looked_) {
         seen_.distance += dt * std::hypot(chassis.vx, chassis.vy);
@@ -42,7 +42,7 @@ void Driver::look(double time, const ChassisOutput& chassis, double hand_wheel_a
     }
     looked_ = true;
     seen_.car = chassis;
-    seen_hand_wheel_ = hand_wheel_angle;
+    seen_steering_wheel_ = steering_wheel_angle;
     if (phase().until.steering_above) seen_.steering_wheel_angle = signals(time).steering_wheel_angle;
     seen_time_ = time;
     if (!ended_ && happened(phase().until, seen_)) next(time);
@@ -74,7 +74,7 @@ VehicleInput Driver::signals(double time) const {
         watchesCar(now.steering) ? hands_.angle() : valueAt(now.steering, held_.steering_wheel_angle, elapsed);
     if (std::holds_alternative<HandsOff>(now.steering)) {
         input.hands_off = 1;
-        input.steering_wheel_angle = seen_hand_wheel_;  // where the hands would find it
+        input.steering_wheel_angle = seen_steering_wheel_;  // where the hands would find it
     }
     input.throttle = valueAt(now.throttle, held_.throttle, elapsed);
     input.brake = valueAt(now.brake, held_.brake, elapsed);

@@ -19,7 +19,7 @@ public:
     Driver(const Scenario& scenario, const VehicleInput& initial, const KnownSteering& car = {});
 
     // Looks at the car at a time: ends a phase whose condition came true.
-    void look(double time, const ChassisOutput& chassis, double hand_wheel_angle = 0);
+    void look(double time, const ChassisOutput& chassis, double steering_wheel_angle = 0);
 
     // Input at the end of the coming step, for which `look` saw its start.
     VehicleInput inputAt(double time);
@@ -44,8 +44,8 @@ private:
     bool ended_ = false;      // the last phase, by a condition
     VehicleInput held_;       // at the start of the phase
     Observed seen_;
-    double seen_hand_wheel_ = 0;  // rad
-    double seen_time_ = 0;        // s
+    double seen_steering_wheel_ = 0;  // rad
+    double seen_time_ = 0;            // s
     bool looked_ = false;
     SpeedControl feet_;
     SteerControl hands_;

@@ -95,7 +95,7 @@ bool repeatsDrive(const Scenario& scenario) {
     return found;
 }
 
-// Whether the hand wheel repeats the drive from a moment at which that is in a turn.
+// Whether the steering wheel repeats the drive from a moment at which that is in a turn.
 bool startsInTurn(const Scenario& scenario, const Log& drive) {
     const auto* hand = std::get_if<Replay<Angle>>(&scenario.phases.front().steering);
     const Channel* yaw_rate = drive.find("chassis.yaw_rate");

@@ -7,7 +7,7 @@ namespace tread {
 namespace {
 
 constexpr double kRunIn = 3;            // s: roll and sideslip have settled
-constexpr double kRunInSteering = 1.5;  // s of these, in which the hand wheel is turned
+constexpr double kRunInSteering = 1.5;  // s of these, in which the steering wheel is turned
 constexpr double kInTurn = 0.03;        // rad/s
 constexpr double kFirstMoment = 0.1;    // s, over which the yaw rate is averaged
 constexpr double kRolling = 0.3;        // m/s: below, a car stands

@@ -10,7 +10,8 @@ namespace tread {
 // Whether a drive of that speed [m/s] turns from its first moment on; yaw rate [rad/s] over time [s].
 bool beginsInTurn(double speed, std::span<const double> time, std::span<const double> yaw_rate);
 
-// Puts a phase in front that turns the hand wheel to where the first one finds it, and sets start.run_in to its length.
+// Puts a phase in front that turns the steering wheel to where the first one finds it, and sets start.run_in to its
+// length.
 void runIntoTurn(Scenario& scenario);
 
 }  // namespace tread

@@ -58,7 +58,7 @@ struct Phase {
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(name), About{"", "name, for messages"});
-        field(TREAD_FIELD(steering), About{"", "hand wheel, positive to the left"});
+        field(TREAD_FIELD(steering), About{"", "steering wheel, positive to the left"});
         field(TREAD_FIELD(throttle), About{"", "throttle pedal"});
         field(TREAD_FIELD(brake), About{"", "brake pedal"});
         field(TREAD_FIELD(clutch), About{"", "clutch pedal, 1 separates engine and gearbox"});

@@ -167,7 +167,7 @@ struct Replay {
     }
 };
 
-// Hands off: the hand wheel turns by itself; the next phase begins where it then is.
+// Hands off: the steering wheel turns by itself; the next phase begins where it then is.
 struct HandsOff {
     static constexpr std::string_view kName = "hands_off";
     static constexpr void describe(auto&, auto&&) {}

@@ -7,7 +7,7 @@ namespace tread {
 namespace {
 
 constexpr double kSlowest = 1;    // m/s: below, the hands stay still
-constexpr double kLargest = 15;   // rad of the hand wheel: more than any car's lock
+constexpr double kLargest = 15;   // rad of the steering wheel: more than any car's lock
 constexpr double kReach = 20;     // m of path searched for the nearest point: a car moves less in a step
 constexpr double kAtOnce = 1e-9;  // s
 

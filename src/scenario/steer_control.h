@@ -15,17 +15,19 @@ namespace tread {
 // What the driver knows of the car: how it turns when nothing slips.
 struct KnownSteering {
     double wheelbase = 2.6;  // m
-    double ratio = 16;       // hand wheel over road wheel
-    Curve ratio_curve = {};  // that over the hand-wheel angle to either side, in place of the one number
+    double ratio = 16;       // steering wheel over road wheel
+    Curve ratio_curve = {};  // that over the steering-wheel angle to either side, in place of the one number
 
-    double ratioAt(double hand_wheel) const { return ratio_curve.empty() ? ratio : ratio_curve(std::abs(hand_wheel)); }
+    double ratioAt(double steering_wheel) const {
+        return ratio_curve.empty() ? ratio : ratio_curve(std::abs(steering_wheel));
+    }
 };
 
 class SteerControl {
 public:
     SteerControl(const KnownSteering& car, Path path) : car_(car), path_(std::move(path)) {}
 
-    // A phase begins, with the hand wheel at this angle.
+    // A phase begins, with the steering wheel at this angle.
     void begin(double angle);
 
     // The car at the end of a step of dt.
@@ -40,7 +42,7 @@ private:
 
     KnownSteering car_;
     Path path_;
-    double angle_ = 0;                                // rad, of the hand wheel
+    double angle_ = 0;                                // rad, of the steering wheel
     double way_ = -1;                                 // m along the path; negative: not yet looked for
     std::deque<std::pair<double, double>> intended_;  // s, rad: what the hands have yet to do
 };

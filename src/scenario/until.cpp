@@ -35,7 +35,7 @@ std::string wordsOf(const Until& until) {
     say(until.lateral_acceleration_above, "a lateral acceleration above ", "m/s2");
     say(until.lateral_acceleration_below, "a lateral acceleration below ", "m/s2");
     say(until.sideslip_above, "a sideslip angle above ", "rad");
-    say(until.steering_above, "a hand-wheel angle above ", "rad");
+    say(until.steering_above, "a steering-wheel angle above ", "rad");
     say(until.distance, "a way of ", "m");
     say(until.x_above, "x above ", "m");
     say(until.x_below, "x below ", "m");

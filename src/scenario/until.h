@@ -41,7 +41,7 @@ struct Until {
               About{"m/s2", "magnitude of the lateral acceleration falls below this", kPositive});
         field(TREAD_FIELD(sideslip_above), About{"rad", "magnitude of the sideslip angle rises above this", kPositive});
         field(TREAD_FIELD(steering_above),
-              About{"rad", "magnitude of the hand-wheel angle rises above this", kPositive});
+              About{"rad", "magnitude of the steering-wheel angle rises above this", kPositive});
         field(TREAD_FIELD(distance), About{"m", "way since the phase began", kPositive});
         field(TREAD_FIELD(x_above), About{"m", "the car is farther along x than this"});
         field(TREAD_FIELD(x_below), About{"m", "the car is less far along x than this"});

@@ -1,4 +1,4 @@
-#include "tread/four_tyres.h"
+#include "tyre/four_tyres.h"
 
 #include "tyre/four_tyres_step.h"
 

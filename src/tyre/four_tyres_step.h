@@ -1,8 +1,8 @@
 // One step of four tyres together, to be included after TREAD_ISA is set: compiled once per instruction set.
 #pragma once
 
-#include "tread/four_tyres.h"
 #include "tyre/contact_patch.h"
+#include "tyre/four_tyres.h"
 
 namespace tread {
 

@@ -25,6 +25,14 @@ ChassisMotion predicted(const ChassisMotion& from, const std::array<double, 3>& 
     return to;
 }
 
+void correct(ChassisMotion& motion, std::array<double, 3>& acceleration_W,
+             std::array<double, 3>& angular_acceleration_W, const Accelerations& end, double dt) {
+    motion.velocity_W += 0.5 * dt * (end.linear_W - toVector(acceleration_W));
+    motion.angular_velocity_W += 0.5 * dt * (end.angular_W - toVector(angular_acceleration_W));
+    acceleration_W = toArray(end.linear_W);
+    angular_acceleration_W = toArray(end.angular_W);
+}
+
 Wrench weight(const Vehicle& vehicle, const BodyFrame& body) {
     Wrench wrench;
     wrench.force_B = vehicle.params.mass * body.gravity_B;
@@ -36,7 +44,7 @@ Wrench weight(const Vehicle& vehicle, const BodyFrame& body) {
 }
 
 Wrench displacedWheels(const Vehicle& vehicle, const PerWheel<WheelState>& wheels, const BodyFrame& body) {
-    const Vector3& w = body.angular_velocity_B;
+    const Vector3& w = body.motion.angular_velocity_B;
     const auto accelerationAt = [&](const Vector3& point) -> Vector3 {
         return body.acceleration_B + body.angular_acceleration_B.cross(point) + w.cross(w.cross(point));
     };
@@ -56,14 +64,14 @@ Wrench displacedWheels(const Vehicle& vehicle, const PerWheel<WheelState>& wheel
 
 Wrench aeroWrench(const Vehicle& vehicle, const BodyFrame& body, const Vector3& wind_W) {
     const VehicleParams& params = vehicle.params;
-    const AeroForces air = forces(params.aero, body.velocity_B - body.to_world.transpose() * wind_W);
+    const AeroForces air = forces(params.aero, body.motion.velocity_B - body.motion.to_world.transpose() * wind_W);
     Wrench wrench;
     const double centre = -params.lateral_offset;
-    wrench.add(air.drag_B, {0, centre, params.aero.height - params.height});
+    wrench.add(air.drag_B, {0, centre, params.aero.height - params.centre_of_gravity_height});
     wrench.add({0, 0, air.front_lift}, {params.front_axle_distance, centre, 0});
     wrench.add({0, 0, air.rear_lift}, {params.front_axle_distance - params.wheelbase, centre, 0});
     const double middle = params.front_axle_distance - 0.5 * params.wheelbase;
-    wrench.add({0, air.side_force, 0}, {middle, 0, params.aero.height - params.height});
+    wrench.add({0, air.side_force, 0}, {middle, 0, params.aero.height - params.centre_of_gravity_height});
     wrench.moment_B += Vector3(air.roll_moment, 0, air.yaw_moment);
     return wrench;
 }
@@ -80,20 +88,18 @@ void addWheel(Wrench& wrench, const WheelAction& wheel, const BodyFrame& body) {
     const Vector3 beside(contact.point_B.x() - contact.hub_B.x(), contact.point_B.y() - contact.hub_B.y(), 0);
     wrench.moment_B += beside.cross(Vector3(0, 0, road_force.z()));
 
-    // Moments of the tyre, and the reaction of the spinning wheel (its own acceleration and its gyroscopic couple,
-    // which it owes to the turning of the body and to steering).
-    wrench.moment_B +=
-        wheel.tyre.Mx * contact.forward_B + wheel.tyre.My * contact.left_B + wheel.tyre.Mz * contact.normal_B;
-    const double inertia = wheel.corner.wheel_inertia;
-    wrench.moment_B -= inertia * wheel.spin_rate * contact.axis_B;
-    const Vector3 turning = body.angular_velocity_B + Vector3(0, 0, wheel.steer_rate);
-    wrench.moment_B -= turning.cross(inertia * wheel.spin * contact.axis_B);
+    const BodyMotion& motion = body.motion;
+    wrench.moment_B += wheelMoment(contact, wheel.tyre,
+                                   {.inertia = wheel.corner.wheel_inertia,
+                                    .spin = wheel.spin,
+                                    .spin_rate = wheel.spin_rate,
+                                    .carrier_B = motion.angular_velocity_B + Vector3(0, 0, wheel.steer_rate)});
 }
 
 void correct(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle, const BodyFrame& body,
              const Wrench& wrench, double dt) {
     const InertiaParams& inertia = vehicle.params.inertia;
-    const Vector3& w = body.angular_velocity_B;
+    const Vector3& w = body.motion.angular_velocity_B;
     const Vector3 spin(inertia.roll * w.x() - inertia.roll_yaw * w.z(), inertia.pitch * w.y(),
                        inertia.yaw * w.z() - inertia.roll_yaw * w.x());
     Wrench total = wrench;
@@ -107,18 +113,15 @@ void correct(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
     load << total.force_B, total.moment_B;
     const Eigen::Vector<double, 6> acceleration = vehicle.inverse_mass * load;
 
-    const Vector3 a = body.to_world * acceleration.head<3>();
-    const Vector3 alpha = body.to_world * acceleration.tail<3>();
-    motion.velocity_W += 0.5 * dt * (a - toVector(state.acceleration_W));
-    motion.angular_velocity_W += 0.5 * dt * (alpha - toVector(state.angular_acceleration_W));
+    const Eigen::Matrix3d& to_world = body.motion.to_world;
+    correct(motion, state.acceleration_W, state.angular_acceleration_W,
+            {to_world * acceleration.head<3>(), to_world * acceleration.tail<3>()}, dt);
 
     // The wheels keep their own velocity along z: their travel takes the opposite of the hub's correction.
     const Vector3 change = acceleration.head<3>() - body.acceleration_B;
     const Vector3 turn = acceleration.tail<3>() - body.angular_acceleration_B;
     for (std::size_t i = 0; i < kWheels; ++i)
         state.wheels[i].rate -= 0.5 * dt * (change + turn.cross(vehicle.corners[i].hub_B)).z();
-    state.acceleration_W = toArray(a);
-    state.angular_acceleration_W = toArray(alpha);
 }
 
 }  // namespace tread

@@ -30,6 +30,31 @@ struct Wrench {
 ChassisMotion predicted(const ChassisMotion& from, const std::array<double, 3>& acceleration_W,
                         const std::array<double, 3>& angular_acceleration_W, double dt);
 
+// Replaces the predicted velocities by those that the accelerations at the end of the step give, and keeps these in
+// place of the last ones.
+struct Accelerations {
+    Vector3 linear_W;   // m/s2, of the centre of gravity
+    Vector3 angular_W;  // rad/s2
+};
+void correct(ChassisMotion& motion, std::array<double, 3>& acceleration_W,
+             std::array<double, 3>& angular_acceleration_W, const Accelerations& end, double dt);
+
+// How a wheel turns about its axis, and its axis with it.
+struct WheelTurning {
+    double inertia;     // kg m2, about the axis
+    double spin;        // rad/s
+    double spin_rate;   // rad/s2
+    Vector3 carrier_B;  // rad/s, of the carrier in the world
+};
+// Moments of the tyre, and the reaction of the spinning wheel: its own acceleration and its gyroscopic couple, which it
+// owes to the turning of body and steering.
+inline Vector3 wheelMoment(const WheelContact& contact, const TyreForces& tyre, const WheelTurning& wheel) {
+    Vector3 moment = tyre.Mx * contact.forward_B + tyre.My * contact.left_B + tyre.Mz * contact.normal_B;
+    moment -= wheel.inertia * wheel.spin_rate * contact.axis_B;
+    moment -= wheel.carrier_B.cross(wheel.inertia * wheel.spin * contact.axis_B);
+    return moment;
+}
+
 // Weight of the body; the wheels' weight along z hangs on their suspension.
 Wrench weight(const Vehicle& vehicle, const BodyFrame& body);
 

@@ -1,7 +1,7 @@
 // The equilibrium is found by letting the car settle: all sub-models, present and future, are in it as they are. What
 // the settling adds vanishes at rest: the body heaves, rolls and pitches as if it were light, and is damped; a rolling
 // car is held at its speed while the torque at the wheels is sought that leaves no longitudinal acceleration, and,
-// where it pulls to a side, the hand-wheel angle and the sideslip that leave no lateral and yaw acceleration. Dry
+// where it pulls to a side, the steering-wheel angle and the sideslip that leave no lateral and yaw acceleration. Dry
 // friction in the suspension could hold the body anywhere nearby; it is left out, so that the car stands where it does
 // not act.
 
@@ -25,7 +25,7 @@ constexpr double kBushDamping = 100;        // 1/s, of the recession of wheels
 constexpr double kTorqueGain = 20;          // 1/s: how fast the torque at the wheels follows the need
 constexpr double kPullShows = 0.1;          // s, after which a car that runs straight shows nothing to either side
 constexpr double kSideRate = 25;            // 1/s: about how fast the sideslip follows the need
-constexpr double kTrimRate = 15;            // 1/s: the same of the hand wheel
+constexpr double kTrimRate = 15;            // 1/s: the same of the steering wheel
 constexpr double kTypicalSlope = 20;        // 1/rad, cornering stiffness of a tyre over its load
 constexpr double kTypicalRelaxation = 0.5;  // m, after which its side force has followed
 
@@ -49,7 +49,7 @@ ChassisMotion placed(const Vehicle& vehicle, const Surroundings& surroundings, c
     axes.col(2) = n;
     ChassisMotion motion;
     motion.orientation = Quaternion(axes).normalized();
-    motion.position_W = point + vehicle.params.height * n;
+    motion.position_W = point + vehicle.params.centre_of_gravity_height * n;
     motion.velocity_W = start.speed * axes.col(0);
     return motion;
 }
@@ -106,12 +106,12 @@ double meanDrivenSpin(const VehicleState& state, double front_share) {
     return 0.5 * (front_share * (w[0].spin + w[1].spin) + (1 - front_share) * (w[2].spin + w[3].spin));
 }
 
-// What the hand wheel must stand at so that this angle is left behind its play.
+// What the steering wheel must stand at so that this angle is left behind its play.
 double beyondPlay(const SteeringParams& params, double angle) {
     return angle + (angle > 0 ? 0.5 : angle < 0 ? -0.5 : 0) * params.play;
 }
 
-// The steering at rest again, where the hand wheel stands and with what yields.
+// The steering at rest again, where the steering wheel stands and with what yields.
 void rest(SteeringState& state, const VehicleParams& params) {
     const SteeringState moved = state;
     state = steadySteering(params.steering, moved.angle, params.front.track, params.wheelbase);
@@ -120,8 +120,8 @@ void rest(SteeringState& state, const VehicleParams& params) {
     state.moment = moved.moment;
 }
 
-// Yaw acceleration over the hand-wheel angle, roughly, 1/(s2 rad).
-double yawByHandWheel(const VehicleParams& params) {
+// Yaw acceleration over the steering-wheel angle, roughly, 1/(s2 rad).
+double yawBySteeringWheel(const VehicleParams& params) {
     const double b = params.wheelbase - params.front_axle_distance;
     const double front_load = params.mass * kStandardGravity * b / params.wheelbase;
     return params.front_axle_distance * kTypicalSlope * front_load / (params.inertia.yaw * params.steering.ratio);
@@ -141,7 +141,7 @@ Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, co
     const Vector3 left = place.orientation * Vector3::UnitY();
     const Vector3 n = place.orientation * Vector3::UnitZ();
     const double fastest = std::abs(start.speed) / kTypicalRelaxation;  // 1/s
-    const double trim_gain = std::min(kTrimRate, fastest) / yawByHandWheel(vehicle.params);
+    const double trim_gain = std::min(kTrimRate, fastest) / yawBySteeringWheel(vehicle.params);
     const double side_gain =
         std::min(kSideRate, 2 * fastest) * std::abs(start.speed) / (kTypicalSlope * kStandardGravity);
     const double hastening = kRideFrequency / heaveFrequency(vehicle);
@@ -153,7 +153,7 @@ Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, co
     double torque = 0;
     double quiet = 0;
     bool pulls = false;
-    double trim = 0;      // rad, hand wheel behind its play
+    double trim = 0;      // rad, steering wheel behind its play
     double sideways = 0;  // m/s, to the left
     for (double t = 0; t < kLongest && quiet < kQuietTime; t += step) {
         // Driveline in steady running at the torque sought.

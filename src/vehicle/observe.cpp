@@ -40,8 +40,8 @@ SteeringOutput observeSteering(const VehicleState& state, const SteeringParams& 
     const auto moment = [&](const WheelState& wheel, bool left) {
         return steeringMoment(params, wheel.fx, wheel.fy, wheel.mz, left);
     };
-    const double torque = handWheelTorque(state.steering, params, moment(state.wheels.front_left, true),
-                                          moment(state.wheels.front_right, false));
+    const double torque = steeringWheelTorque(state.steering, params, moment(state.wheels.front_left, true),
+                                              moment(state.wheels.front_right, false));
     return {state.steering.angle, torque};
 }
 

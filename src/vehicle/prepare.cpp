@@ -1,6 +1,8 @@
 #include <cmath>
 
 #include "tread/vehicle.h"
+#include "tyre/four_tyres.h"
+#include "vehicle/tyre_load.h"
 
 namespace tread {
 namespace {
@@ -39,7 +41,7 @@ Vehicle::Corner cornerOf(const VehicleParams& params, std::size_t wheel, double 
     tyre.lambda.mux *= grip;
     tyre.lambda.muy *= grip;
     const TyreCoefficients& p = tyre.parameters;
-    const double radius = p.Ro - load / (p.pz1 * tyre.lambda.Cz);
+    const double radius = p.Ro - load / radialStiffness(tyre);
 
     // The track is measured at the contacts, which lie below the hubs in the plane of the leaning wheels.
     const double camber = axle.suspension.camber;
@@ -47,7 +49,8 @@ Vehicle::Corner cornerOf(const VehicleParams& params, std::size_t wheel, double 
 
     Vehicle::Corner corner;
     corner.hub_B = {front ? params.front_axle_distance : -rear_axle_distance,
-                    sideSign(wheel) * beside - params.lateral_offset, radius * std::cos(camber) - params.height};
+                    sideSign(wheel) * beside - params.lateral_offset,
+                    radius * std::cos(camber) - params.centre_of_gravity_height};
     corner.static_force = load - axle.unsprung_mass * gravity;
     corner.lateral_slope = sideSign(wheel) * axle.suspension.roll_centre_height / (0.5 * axle.track);
     corner.unsprung_mass = axle.unsprung_mass;
@@ -72,8 +75,8 @@ Vehicle prepare(const VehicleParams& params, double gravity) {
     }
     vehicle.recedes =
         params.front.suspension.longitudinal_compliance > 0 || params.rear.suspension.longitudinal_compliance > 0;
-    vehicle.tyres =
-        together({vehicle.corners[0].tyre, vehicle.corners[1].tyre, vehicle.corners[2].tyre, vehicle.corners[3].tyre});
+    vehicle.tyres = std::make_shared<const FourTyres>(
+        together({vehicle.corners[0].tyre, vehicle.corners[1].tyre, vehicle.corners[2].tyre, vehicle.corners[3].tyre}));
 
     // Mass matrix of the body whose unsprung masses move freely along z: the rigid car less m_u J J^T per wheel, where
     // J takes the body's acceleration to the vertical acceleration of a hub.

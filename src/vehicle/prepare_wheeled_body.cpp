@@ -1,6 +1,6 @@
 // What follows from the tyres of a body on wheels.
-#include "tread/wheeled_body.h"
 #include "tyre/standstill.h"
+#include "vehicle/wheeled_body.h"
 
 namespace tread {
 

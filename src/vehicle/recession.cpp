@@ -7,7 +7,7 @@ namespace {
 
 // Acceleration along x of the place where the wheel hangs on the body, less gravity.
 double frameAcceleration(const BodyFrame& body, const Vehicle::Corner& corner) {
-    const Vector3& w = body.angular_velocity_B;
+    const Vector3& w = body.motion.angular_velocity_B;
     const Vector3 acceleration =
         body.acceleration_B + body.angular_acceleration_B.cross(corner.hub_B) + w.cross(w.cross(corner.hub_B));
     return acceleration.x() - body.gravity_B.x();

@@ -2,17 +2,19 @@
 
 #include <cmath>
 
-#include "tread/lag.h"
+#include "base/delay_line.h"
+#include "base/lag.h"
+#include "vehicle/aligning_compliance.h"
 
 namespace tread {
 namespace {
 
-// Speed over which the friction at the hand wheel builds up, for the torque that the driver feels.
+// Speed over which the friction at the steering wheel builds up, for the torque that the driver feels.
 constexpr double kFrictionSpeed = 0.01;  // rad/s
 
 struct Mean {
     double angle;  // rad, mean road-wheel angle
-    double slope;  // over the hand-wheel angle
+    double slope;  // over the steering-wheel angle
 };
 
 Mean meanAngle(const SteeringParams& params, double hand) {
@@ -39,7 +41,7 @@ RoadWheels wheelsAt(const SteeringParams& params, double mean, double track, dou
             {perMean(1 - offset), perMean(1 + offset)}};
 }
 
-RoadWheels wheelsAtHandWheel(const SteeringParams& params, double hand, double track, double wheelbase) {
+RoadWheels wheelsAtSteeringWheel(const SteeringParams& params, double hand, double track, double wheelbase) {
     return wheelsAt(params, meanAngle(params, hand).angle, track, wheelbase);
 }
 
@@ -50,7 +52,7 @@ double afterPlay(double angle, double play) {
 // The driver's angle after delay and lag.
 double commanded(SteeringState& state, const SteeringParams& params, const SteeringInput& input, double dt) {
     const double before = params.delay > 0 ? state.delayed : input.begin;
-    state.delayed = params.delay > 0 ? state.delay.advance(input.begin, input.end, params.delay, dt) : input.end;
+    state.delayed = params.delay > 0 ? advance(state.delay, input.begin, input.end, params.delay, dt) : input.end;
     state.lagged = lagged(state.lagged, before, state.delayed, params.lag, dt);
     return state.lagged;
 }
@@ -71,15 +73,15 @@ void turnFreely(SteeringState& state, const SteeringParams& params, double torqu
 
 RoadWheelAngles roadWheelAngles(const SteeringParams& params, double steering_wheel_angle, double track,
                                 double wheelbase) {
-    return wheelsAtHandWheel(params, steering_wheel_angle, track, wheelbase).angles;
+    return wheelsAtSteeringWheel(params, steering_wheel_angle, track, wheelbase).angles;
 }
 
 SteeringState steadySteering(const SteeringParams& params, double steering_wheel_angle, double track,
                              double wheelbase) {
     SteeringState state;
     state.angle = state.delayed = state.lagged = steering_wheel_angle;
-    state.delay.fill(steering_wheel_angle);
-    state.wheels = wheelsAtHandWheel(params, afterPlay(steering_wheel_angle, params.play), track, wheelbase);
+    state.delay.past.fill(steering_wheel_angle);
+    state.wheels = wheelsAtSteeringWheel(params, afterPlay(steering_wheel_angle, params.play), track, wheelbase);
     return state;
 }
 
@@ -96,13 +98,13 @@ SteeringMotion advance(SteeringState& state, const SteeringParams& params, const
     if (held && follows && params.play == 0 && !yields) {
         // Nothing lies between hands and wheels.
         const RoadWheelAngles begin = roadWheelAngles(params, input.begin, input.track, input.wheelbase);
-        state.wheels = wheelsAtHandWheel(params, input.end, input.track, input.wheelbase);
+        state.wheels = wheelsAtSteeringWheel(params, input.end, input.track, input.wheelbase);
         state.angle = input.end;
         state.rate = (input.end - input.begin) / dt;
         return {begin, state.wheels.angles};
     }
 
-    // The hand wheel: where the driver holds it, or by itself.
+    // The steering wheel: where the driver holds it, or by itself.
     const double command = commanded(state, params, input, dt);
     if (input.hands_off) {
         const double slope = meanAngle(params, afterPlay(state.angle, params.play)).slope;
@@ -113,20 +115,20 @@ SteeringMotion advance(SteeringState& state, const SteeringParams& params, const
     }
     state.hands_off = input.hands_off;
 
-    // From the hand wheel to the road wheels.
+    // From the steering wheel to the road wheels.
     Mean mean = meanAngle(params, afterPlay(state.angle, params.play));
     if (yields) {
         const double compliance = params.rack_compliance + params.column_compliance * mean.slope * mean.slope;
         mean.angle +=
-            state.yielding.advance(compliance, input.aligning_stiffness, input.turning_resistance, moment, dt);
+            advance(state.yielding, compliance, {moment, input.aligning_stiffness, input.turning_resistance}, dt);
     }
     const RoadWheelAngles begin = state.wheels.angles;
     state.wheels = wheelsAt(params, mean.angle, input.track, input.wheelbase);
     return {begin, state.wheels.angles};
 }
 
-double handWheelTorque(const SteeringState& state, const SteeringParams& params, double left_moment,
-                       double right_moment) {
+double steeringWheelTorque(const SteeringState& state, const SteeringParams& params, double left_moment,
+                           double right_moment) {
     if (state.hands_off) return 0;
     const double slope = meanAngle(params, afterPlay(state.angle, params.play)).slope;
     const RoadWheelAngles& share = state.wheels.per_mean;

@@ -1,7 +1,7 @@
 // A massless strut in series with a tyre: how far each gives way, and the load between tyre and road.
 #pragma once
 
-#include "tread/wheeled_body.h"
+#include "vehicle/wheeled_body.h"
 
 namespace tread {
 

@@ -4,6 +4,8 @@
 
 #include "vehicle/travel.h"
 
+#include "vehicle/aligning_compliance.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +15,7 @@ namespace {
 // Acceleration along z of the point of the body where the wheel hangs: of the point itself, not of a component in
 // turning axes, so that a pitching car does not feel how fast it drives.
 double hubAcceleration(const BodyFrame& body, const Vehicle::Corner& corner, double travel) {
-    const Vector3& w = body.angular_velocity_B;
+    const Vector3& w = body.motion.angular_velocity_B;
     const Vector3 hub = corner.hub_B + Vector3(0, 0, travel);
     return (body.acceleration_B + body.angular_acceleration_B.cross(hub) + w.cross(w.cross(hub))).z();
 }
@@ -24,14 +26,6 @@ SuspensionForce suspensionForce(const Vehicle& vehicle, const PerWheel<WheelStat
                                                  .rate = wheels[wheel].rate,
                                                  .opposite_travel = wheels[opposite].travel,
                                                  .static_force = vehicle.corners[wheel].static_force});
-}
-
-// The wheel centre rises by `rise` against the body: the contact slides along the wheel plane.
-void raise(WheelContact& contact, double rise) {
-    const Vector3 down = (contact.point_B - contact.hub_B) / contact.radius;
-    contact.hub_B.z() += rise;
-    contact.radius -= rise * contact.normal_B.z() / down.dot(contact.normal_B);
-    contact.point_B = contact.hub_B + contact.radius * down;
 }
 
 }  // namespace
@@ -71,12 +65,15 @@ PerWheel<WheelContact> advanceTravel(PerWheel<WheelState>& wheels, const Vehicle
             compliance(suspension, wheel.fx + dt * wheel.fx_rate, wheel.fy + dt * wheel.fy_rate, isLeft(i));
         wheel.steer = steer[i] + lean.toe + yielding.toe;
         if (suspension.steer_by_aligning_moment != 0) {
-            wheel.steer += wheel.moment_steer.advance(suspension.steer_by_aligning_moment, corner.aligning_stiffness,
-                                                      turningResistance(corner, wheel.spin, dt), wheel.mz, dt);
+            const AligningLoad load{wheel.mz, corner.aligning_stiffness, turningResistance(corner, wheel.spin, dt)};
+            wheel.steer += advance(wheel.moment_steer, suspension.steer_by_aligning_moment, load, dt);
         }
-        contacts[i] = wheelContact(end, corner, {wheel.recession.travel, 0, wheel.travel},
-                                   lean.camber + yielding.camber, wheel.steer, road, i);
-        const TyreLoad tyre = tyreLoad(corner.tyre, contacts[i], end, wheel.rate);
+        contacts[i] = wheelContact(end, corner,
+                                   {.displacement_B = {wheel.recession.travel, 0, wheel.travel},
+                                    .camber = lean.camber + yielding.camber,
+                                    .steer = wheel.steer},
+                                   road, i);
+        const TyreLoad tyre = tyreLoad(corner, contacts[i], end, wheel.rate);
         const SuspensionForce spring = suspensionForce(vehicle, wheels, i);
         const double force_end =
             tyre.load * contacts[i].normal_B.z() + wheel.link_force + wheel.tangent_force - spring.force;
@@ -91,9 +88,9 @@ PerWheel<WheelContact> advanceTravel(PerWheel<WheelState>& wheels, const Vehicle
         WheelState& wheel = wheels[i];
         wheel.rate = rate_begin[i] + change[i];
         wheel.travel += 0.5 * dt * change[i];
-        raise(contacts[i], 0.5 * dt * change[i]);
+        shift(contacts[i], {0, 0, 0.5 * dt * change[i]});
         wheel.radius = contacts[i].radius;
-        wheel.load = tyreLoad(vehicle.corners[i].tyre, contacts[i], end, wheel.rate).load;
+        wheel.load = tyreLoad(vehicle.corners[i], contacts[i], end, wheel.rate).load;
         wheel.vertical_force = wheel.load * contacts[i].normal_B.z();
     }
     for (std::size_t i = 0; i < kWheels; ++i) wheels[i].suspension_force = suspensionForce(vehicle, wheels, i).force;

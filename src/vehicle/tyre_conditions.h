@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tread/vehicle.h"
+#include "tyre/four_tyres.h"
 
 namespace tread {
 

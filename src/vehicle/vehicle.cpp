@@ -7,6 +7,7 @@
 
 #include "tread/vehicle.h"
 
+#include "tyre/four_tyres.h"
 #include "vehicle/body.h"
 #include "vehicle/recession.h"
 #include "vehicle/travel.h"
@@ -85,9 +86,9 @@ BrakeInput brakeInput(const Vehicle& vehicle, const VehicleState& state, const V
 
 StabilityControlInput stabilityControlInput(const Vehicle& vehicle, const BodyFrame& body,
                                             const PerWheel<double>& steer) {
-    return {.speed = body.velocity_B.x(),
+    return {.speed = body.motion.velocity_B.x(),
             .steer = middle(steer.front_left, steer.front_right),
-            .yaw_rate = body.angular_velocity_B.z(),
+            .yaw_rate = body.motion.angular_velocity_B.z(),
             .wheelbase = vehicle.params.wheelbase};
 }
 
@@ -136,8 +137,8 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
         steer_rate[i] = (steer_end[i] - steer_begin[i]) / dt + wheel.moment_steer.rate;
         tyres[i] = wheel.tyre;
         motion_begin[i] = wheel.motion;
-        motion_end[i] =
-            tyreMotion(contacts[i], to, contactSlopes(wheel, vehicle, i), wheel.rate, steer_rate[i], wheel.load);
+        motion_end[i] = tyreMotion(contacts[i], to, contactSlopes(wheel, vehicle, i), wheel.rate, steer_rate[i],
+                                   grippingLoad(vehicle.corners[i].tyre, wheel.load));
         motion_begin[i].psidot -= yieldingRate(state, i) - yielding_begin[i];  // it yields evenly over the step
         if (vehicle.recedes) recede(motion_end[i], wheel.recession, contacts[i]);
         wheel.motion = motion_end[i];
@@ -148,7 +149,7 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
     if (vehicle.tyres_shifted) shiftMotions(motion_begin, motion_end, vehicle);
     if (vehicle.warmth_felt) applyWarmth(factors, state.wheels, vehicle);
     const PerWheel<TyreForces> paper =
-        advance(tyres, spin, vehicle.tyres, factors, motion_begin, motion_end, torques, dt);
+        advance(tyres, spin, *vehicle.tyres, factors, motion_begin, motion_end, torques, dt);
 
     // What each wheel hands to the body.
     Wrench wrench = weight(vehicle, to);

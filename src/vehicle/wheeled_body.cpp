@@ -1,40 +1,46 @@
 // A step of the body on its wheels: velocity Verlet for the body with an implicit step of every wheel inside it, as in
 // vehicle.cpp.
-#include "tread/wheeled_body.h"
+#include "vehicle/wheeled_body.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "vehicle/body.h"
+#include "vehicle/contact.h"
 #include "vehicle/strut.h"
-#include "vehicle/touch.h"
+#include "vehicle/tyre_grip.h"
+#include "vehicle/tyre_load.h"
 
 namespace tread {
 namespace {
 
 // Struts that lean on the ground by more than about 84 degrees carry nothing.
 constexpr double kLeastShare = 0.1;
-// The carcass can hold what the road gives, and a little more while the patch swings; what it stores beyond that when
-// the load drops would kick the wheel.
-constexpr double kCarcassExcess = 1.02;
-// The formulas of the tyre are polynomials in its load, fitted to at most about twice the nominal one: what a landing
-// brings beyond this many times the nominal load carries, but does not grip.
-constexpr double kMostGripLoad = 4;
 
-double length(double x, double y) {
-    return std::sqrt(x * x + y * y);
+// The wheel with its strut compressed.
+WheelContact hang(const BodyWheel& wheel, const BodyMotion& body, const RoadContact& ground, double steer,
+                  double compression) {
+    Vector3 axis_B = wheel.left_B;
+    if (steer != 0) axis_B = Eigen::AngleAxisd(steer, -wheel.down_B) * wheel.left_B;
+    return wheelContact(wheel.top_B + (wheel.strut.length - compression) * wheel.down_B, axis_B, body, ground);
 }
 
-// Compression of the strut and load of the tyre at the end of the step; the touch there.
-Touch stand(BodyWheelState& state, const BodyWheel& wheel, const Frame& frame, const RoadContact& ground, double steer,
-            double partner, double dt) {
-    Touch t = extended(wheel, frame, ground, steer);
-    StrutPush push{.deflection = -1, .closing = 0, .lift = 1, .share = -wheel.down_B.dot(t.normal_B)};
+// Where the side force acts: at the contact centre, or raised towards the height of the body's centre of gravity.
+Vector3 sidePoint(const WheelContact& contact, const BodyWheel& wheel) {
+    const Vector3& at = contact.point_B;
+    return at - (1 - wheel.roll_share) * at.dot(wheel.down_B) * wheel.down_B;
+}
+
+// Compression of the strut and load of the tyre at the end of the step; the contact there.
+WheelContact stand(BodyWheelState& state, const BodyWheel& wheel, const BodyMotion& body, const RoadContact& ground,
+                   double steer, double partner, double dt) {
+    WheelContact contact = hang(wheel, body, ground, steer, 0);
+    StrutPush push{.deflection = -1, .closing = 0, .lift = 1, .share = -wheel.down_B.dot(contact.normal_B)};
     if (ground.exists && push.share > kLeastShare) {
-        const Vector3 hub_B = t.hub_B - state.compression * wheel.down_B;
-        push.deflection = wheel.tyre.parameters.Ro - t.radius;
-        push.closing = -(velocityAt(frame, hub_B) - t.ground_velocity_B).dot(t.normal_B) / t.cosine;
-        push.lift = push.share / t.cosine;
+        const Vector3 hub_B = contact.hub_B - state.compression * wheel.down_B;
+        push.deflection = wheel.tyre.parameters.Ro - contact.radius;
+        push.closing = deflectionRate(contact, velocityAt(body, hub_B));
+        push.lift = push.share / contact.cosine;
     }
     const StrutYield end = yield(wheel.strut, wheel.tyre, push, state.compression, partner, dt);
     state.compression = end.compression;
@@ -44,50 +50,25 @@ Touch stand(BodyWheelState& state, const BodyWheel& wheel, const Frame& frame, c
     state.load = end.load;
     state.touches = end.load > 0;
     state.steer = steer;
-    compress(t, wheel, end.compression);
-    return t;
+    shift(contact, -end.compression * wheel.down_B);
+    return contact;
 }
 
-TyreMotion motionOf(const Touch& t, const BodyWheel& wheel, const Frame& frame, double steer_rate, double load) {
-    TyreMotion motion;
-    motion.Vx = (velocityAt(frame, t.point_B) - t.ground_velocity_B).dot(t.forward_B);
-    motion.Vsy = -(velocityAt(frame, t.side_B) - t.ground_velocity_B).dot(t.left_B);
-    motion.psidot = -(frame.angular_velocity_B - steer_rate * wheel.down_B).dot(t.normal_B);
-    motion.gamma = t.camber;
-    motion.Fz = std::min(load, kMostGripLoad * wheel.tyre.parameters.Fzo);
+TyreMotion motionOf(const WheelContact& contact, const BodyWheel& wheel, const BodyMotion& body, double steer_rate,
+                    double load) {
+    const Vector3 turning_B = body.angular_velocity_B - steer_rate * wheel.down_B;
+    TyreMotion motion =
+        tyreMotion(contact, velocityAt(body, contact.point_B), turning_B, grippingLoad(wheel.tyre, load));
+    // The side slip is that of the place where the side force acts, or the tyre could give energy.
+    motion.Vsy = -(velocityAt(body, sidePoint(contact, wheel)) - contact.ground_velocity_B).dot(contact.left_B);
     return motion;
 }
 
-// The most that a tyre can hold: peak friction at its load.
-double gripOf(const TyreParams& tyre, double load, double friction) {
-    const TyreCoefficients& p = tyre.parameters;
-    const double dfz = load / (p.Fzo * tyre.lambda.Fzo) - 1;
-    const double along = (p.pDx1 + p.pDx2 * dfz) * tyre.lambda.mux, across = (p.pDy1 + p.pDy2 * dfz) * tyre.lambda.muy;
-    return std::max({along, across, 0.0}) * friction * load;
-}
-
-// Lets go of what the carcass stores beyond the grip, and of the forces that come of it.
-void limit(TyreState& tyre, TyreForces& forces, const TyreCoefficients& p, double grip) {
-    const double most = kCarcassExcess * grip;
-    const double stored = length(p.cFx * tyre.u, p.cFy * tyre.v);
-    if (stored > most) {
-        tyre.u *= most / stored;
-        tyre.v *= most / stored;
-    }
-    const double force = length(forces.Fx, forces.Fy);
-    if (force > most) {
-        const double share = most / force;
-        forces.Fx *= share;
-        forces.Fy *= share;
-        forces.Mz *= share;
-    }
-}
-
 // Tyres and spins of up to four wheels, from `first` on.
-void roll(std::array<BodyWheelState, kMostWheels>& wheels, const WheeledBody& body, std::size_t first,
-          const std::array<Touch, kMostWheels>& touches, const std::array<TyreMotion, kMostWheels>& motions,
-          std::span<const WheelDemand> begin, std::span<const WheelDemand> end,
-          std::array<TyreForces, kMostWheels>& forces, double dt) {
+void stepTyres(std::array<BodyWheelState, kMostWheels>& wheels, const WheeledBody& body, std::size_t first,
+               const std::array<WheelContact, kMostWheels>& contacts,
+               const std::array<TyreMotion, kMostWheels>& motions, std::span<const WheelDemand> begin,
+               std::span<const WheelDemand> end, std::array<TyreForces, kMostWheels>& forces, double dt) {
     PerWheel<TyreState> states;
     PerWheel<double> spins;
     PerWheel<TyreFactors> factors;
@@ -102,8 +83,8 @@ void roll(std::array<BodyWheelState, kMostWheels>& wheels, const WheeledBody& bo
         spins[k] = wheels[i].spin;
         from[k] = wheels[i].motion;
         to[k] = motions[i];
-        factors[k].friction = touches[i].friction * end[i].friction;
-        torques[k] = {body.wheels[i].inertia, touches[i].radius, 0.5 * (begin[i].drive_torque + end[i].drive_torque),
+        factors[k].friction = contacts[i].friction * end[i].friction;
+        torques[k] = {body.wheels[i].inertia, contacts[i].radius, 0.5 * (begin[i].drive_torque + end[i].drive_torque),
                       0.5 * (begin[i].brake_torque + end[i].brake_torque)};
     }
     const PerWheel<TyreForces> paper =
@@ -112,8 +93,8 @@ void roll(std::array<BodyWheelState, kMostWheels>& wheels, const WheeledBody& bo
         const std::size_t i = first + k;
         BodyWheelState& wheel = wheels[i];
         forces[i] = toIso(paper[k]);
-        wheel.grip = gripOf(body.wheels[i].tyre, to[k].Fz, factors[k].friction);
-        limit(states[k], forces[i], body.wheels[i].tyre.parameters, wheel.grip);
+        wheel.grip = gripOf(body.wheels[i].tyre, to[k], factors[k].friction);
+        limitToGrip(states[k], forces[i], body.wheels[i].tyre.parameters, wheel.grip);
         wheel.tyre = states[k];
         wheel.spin_rate = (spins[k] - wheel.spin) / dt;
         wheel.rotation += 0.5 * dt * (wheel.spin + spins[k]);
@@ -123,47 +104,40 @@ void roll(std::array<BodyWheelState, kMostWheels>& wheels, const WheeledBody& bo
 }
 
 // What one wheel hands to the body, and what it shows.
-void handOver(Wrench& wrench, BodyWheelState& state, const BodyWheel& wheel, const Touch& t, const TyreForces& tyre,
-              const Frame& frame, double steer_rate) {
-    const Vector3 side = tyre.Fy * t.left_B;
-    const Vector3 rest = tyre.Fx * t.forward_B + state.load * t.normal_B;
-    wrench.add(rest, t.point_B);
-    wrench.add(side, t.side_B);
-    wrench.moment_B += tyre.Mx * t.forward_B + tyre.My * t.left_B + tyre.Mz * t.normal_B;
-    wrench.moment_B -= wheel.inertia * state.spin_rate * t.axis_B;
-    const Vector3 turning = frame.angular_velocity_B - steer_rate * wheel.down_B;
-    wrench.moment_B -= turning.cross(wheel.inertia * state.spin * t.axis_B);
+void handOver(Wrench& wrench, BodyWheelState& state, const BodyWheel& wheel, const WheelContact& contact,
+              const TyreForces& tyre, const BodyMotion& body, double steer_rate) {
+    const Vector3 side = tyre.Fy * contact.left_B;
+    const Vector3 rest = tyre.Fx * contact.forward_B + state.load * contact.normal_B;
+    wrench.add(rest, contact.point_B);
+    wrench.add(side, sidePoint(contact, wheel));
+    wrench.moment_B += wheelMoment(contact, tyre,
+                                   {.inertia = wheel.inertia,
+                                    .spin = state.spin,
+                                    .spin_rate = state.spin_rate,
+                                    .carrier_B = body.angular_velocity_B - steer_rate * wheel.down_B});
 
     state.fx = tyre.Fx;
     state.fy = tyre.Fy;
     state.mz = tyre.Mz;
-    state.camber = t.camber;
-    state.contact_B = toArray(t.point_B);
-    state.force_W = toArray(frame.to_world * (rest + side));
-    state.steer_torque =
-        -wheel.down_B.dot((t.point_B - t.hub_B).cross(rest + side) + tyre.Mz * t.normal_B + tyre.Mx * t.forward_B);
-    const double Vsx = state.motion.Vx - wheel.tyre.parameters.Re * state.spin + state.tyre.du;
-    const double Vsy = state.motion.Vsy + state.tyre.dv;
-    state.slip_power = std::max(-tyre.Fx * Vsx + tyre.Fy * Vsy, 0.0);  // Fy counts to the left, Vsy to the right
+    state.camber = contact.camber;
+    state.contact_B = toArray(contact.point_B);
+    state.force_W = toArray(body.to_world * (rest + side));
+    state.steer_torque = -wheel.down_B.dot((contact.point_B - contact.hub_B).cross(rest + side) +
+                                           tyre.Mz * contact.normal_B + tyre.Mx * contact.forward_B);
+    const double rolling_speed = wheel.tyre.parameters.Re * state.spin;
+    state.slip_power = slipPower(state.motion, state.tyre, rolling_speed, tyre.Fx, tyre.Fy);
 }
 
-// Velocities and accelerations that the wrench at the end of the step gives, in place of the predicted ones.
-void correct(ChassisMotion& motion, WheeledBodyState& state, const WheeledBody& body, const Frame& frame,
-             const Wrench& wrench, const Vector3& gravity_W, double dt) {
-    const Vector3& w = frame.angular_velocity_B;
+// Accelerations that a wrench gives the body; what a game holds back does not happen.
+Accelerations accelerationsOf(const WheeledBody& body, const BodyMotion& motion, const Wrench& wrench,
+                              const Vector3& gravity_W) {
+    const Vector3& w = motion.angular_velocity_B;
     Vector3 spin;
     for (int k = 0; k < 3; ++k) spin[k] = body.inverse_inertia[k] > 0 ? w[k] / body.inverse_inertia[k] : 0;
     const Vector3 moment = wrench.moment_B - w.cross(spin);
-    const Vector3 a = body.linear_factor_W.cwiseProduct(frame.to_world * wrench.force_B / body.mass + gravity_W);
-    const Vector3 alpha =
-        body.angular_factor_W.cwiseProduct(frame.to_world * body.inverse_inertia.cwiseProduct(moment));
-    for (int k = 0; k < 3; ++k) {
-        motion.velocity_W[k] += 0.5 * dt * (a[k] - state.acceleration_W[static_cast<std::size_t>(k)]);
-        motion.angular_velocity_W[k] +=
-            0.5 * dt * (alpha[k] - state.angular_acceleration_W[static_cast<std::size_t>(k)]);
-    }
-    state.acceleration_W = toArray(a);
-    state.angular_acceleration_W = toArray(alpha);
+    const Vector3 a = motion.to_world * wrench.force_B / body.mass + gravity_W;
+    const Vector3 alpha = motion.to_world * body.inverse_inertia.cwiseProduct(moment);
+    return {body.linear_factor_W.cwiseProduct(a), body.angular_factor_W.cwiseProduct(alpha)};
 }
 
 }  // namespace
@@ -180,11 +154,10 @@ void setDown(WheeledBodyState& state, const ChassisMotion& motion, const Wheeled
              const RoadContact& ground) {
     BodyWheelState& s = state.wheels[wheel];
     const BodyWheel& params = body.wheels[wheel];
-    const Frame frame = frameOf(motion);
-    Touch t = extended(params, frame, ground, s.steer);
-    compress(t, params, s.compression);
+    const BodyMotion now = bodyMotion(motion);
+    const WheelContact contact = hang(params, now, ground, s.steer, s.compression);
     s.tyre = {};
-    s.motion = motionOf(t, params, frame, 0, 0);
+    s.motion = motionOf(contact, params, now, 0, 0);
     s.spin = s.motion.Vx / params.tyre.parameters.Re;
     s.spin_rate = 0;
 }
@@ -193,33 +166,34 @@ void advance(ChassisMotion& motion, WheeledBodyState& state, const WheeledBody& 
              std::span<const WheelDemand> begin, std::span<const WheelDemand> end, std::span<const RoadContact> ground,
              const Vector3& gravity_W, double dt) {
     ChassisMotion next = predicted(motion, state.acceleration_W, state.angular_acceleration_W, dt);
-    const Frame frame = frameOf(next);
+    const BodyMotion moved = bodyMotion(next);
 
     // Struts and loads; the other end of an anti-roll bar counts as it was.
-    std::array<Touch, kMostWheels> touches;
+    std::array<WheelContact, kMostWheels> contacts;
     std::array<TyreMotion, kMostWheels> motions;
     std::array<double, kMostWheels> before;
     for (std::size_t i = 0; i < body.wheel_count; ++i) before[i] = state.wheels[i].compression;
     for (std::size_t i = 0; i < body.wheel_count; ++i) {
         const BodyWheel& wheel = body.wheels[i];
         const double partner = wheel.partner < body.wheel_count ? before[wheel.partner] : before[i];
-        touches[i] = stand(state.wheels[i], wheel, frame, ground[i], end[i].steer, partner, dt);
+        contacts[i] = stand(state.wheels[i], wheel, moved, ground[i], end[i].steer, partner, dt);
         const double steer_rate = (end[i].steer - begin[i].steer) / dt;
-        motions[i] = motionOf(touches[i], wheel, frame, steer_rate, state.wheels[i].load);
+        motions[i] = motionOf(contacts[i], wheel, moved, steer_rate, state.wheels[i].load);
     }
 
     // Tyres and spins, four at a time.
     std::array<TyreForces, kMostWheels> forces;
     for (std::size_t first = 0; first < body.wheel_count; first += kWheels)
-        roll(state.wheels, body, first, touches, motions, begin, end, forces, dt);
+        stepTyres(state.wheels, body, first, contacts, motions, begin, end, forces, dt);
 
     // One wrench moves the body.
     Wrench wrench;
     for (std::size_t i = 0; i < body.wheel_count; ++i) {
         const double steer_rate = (end[i].steer - begin[i].steer) / dt;
-        handOver(wrench, state.wheels[i], body.wheels[i], touches[i], forces[i], frame, steer_rate);
+        handOver(wrench, state.wheels[i], body.wheels[i], contacts[i], forces[i], moved, steer_rate);
     }
-    correct(next, state, body, frame, wrench, gravity_W, dt);
+    correct(next, state.acceleration_W, state.angular_acceleration_W, accelerationsOf(body, moved, wrench, gravity_W),
+            dt);
     motion = next;
 }
 

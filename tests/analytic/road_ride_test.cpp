@@ -32,8 +32,8 @@ Vector7 roadForces(const reference::Car& car, const RoadSurface& road) {
         const double rise = ground.slope_x * v.x() + ground.slope_y * v.y();
         const double load = corner.static_force + corner.unsprung_mass * kStandardGravity;
         force(static_cast<int>(3 + i)) += tyre.pz1 * ground.height + tyre.pz2 * rise;
-        force(1) -= load * ground.slope_y * params.height;
-        force(2) += load * ground.slope_x * (params.height - (tyre.Ro - load / tyre.pz1));
+        force(1) -= load * ground.slope_y * params.centre_of_gravity_height;
+        force(2) += load * ground.slope_x * (params.centre_of_gravity_height - (tyre.Ro - load / tyre.pz1));
     }
     return force;
 }

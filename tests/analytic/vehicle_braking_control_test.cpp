@@ -178,7 +178,7 @@ DwellResult sineWithDwell(const VehicleParams& params, double amplitude) {
     return result;
 }
 
-// Hand-wheel angle at 0.3 g in slowly increasing steer at 80 km/h.
+// Steering-wheel angle at 0.3 g in slowly increasing steer at 80 km/h.
 double angleAt03g(const VehicleParams& params) {
     const PlaneRoad road;
     reference::Car car = reference::settled(params, road, {.speed = 80 / 3.6});

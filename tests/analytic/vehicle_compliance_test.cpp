@@ -1,5 +1,5 @@
 // What yields in suspension and steering shifts the understeer gradient by as much as the closed form says; a released
-// hand wheel goes back.
+// steering wheel goes back.
 
 #include <gtest/gtest.h>
 
@@ -115,7 +115,7 @@ TEST(Compliance, RollsStraightAtEverySpeedHoweverMuchItYields) {
                         params.steering.caster_trail = 0.03;
                     }
                     reference::Car car = reference::settled(params, road, {.speed = speed});
-                    // A nudge of the hand wheel and back leaves nothing that swings.
+                    // A nudge of the steering wheel and back leaves nothing that swings.
                     VehicleInput nudged = car.input;
                     nudged.steering_wheel_angle += 0.01;
                     const VehicleInput straight = car.input;

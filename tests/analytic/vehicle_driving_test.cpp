@@ -90,7 +90,8 @@ TEST(Braking, LoadTransferAndBalanceFollowFromTheDeceleration) {
             spinning += car.vehicle.corners[i].wheel_inertia * deceleration / car.vehicle.corners[i].tyre.parameters.Re;
         const double height = car.motion.position_W.z();
         const double pitch = out.chassis.pitch;
-        const double ahead = b * std::cos(pitch) + (params.height - car.state.wheels[2].radius) * std::sin(pitch);
+        const double ahead =
+            b * std::cos(pitch) + (params.centre_of_gravity_height - car.state.wheels[2].radius) * std::sin(pitch);
         const double front =
             (params.mass * (kStandardGravity * ahead + deceleration * height) + spinning - rollingResistance(car)) /
             (params.wheelbase * std::cos(pitch));

@@ -67,7 +67,7 @@ double yawInertia(const VehicleParams& car) {
 }
 
 struct Answer {
-    Complex yaw_rate, ay;  // over the hand-wheel angle
+    Complex yaw_rate, ay;  // over the steering-wheel angle
 };
 
 Answer closedForm(const VehicleParams& car, double speed, double frequency) {

@@ -50,7 +50,7 @@ std::vector<Drive> drives(const VehicleParams& params) {
                   in.clutch = t < 0.7 ? 1 : 0;
                   return in;
               }});
-    // Letting the hand wheel go in a turn.
+    // Letting the steering wheel go in a turn.
     all.push_back(Drive{reference::settled(params, level, {.speed = 15}), 300, [](double t, VehicleInput in) {
                             in.steering_wheel_angle = std::min(4 * t, 0.6);
                             in.hands_off = t < 0.2 ? 0 : 1;

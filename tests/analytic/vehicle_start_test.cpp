@@ -27,7 +27,7 @@ double largestMotion(reference::Car car) {
 }
 
 TEST(Start, ACarThatPullsIsSteeredAgainstItThroughPlayAndLag) {
-    // Conicity, odd tyres, everything else besides: the hand wheel must stand at one end of the play.
+    // Conicity, odd tyres, everything else besides: the steering wheel must stand at one end of the play.
     constexpr double kMoves = 1e-4;  // m/s and rad/s: tyres that warm as they roll, and dry friction that settles
     const PlaneRoad road;
     for (const VehicleParams& plain : {reference::compact(), reference::rearDriveSedan()}) {

@@ -43,7 +43,7 @@ TEST(AtRest, LoadsOnTheLevelFollowFromTheCentreOfGravity) {
         for (std::size_t i = 0; i < kWheels; ++i)
             EXPECT_NEAR(car.state.wheels[i].load, i < 2 ? front : rear, kForce) << "wheel " << i;
         EXPECT_NEAR(loadOf(car), weight, kForce);
-        EXPECT_NEAR(car.motion.position_W.z(), params.height, 1e-4) << "stands at its design height";
+        EXPECT_NEAR(car.motion.position_W.z(), params.centre_of_gravity_height, 1e-4) << "stands at its design height";
     }
 }
 
@@ -136,8 +136,9 @@ TEST(AtRest, LoadTransferOnAGradeFollowsClosedForm) {
     for (const double up : {1.0, -1.0}) {
         const reference::Car car =
             reference::settled(params, road, {.heading = up > 0 ? 0.0 : std::numbers::pi, .input = {.brake = 1}});
-        const double front =
-            0.5 * weight * (std::cos(angle) * b - up * std::sin(angle) * params.height) / params.wheelbase;
+        const double front = 0.5 * weight *
+                             (std::cos(angle) * b - up * std::sin(angle) * params.centre_of_gravity_height) /
+                             params.wheelbase;
         const double got = 0.5 * (car.state.wheels[0].load + car.state.wheels[1].load);
         const double along =
             car.state.wheels[0].fx + car.state.wheels[1].fx + car.state.wheels[2].fx + car.state.wheels[3].fx;
@@ -156,7 +157,8 @@ TEST(AtRest, LoadTransferOnAGradeFollowsClosedForm) {
         lateral += across.state.wheels[i].fy;
     }
     const double track = (b * params.front.track + params.front_axle_distance * params.rear.track) / params.wheelbase;
-    const double expected = weight * (0.5 * std::cos(angle) - std::sin(angle) * params.height / track);
+    const double expected =
+        weight * (0.5 * std::cos(angle) - std::sin(angle) * params.centre_of_gravity_height / track);
     std::printf("across the grade: left wheels carry %.1f N, closed form %.1f N\n", left, expected);
     EXPECT_NEAR(left, expected, kTransfer * weight);
     EXPECT_NEAR(lateral, weight * std::sin(angle), 1e-4 * weight) << "the tyres push the car up, to its left";
@@ -204,8 +206,8 @@ TEST(SteadyRunning, ForcesAndTorquesBalanceDragAndRollingResistance) {
         const double got = car.state.wheels[0].load + car.state.wheels[1].load;
         const double tipped = -resistance / params.wheelbase;
         const double pitch = car.output().chassis.pitch;
-        const double shifted =
-            params.mass * kStandardGravity * pitch * (params.height - car.state.wheels[0].radius) / params.wheelbase;
+        const double shifted = params.mass * kStandardGravity * pitch *
+                               (params.centre_of_gravity_height - car.state.wheels[0].radius) / params.wheelbase;
         std::printf("  front axle load %.2f N, closed form %.2f N (of that rolling resistance %.2f N, pitch %.2f N)\n",
                     got, front + tipped + shifted, tipped, shifted);
         EXPECT_NEAR(got, front + tipped + shifted, 1.5);

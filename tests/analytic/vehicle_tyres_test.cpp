@@ -11,7 +11,7 @@ namespace {
 
 using reference::kStep;
 
-// Yaw rate with the hand wheel held straight.
+// Yaw rate with the steering wheel held straight.
 double yawRate(const VehicleParams& params, double speed = 20) {
     const PlaneRoad road;
     reference::Car car = reference::settled(params, road, {.speed = speed});
@@ -32,7 +32,7 @@ VehicleParams symmetric() {
     return params;
 }
 
-TEST(TyresOfACar, PlySteerActsAsAHandWheelTurnedByThatAngle) {
+TEST(TyresOfACar, PlySteerActsAsASteeringWheelTurnedByThatAngle) {
     VehicleParams params = symmetric();
     params.front.tyre_surroundings.ply_steer = 0.001;
     const double pulled = yawRate(params);

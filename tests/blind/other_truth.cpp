@@ -107,7 +107,7 @@ std::vector<SharedNumber> sharedNumbers(Truth& truth) {
     factor("inertia.pitch", p.pitch_inertia);
     factor("wheelbase", p.wheelbase);
     same("front_axle_distance", p.front_distance);
-    same("height", p.height);
+    same("centre_of_gravity_height", p.height);
     addAxle(all, "front", p.front);
     addAxle(all, "rear", p.rear);
     factor("steering.ratio", p.steering_ratio);

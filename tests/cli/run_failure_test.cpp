@@ -77,7 +77,7 @@ TEST_F(TreadRun, CarThatRollsOverFailsAndKeepsItsLog) {
 phases:
   - {steering: {ramp: {to: 400 deg, rate: 1000 deg/s}}, until: {duration: 10 s}}
 )");
-    const Result result = run({"--set", "height=1.6"});
+    const Result result = run({"--set", "centre_of_gravity_height=1.6"});
     EXPECT_EQ(result.status, 3);
     EXPECT_EQ(result.out, "");
     expectStart(result.err, "tread run: the car rolled over at t = ");

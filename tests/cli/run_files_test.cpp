@@ -44,8 +44,8 @@ TEST_F(TreadRun, NumberThatIsNotFiniteIsRefused) {
     for (const std::string number : {"nan", ".nan", "NaN", "inf", ".inf", "-.inf", "1e999"}) {
         SCOPED_TRACE(number);
         expectCarRefused(
-            carText("height: 0.54 m", "height: " + number), number + " ",
-            "height: found \"" + number +
+            carText("centre_of_gravity_height: 0.54 m", "centre_of_gravity_height: " + number), number + " ",
+            "centre_of_gravity_height: found \"" + number +
                 "\", which is not a number, expected m; write a decimal number, alone or followed by a unit");
     }
 }

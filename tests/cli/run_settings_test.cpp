@@ -48,13 +48,13 @@ TEST_F(TreadRun, UnknownPathIsAnsweredWithTheRightOne) {
 
 TEST_F(TreadRun, TheScenarioChangesTheCarAndTheCommandLineHasTheLastWord) {
     car();
-    const std::string settings = "car_settings: [mass=1500, height=0.6 m]\n";
+    const std::string settings = "car_settings: [mass=1500, centre_of_gravity_height=0.6 m]\n";
     const std::string path = scratch.file("scenario.yaml", kScenario + settings);
     ASSERT_EQ(run().status, 0);
     EXPECT_NE(contentOf(scratch.path("out/run.yaml")).find("mass: 1500"), std::string::npos);
     ASSERT_EQ(run({"--set", "mass=1400"}).status, 0);
     EXPECT_NE(contentOf(scratch.path("out/run.yaml")).find("mass: 1400"), std::string::npos);
-    EXPECT_NE(contentOf(scratch.path("out/run.yaml")).find("height: 0.6"), std::string::npos);
+    EXPECT_NE(contentOf(scratch.path("out/run.yaml")).find("centre_of_gravity_height: 0.6"), std::string::npos);
     scratch.file("scenario.yaml", kScenario + "car_settings: [mas=1500]\n");
     EXPECT_EQ(run().err, path +
                              ": car_settings: mas: found the unknown path \"mas\", expected the path of a field; did "

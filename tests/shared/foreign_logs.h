@@ -13,7 +13,7 @@ namespace tread::foreign {
 // Steering sine at a constant speed, answered without delay: a steady turn at every instant.
 inline constexpr double kSpeed = 20;  // m/s
 inline double steering(double t) {
-    return 0.5 * std::sin(2 * t);  // rad, hand wheel
+    return 0.5 * std::sin(2 * t);  // rad, steering wheel
 }
 inline double yawRate(double t) {
     return 0.4 * steering(t);  // rad/s

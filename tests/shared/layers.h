@@ -21,13 +21,12 @@ inline const std::vector<std::string> kOrder{"base",     "road",     "tyre",  "v
 
 // Public headers share one folder; each belongs to a layer.
 inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{
-    {"base", {"describe", "wheels", "lanes", "curve", "delay_line", "lag", "problem", "vector", "vehicle_output"}},
+    {"base", {"describe", "wheels", "curve", "problem", "state_parts", "vector", "vehicle_output"}},
     {"road", {"road", "height_field", "road_params", "road_surface"}},
-    {"tyre", {"tyre", "four_tyres"}},
+    {"tyre", {"tyre"}},
     {"vehicle",
      {"suspension", "steering", "driveline", "engine", "gearbox", "differential", "brakes", "anti_lock",
-      "stability_control", "aero", "compliance", "tyre_surroundings", "vehicle", "equilibrium", "load",
-      "wheeled_body"}},
+      "stability_control", "aero", "tyre_surroundings", "vehicle", "equilibrium", "load", "wheeled_body_state"}},
     {"bullet",
      {"bullet_precision", "bullet_road", "bullet_ground", "bullet_vehicle", "raycast_vehicle", "raycast_fleet"}},
 };
@@ -116,9 +115,19 @@ inline std::string faultOf(const Include& include, const Path& file, const std::
     if (std::find(kOrder.begin(), kOrder.end(), used) > std::find(kOrder.begin(), kOrder.end(), layer)) {
         return "layer " + layer + " may not use layer " + used + ", which lies above it";
     }
-    const bool between_sub_models = *file.begin() == "include" && *name.begin() == "tread" &&
-                                    contains(kSubModels, file.stem()) && contains(kSubModels, name.stem());
+    const bool is_public = *file.begin() == "include";
+    if (is_public && *name.begin() != "tread")
+        return "a public header includes public ones only: no other is installed";
+    const bool between_sub_models = is_public && contains(kSubModels, file.stem()) && contains(kSubModels, name.stem());
     return between_sub_models ? "a sub-model's header includes no other's: they meet in vehicle.h" : "";
+}
+
+// What only code that computes with vectors has: games that include tread do not compile for its instruction sets.
+inline std::string vectorCodeIn(const std::string& text) {
+    for (const char* sign : {"vector_size", "intrin.h", "arm_neon.h", "<experimental/simd>", "Lanes", "alignas"}) {
+        if (text.find(sign) != std::string::npos) return sign;
+    }
+    return {};
 }
 
 // Every fault of a file (named relative to the root of the project) as "file:line: what: why".
@@ -128,6 +137,9 @@ inline std::vector<std::string> faultsOf(const Path& file, const std::string& te
     const std::string layer = layered ? layerOfFile(file) : "";
     if (layered && layer.empty())
         faults.push_back(file.string() + ":1: belongs to no layer: name it in tests/shared/layers.h");
+    const std::string vector_code = *file.begin() == "include" ? vectorCodeIn(text) : "";
+    if (!vector_code.empty())
+        faults.push_back(file.string() + ":1: a public header has no vector code, but \"" + vector_code + "\"");
     for (const Include& include : includesOf(text)) {
         std::string fault;
         if (Path(include.name).extension() == ".cpp") fault = "include headers, not sources";

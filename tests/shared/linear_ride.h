@@ -67,8 +67,8 @@ inline LinearModel linearModel(const tread::VehicleParams& car) {
         const double load =
             0.5 * car.mass * tread::kStandardGravity * (i < 2 ? b : car.front_axle_distance) / car.wheelbase;
         const double radius = axle.tyre.parameters.Ro - load / axle.tyre.parameters.pz1;
-        model.stiffness(1, 1) -= load * car.height;
-        model.stiffness(2, 2) -= load * (car.height - radius);
+        model.stiffness(1, 1) -= load * car.centre_of_gravity_height;
+        model.stiffness(2, 2) -= load * (car.centre_of_gravity_height - radius);
     }
     return model;
 }

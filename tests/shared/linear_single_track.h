@@ -18,12 +18,12 @@ struct SingleTrack {
     double front_stiffness = 9e4;        // N/rad, both wheels together
     double rear_stiffness = 1.1e5;       // N/rad
     double speed = 25;                   // m/s
-    double ratio = 16;                   // hand wheel over road wheel
+    double ratio = 16;                   // steering wheel over road wheel
 
     double wheelbase() const { return front + rear; }
     // rad per m/s2 at the road wheels.
     double understeer() const { return mass / wheelbase() * (rear / front_stiffness - front / rear_stiffness); }
-    // Steady yaw rate over hand-wheel angle, 1/s.
+    // Steady yaw rate over steering-wheel angle, 1/s.
     double yawGain() const { return speed / (wheelbase() + understeer() * speed * speed) / ratio; }
 
     Eigen::Matrix2d a() const {
@@ -37,7 +37,7 @@ struct SingleTrack {
         return Eigen::Vector2d(front_stiffness / mass, front * front_stiffness / inertia) / ratio;
     }
 
-    // Over the hand-wheel angle at a frequency in Hz.
+    // Over the steering-wheel angle at a frequency in Hz.
     struct Transfer {
         std::complex<double> yaw_rate;  // 1/s
         std::complex<double> ay;        // m/s2 over rad

@@ -15,7 +15,7 @@ using namespace tread;
 constexpr double kStep = 0.001;  // s
 constexpr double kDegree = std::numbers::pi / 180;
 
-// Turns the hand wheel smoothly to an angle, then holds angle and speed.
+// Turns the steering wheel smoothly to an angle, then holds angle and speed.
 inline Car steadyTurn(const VehicleParams& params, const Road& road, double speed, double road_wheel_angle,
                       double duration) {
     Car car = settled(params, road, {.speed = speed});
@@ -42,7 +42,8 @@ struct Roll {
 
 inline Roll rollAt(const VehicleParams& car, double lateral_acceleration) {
     const double weight = car.mass * kStandardGravity;
-    double per_roll = weight * car.height, constant = car.mass * lateral_acceleration * car.height;
+    double per_roll = weight * car.centre_of_gravity_height,
+           constant = car.mass * lateral_acceleration * car.centre_of_gravity_height;
     PerAxle<double> by_roll, by_force;
     for (std::size_t axle = 0; axle < kAxles; ++axle) {
         const AxleParams& a = axle == 0 ? car.front : car.rear;

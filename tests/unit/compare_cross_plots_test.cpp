@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-// Understeer: the hand wheel over lateral acceleration, with an error in the hand wheel and noise-free.
+// Understeer: the steering wheel over lateral acceleration, with an error in the steering wheel and noise-free.
 Log circle(double wheel_offset, double roll_gain = 0.01) {
     Log log{{{"time", "s", {}},
              {"chassis.ay", "m/s2", {}},
@@ -29,7 +29,7 @@ TEST(CrossPlots, MeasurementsInsideTheBoundariesPass) {
         {"a.csv", circle(4 * kDegree)}, {"b.csv", circle(0)}, {"c.csv", circle(-4 * kDegree)}};
     const CrossPlotResult result = judgeCrossPlots(circle(0), measured, {});
     EXPECT_TRUE(result.inside) << text(result);
-    EXPECT_EQ(result.plots.size(), 6u) << "hand wheel and roll; no log has a sideslip";
+    EXPECT_EQ(result.plots.size(), 6u) << "steering wheel and roll; no log has a sideslip";
     ASSERT_EQ(result.notes.size(), 3u);
     EXPECT_EQ(result.notes[0],
               "chassis.sideslip over chassis.ay of a.csv was not judged: the simulated log has no channel "

@@ -13,7 +13,7 @@ using recording::quietened;
 
 constexpr double kNoise = 0.002;  // rad
 
-// A hand wheel at rest, turned in 100 ms at second 5, then held: at 100 Hz.
+// A steering wheel at rest, turned in 100 ms at second 5, then held: at 100 Hz.
 double turned(double t) {
     return t < 5 ? 0 : t < 5.1 ? 8 * (t - 5) : 0.8;
 }
@@ -27,7 +27,7 @@ double deviation(const std::vector<double>& values, double from, double to) {
     return std::sqrt(sum / n);
 }
 
-TEST(QuietInputs, HandWheelAtRestKeepsAFifthOfTheNoiseAndAQuickTurnStaysAsItWas) {
+TEST(QuietInputs, SteeringWheelAtRestKeepsAFifthOfTheNoiseAndAQuickTurnStaysAsItWas) {
     double shown_squares = 0, quiet_squares = 0;
     constexpr int kRuns = 20;
     for (int run = 0; run < kRuns; ++run) {

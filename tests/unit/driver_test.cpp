@@ -184,14 +184,14 @@ TEST(Driver, WhatAPhaseDoesNotNameStaysAsInTheEquilibrium) {
     }
 }
 
-TEST(Driver, HandsOffLeavesTheHandWheelAndTakesItUpWhereItIs) {
+TEST(Driver, HandsOffLeavesTheSteeringWheelAndTakesItUpWhereItIs) {
     const Scenario scenario = scenarioOf(
         "  - {steering: {constant: {value: 0.5}}, until: {duration: 0.1}}\n"
         "  - {steering: hands_off, until: {duration: 0.1}}\n"
         "  - {steering: keep, until: {duration: 0.1}}\n");
     Driver driver(scenario, {});
     for (int k = 0; k < 30; ++k) {
-        const double angle = k < 10 ? 0.5 : 0.5 - 0.02 * (k - 10);  // of the hand wheel, as the car shows it
+        const double angle = k < 10 ? 0.5 : 0.5 - 0.02 * (k - 10);  // of the steering wheel, as the car shows it
         driver.look(0.01 * k, at(20), k < 20 ? angle : 0.3);
         const VehicleInput input = driver.inputAt(0.01 * (k + 1));
         EXPECT_EQ(input.hands_off, k >= 10 && k < 20 ? 1 : 0) << k;

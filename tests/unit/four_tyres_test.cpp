@@ -1,6 +1,6 @@
 // Four tyres together against each alone: the same bits.
 
-#include "tread/four_tyres.h"
+#include "tyre/four_tyres.h"
 
 #include <gtest/gtest.h>
 

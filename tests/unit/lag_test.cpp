@@ -1,4 +1,4 @@
-#include "tread/lag.h"
+#include "base/lag.h"
 
 #include <gtest/gtest.h>
 

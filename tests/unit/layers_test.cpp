@@ -70,6 +70,15 @@ TEST(Layers, FindSubModelsThatKnowEachOther) {
     EXPECT_NE(faults("include/tread/suspension.h", "#include \"tread/tyre.h\""), "") << "though tyre lies below";
 }
 
+TEST(Layers, FindPrivateAndVectorCodeInPublicHeaders) {
+    EXPECT_NE(faults("include/tread/vehicle.h", "#include \"tyre/four_tyres.h\""), "") << "though tyre lies below";
+    EXPECT_NE(faults("include/tread/vehicle.h", "#include \"lanes.h\""), "");
+    EXPECT_NE(faults("include/tread/tyre.h", "#include <immintrin.h>"), "");
+    EXPECT_NE(faults("include/tread/tyre.h", "typedef double V __attribute__((vector_size(32)));"), "");
+    EXPECT_NE(faults("include/tread/vehicle.h", "    BasicTyreScaling<Lanes> lambda;"), "");
+    EXPECT_EQ(faults("src/tyre/lanes.h", "typedef double V __attribute__((vector_size(32)));"), "");
+}
+
 TEST(Layers, FindSourcesThatAreIncludedAndFilesWithoutLayer) {
     EXPECT_NE(faults("tests/unit/a_test.cpp", "#include \"base/units.cpp\""), "");
     EXPECT_NE(faults("tools/tread/main.cpp", "#include \"run.cpp\""), "");

@@ -55,7 +55,7 @@ TEST(ManoeuvreFigures, EveryKindDrawsNothingOfALogThatHoldsNothing) {
         EXPECT_TRUE(figuresOf(log, recordOf(std::string(manoeuvre.name))).empty()) << manoeuvre.name;
 }
 
-// Hand wheel: 2 deg and 30 deg/g, to the right.
+// Steering wheel: 2 deg and 30 deg/g, to the right.
 TEST(ManoeuvreFigures, TheUndersteerGradientLiesOnTheCurveThatItDescribes) {
     Log log = logOver(500, 0.01);
     add(log, "chassis.ay", "m/s2", [](double t) { return -t; });
@@ -88,7 +88,7 @@ TEST(ManoeuvreFigures, BrakingIsDrawnOverTheDistanceFromThePedalOn) {
     EXPECT_EQ(chart->series[1].y.front(), 8) << "the mean fully developed deceleration";
 }
 
-// A car that answers the hand wheel with a lag of first order, 0.2 s, and gain 0.3.
+// A car that answers the steering wheel with a lag of first order, 0.2 s, and gain 0.3.
 TEST(ManoeuvreFigures, BodePlotsShowTheGainAndThePhaseOfALag) {
     Log log = logOver(6001, 0.01);
     const auto chirp = [](double t) {

@@ -15,7 +15,7 @@ using sample::valueOf;
 
 constexpr double kRelease = 2, kYawRate = 0.12, kAngle = 0.5;  // s, rad/s, rad
 
-// Steady up to the release, then the decay of the yaw rate and, twice as large in its swing, of the hand wheel.
+// Steady up to the release, then the decay of the yaw rate and, twice as large in its swing, of the steering wheel.
 Log logOf(double rate, double side, const std::function<double(double)>& decay) {
     const auto after = [=](double t) { return t < kRelease ? 1 : decay(t - kRelease); };
     return sample::log(rate, 10,

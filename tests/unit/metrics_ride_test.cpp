@@ -87,7 +87,7 @@ TEST(RideMetrics, AreThoseOfTheSines) {
 
 TEST(RideMetrics, SmoothRoadAndSteeringAreNoRide) {
     EXPECT_NE(errorOf(rideLog(100, 0.001, 0), "ride").find("weighted vertical acceleration is"), std::string::npos);
-    EXPECT_NE(errorOf(rideLog(100, 1, 0.3), "ride").find("the hand wheel turns by"), std::string::npos);
+    EXPECT_NE(errorOf(rideLog(100, 1, 0.3), "ride").find("the steering wheel turns by"), std::string::npos);
 }
 
 }  // namespace

@@ -16,9 +16,9 @@ using sample::valueOf;
 
 constexpr double kOnset = 1, kSpeed = 14, kDeceleration = 4;  // s, m/s, m/s2
 constexpr double kStop = kSpeed / kDeceleration;              // s
-constexpr double kTrim = 0.1;                                 // rad, of the hand wheel before
+constexpr double kTrim = 0.1;                                 // rad, of the steering wheel before
 
-// Constant deceleration along y = 0. The driver turns the hand wheel at a constant rate, 1 rad in 2 s, then back at
+// Constant deceleration along y = 0. The driver turns the steering wheel at a constant rate, 1 rad in 2 s, then back at
 // half that; the car yaws away and back.
 Log logOf(double rate, double side) {
     const auto braked = [](double t) { return std::clamp(t - kOnset, 0.0, kStop); };

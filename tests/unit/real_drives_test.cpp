@@ -1,5 +1,5 @@
 // Drives of real cars, not part of this repository: TREAD_SHARED_DATA names a folder of them. The shipped cars that
-// bear their published numbers do what was measured when hand wheel and speed are repeated.
+// bear their published numbers do what was measured when steering wheel and speed are repeated.
 #include <gtest/gtest.h>
 
 #include <cstdio>

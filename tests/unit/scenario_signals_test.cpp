@@ -50,7 +50,7 @@ TEST(Signals, RampToWhereItIsStays) {
     }
 }
 
-TEST(Signals, PedalsRampLikeTheHandWheel) {
+TEST(Signals, PedalsRampLikeTheSteeringWheel) {
     EXPECT_NEAR(valueAt(PedalSignal{Ramp<Pedal>{1, 10}}, 0, 0.05), 0.5, kRounding);
     EXPECT_NEAR(valueAt(ThrottleSignal{Ramp<Pedal>{0, 10}}, 1, 0.05), 0.5, kRounding);
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTrack = 1.5, kWheelbase = 2.6;
 
-TEST(Steering, WithoutAckermannBothWheelsTurnByTheHandWheelOverTheRatio) {
+TEST(Steering, WithoutAckermannBothWheelsTurnByTheSteeringWheelOverTheRatio) {
     const SteeringParams p{.ratio = 16, .ackermann = 0};
     for (const double hand : {-4.0, 0.0, 1.6}) {
         const RoadWheelAngles wheels = roadWheelAngles(p, hand, kTrack, kWheelbase);
@@ -56,7 +56,7 @@ SteeringParams progressive() {
     return {.ratio = 16, .ratio_curve = {{{0, 18}, {1, 16}, {6, 13}}}};
 }
 
-TEST(Steering, RatioCurveIsHandWheelOverRoadWheelAngleToBothSides) {
+TEST(Steering, RatioCurveIsSteeringWheelOverRoadWheelAngleToBothSides) {
     const SteeringParams p = progressive();
     for (const auto& [hand, ratio] : {std::pair{0.5, 17.0}, {1.0, 16.0}, {3.5, 14.5}, {8.0, 13.0}}) {
         EXPECT_NEAR(roadWheelAngles(p, hand, kTrack, kWheelbase).left, hand / ratio, 1e-12);
@@ -68,7 +68,7 @@ TEST(Steering, RatioCurveIsHandWheelOverRoadWheelAngleToBothSides) {
 
 constexpr double kStep = 0.001;  // s
 
-// Hand-wheel angles over time for a driver's angle, without forces.
+// Steering-wheel angles over time for a driver's angle, without forces.
 template <class Driver>
 std::vector<RoadWheelAngles> followed(const SteeringParams& p, Driver driver, double duration, double dt = kStep) {
     SteeringState state = steadySteering(p, driver(0.0), kTrack, kWheelbase);
@@ -137,13 +137,13 @@ TEST(Steering, ComplianceTurnsTheWheelsByTheirMomentAtTheColumnOverTheRatioSquar
     for (int k = 0; k < 200; ++k)
         wheels = advance(state, p, {0.3, 0.3, false, kTrack, kWheelbase, -60, -40, 5000, 0}, kStep).end;
     EXPECT_NEAR(wheels.left, 0.3 / 15 - 100 * (2e-5 + 0.009 / 225), 1e-12);
-    EXPECT_NEAR(handWheelTorque(state, p, -60, -40), 100 / 15.0, 1e-9) << "holding against the wheels, to the left";
+    EXPECT_NEAR(steeringWheelTorque(state, p, -60, -40), 100 / 15.0, 1e-9) << "holding against the wheels, to the left";
 }
 
 // ---- Torque and hands off ----
 
-TEST(Steering, TorqueAtTheHandWheelDoesTheWorkOfTheWheels) {
-    // Virtual work: torque times the hand wheel's turn is the moments times the wheels' turns.
+TEST(Steering, TorqueAtTheSteeringWheelDoesTheWorkOfTheWheels) {
+    // Virtual work: torque times the steering wheel's turn is the moments times the wheels' turns.
     SteeringParams p = progressive();
     p.ackermann = 0.8;
     const double left_moment = -70, right_moment = 30, small = 1e-6;
@@ -153,7 +153,7 @@ TEST(Steering, TorqueAtTheHandWheelDoesTheWorkOfTheWheels) {
         const RoadWheelAngles less = roadWheelAngles(p, hand - small, kTrack, kWheelbase);
         const double work =
             (left_moment * (more.left - less.left) + right_moment * (more.right - less.right)) / (2 * small);
-        EXPECT_NEAR(handWheelTorque(state, p, left_moment, right_moment), -work, 1e-6) << hand;
+        EXPECT_NEAR(steeringWheelTorque(state, p, left_moment, right_moment), -work, 1e-6) << hand;
     }
 }
 
@@ -161,9 +161,10 @@ TEST(Steering, DampingAndFrictionOpposeTheDriver) {
     const SteeringParams p{.ratio = 16, .damping = 0.5, .friction = 2};
     SteeringState state = steadySteering(p, 0, kTrack, kWheelbase);
     advance(state, p, {0, 0.003, false, kTrack, kWheelbase, 0, 0, 0, 0}, kStep);
-    EXPECT_NEAR(handWheelTorque(state, p, 0, 0), 0.5 * 3 + 2, 1e-9) << "turning to the left takes torque to the left";
+    EXPECT_NEAR(steeringWheelTorque(state, p, 0, 0), 0.5 * 3 + 2, 1e-9)
+        << "turning to the left takes torque to the left";
     advance(state, p, {0.003, 0.003, false, kTrack, kWheelbase, 0, 0, 0, 0}, kStep);
-    EXPECT_EQ(handWheelTorque(state, p, 0, 0), 0);
+    EXPECT_EQ(steeringWheelTorque(state, p, 0, 0), 0);
 }
 
 TEST(Steering, MomentsAboutTheAxisHaveTheSignsOfTrailAndScrub) {

@@ -29,7 +29,7 @@ std::vector<Effect> bodyEffects() {
         {.name = "cg_height",
          .question = "Does the centre of gravity lie higher or lower?",
          .source = "guess: roof load, or an estimate that is off by 10 %",
-         .knobs = {{.paths = {"height"}, .typical = 0.06}}},
+         .knobs = {{.paths = {"centre_of_gravity_height"}, .typical = 0.06}}},
         {.name = "load_offset",
          .question = "Does the load lie off the middle, to the left or right?",
          .source = "calculated: driver alone, 80 kg 0.38 m off the middle of 1.4 t",

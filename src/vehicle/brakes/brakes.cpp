@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tread/lag.h"
+#include "base/delay_line.h"
+#include "base/lag.h"
 
 namespace tread {
 namespace {
@@ -65,7 +66,7 @@ BrakeTorques advance(BrakeState& state, const BrakeParams& params, const BrakeIn
         end = shares(params, in.pedal_end);
     } else {
         const double pedal =
-            params.delay == 0 ? in.pedal_end : state.pedal.advance(in.pedal_begin, in.pedal_end, params.delay, dt);
+            params.delay == 0 ? in.pedal_end : advance(state.pedal, in.pedal_begin, in.pedal_end, params.delay, dt);
         for (std::size_t i = 0; i < kWheels; ++i) begin[i] = state.pressure[i] / params.full_pedal_pressure;
         end = controlled(state, params, shares(params, pedal), in, dt);
     }

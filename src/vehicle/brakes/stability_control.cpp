@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tread/lag.h"
+#include "base/lag.h"
 
 namespace tread {
 

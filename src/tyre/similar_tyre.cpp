@@ -4,7 +4,7 @@
 // vehicles/tyres/car_205_60R15.yaml, where each figure names its source), less all that tells left from right, with
 // peak friction 1 in both directions, and with a Cx of 1.45 that lets a locked wheel keep 0.8 of it, as on a dry road
 // ([guess]; the table's 1.685 leaves half). Stiffnesses and masses are those of that tyre over Fzo and Ro.
-#include "tread/wheeled_body.h"
+#include "tread/tyre.h"
 
 namespace tread {
 

@@ -1,0 +1,25 @@
+// Parts of the car's state that several of its sub-models have in common: plain numbers, so that a copy is a snapshot.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace tread {
+
+// A signal and its past, for a pure time delay.
+struct DelayLine {
+    static constexpr std::size_t kIntervals = 200;  // of the delay: no longer than a millisecond for one of 0.2 s
+
+    std::array<double, kIntervals + 1> past{};  // at equal distances of time
+    std::size_t newest = 0;                     // index of the newest of these
+    double age = 0;                             // s, since the newest
+};
+
+// A part that yields to the aligning moment of tyres.
+struct AligningCompliance {
+    double deflection = 0;  // rad
+    double rate = 0;        // rad/s, over the last step
+    double moment = 0;      // N m, at the beginning of the last step, without what the resistance took from it
+};
+
+}  // namespace tread
