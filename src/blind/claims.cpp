@@ -75,8 +75,8 @@ std::vector<Claim> claimsOf(const CaseKey& key, const CaseAnswer& answer) {
     return claims;
 }
 
-std::vector<NumberError> numberErrors(const CaseKey& key, const CaseAnswer& answer) {
-    std::vector<NumberError> errors;
+std::vector<EstimateError> numberErrors(const CaseKey& key, const CaseAnswer& answer) {
+    std::vector<EstimateError> errors;
     for (const RankedEffect& effect : answer.effects) {
         if (!has(answer.causes, effect.name) || !has(key.effects, effect.name)) continue;
         for (const auto& [path, estimate] : effect.parameters) {

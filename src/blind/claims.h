@@ -40,10 +40,10 @@ bool hasAll(const std::vector<std::string>& names, const std::vector<std::string
 
 // ---- Numbers of the causes that were rightly named ----
 
-struct NumberError {
+struct EstimateError {
     double in_sd;     // truth within 2: a hit; infinite at a bound and without a standard deviation
     double relative;  // to the distance of the truth from the nominal car's number
 };
-std::vector<NumberError> numberErrors(const CaseKey& key, const CaseAnswer& answer);
+std::vector<EstimateError> numberErrors(const CaseKey& key, const CaseAnswer& answer);
 
 }  // namespace tread

@@ -10,9 +10,14 @@
 #include "base/pattern.h"
 #include "blind/draws.h"
 #include "blind/gauges.h"
+#include "recording/instruments.h"
+#include "recording/subject.h"
 
 namespace tread {
 namespace {
+
+using recording::Instrument;
+using recording::Subject;
 
 // Spreads are of the order of the tolerances in the description of a vehicle, which are half the width of a uniform
 // distribution: a tolerance of 5 % is a spread of about 3 %.
@@ -31,7 +36,7 @@ constexpr std::array kErrors{
     NumberError{.pattern = "lateral_offset", .absolute = 0.003, .source = kScales},
     NumberError{.pattern = "wheelbase", .relative = 0.002, .common = 0.5, .source = kPerson},
     NumberError{.pattern = "*.track", .relative = 0.004, .common = 0.5, .source = kPerson},
-    NumberError{.pattern = "height", .relative = 0.025, .source = "guess: tilting test, or an estimate"},
+    NumberError{.pattern = "centre_of_gravity_height", .relative = 0.025, .source = "guess: tilting test, or an estimate"},
     NumberError{.pattern = "inertia.*", .relative = 0.03, .common = 0.6, .source = "guess: estimates err alike"},
     NumberError{.pattern = "inertia.roll_yaw", .absolute = 10, .source = kGuess},
     NumberError{.pattern = "*.unsprung_mass", .relative = 0.05, .common = 0.7, .source = kScales},
@@ -175,7 +180,7 @@ constexpr std::array kLoads{
 void add(VehicleParams& car, const Load& load, double mass) {
     const double total = car.mass + mass, share = mass / total;
     const double dx = load.behind * car.wheelbase - car.front_axle_distance;  // to the rear
-    const double dy = load.left - car.lateral_offset, dz = load.above - car.height;
+    const double dy = load.left - car.lateral_offset, dz = load.above - car.centre_of_gravity_height;
     // Steiner: of both masses about their common centre of gravity.
     const double reduced = mass * car.mass / total;
     car.inertia.roll += reduced * (dy * dy + dz * dz);
@@ -183,7 +188,7 @@ void add(VehicleParams& car, const Load& load, double mass) {
     car.inertia.yaw += reduced * (dx * dx + dy * dy);
     car.front_axle_distance += share * dx;
     car.lateral_offset += share * dy;
-    car.height += share * dz;
+    car.centre_of_gravity_height += share * dz;
     car.mass = total;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "diagnose/subject.h"
+#include "recording/subject.h"
 
 namespace tread {
 
@@ -32,7 +32,7 @@ inline constexpr double kDaySpread = 6;  // K, standard deviation of how much wa
 
 // Draws all errors of a car: those of the table, a day, and a load that moves mass, centre of gravity and inertias
 // together.
-void err(Subject& car, Random& random);
+void err(recording::Subject& car, Random& random);
 
 // A number and the standard deviation of what is left open of it.
 struct OpenNumber {
@@ -41,9 +41,9 @@ struct OpenNumber {
 };
 // Half the width of a uniform distribution is the tolerance that the car's own description states; where it states
 // none, the errors above hold.
-std::vector<OpenNumber> openNumbers(const Subject& nominal);
+std::vector<OpenNumber> openNumbers(const recording::Subject& nominal);
 // Only what differs from one day to the next: what is left open of a car beside a reference of itself.
-std::vector<OpenNumber> dailyNumbers(const Subject& nominal);
+std::vector<OpenNumber> dailyNumbers(const recording::Subject& nominal);
 
 // What differs from drive to drive.
 struct DriveDifference {
@@ -64,6 +64,6 @@ DriveDifference drawnDifference(const GroundSlope& ground, Random& random);
 // Standard deviation of each difference.
 DriveDifference differenceSpread();
 
-void apply(const DriveDifference& difference, Subject& car);
+void apply(const DriveDifference& difference, recording::Subject& car);
 
 }  // namespace tread

@@ -7,14 +7,26 @@
 #include <optional>
 
 #include "base/numbers.h"
+#include "base/parallel.h"
 #include "blind/gauges.h"
 #include "blind/measure.h"
-#include "identify/parallel.h"
+#include "diagnose/catalogue/effect.h"
 #include "log/resample.h"
+#include "recording/instruments.h"
+#include "recording/subject.h"
 #include "run/simulate.h"
 
 namespace tread {
 namespace {
+
+using diagnose::catalogue::applies;
+using diagnose::catalogue::Direction;
+using diagnose::catalogue::Effect;
+using diagnose::catalogue::Knob;
+using recording::Instrument;
+using recording::Instruments;
+using recording::numberAt;
+using recording::Subject;
 
 using Eigen::Index;
 using Eigen::MatrixXd;

@@ -17,7 +17,8 @@
 #include "blind/drives.h"
 #include "blind/shows.h"
 #include "blind/truth.h"
-#include "diagnose/effect.h"
+#include "diagnose/catalogue/effect.h"
+#include "recording/subject.h"
 
 namespace tread {
 
@@ -36,14 +37,15 @@ inline constexpr double kUnitPush = 100;  // N or N m
 
 struct Examination {
     std::vector<ExaminedDrive> drives;
-    std::vector<Effect> effects;
+    std::vector<diagnose::catalogue::Effect> effects;
     std::vector<Rival> rivals;  // effects that this car can have
 };
 
 // About a car, with what is left open of it. `effects`: the catalogue. `threads`: 0 for all.
 // Throws SimulationError when the car cannot be driven.
-Examination examination(const Subject& about, const std::vector<Drive>& drives, const std::vector<OpenNumber>& open,
-                        const std::vector<Effect>& effects, int threads = 0);
+Examination examination(const recording::Subject& about, const std::vector<Drive>& drives,
+                        const std::vector<OpenNumber>& open, const std::vector<diagnose::catalogue::Effect>& effects,
+                        int threads = 0);
 
 // Of each thing that is wrong. Throws SimulationError when the car without it cannot be driven.
 std::map<std::string, Shows> examined(const Examination& examination, const DrawnCase& drawn, int threads = 0);

@@ -7,14 +7,14 @@
 
 #include "base/random.h"
 #include "blind/reading_noise.h"
-#include "diagnose/instruments.h"
 #include "log/log.h"
+#include "recording/instruments.h"
 
 namespace tread {
 
 struct Gauge {
     std::string_view channel;
-    Instrument Instruments::*instrument;
+    recording::Instrument recording::Instruments::*instrument;
     double noise;       // standard deviation of one reading, in the SI unit of the channel, as its data sheet says
     double vibration;   // amplitude of what engine and road shake it with, at about 8 Hz
     double resolution;  // smallest step of a reading

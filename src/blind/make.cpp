@@ -8,14 +8,17 @@
 
 #include "blind/examine.h"
 #include "blind/gauges.h"
-#include "blind/shown.h"
 #include "blind/program_hash.h"
+#include "blind/shown.h"
+#include "diagnose/catalogue/effect.h"
 #include "log/csv.h"
 #include "run/simulate.h"
 #include "tread/load.h"
 
 namespace tread {
 namespace {
+
+using diagnose::catalogue::Effect;
 
 // Of twenty cases of World::assumed: eight with one cause, four with two, three without, three from outside, two too
 // small.

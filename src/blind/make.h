@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "blind/measure.h"
+#include "diagnose/catalogue/effect.h"
 
 namespace tread {
 
@@ -24,13 +25,13 @@ struct BlindOrder {
 // A folder for each case with its logs, its nominal car and diagnosis.yaml; returns what belongs into the sealed key.
 // Throws FileError, LoadError, and SimulationError when a car cannot be driven.
 BlindKey makeCases(
-    const BlindOrder& order, const VehicleParams& nominal, const std::vector<Effect>& effects,
+    const BlindOrder& order, const VehicleParams& nominal, const std::vector<diagnose::catalogue::Effect>& effects,
     const std::filesystem::path& folder, const std::function<void(int cases)>& progress = [](int) {});
 
 // A case of a check with this seed, `index` from 0: the same whenever it is drawn, but for what it shows. `shown` are
 // the effects to choose from (shown.h), `draw` says the how manieth car for it this is.
 DrawnCase drawnCase(std::uint64_t seed, int index, CaseKind kind, const VehicleParams& nominal,
-                    const std::vector<Effect>& shown, int draw = 0, const Drawing& drawing = {});
+                    const std::vector<diagnose::catalogue::Effect>& shown, int draw = 0, const Drawing& drawing = {});
 
 // The recordings of a case, each named as its log.
 struct BlindRecording {

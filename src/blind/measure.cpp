@@ -6,10 +6,15 @@
 #include <string>
 
 #include "blind/gauges.h"
+#include "recording/instruments.h"
 #include "run/simulate.h"
 
 namespace tread {
 namespace {
+
+using recording::InertialUnit;
+using recording::Instrument;
+using recording::Instruments;
 
 constexpr double kVibration = 8, kVibrationSpread = 0.5;  // 1/s
 constexpr std::string_view kSensor = "sensor.";

@@ -72,7 +72,7 @@ std::vector<bool> wrongAndConfident(const CaseKey& key, const CaseAnswer& answer
 
 std::vector<bool> numbersWithinTwo(const CaseKey& key, const CaseAnswer& answer) {
     std::vector<bool> hits;
-    for (const NumberError& error : numberErrors(key, answer)) hits.push_back(std::abs(error.in_sd) <= 2);
+    for (const EstimateError& error : numberErrors(key, answer)) hits.push_back(std::abs(error.in_sd) <= 2);
     return hits;
 }
 

@@ -64,7 +64,7 @@ void addNumbersAndClaims(BlindScore& score, const std::vector<CaseKey>& keys, co
     std::vector<double> relative;
     for (std::size_t i = 0; i < keys.size(); ++i) {
         for (const Claim& claim : claimsOf(keys[i], answers[i])) claims.push_back(claim);
-        for (const NumberError& error : numberErrors(keys[i], answers[i])) {
+        for (const EstimateError& error : numberErrors(keys[i], answers[i])) {
             score.number_errors.push_back(error);
             relative.push_back(error.relative);
         }

@@ -21,7 +21,7 @@ struct BlindScore {
     double calibration_error = 0;
     std::vector<OutcomeRow> outcomes;
     Confusion confusion;
-    std::vector<NumberError> number_errors;       // of the causes rightly named
+    std::vector<EstimateError> number_errors;       // of the causes rightly named
     std::optional<double> median_relative_error;  // of these numbers
     std::optional<double> median_closure;         // obtained, single effects where it could be looked up
     std::optional<double> median_credible_set, mean_credible_set;  // sizes, single effects

@@ -56,7 +56,7 @@ std::string scoreJson(const BlindScore& score) {
         bins.push_back(
             {{"from", bin.from}, {"to", bin.to}, {"claims", bin.claims}, {"right", bin.right}, {"stated", bin.stated}});
     for (const OutcomeRow& row : score.outcomes) rows.push_back(outcomeJson(row));
-    for (const NumberError& error : score.number_errors)
+    for (const EstimateError& error : score.number_errors)
         errors.push_back({{"in_sd", jsonOf(error.in_sd)}, {"relative", jsonOf(error.relative)}});
     const Json json{{"cases", score.cases},
                     {"failed", score.failed},

@@ -56,7 +56,7 @@ std::string textOf(const ScoreTable& table) {
 std::string numbersInWords(const BlindScore& score) {
     double sum = 0;
     int finite = 0;
-    for (const NumberError& error : score.number_errors) {
+    for (const EstimateError& error : score.number_errors) {
         if (!std::isfinite(error.in_sd)) continue;
         sum += error.in_sd * error.in_sd;
         ++finite;

@@ -45,7 +45,7 @@ constexpr double kRut = 220, kRutArm = 0.5;                                 // N
 
 std::vector<PushSource> sourcesOfTheAir(const VehicleParams& car, Random& random, const auto& level) {
     const double eddy = 0.5 + random.uniform();            // s
-    const double above = std::max(0.0, 0.6 - car.height);  // m: the pressure point's height
+    const double above = std::max(0.0, 0.6 - car.centre_of_gravity_height);  // m: the pressure point's height
     const auto aside = [&](double force) {
         return Push{.force = {0, force, 0}, .moment = {-above * force, 0, kPressurePoint * force}};
     };

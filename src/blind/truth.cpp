@@ -5,11 +5,22 @@
 
 #include "blind/gauges.h"
 #include "blind/outsiders.h"
-#include "diagnose/parameter.h"
+#include "diagnose/catalogue/effect.h"
+#include "diagnose/model/parameter.h"
+#include "recording/subject.h"
 #include "tread/problem.h"
 
 namespace tread {
 namespace {
+
+using diagnose::catalogue::applies;
+using diagnose::catalogue::Direction;
+using diagnose::catalogue::Effect;
+using diagnose::catalogue::Knob;
+using diagnose::model::nuisances;
+using diagnose::model::Parameter;
+using recording::numberAt;
+using recording::Subject;
 
 // Of the typical size.
 struct Sizes {

@@ -14,9 +14,9 @@
 #include "blind/key.h"
 #include "blind/reading_noise.h"
 #include "blind/surroundings.h"
-#include "diagnose/effect.h"
-#include "diagnose/subject.h"
+#include "diagnose/catalogue/effect.h"
 #include "log/log.h"
+#include "recording/subject.h"
 #include "run/push.h"
 
 namespace tread {
@@ -29,7 +29,7 @@ struct ProvingGround {
 };
 
 struct Truth {
-    Subject car;
+    recording::Subject car;
     std::map<std::string, double, std::less<>> low_pass;  // 1/s, by channel: instruments that are slow
     std::function<Pushing()> push;                        // from outside the catalogue; asked once for each drive
     // What instruments from outside the catalogue make of the readings of a drive, before their noise.
@@ -51,10 +51,10 @@ struct Drawing {
 };
 
 // Throws LoadError when the kind needs effects and the car has not enough of them.
-DrawnCase drawCase(const VehicleParams& nominal, const std::vector<Effect>& effects, CaseKind kind, Random& random,
-                   const Drawing& drawing = {});
+DrawnCase drawCase(const VehicleParams& nominal, const std::vector<diagnose::catalogue::Effect>& effects, CaseKind kind,
+                   Random& random, const Drawing& drawing = {});
 
 // Whether they move the same number.
-bool sharePaths(const Effect& a, const Effect& b);
+bool sharePaths(const diagnose::catalogue::Effect& a, const diagnose::catalogue::Effect& b);
 
 }  // namespace tread

@@ -5,10 +5,16 @@
 
 #include "blind/examine.h"
 #include "blind/outsiders.h"
+#include "diagnose/catalogue/effect.h"
+#include "recording/subject.h"
 #include "shared/vehicles.h"
 
 namespace tread {
 namespace {
+
+using diagnose::catalogue::Direction;
+using diagnose::catalogue::Effect;
+using recording::Subject;
 
 // Of a car, its steering's recording, an instrument that reads late, and one that shows the same as the first in part.
 const std::vector<Effect> kEffects{

@@ -11,13 +11,20 @@
 #include "blind/make.h"
 #include "blind/outsiders.h"
 #include "blind/shown.h"
-#include "diagnose/sha256.h"
+#include "diagnose/catalogue/effect.h"
+#include "recording/subject.h"
 #include "shared/scratch.h"
 #include "shared/vehicles.h"
+#include "store/sha256.h"
 #include "tread/problem.h"
 
 namespace tread {
 namespace {
+
+using diagnose::catalogue::Direction;
+using diagnose::catalogue::Effect;
+using recording::numberAt;
+using recording::Subject;
 
 const std::vector<Effect> kEffects{
     {"heavier", "", "", {{{"mass"}, 0.1, true, Direction::up}}},

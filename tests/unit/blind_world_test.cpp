@@ -12,11 +12,15 @@
 #include "blind/errors.h"
 #include "blind/gauges.h"
 #include "blind/surroundings.h"
-#include "diagnose/subject_paths.h"
+#include "recording/subject.h"
+#include "recording/subject_paths.h"
 #include "shared/vehicles.h"
 
 namespace tread {
 namespace {
+
+using recording::pathFault;
+using recording::Subject;
 
 Subject known() {
     return {.vehicle = reference::compact(), .road = {}, .wind = {}, .instruments = {}};
