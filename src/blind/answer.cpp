@@ -43,7 +43,7 @@ CaseAnswer answerOf(const std::string& name, const Diagnosis& d) {
     answer.effects = d.effects;
     answer.probability_of_nothing = d.probability_of_nothing;
     answer.probability_of_unknown = d.probability_of_unknown;
-    answer.expected_evidence = d.testable;
+    answer.expected_evidence = d.expected_evidence;
     answer.generalised_force = d.unexplained.generalised_force;
     answer.baselines = d.baselines;
     answer.closure = d.how_far.closure;
