@@ -181,7 +181,7 @@ TEST_F(DiagnoseCommand, CheckSaysWhatTheDrivesCouldShowWithoutADiagnosis) {
     const nlohmann::json json = nlohmann::json::parse(checked({"--json"}).out);
     EXPECT_EQ(json.at("can_be_found"), nlohmann::json::array({"steering_delay"}));
     EXPECT_EQ(json.at("cannot_be_seen"), nlohmann::json::array({"brake_gain"}));
-    EXPECT_GT(json.at("testable").at("steering_delay"), 6);
+    EXPECT_GT(json.at("expected_evidence").at("steering_delay"), 6);
     EXPECT_LT(json.at("simulations").get<int>(), 160) << "sensitivities were kept by the first check";
 }
 

@@ -14,11 +14,14 @@
 namespace tread {
 namespace {
 
-using diagnose::model::kDisturbedNames;
-
 using diagnose::model::Disturbances;
 using diagnose::model::Disturbed;
+using diagnose::model::motionAt;
+using diagnose::model::nameOf;
+using diagnose::model::placeOf;
+using diagnose::model::Replays;
 using diagnose::model::Rows;
+using diagnose::model::rowsAt;
 using diagnose::model::usualSize;
 using recording::ObservedChannel;
 using recording::RecordedDrive;
@@ -55,34 +58,33 @@ Scenario spiral() {
 TEST(Disturbances, PushesDoWhatTheyDoAloneAlsoAtTheLimitAndLongAfter) {
     const planted::Case made = planted::recorded(
         {.vehicle = planted::nominalCar(), .road = {}, .wind = {}, .instruments = {}}, {{"spiral", spiral()}});
-    Bench bench;
-    bench.nominal = made.nominal;
-    bench.simulate = diagnose::Options{}.simulate;
-    bench.drives = {recordedDrive(made.file.recordings.front(), made.logs.front(), made.file)};
-    const RecordedDrive& drive = bench.drives.front();
-    const Rows rows = *rowsAt(bench, bench.origin());
-    const Disturbances told = disturbances(bench, 0, bench.nominal);
+    Replays replays;
+    replays.replayer = {made.nominal, made.file.step, diagnose::Options{}.simulate};
+    const std::vector<RecordedDrive> drives{recordedDrive(made.file.recordings.front(), made.logs.front(), made.file)};
+    const RecordedDrive& drive = drives.front();
+    const Rows rows = *rowsAt(replays, drives, replays.origin());
+    const Disturbances told = disturbances(replays, drive, made.nominal);
     // Without what lingers of each impulse in the hats after it.
-    const Eigen::Index hats = told.lingering.rows();
-    const Eigen::MatrixXd alone = told.lingering.inverse();
+    const Eigen::Index hats = told.hats();
+    const Eigen::MatrixXd alone = told.correlation_factor.inverse();
     for (const Disturbed kind : {Disturbed::longitudinal, Disturbed::lateral, Disturbed::yaw, Disturbed::roll}) {
-        const Eigen::MatrixXd columns = told.columns.middleCols(static_cast<Eigen::Index>(kind) * hats, hats) * alone;
+        const Eigen::MatrixXd columns =
+            told.columns.middleCols(static_cast<Eigen::Index>(placeOf(kind)) * hats, hats) * alone;
         for (const double peak : {1.0, 4.0, 6.5}) {
             const auto pushing = [&](double time, const VehicleInput&, const VehicleOutput&) {
                 const double height = std::max(0.0, 1 - std::abs(time - peak) / kHat);
-                return pushOf(kind, height * usualSize(kind, bench.nominal.vehicle));
+                return pushOf(kind, height * usualSize(kind, made.nominal.vehicle));
             };
-            const std::optional<Log> motion = motionAt(bench, 0, bench.nominal, {.pushing = pushing});
+            const std::optional<Log> motion = motionAt(replays, drive, made.nominal, {.pushing = pushing});
             ASSERT_TRUE(motion);
-            const Eigen::VectorXd really = readings(drive, *motion, bench.nominal.instruments) - rows.front();
+            const Eigen::VectorXd really = readings(drive, *motion, made.nominal.instruments) - rows.front();
             const Eigen::VectorXd column = columns.col(static_cast<Eigen::Index>(std::lround(peak / kHat)));
             for (const ObservedChannel& channel : drive.channels) {
                 const auto count = static_cast<Eigen::Index>(channel.times.size());
                 const Eigen::VectorXd real = really.segment(channel.first_row, count);
                 const Eigen::VectorXd off = column.segment(channel.first_row, count) - real;
                 EXPECT_LT(off.lpNorm<Eigen::Infinity>(), 0.1 * real.lpNorm<Eigen::Infinity>() + 0.02 * noise(channel))
-                    << channel.name << ", " << kDisturbedNames[static_cast<std::size_t>(kind)] << " at " << peak
-                    << " s";
+                    << channel.name << ", " << nameOf(kind) << " at " << peak << " s";
             }
         }
     }

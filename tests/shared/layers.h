@@ -15,9 +15,26 @@ namespace tread::layers {
 using Path = std::filesystem::path;
 
 // A file may include from its own layer and from those to its left.
-inline const std::vector<std::string> kOrder{"base",     "road",     "tyre",  "vehicle",  "bullet",  "log",
-                                             "import",   "scenario", "run",   "compare",  "metrics", "series",
-                                             "identify", "diagnose", "blind", "campaign", "report",  "tools"};
+inline const std::vector<std::string> kOrder{"base",     "inference", "road",      "tyre",     "vehicle",   "bullet",
+                                             "log",      "store",     "import",    "scenario", "run",       "compare",
+                                             "metrics",  "series",    "recording", "diagnose", "calibrate", "blind",
+                                             "campaign", "report",    "tools"};
+
+// Inside of a layer, a file may include from its own room and from those to its left. A room is a folder; "" is the
+// layer's own, but for the files that kGroundFloor names.
+inline const std::map<std::string, std::vector<std::string>> kRooms{
+    {"recording", {"", "checks"}},
+    {"diagnose", {"ground", "answer", "catalogue", "model", "select", "explain", ""}},
+};
+inline const std::vector<Path> kGroundFloor{"diagnose/settings", "diagnose/options"};
+
+// What computes an answer puts nothing into words: these rooms include none of the headers that print.
+inline const std::vector<std::string> kWordless{"catalogue", "model", "select", "explain"};
+inline bool isProse(const Path& name) {
+    const std::string stem = name.stem().string();
+    return name.parent_path() == "diagnose/answer" &&
+           (stem == "words" || stem.ends_with("_text") || stem.ends_with("_json"));
+}
 
 // Public headers share one folder; each belongs to a layer.
 inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{
@@ -40,7 +57,7 @@ struct Library {
     std::vector<std::string> beginnings;
     std::vector<std::string> layers;
 };
-inline const std::vector<std::string> kLab(kOrder.begin() + 5, kOrder.end());
+inline const std::vector<std::string> kLab(std::find(kOrder.begin(), kOrder.end(), "log"), kOrder.end());
 inline const std::vector<Library> kLibraries{
     {"Bullet", {"bt", "Bullet", "LinearMath/"}, {"bullet", "run", "tools"}},
     {"yaml-cpp", {"yaml-cpp/"}, {"base"}},
@@ -49,7 +66,7 @@ inline const std::vector<Library> kLibraries{
     {"CLI11", {"CLI/"}, {"tools"}},
     {"OpenGL, GLFW and stb", {"epoxy/", "GLFW/", "stb/"}, {"tools"}},
     {"matio", {"matio.h"}, {"import"}},
-    {"OpenSSL", {"openssl/"}, {"diagnose"}},
+    {"OpenSSL", {"openssl/"}, {"store"}},
 };
 
 inline bool contains(const std::vector<std::string>& list, const std::string& value) {
@@ -80,6 +97,20 @@ inline std::string layerOfInclude(const Path& name, const std::string& including
     return contains(kOrder, folder) ? folder : "";
 }
 
+// Room of a file, named "<layer>/..." as an #include does; or "", also for layers that have none.
+inline std::string roomOf(const Path& name) {
+    Path bare = name;
+    if (std::find(kGroundFloor.begin(), kGroundFloor.end(), bare.replace_extension()) != kGroundFloor.end())
+        return "ground";
+    const Path folder = name.parent_path();
+    return folder.has_parent_path() ? std::next(folder.begin())->string() : "";
+}
+
+// src/<layer>/... -> <layer>/...
+inline Path inSources(const Path& file) {
+    return file.lexically_relative("src");
+}
+
 struct Include {
     int line;
     std::string name;
@@ -101,6 +132,19 @@ inline std::vector<Include> includesOf(const std::string& text) {
     return found;
 }
 
+// What is wrong with an include between two files of one layer, both named "<layer>/...", or "".
+inline std::string faultBetweenRooms(const Path& name, const Path& file, const std::string& layer) {
+    const auto rooms = kRooms.find(layer);
+    if (rooms == kRooms.end()) return {};
+    const std::vector<std::string>& order = rooms->second;
+    const auto placeOf = [&](const Path& of) { return std::find(order.begin(), order.end(), roomOf(of)); };
+    if (placeOf(name) <= placeOf(file) && placeOf(name) != order.end()) return {};
+    const auto inWords = [](const std::string& room) {
+        return room.empty() ? "the layer's own files" : "room " + room;
+    };
+    return inWords(roomOf(file)) + " may not use " + inWords(roomOf(name)) + " of the same layer";
+}
+
 // What is wrong with one include of a file in a layer, or "".
 inline std::string faultOf(const Include& include, const Path& file, const std::string& layer) {
     const Path name = include.name;
@@ -114,6 +158,11 @@ inline std::string faultOf(const Include& include, const Path& file, const std::
     if (used.empty()) return "it belongs to no layer (write \"tread/header.h\" or \"layer/file.h\")";
     if (std::find(kOrder.begin(), kOrder.end(), used) > std::find(kOrder.begin(), kOrder.end(), layer)) {
         return "layer " + layer + " may not use layer " + used + ", which lies above it";
+    }
+    if (isProse(name) && layer == "diagnose" && contains(kWordless, roomOf(inSources(file))))
+        return "what computes an answer does not put it into words";
+    if (used == layer && name.has_parent_path() && *file.begin() == "src") {
+        if (const std::string fault = faultBetweenRooms(name, inSources(file), layer); !fault.empty()) return fault;
     }
     const bool is_public = *file.begin() == "include";
     if (is_public && *name.begin() != "tread")
@@ -140,6 +189,9 @@ inline std::vector<std::string> faultsOf(const Path& file, const std::string& te
     const std::string vector_code = *file.begin() == "include" ? vectorCodeIn(text) : "";
     if (!vector_code.empty())
         faults.push_back(file.string() + ":1: a public header has no vector code, but \"" + vector_code + "\"");
+    if (const auto rooms = kRooms.find(layer);
+        rooms != kRooms.end() && !contains(rooms->second, roomOf(inSources(file))))
+        faults.push_back(file.string() + ":1: belongs to no room of its layer: name it in tests/shared/layers.h");
     for (const Include& include : includesOf(text)) {
         std::string fault;
         if (Path(include.name).extension() == ".cpp") fault = "include headers, not sources";

@@ -50,7 +50,7 @@ Diagnosis blamed(const std::string& cause) {
     effect.name = cause;
     effect.probability = 0.97;
     diagnosis.effects = {effect};
-    diagnosis.testable[cause] = 40;
+    diagnosis.expected_evidence[cause] = 40;
     return diagnosis;
 }
 

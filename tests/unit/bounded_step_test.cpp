@@ -9,11 +9,11 @@ namespace tread {
 namespace {
 
 using inference::boundedStep;
+using inference::QuadraticModel;
 
 // How much more each parameter would like to move.
-Eigen::VectorXd pull(const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient, const Eigen::VectorXd& x,
-                     const Eigen::VectorXd& step) {
-    return gradient - x - step - information * step;
+Eigen::VectorXd pull(const QuadraticModel& model, const Eigen::VectorXd& step) {
+    return model.gradient - model.at - step - model.information * step;
 }
 
 TEST(BoundedStep, LeavesNothingToGainWithinTheBounds) {
@@ -29,9 +29,9 @@ TEST(BoundedStep, LeavesNothingToGainWithinTheBounds) {
             lowest(i) = x(i) - (random.uniform() < 0.3 ? 0 : random.uniform());
             highest(i) = x(i) + random.uniform();
         }
-        const Eigen::MatrixXd information = rows.transpose() * rows;
-        const Eigen::VectorXd step = boundedStep(information, gradient, x, 0, lowest, highest);
-        const Eigen::VectorXd left = pull(information, gradient, x, step);
+        const QuadraticModel model{.information = rows.transpose() * rows, .gradient = gradient, .at = x};
+        const Eigen::VectorXd step = boundedStep(model, 0, lowest, highest);
+        const Eigen::VectorXd left = pull(model, step);
         for (Eigen::Index i = 0; i < kSize; ++i) {
             const double at = x(i) + step(i);
             EXPECT_GE(at, lowest(i) - 1e-12);
@@ -49,7 +49,7 @@ TEST(BoundedStep, DoesNotGoUphillWhenAPartnerMeetsItsBound) {
     Eigen::MatrixXd information(2, 2);
     information << 1000, 990, 990, 1000;
     const Eigen::Vector2d gradient(1000, 900), zero(0, 0), far(10, 10);
-    const Eigen::VectorXd step = boundedStep(information, gradient, zero, 0, zero, far);
+    const Eigen::VectorXd step = boundedStep({information, gradient, zero}, 0, zero, far);
     EXPECT_NEAR(step(0), 1000.0 / 1001, 1e-12);
     EXPECT_EQ(step(1), 0);
 }

@@ -20,6 +20,7 @@ using diagnose::catalogue::Direction;
 using diagnose::catalogue::Effect;
 using diagnose::catalogue::effectCatalogue;
 using diagnose::catalogue::Knob;
+using diagnose::catalogue::move;
 using recording::numberAt;
 using recording::Subject;
 

@@ -1,11 +1,11 @@
 // Probabilities of causes, against Bayes' rule by hand.
-#include "base/random.h"
 #include "diagnose/select/posterior.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/random.h"
 #include "diagnose/select/search.h"
 #include "diagnose/settings.h"
 
@@ -13,7 +13,8 @@ namespace tread {
 namespace {
 
 using diagnose::kSettings;
-
+using diagnose::model::Problem;
+using diagnose::select::Calibration;
 using diagnose::select::Candidate;
 using diagnose::select::Posterior;
 using diagnose::select::posterior;
@@ -21,11 +22,16 @@ using diagnose::select::Search;
 
 constexpr double kNoMore = -1000;
 
-struct TenEffects : Study {
-    TenEffects() {
-        for (int e = 0; e < 10; ++e)
-            effects.push_back({.name = "e" + std::to_string(e), .question = {}, .source = {}, .knobs = {}});
-    }
+// A question about ten effects without a drive: nothing is left over, and a unit of evidence counts in full.
+Problem askedOf(int effects) {
+    Problem problem;
+    for (int e = 0; e < effects; ++e)
+        problem.effects.push_back({.name = "e" + std::to_string(e), .question = {}, .source = {}, .knobs = {}});
+    return problem;
+}
+struct TenEffects {
+    Problem problem = askedOf(10);
+    Calibration car{problem, {}, {}, {}, {}, {}, {}};
 };
 
 Candidate judged(std::vector<std::size_t> effects, double log_evidence) {
@@ -33,10 +39,10 @@ Candidate judged(std::vector<std::size_t> effects, double log_evidence) {
 }
 
 TEST(Posterior, OfOneEffectIsItsShareOfPriorTimesEvidence) {
-    const TenEffects study;
+    const TenEffects ten;
     const Search found{{judged({3}, 5), judged({7}, 2), judged({}, 0)}};
     const double none = 0.25, first = 0.045 * std::exp(5), second = 0.045 * std::exp(2);
-    const Posterior result = posterior(study, found, kNoMore);
+    const Posterior result = posterior(ten.car, found, kNoMore);
     EXPECT_NEAR(result.of(3), first / (none + first + second), 1e-12);
     EXPECT_NEAR(result.of(7), second / (none + first + second), 1e-12);
     EXPECT_EQ(result.of(4), 0);
@@ -45,28 +51,28 @@ TEST(Posterior, OfOneEffectIsItsShareOfPriorTimesEvidence) {
 }
 
 TEST(Posterior, OfAPairCountsForBothAndIsSplitOverAllPairs) {
-    const TenEffects study;
+    const TenEffects ten;
     const Search found{{judged({3, 7}, 12), judged({3}, 5), judged({}, 0)}};
     const double doubted = kSettings.further_share * 12;
     const double none = 0.25, one = 0.045 * std::exp(5), two = 0.15 / 45 * std::exp(12 - doubted);
-    const Posterior result = posterior(study, found, kNoMore);
+    const Posterior result = posterior(ten.car, found, kNoMore);
     EXPECT_NEAR(result.of(7), two / (none + one + two), 1e-12);
     EXPECT_NEAR(result.of(3), (one + two) / (none + one + two), 1e-12);
 }
 
 TEST(Posterior, OfUnknownGrowsWithWhatLargerDisturbancesGain) {
-    const TenEffects study;
+    const TenEffects ten;
     const Search found{{judged({3}, 5), judged({}, 0)}};
     const double gain = 8;
     const double none = 0.25, one = 0.045 * std::exp(5), unknown = 0.1 * std::exp(5 + gain - kSettings.unknown);
-    const Posterior result = posterior(study, found, gain);
+    const Posterior result = posterior(ten.car, found, gain);
     EXPECT_NEAR(result.ofUnknown(), unknown / (none + one + unknown), 1e-12);
 }
 
 TEST(Posterior, OfNothingThatShowsCountsWhatHasNotGainedEnough) {
-    const TenEffects study;
+    const TenEffects ten;
     const Search found{{judged({3}, kSettings.effect + 0.1), judged({7}, kSettings.effect - 0.1), judged({}, 0)}};
-    const Posterior result = posterior(study, found, 4);
+    const Posterior result = posterior(ten.car, found, 4);
     EXPECT_TRUE(result.shows(found.candidates[0].log_evidence));
     EXPECT_FALSE(result.shows(found.candidates[1].log_evidence));
     EXPECT_GT(result.ofUnknown(), 0.01);

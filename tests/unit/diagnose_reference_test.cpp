@@ -24,11 +24,15 @@ using recording::kBlock;
 using diagnose::answer::Diagnosis;
 using diagnose::answer::Estimate;
 using diagnose::answer::Verdict;
+using diagnose::catalogue::Effect;
+using diagnose::model::endsOf;
 using diagnose::model::nuisances;
 using diagnose::model::Parameter;
+using diagnose::model::Problem;
+using diagnose::model::problemOf;
 using diagnose::model::rowNoise;
 using diagnose::model::Rows;
-using recording::RecordedDrive;
+using diagnose::model::rowsAt;
 using recording::Recording;
 using recording::Subject;
 using recording::withChannelsOf;
@@ -78,14 +82,14 @@ TEST(Reference, WhatChangedIsNamedWithItsSize) {
 TEST(Reference, RowsAreAsNoisyAsTwoRuns) {
     simple_car::Case made = compared(15);
     made.file.channels = {{.channel = "chassis.yaw_rate", .noise = 0.003}};
-    Study study;
-    begin(study.bench, made.nominal, made.file, made.recorded, simple_car::options());
-    const RecordedDrive& drive = study.bench.drives.front();
-    EXPECT_EQ(drive.runs, 2);
-    const std::optional<Rows> rows = rowsAt(study.bench, study.bench.origin());
+    const Problem problem =
+        problemOf(made.nominal, made.file, made.recorded, std::vector<Effect>{}, simple_car::options());
+    EXPECT_EQ(problem.drives.front().runs, 2);
+    const std::optional<Rows> rows = rowsAt(problem.replays, problem.drives, problem.replays.origin());
     ASSERT_TRUE(rows);
     const double block = std::sqrt(kBlock / 0.01);
-    EXPECT_GE(rowNoise(study.bench.drives, *rows).front().deviation(0), std::sqrt(2) * 0.003 / block * 0.999);
+    EXPECT_GE(rowNoise(problem.drives, *rows, endsOf(problem.drives)).front().deviation(0),
+              std::sqrt(2) * 0.003 / block * 0.999);
 }
 
 TEST(Reference, ACarIsNearerToItselfThanToItsTolerances) {

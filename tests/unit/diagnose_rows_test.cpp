@@ -7,6 +7,8 @@
 #include "base/random.h"
 #include "diagnose/model/disturbance.h"
 #include "diagnose/model/noise.h"
+#include "diagnose/model/uncertainty.h"
+#include "inference/ornstein_uhlenbeck.h"
 #include "recording/checks/left_out.h"
 #include "recording/diagnosis_file.h"
 #include "recording/recorded_drive.h"
@@ -20,6 +22,7 @@ namespace {
 using recording::kBlock;
 
 using diagnose::model::Disturbances;
+using diagnose::model::endsOf;
 using diagnose::model::RowNoise;
 using recording::RecordedDrive;
 using recording::recordedDrive;
@@ -75,16 +78,17 @@ TEST(RowNoise, RowsThatSayNothingAreNothing) {
 
 TEST(Disturbances, HatsAreCorrelatedAsTheProcessIs) {
     // Ornstein-Uhlenbeck process of half a second, seen every quarter.
-    const Disturbances disturbing{.columns = {}, .kinds = {}, .times = {}, .lingering = lingering(20)};
-    const Eigen::MatrixXd covariance = disturbing.lingering * disturbing.lingering.transpose();
+    const Disturbances disturbing{
+        .columns = {}, .kinds = {}, .times = {}, .correlation_factor = inference::correlationFactor(20, 0.25, 0.5)};
+    const Eigen::MatrixXd covariance = disturbing.correlation_factor * disturbing.correlation_factor.transpose();
     for (Eigen::Index i = 0; i < 20; ++i) {
         for (Eigen::Index j = 0; j < 20; ++j)
             EXPECT_NEAR(covariance(i, j), std::exp(-0.25 * std::abs(static_cast<double>(i - j)) / 0.5), 1e-12);
     }
     Eigen::VectorXd impulse = Eigen::VectorXd::Zero(40);
     impulse(20) = 1;
-    EXPECT_EQ(disturbing.hats(impulse).head(20).norm(), 0) << "of another kind";
-    EXPECT_NEAR(disturbing.hats(impulse)(21), std::exp(-0.5), 1e-12);
+    EXPECT_EQ(disturbing.heights(impulse).head(20).norm(), 0) << "of another kind";
+    EXPECT_NEAR(disturbing.heights(impulse)(21), std::exp(-0.5), 1e-12);
 }
 
 // A steady turn at 20 m/s; `slips` rad/s of sideslip from 5 s on.
@@ -120,10 +124,11 @@ TEST(Sliding, WhatIsLeftOutIsSaidWithItsTimeAndWhoSlid) {
     for (RecordedDrive* one : {&whole, &own, &before}) one->time = {0, 10};
     own.until = 3.9;
     before.until = before.until_reference = 5.2;
-    const std::vector<std::string> said = leftOut(std::vector{whole, own, before});
+    const std::vector<RecordedDrive> drives{whole, own, before};
+    const std::vector<std::string> said = leftOut(drives, endsOf(drives));
     ASSERT_EQ(said.size(), 2u);
     own.until = 0;
-    EXPECT_NE(leftOut(std::vector{own}).front().find("at the units and signs"), std::string::npos)
+    EXPECT_NE(leftOut(std::vector{own}, {0}).front().find("at the units and signs"), std::string::npos)
         << "nobody slides from the beginning";
     EXPECT_TRUE(said[0].starts_with("own: from 3.9 s of 10.0 s on the car slides and its model does not")) << said[0];
     EXPECT_TRUE(said[1].starts_with("before: from 5.2 s of 10.0 s on the car of the reference slides")) << said[1];
@@ -154,7 +159,8 @@ TEST(Gap, EndsTheDriveWhereAnInputOfTheDriverIsMissing) {
     EXPECT_NEAR(recordedDrive(followed, without(3, 400, 60), {}).until, 3.99, 1e-9) << "but here";
     EXPECT_EQ(recordedDrive(pedals, without(4, 400, 60), {}).until, kInfinity) << "what is compared may have gaps";
 
-    const std::vector<std::string> said = leftOut(std::vector{recordedDrive(pedals, without(1, 400, 60), {})});
+    const std::vector<RecordedDrive> drives{recordedDrive(pedals, without(1, 400, 60), {})};
+    const std::vector<std::string> said = leftOut(drives, endsOf(drives));
     ASSERT_EQ(said.size(), 1u);
     EXPECT_TRUE(
         said[0].starts_with("a.csv: from 4.0 s of 10.0 s on nothing is compared, for "
@@ -178,9 +184,9 @@ TEST(Replay, ACarIsAsFastAsItsSpeedometerStandsFor) {
     const Subject nominal;
     Subject subject;
     subject.instruments.speed = {.gain = 0.8, .bias = 4};
-    EXPECT_DOUBLE_EQ(replayOf(drive, subject, nominal, 0.004).start.speed, 20.0);
+    EXPECT_DOUBLE_EQ(replayOf(drive, subject, {nominal, 0.004, {}}).start.speed, 20.0);
     subject.instruments.speed = {.gain = 1, .bias = 4};
-    EXPECT_DOUBLE_EQ(replayOf(drive, subject, nominal, 0.004).start.speed, 16.0);
+    EXPECT_DOUBLE_EQ(replayOf(drive, subject, {nominal, 0.004, {}}).start.speed, 16.0);
 }
 
 TEST(Replay, ASpeedThatIsFollowedIsTheMeasuredOneAllAlong) {
@@ -193,7 +199,7 @@ TEST(Replay, ASpeedThatIsFollowedIsTheMeasuredOneAllAlong) {
         log.channels[2].values.push_back(0.1 * t);
     }
     const RecordedDrive drive = recordedDrive(recording, log, {});
-    const Scenario scenario = replayOf(drive, {}, {}, 0.004);
+    const Scenario scenario = replayOf(drive, {}, {{}, 0.004, {}});
     const auto* follow = std::get_if<HoldSpeed>(&scenario.phases.front().throttle);
     ASSERT_TRUE(follow);
     for (const double t : {0.0, 1.0, 3.9}) EXPECT_NEAR(follow->profile(t), 20 - 3 * t, 1e-6);

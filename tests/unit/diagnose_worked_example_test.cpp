@@ -7,15 +7,26 @@
 #include "diagnose/select/search.h"
 #include "diagnose/select/unknown_cause.h"
 #include "inference/bounded_step.h"
-#include "inference/chi_squared.h"
+#include "inference/heterogeneity.h"
 #include "inference/normal_equations.h"
+#include "shared/linear_model.h"
 
 namespace tread {
 namespace {
 
 using diagnose::select::Candidate;
+using diagnose::select::lookAlikeGain;
 using inference::boundedStep;
-using inference::chiSquaredTail;
+using inference::Heterogeneity;
+using inference::heterogeneity;
+using inference::logBayesFactorOfSpread;
+using inference::marginalised;
+using inference::NormalEquations;
+using inference::normalEquations;
+using inference::productsOf;
+using inference::QuadraticModel;
+using linear_model::logEvidence;
+using linear_model::quadraticOf;
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -26,14 +37,16 @@ struct Drive {
     MatrixXd columns;  // nuisance, effect, residual
     MatrixXd disturbance;
 
-    Gram gram(double size) const { return whitened(driveGram(columns, disturbance), VectorXd::Constant(1, size)); }
+    NormalEquations equations(double size) const {
+        return normalEquations(productsOf(columns, disturbance), VectorXd::Constant(1, size));
+    }
 };
 
 struct Example {
     Drive first{MatrixXd{{0, 1, 3}, {0, 1, 0}, {3, 2, 5}}, MatrixXd{{0}, {1}, {1}}};
     Drive second{MatrixXd{{3, 1, 6}, {3, 2, 6}, {1, 3, 5}}, MatrixXd{{1}, {1}, {0}}};
 
-    Gram both(double size = 2) const { return first.gram(size) + second.gram(size); }
+    NormalEquations both(double size = 2) const { return first.equations(size) + second.equations(size); }
 };
 
 void expectEqual(const MatrixXd& found, const MatrixXd& expected) {
@@ -42,19 +55,19 @@ void expectEqual(const MatrixXd& found, const MatrixXd& expected) {
 
 TEST(WorkedExample, ProductsInTheMetricOfTheDisturbances) {
     const Example example;
-    expectEqual(example.first.gram(2).products,
+    expectEqual(example.first.equations(2).products,
                 MatrixXd{{5, 2, 25 / 3.0}, {2, 2, 19 / 3.0}, {25 / 3.0, 19 / 3.0, 206 / 9.0}});
-    expectEqual(example.second.gram(2).products, MatrixXd{{3, 4, 9}, {4, 10, 17}, {9, 17, 33}});
+    expectEqual(example.second.equations(2).products, MatrixXd{{3, 4, 9}, {4, 10, 17}, {9, 17, 33}});
     EXPECT_NEAR(example.both().log_determinant, 2 * std::log(9), kExact);
 }
 
 TEST(WorkedExample, InformationEvidenceAndGainOfTheEffect) {
-    const Gram gram = Example{}.both();
-    const MatrixXd left = marginalised(gram, {0}).products;
+    const NormalEquations both = Example{}.both();
+    const MatrixXd left = marginalised(both, {0}).products;
     const double information = left(1, 1), gradient = left(1, 2);
     EXPECT_NEAR(information, 8, kExact);
     EXPECT_NEAR(gradient, 106 / 9.0, kExact);
-    const double none = logEvidence(gram, 2, {0}), effect = logEvidence(gram, 2, {0, 1});
+    const double none = logEvidence(both, 2, {0}), effect = logEvidence(both, 2, {0, 1});
     EXPECT_NEAR(none, -0.5 * (1823 / 81.0 + 3 * std::log(9)), kExact);
     EXPECT_NEAR(effect - none, 0.5 * gradient * gradient / (1 + information) - std::log(3), kExact);
     EXPECT_NEAR(effect - none, 6.60783, 5e-6);
@@ -62,16 +75,14 @@ TEST(WorkedExample, InformationEvidenceAndGainOfTheEffect) {
 }
 
 TEST(WorkedExample, EstimateAndItsStandardDeviation) {
-    const Gram gram = Example{}.both();
-    const MatrixXd information = gram.products.topLeftCorner(2, 2);
-    const VectorXd gradient = gram.products.topRightCorner(2, 1);
+    const QuadraticModel model = quadraticOf(Example{}.both(), 2, {0, 1});
     const auto step = [&](double highest) {
         const VectorXd lowest{{-4, -8}}, limits{{4, highest}};
-        return boundedStep(information, gradient, VectorXd::Zero(2), 0, lowest, limits);
+        return boundedStep(model, 0, lowest, limits);
     };
     expectEqual(step(8), VectorXd{{256 / 243.0, 106 / 81.0}});
     expectEqual(step(0.5), VectorXd{{43 / 27.0, 0.5}});
-    const MatrixXd covariance = (MatrixXd::Identity(2, 2) + information).inverse();
+    const MatrixXd covariance = (MatrixXd::Identity(2, 2) + model.information).inverse();
     EXPECT_NEAR(std::sqrt(covariance(1, 1)), 1 / 3.0, kExact);
 }
 
@@ -91,9 +102,13 @@ TEST(WorkedExample, HeterogeneityBetweenTheDrives) {
     const VectorXd gradient = left.block(1, 3, 2, 1);
     expectEqual(each, MatrixXd{{14 / 9.0, -8 / 9.0}, {-8 / 9.0, 74 / 9.0}});
     expectEqual(each.inverse() * gradient, VectorXd{{43 / 18.0, 25 / 18.0}});
-    const double q = gradient.dot(each.inverse() * gradient) - gradient.sum() * gradient.sum() / each.sum();
-    EXPECT_NEAR(q, 1.5, kExact);
-    EXPECT_NEAR(chiSquaredTail(q, 1), std::erfc(std::sqrt(0.75)), kExact);
+    const double value = 106 / 81.0;
+    const Heterogeneity found = heterogeneity(each, gradient, value * value, 0.02);
+    EXPECT_NEAR(found.q, 1.5, kExact);
+    EXPECT_EQ(found.degrees_of_freedom, 1);
+    EXPECT_NEAR(found.p, std::erfc(std::sqrt(0.75)), kExact);
+    EXPECT_NEAR(found.spread, 0.330887, 5e-7);
+    EXPECT_NEAR(logBayesFactorOfSpread(found, 0.5, 0.1), -0.0403905, 5e-8);
 }
 
 TEST(WorkedExample, ResemblanceGainsLittle) {
@@ -101,9 +116,9 @@ TEST(WorkedExample, ResemblanceGainsLittle) {
     Candidate effect{.effects = {0}, .log_evidence = 6.60783, .fit = {}, .fitted = true};
     effect.fit.knobs = {0};
     effect.fit.at = VectorXd::Constant(1, value);
-    const Constancy same{.q = q, .degrees_of_freedom = 1, .p = 0.220671, .spread = std::sqrt(q / precision)};
+    const Heterogeneity same{.q = q, .degrees_of_freedom = 1, .p = 0.220671, .spread = std::sqrt(q / precision)};
     EXPECT_NEAR(same.spread, 0.330887, 5e-7);
-    EXPECT_NEAR(imitationGain(effect, same, false), -0.0913338, 5e-8);
+    EXPECT_NEAR(lookAlikeGain(effect, same, false), -0.0913338, 5e-8);
 }
 
 TEST(WorkedExample, LargerDisturbancesAreLessLikely) {

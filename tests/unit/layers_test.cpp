@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "places/places.h"
 #include "shared/source_files.h"
 
@@ -63,6 +66,68 @@ TEST(Layers, FindForeignLibraries) {
     EXPECT_NE(faults("src/bullet/a.cpp", "#include <fmt/format.h>"), "");
     EXPECT_NE(faults("src/diagnose/a.cpp", "#include <btBulletDynamicsCommon.h>"), "");
     EXPECT_NE(faults("src/report/a.cpp", "#include <CLI/CLI.hpp>"), "");
+}
+
+TEST(Layers, InferenceKnowsNoCarAndNoFile) {
+    EXPECT_EQ(faults("src/inference/a.cpp", "#include \"base/median.h\"\n#include <Eigen/Dense>\n"), "");
+    EXPECT_NE(faults("src/inference/a.cpp", "#include \"log/log.h\""), "");
+    EXPECT_NE(faults("src/inference/a.cpp", "#include \"tread/vehicle.h\""), "");
+    EXPECT_NE(faults("src/inference/a.cpp", "#include \"recording/recorded_drive.h\""), "");
+    EXPECT_NE(faults("src/inference/a.cpp", "#include <fmt/format.h>"), "");
+    EXPECT_NE(faults("src/base/a.cpp", "#include \"inference/laplace.h\""), "");
+}
+
+TEST(Layers, OnlyTheStoreHashes) {
+    EXPECT_EQ(faults("src/store/a.cpp", "#include <openssl/evp.h>\n#include <nlohmann/json.hpp>\n"), "");
+    EXPECT_NE(faults("src/diagnose/model/a.cpp", "#include <openssl/evp.h>"), "");
+}
+
+TEST(Layers, ChecksLieAboveTheRestOfTheirLayer) {
+    EXPECT_EQ(faults("src/recording/checks/a.cpp", "#include \"recording/replay.h\"\n#include \"log_checks.h\"\n"), "");
+    EXPECT_EQ(faults("src/recording/a.cpp", "#include \"recording/checks/left_out.h\"\n"),
+              "src/recording/a.cpp:1: includes recording/checks/left_out.h: the layer's own files may not use "
+              "room checks of the same layer\n");
+    EXPECT_NE(faults("src/recording/a.cpp", "#include \"diagnose/settings.h\""), "");
+    EXPECT_NE(faults("src/recording/loose/a.cpp", ""), "") << "a room that nobody named";
+}
+
+TEST(Layers, RoomsOfADiagnosisUseOnlyThoseBeforeThem) {
+    EXPECT_EQ(faults("src/diagnose/select/a.cpp",
+                     "#include \"diagnose/settings.h\"\n#include \"diagnose/options.h\"\n"
+                     "#include \"diagnose/answer/diagnosis.h\"\n#include \"diagnose/model/problem.h\"\n"
+                     "#include \"diagnose/select/fit.h\"\n#include \"recording/checks/left_out.h\"\n"),
+              "");
+    EXPECT_EQ(faults("src/diagnose/precheck.cpp", "#include \"diagnose/explain/where.h\""), "");
+    EXPECT_EQ(faults("src/diagnose/model/a.h", "#include \"diagnose/select/fit.h\""),
+              "src/diagnose/model/a.h:1: includes diagnose/select/fit.h: room model may not use room select of "
+              "the same layer\n");
+    const std::vector<std::string> rooms{"answer", "catalogue", "model", "select", "explain"};
+    for (std::size_t here = 0; here < rooms.size(); ++here) {
+        const std::string file = "src/diagnose/" + rooms[here] + "/a.cpp";
+        for (std::size_t there = 0; there < rooms.size(); ++there) {
+            const std::string include = "#include \"diagnose/" + rooms[there] + "/b.h\"";
+            EXPECT_EQ(faults(file.c_str(), include.c_str()).empty(), there <= here) << file << " " << include;
+        }
+        EXPECT_NE(faults(file.c_str(), "#include \"diagnose/diagnose.h\""), "") << file;
+        EXPECT_NE(faults(file.c_str(), "#include \"diagnose/precheck.h\""), "") << file;
+        EXPECT_EQ(faults(file.c_str(), "#include \"diagnose/settings.h\""), "") << file;
+        EXPECT_NE(faults("src/diagnose/options.h", ("#include \"diagnose/" + rooms[here] + "/b.h\"").c_str()), "");
+        EXPECT_NE(faults("src/diagnose/settings.h", ("#include \"diagnose/" + rooms[here] + "/b.h\"").c_str()), "");
+    }
+}
+
+TEST(Layers, WhatComputesAnAnswerDoesNotPutItIntoWords) {
+    for (const std::string room : {"catalogue", "model", "select", "explain"}) {
+        const std::string file = "src/diagnose/" + room + "/a.cpp";
+        for (const std::string header : {"words", "diagnosis_text", "diagnosis_json", "precheck_text"}) {
+            EXPECT_NE(faults(file.c_str(), ("#include \"diagnose/answer/" + header + ".h\"").c_str()), "")
+                << file << " " << header;
+        }
+        EXPECT_EQ(faults(file.c_str(), "#include \"diagnose/answer/diagnosis.h\""), "") << file;
+    }
+    EXPECT_EQ(faults("src/diagnose/diagnose.cpp", "#include \"diagnose/answer/words.h\""), "");
+    EXPECT_EQ(faults("src/diagnose/answer/precheck_text.cpp", "#include \"diagnose/answer/words.h\""), "");
+    EXPECT_EQ(faults("src/report/a.cpp", "#include \"diagnose/answer/words.h\""), "");
 }
 
 TEST(Layers, FindSubModelsThatKnowEachOther) {
