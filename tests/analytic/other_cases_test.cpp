@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
+#include "blind/gauges.h"
+#include "blind/other_draw.h"
 #include "blind/other_measure.h"
+#include "blind/other_outsiders.h"
 #include "shared/other_car/compact.h"
 #include "shared/vehicles.h"
 
@@ -23,35 +27,161 @@ tread::Drive driveNamed(const std::string& name) {
     throw std::out_of_range(name);
 }
 
-Drawn drawnWith(const std::string& effect, std::uint64_t seed = 3) {
-    std::vector<tread::Effect> effects;
-    for (const tread::Effect& one : plantable(tread::effectCatalogue(), reference::compact()))
-        if (one.name == effect) effects.push_back(one);
+tread::Subject nominal() {
+    return asInFile(reference::compact());
+}
+
+std::vector<const tread::Outsider*> allOutsiders() {
+    std::vector<const tread::Outsider*> all;
+    for (const tread::Outsider& one : tread::outsiders()) all.push_back(&one);
+    return all;
+}
+
+Drawn drawnOf(tread::CaseKind kind, std::uint64_t seed) {
     tread::Random random(seed);
-    return draw(known(), reference::compact(), effects, tread::CaseKind::one, random);
+    return draw(known(), nominal(), plantable(tread::effectCatalogue(), nominal()), allOutsiders(), kind, random);
+}
+
+// The largest difference of two logs, in units of the instruments' noise.
+double apart(const tread::Log& a, const tread::Log& b) {
+    double most = 0;
+    for (const tread::Gauge& gauge : tread::gauges()) {
+        const auto &x = a.find(gauge.channel)->values, &y = b.find(gauge.channel)->values;
+        EXPECT_EQ(x.size(), y.size());
+        for (std::size_t i = 0; i < x.size(); ++i) most = std::max(most, std::abs(x[i] - y[i]) / gauge.noise);
+    }
+    return most;
+}
+
+bool finite(const tread::Log& log) {
+    return std::all_of(log.channels.begin(), log.channels.end(), [](const tread::Channel& channel) {
+        return std::all_of(channel.values.begin(), channel.values.end(), [](double v) { return std::isfinite(v); });
+    });
 }
 
 TEST(OtherCases, ManyEffectsOfTheCatalogueCanBePlanted) {
-    const auto effects = plantable(tread::effectCatalogue(), reference::compact());
+    const auto effects = plantable(tread::effectCatalogue(), nominal());
     EXPECT_GE(effects.size(), 25u);
-    for (const char* name : {"mass", "grip", "tyre_relaxation", "wind", "steering_delay", "gyro_scale", "wheel_radius"})
+    for (const char* name :
+         {"mass", "grip", "tyre_relaxation", "wind", "steering_delay", "gyro_scale", "wheel_radius", "damping"})
         EXPECT_TRUE(std::any_of(effects.begin(), effects.end(), [&](const auto& e) { return e.name == name; })) << name;
 }
 
-TEST(OtherCases, PlantedNumberOfTheKeyIsThatOfTheCar) {
-    const Drawn mass = drawnWith("mass"), gyro = drawnWith("gyro_bias");
-    EXPECT_NEAR(mass.truth.car.mass, mass.key.numbers.at("mass").value, 0.003 * 1350);  // errors multiply
-    EXPECT_GT(std::abs(mass.key.numbers.at("mass").change), 0.59);
-    EXPECT_NEAR(gyro.truth.instruments.yaw_rate.bias, gyro.key.numbers.at("instruments.yaw_rate.bias").value, 1e-12);
+// Of each shared number the car has as much more, or the same factor, as the key says of tread's.
+TEST(OtherCases, PlantedNumbersOfTheKeyAreThoseOfTheDrivenCar) {
+    for (std::uint64_t seed = 1; seed < 40; ++seed) {
+        const Drawn drawn = drawnOf(tread::CaseKind::two, seed);
+        ASSERT_EQ(drawn.key.effects.size(), 2u);
+        EXPECT_FALSE(drawn.key.numbers.empty());
+        Truth driven = drivenCar(drawn), begin = known();
+        const auto have = sharedNumbers(driven), had = sharedNumbers(begin);
+        for (const auto& [path, number] : drawn.key.numbers) {
+            for (std::size_t i = 0; i < have.size(); ++i) {
+                if (have[i].path != path || have[i].share != 1) continue;
+                const double more = have[i].by_factor
+                                        ? *have[i].value / *had[i].value - number.value / number.nominal
+                                        : *have[i].value - *had[i].value - (number.value - number.nominal);
+                EXPECT_NEAR(more, 0, 1e-9 * std::max(1.0, std::abs(number.value))) << path;
+            }
+            EXPECT_GT(std::abs(number.change), 0.399) << path;
+            EXPECT_LT(std::abs(number.change), 2.501) << path;
+        }
+    }
 }
 
-TEST(OtherCases, EmptyCaseErrsInEveryNumberOnlyALittle) {
-    tread::Random random(1);
-    Drawn none = draw(known(), reference::compact(), {}, tread::CaseKind::none, random);
-    EXPECT_TRUE(none.key.effects.empty());
-    EXPECT_NE(none.truth.car.mass, 1350);
-    EXPECT_NEAR(none.truth.car.mass, 1350, 0.02 * 1350);
-    EXPECT_NE(none.truth.car.rear.tyre.stiffness, compact().rear.tyre.stiffness);
+TEST(OtherCases, KindsHaveWhatTheirNamesSay) {
+    using enum tread::CaseKind;
+    for (const auto& [kind, effects, outsider] : {std::tuple{one, 1u, false},
+                                                  {two, 2u, false},
+                                                  {none, 0u, false},
+                                                  {outside, 0u, true},
+                                                  {mixed, 1u, true},
+                                                  {small, 1u, false}}) {
+        const Drawn drawn = drawnOf(kind, 5);
+        EXPECT_EQ(drawn.key.effects.size(), effects);
+        EXPECT_EQ(!drawn.key.outsider.empty(), outsider);
+        EXPECT_EQ(wrongThings(drawn).size(), effects + (outsider ? 1 : 0));
+    }
+    for (const auto& [path, number] : drawnOf(small, 5).key.numbers) EXPECT_LE(std::abs(number.change), 0.15) << path;
+}
+
+TEST(OtherCases, NumbersErrALittleAndNoneOfThemWildly) {
+    for (std::uint64_t seed = 1; seed < 30; ++seed) {
+        const Drawn none = drawnOf(tread::CaseKind::none, seed);
+        const Truth driven = drivenCar(none);
+        EXPECT_NE(driven.car.mass, 1350);
+        EXPECT_NEAR(driven.car.mass, 1350, 4.01 * 0.006 * 1350);
+        EXPECT_NEAR(driven.car.rear.tyre.stiffness, known().car.rear.tyre.stiffness,
+                    4.01 * 0.035 * known().car.rear.tyre.stiffness);
+        EXPECT_GE(driven.steering_delay, 0);
+    }
+}
+
+// Same car, other days: without noise and surroundings only what a day changes is between the logs.
+TEST(OtherCases, WithoutAFaultTheReferenceDiffersByTheDayOnly) {
+    const tread::Drive drive = driveNamed("step_steer_80");
+    const Drawn none = drawnOf(tread::CaseKind::none, 7);
+    EXPECT_EQ(apart(replay(drivenCar(none), drive).log, replay(drivenCar(none, wrongThings(none)), drive).log), 0);
+    const Day today{1, 2}, same_day{1, 3}, other_day{4, 5};
+    const auto on = [&](const Day& day) { return replay(drivenCar(none, {}, &day), drive).log; };
+    const double within = apart(on(today), on(same_day)), between = apart(on(today), on(other_day));
+    EXPECT_EQ(apart(on(today), on(today)), 0);
+    EXPECT_GT(within, 0.1);
+    EXPECT_GT(between, within);
+    EXPECT_LT(between, 30);
+}
+
+TEST(OtherCases, EachOutsiderDrivesAllDrivesAndIsSeen) {
+    for (const tread::Outsider& outsider : tread::outsiders()) {
+        double most = 0;
+        for (const tread::Drive& drive : tread::blindDrives()) {
+            Truth truth = known();
+            tread::Random random(11);
+            plant(outsider, nominal(), truth, random);
+            const tread::Log log = replay(truth, drive).log;
+            EXPECT_TRUE(finite(log)) << outsider.name << " " << drive.name;
+            EXPECT_EQ(apart(log, replay(truth, drive).log), 0) << outsider.name;
+            most = std::max(most, apart(log, replay(known(), drive).log));
+        }
+        EXPECT_GT(most, 3) << outsider.name;
+    }
+}
+
+TEST(OtherCases, EachStructureDrivesAllDrivesAndIsSeen) {
+    for (const StructuralChoice& choice : kStructuralChoices) {
+        Truth truth = known();
+        truth.car.structure.*choice.on = true;
+        double most = 0;
+        for (const tread::Drive& drive : tread::blindDrives()) {
+            const tread::Log log = replay(truth, drive).log;
+            EXPECT_TRUE(finite(log)) << choice.name << " " << drive.name;
+            EXPECT_EQ(apart(log, replay(truth, drive).log), 0) << choice.name;
+            most = std::max(most, apart(log, replay(known(), drive).log));
+        }
+        EXPECT_GT(most, 1) << choice.name;
+    }
+}
+
+TEST(OtherCases, TwoOrThreeStructuresAreDrawnAndKeepTheirNames) {
+    for (std::uint64_t seed = 1; seed < 50; ++seed) {
+        tread::Random random(seed);
+        const Structure structure = drawStructure(random);
+        const std::vector<std::string> names = namesOf(structure);
+        EXPECT_TRUE(names.size() == 2 || names.size() == 3);
+        EXPECT_EQ(structureOf(names), structure);
+        EXPECT_FALSE(structure.brush_tyre && structure.hyperbolic_tyre);
+    }
+}
+
+// The same inputs as recorded make the same drive again, also with a driver's instruments that are wrong.
+TEST(OtherCases, ReplayedInputsMakeTheSameDrive) {
+    Truth truth = known();
+    truth.instruments.steering_wheel_angle = {.gain = 1.02, .bias = 0.03};
+    for (const char* name : {"slow_ramp_80", "braking_in_turn_90"}) {
+        const tread::Drive drive = driveNamed(name);
+        const Replayed first = replay(truth, drive);
+        EXPECT_LT(apart(first.log, replay(truth, drive, {.recorded = &first.recorded}).log), 1e-6) << name;
+    }
 }
 
 TEST(OtherCases, InstrumentsReadWhatTheirNumbersSay) {
