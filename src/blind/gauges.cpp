@@ -1,25 +1,128 @@
 #include "blind/gauges.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "blind/draws.h"
+
 namespace tread {
+namespace {
+
+constexpr double kVibration = 8, kVibrationBand = 0.5;  // 1/s
+constexpr double kEngineOrder = 2;                      // of a four-stroke engine with four cylinders
+
+// Guesses of instruments of a good measuring car that are not quite what their sheets say.
+constexpr double kLeastLevel = 0.5, kMostLevel = 2;  // of the sheet's noise, and of the vibration
+constexpr double kMostKept = 0.6;                    // of an error in the next reading, 10 ms later
+constexpr double kEngineShare = 0.5;                 // of the vibration at 8 Hz
+constexpr double kJitter = 0.001;                    // s: reading and bus are not synchronous
+constexpr double kSpikes = 1e-4, kSpikeHeight = 40;  // of the readings; in standard deviations of the noise
+
+// The reading between samples, a little later or earlier.
+double shifted(const std::vector<double>& values, std::size_t i, double samples) {
+    const double place = std::clamp(static_cast<double>(i) + samples, 0.0, static_cast<double>(values.size() - 1));
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, values.size() - 1);
+    return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
+void spoil(std::vector<double>& values, const ReadingNoise& noise, std::span<const double> times,
+           std::span<const double> engine_phase, Random& random) {
+    const double interval = times.size() > 1 ? times[1] - times[0] : 1;
+    const double frequency = noise.frequency + noise.frequency_band * (2 * random.uniform() - 1);
+    const double road = 2 * std::numbers::pi * random.uniform(), engine = 2 * std::numbers::pi * random.uniform();
+    const double fresh = std::sqrt(1 - noise.kept * noise.kept);
+    const std::vector<double> clean = values;
+    double error = noise.level * random.normal();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        double shown = noise.jitter > 0 ? shifted(clean, i, random.normal() * noise.jitter / interval) : clean[i];
+        shown += error + noise.shaking * std::sin(2 * std::numbers::pi * frequency * times[i] + road);
+        if (!engine_phase.empty()) shown += noise.engine * std::sin(engine_phase[i] + engine);
+        if (noise.spikes > 0 && random.uniform() < noise.spikes) shown += noise.spike_height * random.normal();
+        values[i] = noise.resolution > 0 ? noise.resolution * std::round(shown / noise.resolution) : shown;
+        error = noise.kept * error + fresh * noise.level * random.normal();
+    }
+}
+
+}  // namespace
 
 const std::vector<Gauge>& gauges() {
     // Guesses of a good inertial unit, an optical speed sensor and the car's own wheel speeds.
     static const std::vector<Gauge> list{
-        {"driver.steering_wheel_angle", &Instruments::steering_wheel_angle, 0.002, 0},
-        {"driver.throttle", &Instruments::throttle, 0.001, 0},
-        {"driver.brake", &Instruments::brake, 0.001, 0},
-        {"chassis.ax", &Instruments::ax, 0.05, 0.1},
-        {"chassis.ay", &Instruments::ay, 0.05, 0.15},
-        {"chassis.yaw_rate", &Instruments::yaw_rate, 0.002, 0.003},
-        {"chassis.roll_rate", &Instruments::roll_rate, 0.003, 0.005},
-        {"chassis.roll", &Instruments::roll, 0.001, 0},
-        {"chassis.vx", &Instruments::speed, 0.03, 0},
-        {"wheel.front_left.spin", &Instruments::wheel_speed, 0.1, 0},
-        {"wheel.front_right.spin", &Instruments::wheel_speed, 0.1, 0},
-        {"wheel.rear_left.spin", &Instruments::wheel_speed, 0.1, 0},
-        {"wheel.rear_right.spin", &Instruments::wheel_speed, 0.1, 0},
+        {"driver.steering_wheel_angle", &Instruments::steering_wheel_angle, 0.002, 0, 0.0017},
+        {"driver.throttle", &Instruments::throttle, 0.001, 0, 0.002},
+        {"driver.brake", &Instruments::brake, 0.001, 0, 0.002},
+        {"chassis.ax", &Instruments::ax, 0.05, 0.1, 0.01},
+        {"chassis.ay", &Instruments::ay, 0.05, 0.15, 0.01},
+        {"chassis.yaw_rate", &Instruments::yaw_rate, 0.002, 0.003, 0.0005},
+        {"chassis.roll_rate", &Instruments::roll_rate, 0.003, 0.005, 0.0005},
+        {"chassis.roll", &Instruments::roll, 0.001, 0, 0.0002},
+        {"chassis.vx", &Instruments::speed, 0.03, 0, 0.01},
+        {"wheel.front_left.spin", &Instruments::wheel_speed, 0.1, 0, 0.05},
+        {"wheel.front_right.spin", &Instruments::wheel_speed, 0.1, 0, 0.05},
+        {"wheel.rear_left.spin", &Instruments::wheel_speed, 0.1, 0, 0.05},
+        {"wheel.rear_right.spin", &Instruments::wheel_speed, 0.1, 0, 0.05},
     };
     return list;
+}
+
+bool isOfTheDriver(const Gauge& gauge) {
+    return gauge.channel.starts_with("driver.");
+}
+
+std::vector<ReadingNoise> assumedNoise() {
+    std::vector<ReadingNoise> noises;
+    for (const Gauge& gauge : gauges())
+        noises.push_back({.level = gauge.noise,
+                          .shaking = gauge.vibration,
+                          .frequency = kVibration,
+                          .frequency_band = kVibrationBand});
+    return noises;
+}
+
+std::vector<ReadingNoise> drawnNoise(Random& random) {
+    std::vector<ReadingNoise> noises = assumedNoise();
+    std::optional<double> of_the_wheels;  // one unit shows all four
+    for (std::size_t i = 0; i < noises.size(); ++i) {
+        ReadingNoise& noise = noises[i];
+        const Gauge& gauge = gauges()[i];
+        double level = betweenFactors(random, kLeastLevel, kMostLevel);
+        if (gauge.channel.starts_with("wheel.")) {
+            of_the_wheels = of_the_wheels.value_or(level);
+            level = *of_the_wheels;
+        }
+        noise.level *= level;
+        noise.kept = kMostKept * random.uniform();
+        noise.shaking *= betweenFactors(random, kLeastLevel, kMostLevel);
+        noise.engine = kEngineShare * noise.shaking;
+        noise.resolution = gauge.resolution;
+        if (isOfTheDriver(gauge)) continue;
+        noise.jitter = kJitter * random.uniform();
+        noise.spikes = kSpikes;
+        noise.spike_height = kSpikeHeight * noise.level;
+    }
+    return noises;
+}
+
+std::vector<double> enginePhase(std::span<const double> times, std::span<const double> engine_speed) {
+    std::vector<double> phase(times.size());
+    for (std::size_t i = 1; i < times.size(); ++i)
+        phase[i] =
+            phase[i - 1] + kEngineOrder * 0.5 * (engine_speed[i] + engine_speed[i - 1]) * (times[i] - times[i - 1]);
+    return phase;
+}
+
+void addNoise(Log& log, const std::vector<ReadingNoise>& noises, std::span<const double> engine_phase,
+              std::uint64_t seed) {
+    const std::vector<double> times = log.channels.front().values;
+    for (std::size_t i = 0; i < noises.size(); ++i) {
+        Random random(seedOf(seed, i));
+        for (Channel& channel : log.channels) {
+            if (channel.name == gauges()[i].channel) spoil(channel.values, noises[i], times, engine_phase, random);
+        }
+    }
 }
 
 }  // namespace tread

@@ -145,7 +145,9 @@ void lookUp(std::vector<CaseAnswer>& found, const BlindKey& key, const fs::path&
             std::find_if(found.begin(), found.end(), [&](const CaseAnswer& a) { return a.name == made.name; });
         if (answer == found.end() || made.kind != CaseKind::one) continue;
         const int index = static_cast<int>(i);
-        const DrawnCase drawn = drawnCase(key.seed, index, made.kind, nominal, shown, made.draw);
+        DrawnCase drawn = drawnCase(key.seed, index, made.kind, nominal, shown, made.draw,
+                                    {.world = key.world, .frozen = key.frozen});
+        drawn.key.shows = made.shows;  // is not drawn
         if (drawn.key != made) continue;
         const std::map<std::string, Log> clean = cleanDrives(drawn.truth, drives, key.seed, index);
         answer->closure_obtained = obtainedClosure(keptOverlays(answers, made.name, clean), clean);

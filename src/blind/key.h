@@ -101,6 +101,7 @@ struct BlindKey {
     std::string vehicle, generator;
     DriveSet drives = DriveSet::all;
     World world = World::own;
+    bool frozen = false;
     bool references = false;
     std::vector<CaseKey> cases;
 
@@ -112,6 +113,8 @@ struct BlindKey {
         field(TREAD_FIELD(generator), About{"", "another simulator that drove the cars; empty: tread"});
         field(TREAD_FIELD(drives), About{"", "set of drives"});
         field(TREAD_FIELD(world), About{"", "source of errors, disturbances and noise"});
+        field(TREAD_FIELD(frozen),
+              About{"", "outsiders of both families were drawn, to check what is no longer changed"});
         field(TREAD_FIELD(references), About{"", "each drive also of the car as it was before"});
         field(TREAD_FIELD(cases), About{"", "in the order of their names"});
     }

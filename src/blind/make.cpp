@@ -15,19 +15,27 @@
 namespace tread {
 namespace {
 
-// Of twenty cases: eight with one cause, four with two, three without, three from outside, two too small.
-constexpr std::array<CaseKind, 20> kProportions{
+// Of twenty cases of World::assumed: eight with one cause, four with two, three without, three from outside, two too
+// small.
+constexpr std::array kAssumedProportions{
     CaseKind::one,  CaseKind::two, CaseKind::none, CaseKind::outside, CaseKind::one,     CaseKind::small, CaseKind::two,
     CaseKind::one,  CaseKind::one, CaseKind::none, CaseKind::outside, CaseKind::one,     CaseKind::two,   CaseKind::one,
     CaseKind::none, CaseKind::one, CaseKind::two,  CaseKind::one,     CaseKind::outside, CaseKind::small};
+// Of World::own: seven with one, three with two, three without, three from outside, two mixed, two too small.
+constexpr std::array kOwnProportions{CaseKind::one, CaseKind::two,   CaseKind::none,    CaseKind::outside,
+                                     CaseKind::one, CaseKind::small, CaseKind::mixed,   CaseKind::one,
+                                     CaseKind::one, CaseKind::none,  CaseKind::outside, CaseKind::one,
+                                     CaseKind::two, CaseKind::mixed, CaseKind::none,    CaseKind::one,
+                                     CaseKind::two, CaseKind::one,   CaseKind::outside, CaseKind::small};
 constexpr int kMostDraws = 20;
 enum Stream : std::uint64_t { kinds_stream, truth_stream, drives_stream };
 
 std::vector<CaseKind> kindsOf(const BlindOrder& order) {
+    const auto& proportions = order.drawing.world == World::own ? kOwnProportions : kAssumedProportions;
     std::vector<CaseKind> kinds;
     for (int i = 0; i < order.cases; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        kinds.push_back(order.kinds.empty() ? kProportions[at % kProportions.size()]
+        kinds.push_back(order.kinds.empty() ? proportions[at % proportions.size()]
                                             : order.kinds[at % order.kinds.size()]);
     }
     // In an order that tells nothing (Fisher and Yates).
@@ -87,9 +95,9 @@ std::vector<BlindRecording> recordingsOf(const std::vector<Drive>& drives, std::
 }
 
 DrawnCase drawnCase(std::uint64_t seed, int index, CaseKind kind, const VehicleParams& nominal,
-                    const std::vector<Effect>& effects, int draw) {
+                    const std::vector<Effect>& effects, int draw, const Drawing& drawing) {
     Random random(seedOf(caseSeed(seed, index, truth_stream), static_cast<std::uint64_t>(draw)));
-    DrawnCase drawn = drawCase(nominal, effects, kind, random);
+    DrawnCase drawn = drawCase(nominal, effects, kind, random, drawing);
     drawn.key.name = fmt::format("case_{:03}", index + 1);
     drawn.key.draw = draw;
     return drawn;
@@ -102,13 +110,15 @@ BlindKey makeCases(const BlindOrder& order, const VehicleParams& nominal, const 
     key.seed = order.seed;
     key.vehicle = order.vehicle;
     key.drives = order.drives;
+    key.world = order.drawing.world;
+    key.frozen = order.drawing.frozen;
     const std::vector<Drive> drives = blindDrives(order.drives);
     const std::vector<CaseKind> kinds = kindsOf(order);
     const std::vector<Effect> shown = shownEffects(nominal, effects, drives);
     for (int i = 0; i < order.cases; ++i) {
         const CaseKind kind = kinds[static_cast<std::size_t>(i)];
         for (int draw = 0;; ++draw) {
-            const DrawnCase drawn = drawnCase(order.seed, i, kind, nominal, shown, draw);
+            const DrawnCase drawn = drawnCase(order.seed, i, kind, nominal, shown, draw, order.drawing);
             try {
                 writeCase(folder / drawn.key.name, nominal, recordingsOf(drives, order.seed, i),
                           [&](const BlindRecording& one) { return measure(drawn.truth, *one.drive, one.seed); });

@@ -16,6 +16,7 @@ struct BlindOrder {
     std::uint64_t seed = 0;
     std::vector<CaseKind> kinds = {};  // none: all, in the proportions of a check
     DriveSet drives = DriveSet::all;
+    Drawing drawing = {};
     std::string vehicle;  // file, for the key
     std::string tread_version;
 };
@@ -26,10 +27,10 @@ BlindKey makeCases(
     const BlindOrder& order, const VehicleParams& nominal, const std::vector<Effect>& effects,
     const std::filesystem::path& folder, const std::function<void(int cases)>& progress = [](int) {});
 
-// A case of a check with this seed, `index` from 0: the same whenever it is drawn. `shown` are the effects to choose
-// from (shown.h), `draw` says the how manieth car for it this is.
+// A case of a check with this seed, `index` from 0: the same whenever it is drawn, but for what it shows. `shown` are
+// the effects to choose from (shown.h), `draw` says the how manieth car for it this is.
 DrawnCase drawnCase(std::uint64_t seed, int index, CaseKind kind, const VehicleParams& nominal,
-                    const std::vector<Effect>& shown, int draw = 0);
+                    const std::vector<Effect>& shown, int draw = 0, const Drawing& drawing = {});
 
 // The recordings of a case, each named as its log.
 struct BlindRecording {

@@ -14,7 +14,15 @@ namespace {
 constexpr double kStep = 0.001;                           // s; the diagnosis replays with another
 constexpr double kVibration = 8, kVibrationSpread = 0.5;  // 1/s
 constexpr std::string_view kSensor = "sensor.";
-enum Stream : std::uint64_t { start_stream, noise_stream, disturbance_stream, vibration_stream };
+enum Stream : std::uint64_t {
+    start_stream,
+    noise_stream,
+    disturbance_stream,
+    vibration_stream,
+    difference_stream,
+    misreading_stream
+};
+constexpr std::string_view kEngineSpeed = "driveline.engine_speed";
 
 bool isAccelerometer(std::string_view channel) {
     return channel == "chassis.ax" || channel == "chassis.ay";
@@ -40,6 +48,14 @@ SensorParams sensorOf(const Gauge& gauge, const Truth& truth, bool noise, int se
     return sensor;
 }
 
+// The true car in one drive.
+Truth inThisDrive(Truth truth, std::uint64_t seed, const Conditions& conditions) {
+    if (!truth.own || !conditions.surroundings) return truth;
+    Random random(seedOf(seed, difference_stream));
+    apply(drawnDifference(truth.own->ground, random), truth.car);
+    return truth;
+}
+
 Scenario scenarioOf(const Truth& truth, const Drive& drive, std::uint64_t seed, const Conditions& conditions) {
     Scenario scenario = drive.scenario;
     Random start(seedOf(seed, start_stream));
@@ -49,15 +65,19 @@ Scenario scenarioOf(const Truth& truth, const Drive& drive, std::uint64_t seed, 
     scenario.wind = truth.car.wind;
     scenario.log.rate = 100;
     scenario.log.channels = {"driveline.gear"};
+    if (truth.own) scenario.log.channels.emplace_back(kEngineSpeed);
     const int noise_seed = static_cast<int>(seedOf(seed, noise_stream) >> 34);
     for (const Gauge& gauge : gauges())
-        scenario.log.sensors.push_back(sensorOf(gauge, truth, conditions.noise, noise_seed));
+        scenario.log.sensors.push_back(sensorOf(gauge, truth, conditions.noise && !truth.own, noise_seed));
     return scenario;
 }
 
 // The disturbance, and what an outsider adds to it.
 Pushing pushing(const Truth& truth, const Conditions& conditions, std::uint64_t seed) {
-    Pushing first = wandering(conditions.disturbance, kStep, seed);
+    const bool still = truth.own && !conditions.surroundings;
+    Pushing first = !truth.own ? wandering(conditions.disturbance, kStep, seed)
+                    : still    ? pushingOf({}, seed)
+                               : pushingOf(truth.own->surroundings, seed);
     if (!truth.push) return first;
     return [first, second = truth.push()](double time, const VehicleInput& driver, const VehicleOutput& car) {
         Push sum = first(time, driver, car);
@@ -66,6 +86,15 @@ Pushing pushing(const Truth& truth, const Conditions& conditions, std::uint64_t 
         sum.moment += more.moment;
         return sum;
     };
+}
+
+// Noise of the instruments as they are drawn; the speed of the engine, which shakes them, is not logged.
+void spoil(Log& log, const ProvingGround& own, std::uint64_t seed, bool noise) {
+    const auto engine = std::find_if(log.channels.begin(), log.channels.end(),
+                                     [](const Channel& channel) { return channel.name == kEngineSpeed; });
+    const std::vector<double> phase = enginePhase(log.channels.front().values, engine->values);
+    log.channels.erase(engine);
+    if (noise) addNoise(log, own.noise, phase, seed);
 }
 
 }  // namespace
@@ -85,13 +114,17 @@ void vibrate(Log& log, std::uint64_t seed) {
 }
 
 Log measure(const Truth& truth, const Drive& drive, std::uint64_t seed, const Conditions& conditions) {
+    const Truth now = inThisDrive(truth, seed, conditions);
     Log log;
-    simulate(truth.car.vehicle, scenarioOf(truth, drive, seed, conditions), recorderInto(log),
-             pushing(truth, conditions, seedOf(seed, disturbance_stream)));
+    simulate(now.car.vehicle, scenarioOf(now, drive, seed, conditions), recorderInto(log),
+             pushing(now, conditions, seedOf(seed, disturbance_stream)));
     for (Channel& channel : log.channels) {
         if (channel.name.starts_with(kSensor)) channel.name.erase(0, kSensor.size());
     }
-    if (conditions.noise) vibrate(log, seedOf(seed, vibration_stream));
+    Random misreading(seedOf(seed, misreading_stream));
+    if (now.misread) now.misread(log, misreading);
+    if (now.own) spoil(log, *now.own, seedOf(seed, noise_stream), conditions.noise);
+    else if (conditions.noise) vibrate(log, seedOf(seed, vibration_stream));
     return log;
 }
 

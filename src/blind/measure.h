@@ -10,14 +10,20 @@
 
 namespace tread {
 
+inline constexpr double kSpeedScatter = 0.005;  // -, standard deviation of the speed at the start
+
 struct Conditions {
-    Disturbance disturbance;
-    double speed_scatter = 0.005;  // -, standard deviation of the speed at the start
-    bool noise = true;             // and vibration
+    Disturbance disturbance;  // of World::assumed
+    double speed_scatter = kSpeedScatter;
+    bool noise = true;  // and vibration
+    // World::own: what differs from drive to drive, and what surroundings push.
+    bool surroundings = true;
 };
 
-inline constexpr Conditions kIdeal{
-    .disturbance = {.fx = 0, .fy = 0, .yaw_moment = 0, .roll_moment = 0}, .speed_scatter = 0, .noise = false};
+inline constexpr Conditions kIdeal{.disturbance = {.fx = 0, .fy = 0, .yaw_moment = 0, .roll_moment = 0},
+                                   .speed_scatter = 0,
+                                   .noise = false,
+                                   .surroundings = false};
 
 // Channels as gauges() has them and `driveline.gear`, 100 rows a second. Throws SimulationError.
 Log measure(const Truth& truth, const Drive& drive, std::uint64_t seed, const Conditions& conditions = {});

@@ -3,27 +3,101 @@
 #include <algorithm>
 #include <cmath>
 
+#include "blind/gauges.h"
+#include "blind/outsiders.h"
 #include "diagnose/parameter.h"
 #include "tread/problem.h"
 
 namespace tread {
 namespace {
 
-constexpr double kSmallest = 0.6, kLargest = 1.6;           // of the typical size
-constexpr double kFaintest = 0.05, kStrongestFaint = 0.15;  // that no drive can show
+// Of the typical size.
+struct Sizes {
+    double smallest, largest;
+};
+constexpr Sizes kAssumed{0.6, 1.6}, kOwn{0.4, 2.5}, kFaint{0.05, 0.15};  // the last: what no drive can show
 
-double between(Random& random, double low, double high) {
-    return low + (high - low) * random.uniform();
-}
-
-// Every number that is known within a tolerance is a little wrong, those of the instruments, too.
-void err(Subject& car, Random& random) {
+// Errors as the diagnosis assumes them: every number that is known within a tolerance is a little wrong, those of the
+// instruments, too.
+void errAsAssumed(Subject& car, Random& random) {
     const double most = std::sqrt(3.0);  // of the uniform distribution, in its standard deviations
     for (const Parameter& uncertain : nuisances(car, {}))
         move(car, uncertain, std::clamp(between(random, -most, most), uncertain.lowest, uncertain.highest));
 }
 
-bool share(const Effect& a, const Effect& b) {
+Truth drawnTruth(const VehicleParams& nominal, World world, Random& random) {
+    Truth truth{.car = {.vehicle = nominal, .road = {}, .wind = {}, .instruments = {}},
+                .low_pass = {},
+                .push = {},
+                .misread = {},
+                .own = {}};
+    if (world == World::assumed) {
+        errAsAssumed(truth.car, random);
+        return truth;
+    }
+    err(truth.car, random);
+    std::vector<PushSource> surroundings = drawnSurroundings(nominal, random);
+    const GroundSlope ground = drawnGround(random);
+    truth.own = ProvingGround{std::move(surroundings), ground, drawnNoise(random)};
+    return truth;
+}
+
+double signOf(Direction direction, Random& random) {
+    const double sign = eitherSign(random);  // drawn in any case: the rest stays as it is
+    return direction == Direction::either ? sign : direction == Direction::up ? 1 : -1;
+}
+
+// Something that is wrong, and how it is planted: alike whatever else is planted.
+struct Planting {
+    std::string name;
+    std::function<void(Truth&)> plant;
+};
+
+// Also writes into the key what it changes.
+Planting planted(const Effect& effect, double size, Subject nominal, CaseKey& key, Random& random) {
+    key.effects.push_back(effect.name);
+    std::vector<double> changes;
+    for (const Knob& knob : effect.knobs) {
+        changes.push_back(size * signOf(knob.direction, random));
+        for (const std::string& path : knob.paths) {
+            if (const double* known = numberAt(nominal, path)) key.numbers[path] = {*known, *known, changes.back()};
+        }
+    }
+    return {effect.name, [&effect, changes](Truth& truth) {
+                for (std::size_t i = 0; i < changes.size(); ++i)
+                    move(truth.car, effect.knobs[i], changes[i] * effect.knobs[i].typical);
+            }};
+}
+
+Planting planted(const Outsider& outsider, CaseKey& key, const Random& random) {
+    key.outsider = outsider.name;
+    key.family = outsider.family;
+    key.generalised_forces = outsider.generalised_forces;
+    return {outsider.name, [&outsider, random](Truth& truth) {
+                Random own = random;
+                outsider.plant(truth, own);
+            }};
+}
+
+Truth with(Truth truth, const std::vector<Planting>& plantings, const std::string& but = {}) {
+    for (const Planting& planting : plantings)
+        if (planting.name != but) planting.plant(truth);
+    return truth;
+}
+
+const Outsider& drawnOutsider(bool frozen, Random& random) {
+    const bool second = frozen && random.uniform() < 0.5;
+    const std::vector<const Outsider*> choice = outsiders(second ? Family::second : Family::first);
+    return *choice[static_cast<std::size_t>(random.uniform() * static_cast<double>(choice.size()))];
+}
+
+int causesOf(CaseKind kind) {
+    return kind == CaseKind::two ? 2 : kind == CaseKind::none || kind == CaseKind::outside ? 0 : 1;
+}
+
+}  // namespace
+
+bool sharePaths(const Effect& a, const Effect& b) {
     for (const Knob& of_a : a.knobs) {
         for (const Knob& of_b : b.knobs) {
             if (std::find_first_of(of_a.paths.begin(), of_a.paths.end(), of_b.paths.begin(), of_b.paths.end()) !=
@@ -34,42 +108,15 @@ bool share(const Effect& a, const Effect& b) {
     return false;
 }
 
-double signOf(Direction direction, Random& random) {
-    const double sign = random.uniform() < 0.5 ? -1 : 1;  // drawn in any case: the rest stays as it is
-    return direction == Direction::either ? sign : direction == Direction::up ? 1 : -1;
-}
-
-void plant(const Effect& effect, double size, Subject nominal, DrawnCase& drawn, Random& random) {
-    drawn.key.effects.push_back(effect.name);
-    for (const Knob& knob : effect.knobs) {
-        const double change = size * signOf(knob.direction, random);
-        move(drawn.truth.car, knob, change * knob.typical);
-        for (const std::string& path : knob.paths) {
-            const double *known = numberAt(nominal, path), *real = numberAt(drawn.truth.car, path);
-            if (known && real) drawn.key.numbers[path] = {*known, *real, change};
-        }
-    }
-}
-
-}  // namespace
-
-std::uint64_t seedOf(std::uint64_t seed, std::uint64_t n) {
-    // SplitMix64 (Steele, Lea, Flood, 2014).
-    std::uint64_t z = seed + (n + 1) * 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
-DrawnCase drawCase(const VehicleParams& nominal, const std::vector<Effect>& effects, CaseKind kind, Random& random) {
-    Subject car{.vehicle = nominal, .road = {}, .wind = {}, .instruments = {}};
-    const Subject as_known = car;
+DrawnCase drawCase(const VehicleParams& nominal, const std::vector<Effect>& effects, CaseKind kind, Random& random,
+                   const Drawing& drawing) {
+    const Subject as_known{.vehicle = nominal, .road = {}, .wind = {}, .instruments = {}};
     std::vector<const Effect*> choice;
     for (const Effect& effect : effects) {
-        if (applies(effect, car)) choice.push_back(&effect);
+        if (applies(effect, as_known)) choice.push_back(&effect);
     }
-    err(car, random);
-    DrawnCase drawn{{.car = car, .low_pass = {}, .push = {}}, {}};
+    const Truth sound = drawnTruth(nominal, drawing.world, random);
+    DrawnCase drawn;
     drawn.key.kind = kind;
 
     const auto draw = [&]() -> const Effect& {
@@ -77,22 +124,22 @@ DrawnCase drawCase(const VehicleParams& nominal, const std::vector<Effect>& effe
             throw LoadError({{"", 0, 0, "", "found no effect that concerns this car, expected one for each cause"}});
         const auto at = choice.begin() + static_cast<long>(random.uniform() * static_cast<double>(choice.size()));
         const Effect& drawn_effect = **at;
-        std::erase_if(choice, [&](const Effect* other) { return share(*other, drawn_effect); });
+        std::erase_if(choice, [&](const Effect* other) { return sharePaths(*other, drawn_effect); });
         return drawn_effect;
     };
-    const int causes = kind == CaseKind::two ? 2 : kind == CaseKind::one || kind == CaseKind::small ? 1 : 0;
-    for (int i = 0; i < causes; ++i) {
-        const bool faint = kind == CaseKind::small;
-        const double size = faint ? between(random, kFaintest, kStrongestFaint) : between(random, kSmallest, kLargest);
-        plant(draw(), size, as_known, drawn, random);
+    std::vector<Planting> plantings;
+    for (int i = 0; i < causesOf(kind); ++i) {
+        const double size = kind == CaseKind::small           ? between(random, kFaint.smallest, kFaint.largest)
+                            : drawing.world == World::assumed ? between(random, kAssumed.smallest, kAssumed.largest)
+                                                              : betweenFactors(random, kOwn.smallest, kOwn.largest);
+        plantings.push_back(planted(draw(), size, as_known, drawn.key, random));
     }
-    if (kind == CaseKind::outside) {
-        const auto which = static_cast<std::size_t>(random.uniform() * static_cast<double>(outsiders().size()));
-        const Outsider& outsider = outsiders()[which];
-        outsider.plant(drawn.truth, random);
-        drawn.key.outsider = outsider.name;
-        drawn.key.generalised_forces = outsider.generalised_forces;
-    }
+    if (kind == CaseKind::outside || kind == CaseKind::mixed)
+        plantings.push_back(planted(drawnOutsider(drawing.frozen, random), drawn.key, random));
+
+    drawn.truth = with(sound, plantings);
+    for (const Planting& planting : plantings) drawn.without[planting.name] = with(sound, plantings, planting.name);
+    for (auto& [path, number] : drawn.key.numbers) number.value = *numberAt(drawn.truth.car, path);
     return drawn;
 }
 
