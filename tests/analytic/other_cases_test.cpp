@@ -9,6 +9,7 @@
 #include "blind/other_draw.h"
 #include "blind/other_measure.h"
 #include "blind/other_outsiders.h"
+#include "blind/other_shows.h"
 #include "shared/other_car/compact.h"
 #include "shared/vehicles.h"
 
@@ -31,15 +32,9 @@ tread::Subject nominal() {
     return asInFile(reference::compact());
 }
 
-std::vector<const tread::Outsider*> allOutsiders() {
-    std::vector<const tread::Outsider*> all;
-    for (const tread::Outsider& one : tread::outsiders()) all.push_back(&one);
-    return all;
-}
-
 Drawn drawnOf(tread::CaseKind kind, std::uint64_t seed) {
     tread::Random random(seed);
-    return draw(known(), nominal(), plantable(tread::effectCatalogue(), nominal()), allOutsiders(), kind, random);
+    return draw(known(), nominal(), plantable(tread::effectCatalogue(), nominal()), true, kind, random);
 }
 
 // The largest difference of two logs, in units of the instruments' noise.
@@ -188,7 +183,7 @@ TEST(OtherCases, InstrumentsReadWhatTheirNumbersSay) {
     const tread::Drive drive = driveNamed("step_steer_80");
     Truth read = known();
     read.instruments.yaw_rate = {.gain = 1.1, .bias = 0.01, .delay = 0.05};
-    const tread::Log plain = measure(known(), drive, 1, tread::kIdeal), other = measure(read, drive, 1, tread::kIdeal);
+    const tread::Log plain = replay(known(), drive).log, other = replay(read, drive).log;
     const auto &yaw = plain.find("chassis.yaw_rate")->values, &shown = other.find("chassis.yaw_rate")->values;
     for (std::size_t i = 5; i < yaw.size(); i += 20) EXPECT_NEAR(shown[i], 1.1 * yaw[i - 5] + 0.01, 1e-12);
 }
@@ -198,7 +193,7 @@ TEST(OtherCases, AccelerationElsewhereFollowsFromYawing) {
     const tread::Drive drive = driveNamed("step_steer_80");
     Truth ahead = known();
     ahead.instruments.inertial_unit.x = 1;
-    const tread::Log plain = measure(known(), drive, 1, tread::kIdeal), other = measure(ahead, drive, 1, tread::kIdeal);
+    const tread::Log plain = replay(known(), drive).log, other = replay(ahead, drive).log;
     const std::size_t steady = 380;
     const double r = plain.find("chassis.yaw_rate")->values[steady];
     EXPECT_NEAR(other.find("chassis.ax")->values[steady] - plain.find("chassis.ax")->values[steady], -r * r, 1e-9);
@@ -208,7 +203,7 @@ TEST(OtherCases, LateSteeringIsTheSameDriveLater) {
     const tread::Drive drive = driveNamed("step_steer_80");
     Truth late = known();
     late.steering_delay = 0.05;
-    const tread::Log plain = measure(known(), drive, 1, tread::kIdeal), other = measure(late, drive, 1, tread::kIdeal);
+    const tread::Log plain = replay(known(), drive).log, other = replay(late, drive).log;
     const auto &yaw = plain.find("chassis.yaw_rate")->values, &later = other.find("chassis.yaw_rate")->values;
     for (std::size_t i = 55; i < 120; i += 5) EXPECT_NEAR(later[i], yaw[i - 5], 2e-4);
     EXPECT_EQ(plain.find("driver.steering_wheel_angle")->values, other.find("driver.steering_wheel_angle")->values);
@@ -220,9 +215,7 @@ TEST(OtherCases, HeadwindAndGradeHoldTheCarBack) {
     wind.car.wind_x = -5;
     grade.car.grade = 0.02;
     const double v = 120 / 3.6, p = known().car.drag_area * known().car.air_density / 2;
-    const auto ax = [&](const Truth& truth) {
-        return measure(truth, drive, 1, tread::kIdeal).find("chassis.ax")->values[20];
-    };
+    const auto ax = [&](const Truth& truth) { return replay(truth, drive).log.find("chassis.ax")->values[20]; };
     const Params car = known().car;
     const double turning =
         2 * (car.front.wheel_inertia + car.rear.wheel_inertia) + car.engine_inertia * car.drive_ratio * car.drive_ratio;
@@ -231,11 +224,44 @@ TEST(OtherCases, HeadwindAndGradeHoldTheCarBack) {
     EXPECT_NEAR(ax(grade) - ax(known()), -0.02 * kGravity * car.mass / mass, 1e-3);
 }
 
+// What is wrong shows the more, the larger it is; a lighter car shows as one without references, too, only less, and
+// what a tolerance can absorb shows less than what none can.
+TEST(OtherCases, EvidenceGrowsWithTheSquareOfTheSizeAndReferencesAddToIt) {
+    std::vector<tread::Effect> effects;
+    for (const tread::Effect& one : plantable(tread::effectCatalogue(), nominal())) {
+        if (one.name == "gyro_scale" || one.name == "gyro_bias" || one.name == "mass") effects.push_back(one);
+    }
+    const std::vector<tread::Drive> drives{driveNamed("step_steer_80")};
+    const Examination examination = examinationOf(known(), nominal(), effects, drives);
+    tread::Random random(4);
+    const ProvingGround ground = drawnGround(reference::compact(), random);
+    const auto shownOf = [&](double size) {
+        Drawn drawn{.known = known(), .nominal = nominal(), .erring = nominal(), .planted = {}, .key = {}};
+        const auto gyro =
+            std::find_if(effects.begin(), effects.end(), [](const auto& e) { return e.name == "gyro_scale"; });
+        drawn.planted.push_back({*gyro, {size}});
+        drawn.key.effects = {"gyro_scale"};
+        return shown(examination, drawn, ground);
+    };
+    const Shown once = shownOf(0.02), twice = shownOf(0.04);
+    const tread::Shows with = once.with_references.at("gyro_scale"), without = once.without_references.at("gyro_scale");
+    EXPECT_GT(without.nats, 0.1);
+    EXPECT_GT(with.nats, without.nats);
+    EXPECT_LE(with.separation, with.nats);
+    EXPECT_NE(with.rival, "gyro_scale");
+    EXPECT_NEAR(twice.with_references.at("gyro_scale").nats / with.nats, 4, 0.1);
+    EXPECT_NEAR(twice.without_references.at("gyro_scale").nats / without.nats, 4, 0.1);
+}
+
 TEST(OtherCases, RepeatsAndNoiseDifferAndTheSameSeedIsTheSame) {
     const tread::Drive drive = driveNamed("step_steer_80");
-    const tread::Log a = measure(known(), drive, 1), b = measure(known(), drive, 1), c = measure(known(), drive, 2);
-    EXPECT_EQ(a.find("chassis.ay")->values, b.find("chassis.ay")->values);
-    EXPECT_NE(a.find("chassis.ay")->values, c.find("chassis.ay")->values);
+    tread::Random random(1);
+    const ProvingGround ground = drawnGround(reference::compact(), random);
+    const auto ay = [&](std::uint64_t seed) {
+        return measure(known(), ground, drive, seed).find("chassis.ay")->values;
+    };
+    EXPECT_EQ(ay(1), ay(1));
+    EXPECT_NE(ay(1), ay(2));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "blind/other_draw.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "blind/other_errors.h"
@@ -20,26 +19,8 @@ using tread::Subject;
 constexpr double kSmallest = 0.4, kLargest = 2.5;           // of the typical size
 constexpr double kFaintest = 0.05, kStrongestFaint = 0.15;  // of a small one
 
-// All sizes of a scale are equally likely.
-double logUniform(Random& random, double low, double high) {
-    return low * std::pow(high / low, random.uniform());
-}
-
 std::size_t anyOf(std::size_t count, Random& random) {
     return static_cast<std::size_t>(random.uniform() * static_cast<double>(count));
-}
-
-bool shareNumber(const Effect& a, const Effect& b) {
-    const auto moves = [](const Effect& effect, const std::string& path) {
-        return std::any_of(effect.knobs.begin(), effect.knobs.end(), [&](const Knob& knob) {
-            return std::find(knob.paths.begin(), knob.paths.end(), path) != knob.paths.end();
-        });
-    };
-    for (const Knob& knob : a.knobs) {
-        if (std::any_of(knob.paths.begin(), knob.paths.end(), [&](const auto& path) { return moves(b, path); }))
-            return true;
-    }
-    return false;
 }
 
 // Which effects, none of which moves a number of another one.
@@ -48,7 +29,7 @@ std::vector<Effect> drawEffects(std::vector<Effect> choice, int count, Random& r
     for (int i = 0; i < count; ++i) {
         if (choice.empty()) throw std::invalid_argument("the other car can show too few of these effects");
         drawn.push_back(choice[anyOf(choice.size(), random)]);
-        std::erase_if(choice, [&](const Effect& other) { return shareNumber(other, drawn.back()); });
+        std::erase_if(choice, [&](const Effect& other) { return tread::sharePaths(other, drawn.back()); });
     }
     return drawn;
 }
@@ -56,7 +37,7 @@ std::vector<Effect> drawEffects(std::vector<Effect> choice, int count, Random& r
 Drawn::Planted sized(const Effect& effect, double size, Random& random) {
     Drawn::Planted planted{effect, {}};
     for (const Knob& knob : effect.knobs) {
-        const double either = random.uniform() < 0.5 ? -1 : 1;
+        const double either = tread::eitherSign(random);
         const double sign = knob.direction == Direction::either ? either : knob.direction == Direction::up ? 1 : -1;
         planted.changes.push_back(sign * size * knob.typical);
     }
@@ -120,25 +101,27 @@ Structure structureOf(const std::vector<std::string>& names) {
     return structure;
 }
 
-Drawn draw(const Truth& known, const Subject& nominal, const std::vector<Effect>& effects,
-           const std::vector<const tread::Outsider*>& outsiders, CaseKind kind, Random& random) {
+Drawn draw(const Truth& known, const Subject& nominal, const std::vector<Effect>& effects, bool frozen, CaseKind kind,
+           Random& random) {
     Drawn drawn{.known = known, .nominal = nominal, .erring = nominal, .planted = {}, .key = {}};
-    err(drawn.erring, random);
+    other_car::err(drawn.erring, random);
     drawn.key.kind = kind;
     drawn.key.structure = namesOf(known.car.structure);
     const int count = kind == CaseKind::two ? 2 : kind == CaseKind::none || kind == CaseKind::outside ? 0 : 1;
     for (const Effect& effect : drawEffects(effects, count, random)) {
-        const double size = kind == CaseKind::small ? kFaintest + (kStrongestFaint - kFaintest) * random.uniform()
-                                                    : logUniform(random, kSmallest, kLargest);
+        const double size = kind == CaseKind::small ? tread::between(random, kFaintest, kStrongestFaint)
+                                                    : tread::betweenFactors(random, kSmallest, kLargest);
         drawn.planted.push_back(sized(effect, size, random));
         drawn.key.effects.push_back(effect.name);
     }
     writeNumbers(drawn);
     if (kind != CaseKind::outside && kind != CaseKind::mixed) return drawn;
-    if (outsiders.empty()) throw std::invalid_argument("there is no outsider to draw");
+    const auto family = random.uniform() < 0.5 && frozen ? tread::Family::second : tread::Family::first;
+    const std::vector<const tread::Outsider*> outsiders = tread::outsiders(family);
     drawn.outsider = outsiders[anyOf(outsiders.size(), random)];
     drawn.outsider_seed = static_cast<std::uint64_t>(0x1p52 * random.uniform());
     drawn.key.outsider = drawn.outsider->name;
+    drawn.key.family = drawn.outsider->family;
     drawn.key.generalised_forces = drawn.outsider->generalised_forces;
     return drawn;
 }

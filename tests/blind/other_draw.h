@@ -9,7 +9,7 @@
 #include "base/random.h"
 #include "blind/key.h"
 #include "blind/other_truth.h"
-#include "blind/truth.h"
+#include "blind/outsiders.h"
 
 namespace other_car {
 
@@ -34,10 +34,11 @@ struct Drawn {
     tread::CaseKey key;
 };
 
-// A car that errs in all shared numbers, with effects and outsiders as the kind wants them. Throws
-// std::invalid_argument when there are not enough.
-Drawn draw(const Truth& known, const tread::Subject& nominal, const std::vector<tread::Effect>& effects,
-           const std::vector<const tread::Outsider*>& outsiders, tread::CaseKind kind, tread::Random& random);
+// A car that errs in all shared numbers, with effects and outsiders as the kind wants them; outsiders of
+// the second family only when `frozen`, then as often as those of the first. Throws std::invalid_argument when there
+// are not enough effects.
+Drawn draw(const Truth& known, const tread::Subject& nominal, const std::vector<tread::Effect>& effects, bool frozen,
+           tread::CaseKind kind, tread::Random& random);
 
 // What the drive `drive` of a day meets (other_errors.h).
 struct Day {

@@ -7,6 +7,7 @@
 
 #include "base/numbers.h"
 #include "base/pattern.h"
+#include "blind/draws.h"
 
 namespace other_car {
 namespace {
@@ -14,16 +15,7 @@ namespace {
 using tread::Random;
 using tread::Subject;
 
-constexpr double kLargest = 4;       // standard deviations
 constexpr double kOpenLimit = 1e-3;  // of the nominal value: how near to an open limit a number may come
-
-// Of mean 0 and standard deviation 1: a normal variable over the root of a mean of four squares has the variance 2.
-double heavyTailed(Random& random) {
-    const double normal = random.normal();
-    double squares = 0;
-    for (int i = 0; i < 4; ++i) squares += std::pow(random.normal(), 2);
-    return std::clamp(normal / std::sqrt(squares / 4) / std::sqrt(2.0), -kLargest, kLargest);
-}
 
 constexpr std::array kSpreads{
     Spread{"mass", 0.006, 0, "load", "wheel scales, load guessed to 10 kg"},
@@ -153,6 +145,12 @@ double limited(const tread::Limits& limits, double wanted, double nominal) {
                       limits.highest_open ? limits.highest - margin : limits.highest);
 }
 
+const Spread* spreadAt(std::string_view path) {
+    const auto found = std::find_if(kSpreads.begin(), kSpreads.end(),
+                                    [&](const Spread& one) { return tread::matches(one.paths, path); });
+    return found == kSpreads.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 std::span<const Spread> spreads() {
@@ -163,18 +161,22 @@ std::span<const Circumstance> circumstances() {
     return kCircumstances;
 }
 
+double spreadOf(std::string_view path, double value) {
+    const Spread* spread = spreadAt(path);
+    return spread ? spread->relative * std::abs(value) + spread->absolute : 0;
+}
+
 void err(Subject& car, Random& random) {
     std::map<std::string_view, double> common;
     for (const Spread& spread : kSpreads) {
-        if (!spread.group.empty() && !common.contains(spread.group)) common[spread.group] = heavyTailed(random);
+        if (!spread.group.empty() && !common.contains(spread.group)) common[spread.group] = tread::heavyTailed(random);
     }
     for (const tread::Number& number : tread::numbers(car)) {
-        const auto spread = std::find_if(kSpreads.begin(), kSpreads.end(),
-                                         [&](const Spread& one) { return tread::matches(one.paths, number.path); });
-        if (spread == kSpreads.end()) continue;
-        const double own = heavyTailed(random);
+        const Spread* spread = spreadAt(number.path);
+        if (!spread) continue;
+        const double own = tread::heavyTailed(random);
         const double units = spread->group.empty() ? own : (common[spread->group] + own) / std::sqrt(2.0);
-        const double sd = spread->relative * std::abs(*number.value) + spread->absolute;
+        const double sd = spreadOf(number.path, *number.value);
         *number.value = limited(number.about.limits, *number.value + sd * (spread->one_sided ? std::abs(units) : units),
                                 *number.value);
     }

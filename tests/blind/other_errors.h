@@ -21,7 +21,7 @@ struct Spread {
 };
 std::span<const Spread> spreads();
 
-// Errors with heavy tails: Student's distribution with four degrees of freedom, cut at four standard deviations.
+// Errors with heavy tails (blind/draws.h).
 void err(tread::Subject& car, tread::Random& random);
 
 // Something that is not the same from day to day or from drive to drive, in a unit of its own.
@@ -34,6 +34,9 @@ struct Circumstance {
     std::string_view source;
 };
 std::span<const Circumstance> circumstances();
+
+// Standard deviation of the error of a number; 0 when it has none.
+double spreadOf(std::string_view path, double value);
 
 // Applies what the drive `drive` of a day meets; the same seed, the same day.
 void meet(tread::Subject& car, std::uint64_t day_seed, std::uint64_t drive_seed);

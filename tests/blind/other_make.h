@@ -26,10 +26,18 @@ struct Keys {
     tread::BlindKey with_references, without_references;
 };
 
-// A folder for each case; the keys. Throws FileError and LoadError.
+// A folder for each case; the keys. Throws FileError, and SimulationError when a car
+// cannot be driven.
 Keys makeCases(
     const Order& order, const tread::VehicleParams& nominal, const std::filesystem::path& folder,
     const std::function<void(int cases)>& progress = [](int) {});
+
+// A case of this order, `index` from 0: the same whenever it is drawn, but for what it shows. `draw_number` says the
+// how manieth car for it this is: those before could not be driven.
+Drawn drawnCase(const Order& order, int index, tread::CaseKind kind, const Matching& matching,
+                const tread::VehicleParams& nominal, int draw_number = 0);
+
+std::uint64_t caseSeed(std::uint64_t seed, int index);
 
 // The day of a case before and after what is wrong happened, at one of its recordings.
 Day dayOf(std::uint64_t case_seed, bool before, std::uint64_t recording_seed);

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "blind/measure.h"
 #include "blind/other_measure.h"
 #include "identify/parallel.h"
+#include "run/simulate.h"
 
 namespace other_car {
 namespace {
@@ -81,27 +84,36 @@ Eigen::MatrixXd columnsAt(const Truth& begin, const Structure& structure, const 
     return columns;
 }
 
+// What the readings miss; nothing for a car that cannot be driven.
+std::optional<Eigen::VectorXd> missing(const Matching& matching, const Structure& structure,
+                                       const Eigen::VectorXd& at) {
+    try {
+        return matching.wanted - readingsOf(moved(matching.begin, structure, at));
+    } catch (const tread::SimulationError&) {
+        return std::nullopt;
+    }
+}
+
 // Steps with the same columns as long as they lead nearer; a step that leads too far is halved.
 void approach(Matching& matching, const Structure& structure) {
     const Eigen::MatrixXd& columns = matching.columns;
     const Eigen::Index n = columns.cols();
     const Eigen::LLT<Eigen::MatrixXd> information(columns.transpose() * columns + Eigen::MatrixXd::Identity(n, n));
     Eigen::VectorXd& at = matching.at;
-    Eigen::VectorXd missing = matching.wanted - readingsOf(moved(matching.begin, structure, at));
-    double squares = missing.squaredNorm() + at.squaredNorm(), share = 1;
+    Eigen::VectorXd misses = matching.wanted - readingsOf(moved(matching.begin, structure, at));
+    double squares = misses.squaredNorm() + at.squaredNorm(), share = 1;
     for (int round = 0; round < kRounds; ++round) {
-        const Eigen::VectorXd next = at + share * information.solve(columns.transpose() * missing - at);
-        const Eigen::VectorXd then = matching.wanted - readingsOf(moved(matching.begin, structure, next));
-        const double nearer = then.squaredNorm() + next.squaredNorm();
+        const Eigen::VectorXd next = at + share * information.solve(columns.transpose() * misses - at);
+        const std::optional<Eigen::VectorXd> then = missing(matching, structure, next);
+        const double nearer = then ? then->squaredNorm() + next.squaredNorm() : squares;
         if (!(nearer < squares)) {
             share /= 2;
             continue;
         }
         const bool settled = nearer > (1 - kSettled) * squares;
-        at = next, missing = then, squares = nearer;
+        at = next, misses = *then, squares = nearer;
         if (settled) break;
     }
-    if (getenv("DBG")) fprintf(stderr, "squares %g at2 %g share %g\n", squares, at.squaredNorm(), share);
 }
 
 }  // namespace
@@ -138,6 +150,10 @@ Matching matchingOf(const Truth& begin, const tread::VehicleParams& vehicle) {
         approach(matching, {});
     }
     return matching;
+}
+
+Truth plainCar(const Matching& matching) {
+    return moved(matching.begin, {}, matching.at);
 }
 
 Truth matched(const Matching& matching, const Structure& structure) {

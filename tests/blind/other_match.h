@@ -29,6 +29,7 @@ struct Matching {
     Eigen::MatrixXd columns;  // of the readings by these, near there
 };
 Matching matchingOf(const Truth& begin, const tread::VehicleParams& vehicle);
+Truth plainCar(const Matching& matching);
 
 // The same for a car of another structure, from there on.
 Truth matched(const Matching& matching, const Structure& structure);

@@ -6,8 +6,11 @@
 #include <numbers>
 #include <string_view>
 
+#include "blind/draws.h"
 #include "blind/gauges.h"
+#include "blind/measure.h"
 #include "log/log_columns.h"
+#include "run/simulate.h"
 
 namespace other_car {
 namespace {
@@ -17,7 +20,7 @@ using tread::Instrument;
 using tread::Phase;
 
 constexpr double kGear = 5;  // that of its ratio
-enum Stream : std::uint64_t { start_stream, noise_stream, disturbance_stream, vibration_stream };
+enum Stream : std::uint64_t { start_stream, noise_stream, surroundings_stream, misreading_stream };
 
 // The foot and hand of a drive, phase by phase.
 class Hands {
@@ -66,6 +69,7 @@ enum Seen {
     kWheels,
     kYawing = kWheels + 4,
     kRolling,
+    kEngine,
     kSeen
 };
 constexpr std::array<std::string_view, kYawing> kChannels{"driver.steering_wheel_angle",
@@ -99,6 +103,7 @@ void observe(Motion& motion, const Car& car, const Input& driver) {
     for (std::size_t i = 0; i < 4; ++i) motion[kWheels + i].push_back(s[kSpin + i]);
     motion[kYawing].push_back(f.rate[kYawRate]);
     motion[kRolling].push_back(f.rate[kRollRate]);
+    motion[kEngine].push_back(car.engineSpeed());
 }
 
 // Accelerations where the unit sits, with what gravity adds when it leans.
@@ -218,6 +223,8 @@ Motion driven(const Truth& truth, const Drive& drive, Driving driving) {
                   brake(driver.brake, truth.brake_delay)};
         car.step(before, acting, kStep);
         observe(motion, car, driver);
+        if (!std::isfinite(car.state()[kVx]))
+            throw tread::SimulationError("the other car cannot be driven", static_cast<double>(i) * kStep);
     }
     return motion;
 }
@@ -243,60 +250,62 @@ const Series& seriesOf(const Motion& motion, std::string_view channel) {
 }
 
 // Readings without noise.
-struct Readings {
-    tread::Log log;
-    Recorded recorded;
-};
-Readings readings(const Truth& truth, Motion motion) {
+Replayed readings(const Truth& truth, Motion motion) {
     mount(motion, truth.instruments.inertial_unit);
     const std::size_t steps = motion[kSpeed].size(), rows = (steps - 1) / kRowSteps + 1;
-    Readings all;
+    const auto rowsOf = [&](const Series& values) {
+        Series some;
+        for (std::size_t i = 0; i < rows; ++i) some.push_back(values[i * kRowSteps]);
+        return some;
+    };
+    Replayed all{{}, Recorded(steps), rowsOf(motion[kEngine])};
     all.log.channels.push_back({"time", "s", {}});
     for (std::size_t i = 0; i < rows; ++i)
         all.log.channels[0].values.push_back(static_cast<double>(i * kRowSteps) * kStep);
     all.log.channels.push_back({"driveline.gear", "-", Series(rows, kGear)});
-    std::map<std::string_view, Series> shown;
     for (const tread::Gauge& gauge : tread::gauges()) {
-        const auto slow = truth.low_pass.find(gauge.channel);
         const std::string name(gauge.channel);
-        const Series& values = shown[gauge.channel] = read(seriesOf(motion, name), truth.instruments.*gauge.instrument,
-                                                           slow == truth.low_pass.end() ? 0 : slow->second);
-        tread::Channel channel{name, std::string(*tread::logUnit(name)), {}};
-        for (std::size_t i = 0; i < rows; ++i) channel.values.push_back(values[i * kRowSteps]);
-        all.log.channels.push_back(std::move(channel));
+        const auto slow = truth.low_pass.find(name);
+        const Series shown = read(seriesOf(motion, name), truth.instruments.*gauge.instrument,
+                                  slow == truth.low_pass.end() ? 0 : slow->second);
+        all.log.channels.push_back({name, std::string(*tread::logUnit(name)), rowsOf(shown)});
+        double Input::*input = name == kChannels[kHand]       ? &Input::hand_wheel
+                               : name == kChannels[kThrottle] ? &Input::throttle
+                               : name == kChannels[kPedal]    ? &Input::brake
+                                                              : nullptr;
+        for (std::size_t i = 0; input && i < steps; ++i) all.recorded[i].*input = shown[i];
     }
-    for (std::size_t i = 0; i < steps; ++i)
-        all.recorded.push_back(
-            {shown[kChannels[kHand]][i], shown[kChannels[kThrottle]][i], shown[kChannels[kPedal]][i]});
     return all;
 }
 
 }  // namespace
+
+ProvingGround drawnGround(const tread::VehicleParams& nominal, tread::Random& random) {
+    std::vector<tread::PushSource> surroundings = tread::drawnSurroundings(nominal, random);
+    return {std::move(surroundings), tread::drawnNoise(random)};
+}
 
 Replayed replay(const Truth& truth, const Drive& drive, const Replay& how) {
     const std::vector<Input> inputs = how.recorded ? driverOf(*how.recorded, truth.instruments) : std::vector<Input>{};
     const Driving driving{.start_speed = drive.scenario.start.speed * (1 + how.faster),
                           .push = together({how.push, truth.push ? truth.push() : tread::Pushing{}}),
                           .inputs = how.recorded ? &inputs : nullptr};
-    Readings all = readings(truth, driven(truth, drive, driving));
-    return {std::move(all.log), std::move(all.recorded)};
+    Replayed all = readings(truth, driven(truth, drive, driving));
+    tread::Random misreading(how.misreading);
+    if (truth.misread) truth.misread(all.log, misreading);
+    return all;
 }
 
-tread::Log measure(const Truth& truth, const Drive& drive, std::uint64_t seed, const tread::Conditions& conditions) {
+tread::Log measure(const Truth& truth, const ProvingGround& ground, const Drive& drive, std::uint64_t seed) {
     tread::Random start(tread::seedOf(seed, start_stream));
     Replay how;
-    how.push = tread::wandering(conditions.disturbance, kStep, tread::seedOf(seed, disturbance_stream));
-    how.faster = conditions.speed_scatter * start.normal();
-    tread::Log log = replay(truth, drive, how).log;
-    if (!conditions.noise) return log;
-    tread::Random noise(tread::seedOf(seed, noise_stream));
-    for (const tread::Gauge& gauge : tread::gauges()) {
-        const auto read = std::find_if(log.channels.begin(), log.channels.end(),
-                                       [&](const tread::Channel& channel) { return channel.name == gauge.channel; });
-        for (double& value : read->values) value += gauge.noise * noise.normal();
-    }
-    tread::vibrate(log, tread::seedOf(seed, vibration_stream));
-    return log;
+    how.push = tread::pushingOf(ground.surroundings, tread::seedOf(seed, surroundings_stream));
+    how.faster = tread::kSpeedScatter * start.normal();
+    how.misreading = tread::seedOf(seed, misreading_stream);
+    Replayed all = replay(truth, drive, how);
+    const std::vector<double> phase = tread::enginePhase(all.log.channels.front().values, all.engine_speed);
+    tread::addNoise(all.log, ground.noise, phase, tread::seedOf(seed, noise_stream));
+    return all.log;
 }
 
 }  // namespace other_car

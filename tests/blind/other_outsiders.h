@@ -3,7 +3,7 @@
 
 #include "base/random.h"
 #include "blind/other_truth.h"
-#include "blind/truth.h"
+#include "blind/outsiders.h"
 
 namespace other_car {
 

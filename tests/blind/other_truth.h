@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "base/random.h"
 #include "diagnose/effect.h"
 #include "diagnose/instruments.h"
 #include "diagnose/subject.h"
+#include "log/log.h"
 #include "run/push.h"
 #include "shared/other_car/car.h"
 #include "tread/vehicle.h"
@@ -22,6 +24,8 @@ struct Truth {
     double steering_delay = 0, brake_delay = 0;           // s
     std::map<std::string, double, std::less<>> low_pass;  // 1/s, by channel: instruments that are slow
     std::function<tread::Pushing()> push;                 // from outside the catalogue; asked once for each drive
+    // What instruments from outside the catalogue make of the readings of a drive, before their noise.
+    std::function<void(tread::Log& log, tread::Random& random)> misread;
 };
 
 // A number of the other car that changes with one of tread's: by a share of it, or by the same factor.

@@ -18,6 +18,7 @@
 namespace other_car {
 
 inline constexpr double kGravity = 9.80665;  // m/s2
+inline constexpr double kLeastLag = 0.001;   // s; shorter ones are none: they are faster than the integration's steps
 
 struct Forces {
     std::array<double, 4> fx, fy, load;
@@ -32,7 +33,7 @@ public:
         s_[kVx] = speed;
         for (int i = 0; i < 4; ++i) s_[kSpin + i] = speed / tyre_[i].rolling_radius;
         s_[kBoost] = holdingThrottle();
-        forces_ = settled(s_, {.throttle = s_[kBoost]});
+        forces_ = last_ = settled(s_, {.throttle = s_[kBoost]});
     }
 
     // Throttle that holds the speed in a straight line on a level road in still air.
@@ -45,15 +46,20 @@ public:
         return (need / (p_.drive_ratio * p_.drive_efficiency) + drag) / (full + drag);
     }
 
-    // Loads follow from accelerations, and these from forces at those loads: each stage goes on from the last one's.
+    // Loads follow from accelerations, and these from forces at those loads: each stage goes on from what the last one
+    // and the change over the last step let expect.
     void step(const Input& begin, const Input& end, double dt) {
         const Input middle{0.5 * (begin.hand_wheel + end.hand_wheel), 0.5 * (begin.throttle + end.throttle),
                            0.5 * (begin.brake + end.brake)};
         const Vector a = at(s_, begin);
+        const Forces now = forces_;
+        foresee(now);
         const Vector b = at(moved(a, dt / 2), middle);
         const Vector c = at(moved(b, dt / 2), middle);
+        foresee(now);
         const Vector d = at(moved(c, dt), end);
         for (int i = 0; i < kStates; ++i) s_[i] += dt / 6 * (a[i] + 2 * b[i] + 2 * c[i] + d[i]);
+        last_ = now;
     }
 
     // Outside forces and moments at the centre of gravity, held over the next steps.
@@ -79,8 +85,14 @@ private:
     }
 
     const Vector& at(const Vector& s, const Input& input) {
-        settle(s, input, 2, forces_);
+        settle(s, input, 1, forces_);
         return forces_.rate;
+    }
+
+    // Half a step later.
+    void foresee(const Forces& now) {
+        forces_.felt_ay += 0.5 * (now.felt_ay - last_.felt_ay);
+        for (std::size_t i = 0; i < 4; ++i) forces_.fy[i] += 0.5 * (now.fy[i] - last_.fy[i]);
     }
 
     void settle(const Vector& s, const Input& input, int rounds, Forces& f) const {
@@ -134,7 +146,9 @@ private:
         return {c * p_.wind_x + n * p_.wind_y - s[kVx], -n * p_.wind_x + c * p_.wind_y - s[kVy]};
     }
 
-    double pedal(const Vector& s, const Input& input) const { return p_.brake_lag > 0 ? s[kBrake] : input.brake; }
+    double pedal(const Vector& s, const Input& input) const {
+        return p_.brake_lag > kLeastLag ? s[kBrake] : input.brake;
+    }
     double brakeTorque(bool front, const Vector& s, const Input& input) const {  // N m, of an axle
         const double pedal = p_.structure.slow_rear_brakes && !front ? s[kRearBrake] : this->pedal(s, input);
         return (front ? p_.brake_front_share : 1 - p_.brake_front_share) * pedal * p_.brake_torque;
@@ -201,13 +215,13 @@ private:
     }
 
     double lagged(const Vector& s, const Input& input) const {
-        return p_.steering_lag > 0 ? s[kSteer] : input.hand_wheel;
+        return p_.steering_lag > kLeastLag ? s[kSteer] : input.hand_wheel;
     }
 
     // What follows hand and foot late.
     void lag(const Vector& s, const Input& input, Vector& rate) const {
-        rate[kSteer] = p_.steering_lag > 0 ? (input.hand_wheel - s[kSteer]) / p_.steering_lag : 0;
-        rate[kBrake] = p_.brake_lag > 0 ? (input.brake - s[kBrake]) / p_.brake_lag : 0;
+        rate[kSteer] = p_.steering_lag > kLeastLag ? (input.hand_wheel - s[kSteer]) / p_.steering_lag : 0;
+        rate[kBrake] = p_.brake_lag > kLeastLag ? (input.brake - s[kBrake]) / p_.brake_lag : 0;
         rate[kRearBrake] = (pedal(s, input) - s[kRearBrake]) / kRearBrakeLag;
         rate[kBoost] = (input.throttle - s[kBoost]) / kTurboTime;
         rate[kColumn] = s[kColumnRate];
@@ -336,7 +350,7 @@ private:
     Params p_;
     Body body_ = body();
     std::array<Tyre, 4> tyre_ = tyresOfWheels();
-    Forces forces_{};
+    Forces forces_{}, last_{};  // of the last stage; of the beginning of the last step
     Vector s_{};
     Push push_;
 };
