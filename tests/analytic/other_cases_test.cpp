@@ -10,6 +10,7 @@
 #include "blind/other_measure.h"
 #include "blind/other_outsiders.h"
 #include "blind/other_shows.h"
+#include "run/simulate.h"
 #include "shared/other_car/compact.h"
 #include "shared/vehicles.h"
 
@@ -126,19 +127,37 @@ TEST(OtherCases, WithoutAFaultTheReferenceDiffersByTheDayOnly) {
     EXPECT_LT(between, 30);
 }
 
+// The logs of all drives; none when one of them cannot be driven.
+std::vector<tread::Log> drivenThrough(const Truth& truth) {
+    std::vector<tread::Log> logs;
+    try {
+        for (const tread::Drive& drive : tread::blindDrives()) logs.push_back(replay(truth, drive).log);
+    } catch (const tread::SimulationError&) {
+        return {};
+    }
+    return logs;
+}
+
+// Large bent axles and soft rear tyres make the car spin; such cases are drawn anew.
 TEST(OtherCases, EachOutsiderDrivesAllDrivesAndIsSeen) {
+    const std::vector<tread::Log> sound = drivenThrough(known());
     for (const tread::Outsider& outsider : tread::outsiders()) {
-        double most = 0;
-        for (const tread::Drive& drive : tread::blindDrives()) {
-            Truth truth = known();
-            tread::Random random(11);
+        std::vector<tread::Log> logs;
+        Truth truth;
+        for (std::uint64_t seed = 1; logs.empty() && seed <= 4; ++seed) {
+            truth = known();
+            tread::Random random(seed);
             plant(outsider, nominal(), truth, random);
-            const tread::Log log = replay(truth, drive).log;
-            EXPECT_TRUE(finite(log)) << outsider.name << " " << drive.name;
-            EXPECT_EQ(apart(log, replay(truth, drive).log), 0) << outsider.name;
-            most = std::max(most, apart(log, replay(known(), drive).log));
+            logs = drivenThrough(truth);
+        }
+        ASSERT_EQ(logs.size(), sound.size()) << outsider.name;
+        double most = 0;
+        for (std::size_t i = 0; i < logs.size(); ++i) {
+            EXPECT_TRUE(finite(logs[i])) << outsider.name;
+            most = std::max(most, apart(logs[i], sound[i]));
         }
         EXPECT_GT(most, 3) << outsider.name;
+        EXPECT_EQ(apart(logs.front(), replay(truth, tread::blindDrives().front()).log), 0) << outsider.name;
     }
 }
 
@@ -224,8 +243,21 @@ TEST(OtherCases, HeadwindAndGradeHoldTheCarBack) {
     EXPECT_NEAR(ax(grade) - ax(known()), -0.02 * kGravity * car.mass / mass, 1e-3);
 }
 
-// What is wrong shows the more, the larger it is; a lighter car shows as one without references, too, only less, and
-// what a tolerance can absorb shows less than what none can.
+TEST(OtherCases, CarThatSpinsIsNotDrivenOn) {
+    Truth slippery = known();
+    for (const std::size_t rear : {2u, 3u}) slippery.car.wheels[rear].friction = 0.4;
+    EXPECT_THROW(replay(slippery, driveNamed("step_steer_110")), tread::SimulationError);
+}
+
+TEST(OtherCases, SameSeedDrawsTheSameCaseAndAnotherOneAnother) {
+    using enum tread::CaseKind;
+    EXPECT_EQ(drawnOf(mixed, 3).key, drawnOf(mixed, 3).key);
+    EXPECT_NE(drawnOf(mixed, 3).key, drawnOf(mixed, 4).key);
+    EXPECT_EQ(drivenCar(drawnOf(mixed, 3)).car.mass, drivenCar(drawnOf(mixed, 3)).car.mass);
+}
+
+// Half the squared signal over noise: four times as much of twice the fault. With references a gain is no longer open,
+// and shows more.
 TEST(OtherCases, EvidenceGrowsWithTheSquareOfTheSizeAndReferencesAddToIt) {
     std::vector<tread::Effect> effects;
     for (const tread::Effect& one : plantable(tread::effectCatalogue(), nominal())) {

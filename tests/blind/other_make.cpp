@@ -75,14 +75,16 @@ Day dayOf(std::uint64_t case_seed, bool before, std::uint64_t recording_seed) {
     return {seedOf(day, before), seedOf(recording_seed, day_stream)};
 }
 
-Drawn drawnCase(const Order& order, int index, CaseKind kind, const Matching& matching,
-                const tread::VehicleParams& nominal, int draw_number) {
-    const std::uint64_t seed = seedOf(caseSeed(order.seed, index), draw_stream);
-    const tread::Subject in_file = asInFile(nominal);
+Truth knownCar(const Order& order, int index, const Matching& matching) {
     Random structural(seedOf(caseSeed(order.seed, index), structure_stream));
+    return matched(matching, drawStructure(structural));
+}
+
+Drawn drawnCase(const Order& order, int index, CaseKind kind, const Truth& known, const tread::VehicleParams& nominal,
+                const std::vector<tread::Effect>& effects, int draw_number) {
+    const std::uint64_t seed = seedOf(caseSeed(order.seed, index), draw_stream);
     Random random(seedOf(seed, static_cast<std::uint64_t>(draw_number)));
-    const Truth known = matched(matching, drawStructure(structural));
-    Drawn drawn = draw(known, in_file, plantable(tread::effectCatalogue(), in_file), order.frozen, kind, random);
+    Drawn drawn = draw(known, asInFile(nominal), effects, order.frozen, kind, random);
     drawn.key.name = fmt::format("case_{:03}", index + 1);
     drawn.key.draw = draw_number;
     return drawn;
@@ -97,13 +99,16 @@ Keys makeCases(const Order& order, const tread::VehicleParams& nominal, const st
     const std::vector<tread::Drive> drives = tread::blindDrives();
     const Examination examination =
         examinationOf(plainCar(matching), in_file, plantable(tread::effectCatalogue(), in_file), drives);
+    const std::vector<tread::Effect> effects = shownEffects(examination);
     const std::vector<CaseKind> kinds = kindsOf(order);
     Keys keys = emptyKeys(order);
     for (int i = 0; i < order.cases; ++i) {
+        const Truth known = knownCar(order, i, matching);
         Random place(seedOf(caseSeed(order.seed, i), ground_stream));
         const ProvingGround ground = drawnGround(nominal, place);
         for (int draw_number = 0;; ++draw_number) {
-            const Drawn drawn = drawnCase(order, i, kinds[static_cast<std::size_t>(i)], matching, nominal, draw_number);
+            const Drawn drawn =
+                drawnCase(order, i, kinds[static_cast<std::size_t>(i)], known, nominal, effects, draw_number);
             try {
                 drive(drawn, ground, caseSeed(order.seed, i), order.references,
                       tread::recordingsOf(drives, order.seed, i), folder / drawn.key.name);

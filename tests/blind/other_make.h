@@ -32,10 +32,11 @@ Keys makeCases(
     const Order& order, const tread::VehicleParams& nominal, const std::filesystem::path& folder,
     const std::function<void(int cases)>& progress = [](int) {});
 
-// A case of this order, `index` from 0: the same whenever it is drawn, but for what it shows. `draw_number` says the
-// how manieth car for it this is: those before could not be driven.
-Drawn drawnCase(const Order& order, int index, tread::CaseKind kind, const Matching& matching,
-                const tread::VehicleParams& nominal, int draw_number = 0);
+// The car of a case as one knows it, `index` from 0, and a case with it: the same whenever it is drawn, but for what it
+// shows. `draw_number` says the how manieth car for it this is: those before could not be driven.
+Truth knownCar(const Order& order, int index, const Matching& matching);
+Drawn drawnCase(const Order& order, int index, tread::CaseKind kind, const Truth& known,
+                const tread::VehicleParams& nominal, const std::vector<tread::Effect>& effects, int draw_number = 0);
 
 std::uint64_t caseSeed(std::uint64_t seed, int index);
 

@@ -200,6 +200,12 @@ struct Driving {
     const std::vector<Input>* inputs = nullptr;
 };
 
+// The model is one of a car that rolls forward; nobody would go on with a drive in which it does not.
+bool drivable(const Vector& s) {
+    constexpr double kSlowest = 1;  // m/s
+    return s[kVx] > kSlowest && std::abs(s[kVy]) < s[kVx];
+}
+
 Motion driven(const Truth& truth, const Drive& drive, Driving driving) {
     Car car(truth.car, driving.start_speed);
     Input driver{.throttle = car.holdingThrottle()};
@@ -223,8 +229,8 @@ Motion driven(const Truth& truth, const Drive& drive, Driving driving) {
                   brake(driver.brake, truth.brake_delay)};
         car.step(before, acting, kStep);
         observe(motion, car, driver);
-        if (!std::isfinite(car.state()[kVx]))
-            throw tread::SimulationError("the other car cannot be driven", static_cast<double>(i) * kStep);
+        if (!drivable(car.state()))
+            throw tread::SimulationError("the other car spins or stops", static_cast<double>(i) * kStep);
     }
     return motion;
 }

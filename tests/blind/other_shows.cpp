@@ -8,6 +8,7 @@
 #include "blind/gauges.h"
 #include "blind/measure.h"
 #include "blind/other_errors.h"
+#include "blind/other_match.h"
 #include "identify/parallel.h"
 
 namespace other_car {
@@ -31,6 +32,17 @@ VectorXd rowsOf(const tread::Log& log) {
         rows.insert(rows.end(), blocks.begin(), blocks.end());
     }
     return Eigen::Map<const VectorXd>(rows.data(), static_cast<Index>(rows.size()));
+}
+
+// As the data sheets say, in the order of rowsOf().
+VectorXd noiseOfRows(Index rows) {
+    std::vector<double> noises;
+    for (const tread::Gauge& gauge : tread::gauges())
+        if (!tread::isOfTheDriver(gauge)) noises.push_back(noiseOfMeans(gauge));
+    const Index of_each = rows / static_cast<Index>(noises.size());
+    VectorXd all(rows);
+    for (Index i = 0; i < rows; ++i) all(i) = noises[static_cast<std::size_t>(i / of_each)];
+    return all;
 }
 
 // ---- What can absorb a change --------------------------------------------------------------------------------------
@@ -257,6 +269,21 @@ Examination examinationOf(const Truth& plain, const Subject& nominal, const std:
         takeHats(one, plain);
     }
     return examination;
+}
+
+std::vector<tread::Effect> shownEffects(const Examination& examination) {
+    constexpr double kShown = 200;  // sum of squares over the noise of all readings
+    std::vector<tread::Effect> effects;
+    for (std::size_t i = 0; i < examination.effects.size(); ++i) {
+        double sum = 0;
+        for (const Absorbing& one : examination.drives) {
+            const VectorXd noise = noiseOfRows(one.rivals.rows());
+            for (const Index column : examination.rivals[i].columns)
+                sum += one.rivals.col(column).cwiseQuotient(noise).squaredNorm();
+        }
+        if (sum >= kShown) effects.push_back(examination.effects[i]);
+    }
+    return effects;
 }
 
 Shown shown(const Examination& examination, const Drawn& drawn, const ProvingGround& ground) {

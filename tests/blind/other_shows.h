@@ -38,6 +38,9 @@ struct Examination {
 Examination examinationOf(const Truth& plain, const tread::Subject& nominal, const std::vector<tread::Effect>& effects,
                           const std::vector<tread::Drive>& drives);
 
+// Those whose typical size changes the readings by more than their noise.
+std::vector<tread::Effect> shownEffects(const Examination& examination);
+
 struct Shown {
     std::map<std::string, tread::Shows> with_references, without_references;
 };
