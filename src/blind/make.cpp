@@ -6,6 +6,7 @@
 #include <array>
 #include <fstream>
 
+#include "blind/examine.h"
 #include "blind/gauges.h"
 #include "blind/shown.h"
 #include "log/csv.h"
@@ -115,13 +116,19 @@ BlindKey makeCases(const BlindOrder& order, const VehicleParams& nominal, const 
     const std::vector<Drive> drives = blindDrives(order.drives);
     const std::vector<CaseKind> kinds = kindsOf(order);
     const std::vector<Effect> shown = shownEffects(nominal, effects, drives);
+    const std::vector<OpenNumber> open = openNumbers({.vehicle = nominal, .road = {}, .wind = {}, .instruments = {}});
+    const auto examine = [&](const DrawnCase& drawn) {
+        if (drawn.without.empty()) return std::map<std::string, Shows>{};
+        return examined(examination(drawn.sound.car, drives, open, effects), drawn);
+    };
     for (int i = 0; i < order.cases; ++i) {
         const CaseKind kind = kinds[static_cast<std::size_t>(i)];
         for (int draw = 0;; ++draw) {
-            const DrawnCase drawn = drawnCase(order.seed, i, kind, nominal, shown, draw, order.drawing);
+            DrawnCase drawn = drawnCase(order.seed, i, kind, nominal, shown, draw, order.drawing);
             try {
                 writeCase(folder / drawn.key.name, nominal, recordingsOf(drives, order.seed, i),
                           [&](const BlindRecording& one) { return measure(drawn.truth, *one.drive, one.seed); });
+                drawn.key.shows = examine(drawn);
                 key.cases.push_back(drawn.key);
                 break;
             } catch (const SimulationError&) {  // a car that nobody would drive

@@ -11,7 +11,6 @@
 namespace tread {
 namespace {
 
-constexpr double kStep = 0.001;                           // s; the diagnosis replays with another
 constexpr double kVibration = 8, kVibrationSpread = 0.5;  // 1/s
 constexpr std::string_view kSensor = "sensor.";
 enum Stream : std::uint64_t {
@@ -22,7 +21,6 @@ enum Stream : std::uint64_t {
     difference_stream,
     misreading_stream
 };
-constexpr std::string_view kEngineSpeed = "driveline.engine_speed";
 
 bool isAccelerometer(std::string_view channel) {
     return channel == "chassis.ax" || channel == "chassis.ay";
@@ -60,12 +58,12 @@ Scenario scenarioOf(const Truth& truth, const Drive& drive, std::uint64_t seed, 
     Scenario scenario = drive.scenario;
     Random start(seedOf(seed, start_stream));
     scenario.start.speed *= 1 + conditions.speed_scatter * start.normal();
-    scenario.step = kStep;
+    scenario.step = scenario.substep = conditions.step;
     scenario.road = truth.car.road;
     scenario.wind = truth.car.wind;
     scenario.log.rate = 100;
     scenario.log.channels = {"driveline.gear"};
-    if (truth.own) scenario.log.channels.emplace_back(kEngineSpeed);
+    scenario.log.channels.emplace_back(kEngineSpeed);
     const int noise_seed = static_cast<int>(seedOf(seed, noise_stream) >> 34);
     for (const Gauge& gauge : gauges())
         scenario.log.sensors.push_back(sensorOf(gauge, truth, conditions.noise && !truth.own, noise_seed));
@@ -75,7 +73,7 @@ Scenario scenarioOf(const Truth& truth, const Drive& drive, std::uint64_t seed, 
 // The disturbance, and what an outsider adds to it.
 Pushing pushing(const Truth& truth, const Conditions& conditions, std::uint64_t seed) {
     const bool still = truth.own && !conditions.surroundings;
-    Pushing first = !truth.own ? wandering(conditions.disturbance, kStep, seed)
+    Pushing first = !truth.own ? wandering(conditions.disturbance, conditions.step, seed)
                     : still    ? pushingOf({}, seed)
                                : pushingOf(truth.own->surroundings, seed);
     if (!truth.push) return first;
@@ -86,15 +84,6 @@ Pushing pushing(const Truth& truth, const Conditions& conditions, std::uint64_t 
         sum.moment += more.moment;
         return sum;
     };
-}
-
-// Noise of the instruments as they are drawn; the speed of the engine, which shakes them, is not logged.
-void spoil(Log& log, const ProvingGround& own, std::uint64_t seed, bool noise) {
-    const auto engine = std::find_if(log.channels.begin(), log.channels.end(),
-                                     [](const Channel& channel) { return channel.name == kEngineSpeed; });
-    const std::vector<double> phase = enginePhase(log.channels.front().values, engine->values);
-    log.channels.erase(engine);
-    if (noise) addNoise(log, own.noise, phase, seed);
 }
 
 }  // namespace
@@ -113,7 +102,7 @@ void vibrate(Log& log, std::uint64_t seed) {
     }
 }
 
-Log measure(const Truth& truth, const Drive& drive, std::uint64_t seed, const Conditions& conditions) {
+Log readingsOf(const Truth& truth, const Drive& drive, std::uint64_t seed, const Conditions& conditions) {
     const Truth now = inThisDrive(truth, seed, conditions);
     Log log;
     simulate(now.car.vehicle, scenarioOf(now, drive, seed, conditions), recorderInto(log),
@@ -123,8 +112,18 @@ Log measure(const Truth& truth, const Drive& drive, std::uint64_t seed, const Co
     }
     Random misreading(seedOf(seed, misreading_stream));
     if (now.misread) now.misread(log, misreading);
-    if (now.own) spoil(log, *now.own, seedOf(seed, noise_stream), conditions.noise);
-    else if (conditions.noise) vibrate(log, seedOf(seed, vibration_stream));
+    return log;
+}
+
+Log measure(const Truth& truth, const Drive& drive, std::uint64_t seed, const Conditions& conditions) {
+    Log log = readingsOf(truth, drive, seed, conditions);
+    const auto engine = std::find_if(log.channels.begin(), log.channels.end(),
+                                     [](const Channel& channel) { return channel.name == kEngineSpeed; });
+    const std::vector<double> phase = enginePhase(log.channels.front().values, engine->values);
+    log.channels.erase(engine);
+    if (!conditions.noise) return log;
+    if (truth.own) addNoise(log, truth.own->noise, phase, seedOf(seed, noise_stream));
+    else vibrate(log, seedOf(seed, vibration_stream));
     return log;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "blind/disturbance.h"
 #include "blind/drives.h"
@@ -18,6 +19,7 @@ struct Conditions {
     bool noise = true;  // and vibration
     // World::own: what differs from drive to drive, and what surroundings push.
     bool surroundings = true;
+    double step = 0.001;  // s, of the world; the diagnosis replays with another
 };
 
 inline constexpr Conditions kIdeal{.disturbance = {.fx = 0, .fy = 0, .yaw_moment = 0, .roll_moment = 0},
@@ -27,6 +29,11 @@ inline constexpr Conditions kIdeal{.disturbance = {.fx = 0, .fy = 0, .yaw_moment
 
 // Channels as gauges() has them and `driveline.gear`, 100 rows a second. Throws SimulationError.
 Log measure(const Truth& truth, const Drive& drive, std::uint64_t seed, const Conditions& conditions = {});
+
+inline constexpr std::string_view kEngineSpeed = "driveline.engine_speed";
+
+// The same without noise, and with kEngineSpeed, which shakes the instruments.
+Log readingsOf(const Truth& truth, const Drive& drive, std::uint64_t seed, const Conditions& conditions);
 
 // Adds what engine and road shake the instruments with.
 void vibrate(Log& log, std::uint64_t seed);

@@ -137,6 +137,7 @@ DrawnCase drawCase(const VehicleParams& nominal, const std::vector<Effect>& effe
     if (kind == CaseKind::outside || kind == CaseKind::mixed)
         plantings.push_back(planted(drawnOutsider(drawing.frozen, random), drawn.key, random));
 
+    drawn.sound = sound;
     drawn.truth = with(sound, plantings);
     for (const Planting& planting : plantings) drawn.without[planting.name] = with(sound, plantings, planting.name);
     for (auto& [path, number] : drawn.key.numbers) number.value = *numberAt(drawn.truth.car, path);

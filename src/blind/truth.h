@@ -40,6 +40,7 @@ struct Truth {
 struct DrawnCase {
     Truth truth;
     CaseKey key;
+    Truth sound;                           // without anything that is wrong
     std::map<std::string, Truth> without;  // one of the things that are wrong, by its name: all else as it is
 };
 

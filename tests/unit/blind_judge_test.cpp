@@ -25,6 +25,7 @@ BlindKey made(const Scratch& scratch, int cases) {
     order.cases = cases;
     order.seed = 5;
     order.kinds = {CaseKind::one};
+    order.drives = DriveSet::coast_and_accelerate;
     return makeCases(order, reference::compact(), kEffects, scratch.path("cases"));
 }
 

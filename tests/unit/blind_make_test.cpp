@@ -10,6 +10,7 @@
 #include "blind/gauges.h"
 #include "blind/make.h"
 #include "blind/outsiders.h"
+#include "blind/shown.h"
 #include "diagnose/sha256.h"
 #include "shared/scratch.h"
 #include "shared/vehicles.h"
@@ -252,8 +253,9 @@ TEST(BlindMake, SameSeedMakesTheSameFilesAndAnotherOneOthers) {
         order.cases = 1;
         order.seed = seed;
         order.kinds = {CaseKind::one};
+        order.drives = DriveSet::coast_and_accelerate;
         const BlindKey key = makeCases(order, reference::compact(), kEffects, scratch.path(folder));
-        return keyText(key) + contentOf(scratch.path(folder + "/case_001/step_steer_80_2.csv"));
+        return keyText(key) + contentOf(scratch.path(folder + "/case_001/coast_down_120.csv"));
     };
     EXPECT_EQ(make("a", 1), make("b", 1));
     EXPECT_NE(make("a", 1), make("c", 2));
@@ -264,10 +266,14 @@ TEST(BlindMake, CaseIsDrawnAgainFromItsSeedAndKind) {
     BlindOrder order;
     order.cases = 3;
     order.seed = 9;
+    order.kinds = {CaseKind::none, CaseKind::one, CaseKind::mixed};
+    order.drives = DriveSet::coast_and_accelerate;
     const BlindKey key = makeCases(order, reference::compact(), kEffects, scratch.path("cases"));
+    const std::vector<Effect> shown = shownEffects(reference::compact(), kEffects, blindDrives(order.drives));
     for (int i = 0; i < order.cases; ++i) {
         const CaseKey& made = key.cases[static_cast<std::size_t>(i)];
-        CaseKey again = drawnCase(9, i, made.kind, reference::compact(), kEffects).key;
+        CaseKey again = drawnCase(9, i, made.kind, reference::compact(), shown).key;
+        EXPECT_EQ(made.shows.size(), made.effects.size() + (made.outsider.empty() ? 0 : 1));
         again.shows = made.shows;  // found, not drawn
         EXPECT_EQ(again, made);
     }

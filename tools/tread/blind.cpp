@@ -56,6 +56,7 @@ int blindMake(const BlindMakeOptions& options) {
     order.seed = options.seed;
     for (const std::string& kind : options.kinds) order.kinds.push_back(caseKind(kind));
     order.drives = driveSet(options.drives);
+    order.drawing = {.world = world(options.world), .frozen = options.frozen};
     order.vehicle = options.vehicle;
     order.tread_version = TREAD_VERSION;
     Progress progress(options.cases, "cases");

@@ -122,9 +122,15 @@ void addBlindMake(CLI::App& app, BlindMakeOptions& o) {
     app.add_option("-o,--output", o.output, "folder for the cases, new or empty")->required();
     app.add_option("--key", o.key, "file for the sealed key (default: <folder>.key.json)");
     app.add_option("--vehicle", o.vehicle, "nominal car (default: vehicles/compact.yaml)");
-    app.add_option("--kinds", o.kinds, "kinds of cases: one, two, none, outside, small (default: all)")->delimiter(',');
+    app.add_option("--kinds", o.kinds, "kinds of cases: one, two, none, outside, mixed, small (default: all)")
+        ->delimiter(',');
     app.add_option("--drives", o.drives,
                    "drives from which to learn: all, step_steers (two) or coast_and_accelerate (two) (default: all)");
+    app.add_option("--world", o.world,
+                   "errors, disturbances and noise of the cars: own (the examiner's) or assumed (as the diagnosis "
+                   "assumes them, to compare with) (default: own)");
+    app.add_flag("--frozen", o.frozen,
+                 "draw faults outside of the catalogue from both families: for a check after which nothing is changed");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 

@@ -122,6 +122,8 @@ struct BlindMakeOptions {
     std::string vehicle = "vehicles/compact.yaml";
     std::vector<std::string> kinds;  // none: all
     std::string drives = "all";
+    std::string world = "own";
+    bool frozen = false;
     bool json = false;
 };
 int blindMake(const BlindMakeOptions& options);
