@@ -72,6 +72,7 @@ struct CaseKey {
     std::string outsider;
     Family family = Family::first;
     std::vector<std::string> generalised_forces;
+    std::vector<std::string> structure;
     std::map<std::string, PlantedNumber> numbers;
     std::map<std::string, Shows> shows;
 
@@ -85,6 +86,9 @@ struct CaseKey {
         field(TREAD_FIELD(generalised_forces), About{"",
                                                      "of these one is where the outsider must be found; none: it is "
                                                      "an instrument"});
+        field(TREAD_FIELD(structure), About{"",
+                                            "in what the car that was driven is modelled otherwise, before and after; "
+                                            "empty: tread's own model"});
         field(TREAD_FIELD(numbers), About{"", "of the effects, by path"});
         field(TREAD_FIELD(shows), About{"", "of each effect and of the outsider, by name"});
     }

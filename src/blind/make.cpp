@@ -35,21 +35,6 @@ constexpr std::array kOwnProportions{CaseKind::one, CaseKind::two,   CaseKind::n
 constexpr int kMostDraws = 20;
 enum Stream : std::uint64_t { kinds_stream, truth_stream, drives_stream };
 
-std::vector<CaseKind> kindsOf(const BlindOrder& order) {
-    const auto& proportions = order.drawing.world == World::own ? kOwnProportions : kAssumedProportions;
-    std::vector<CaseKind> kinds;
-    for (int i = 0; i < order.cases; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        kinds.push_back(order.kinds.empty() ? proportions[at % proportions.size()]
-                                            : order.kinds[at % order.kinds.size()]);
-    }
-    // In an order that tells nothing (Fisher and Yates).
-    Random random(seedOf(order.seed, kinds_stream));
-    for (std::size_t i = kinds.size(); i > 1; --i)
-        std::swap(kinds[i - 1], kinds[static_cast<std::size_t>(random.uniform() * static_cast<double>(i))]);
-    return kinds;
-}
-
 std::uint64_t caseSeed(std::uint64_t seed, int index, Stream stream) {
     return seedOf(seedOf(seed, 16 + static_cast<std::uint64_t>(index)), stream);
 }
@@ -76,6 +61,21 @@ std::string diagnosisYaml(const std::vector<BlindRecording>& recordings, bool co
 }
 
 }  // namespace
+
+std::vector<CaseKind> kindsOf(const BlindOrder& order) {
+    const auto& proportions = order.drawing.world == World::own ? kOwnProportions : kAssumedProportions;
+    std::vector<CaseKind> kinds;
+    for (int i = 0; i < order.cases; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        kinds.push_back(order.kinds.empty() ? proportions[at % proportions.size()]
+                                            : order.kinds[at % order.kinds.size()]);
+    }
+    // In an order that tells nothing (Fisher and Yates).
+    Random random(seedOf(order.seed, kinds_stream));
+    for (std::size_t i = kinds.size(); i > 1; --i)
+        std::swap(kinds[i - 1], kinds[static_cast<std::size_t>(random.uniform() * static_cast<double>(i))]);
+    return kinds;
+}
 
 void writeCase(const std::filesystem::path& place, const VehicleParams& nominal,
                const std::vector<BlindRecording>& recordings, const Driven& driven, const Driven& before) {

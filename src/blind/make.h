@@ -22,6 +22,9 @@ struct BlindOrder {
     std::string tread_version;
 };
 
+// The kind of each case, in an order that tells nothing.
+std::vector<CaseKind> kindsOf(const BlindOrder& order);
+
 // A folder for each case with its logs, its nominal car and diagnosis.yaml; returns what belongs into the sealed key.
 // Throws FileError, LoadError, and SimulationError when a car cannot be driven.
 BlindKey makeCases(

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "shared/other_car/car.h"
 #include "shared/other_car/compact.h"
@@ -129,10 +130,105 @@ TEST(OtherCar, TyreGivesItsFrictionAndNoMore) {
     const Tyre tyre = compact().front.tyre;
     double most = 0;
     for (int i = 0; i < 100; ++i) {
-        const TyreForce f = force(tyre, tyre.nominal_load, 1, -0.003 * i, 0.004 * i, 0);
+        const TyreForce f = force(tyre, {}, tyre.nominal_load, 1, -0.003 * i, 0.004 * i, 0);
         most = std::max(most, std::hypot(f.fx, f.fy));
     }
     EXPECT_NEAR(most, tyre.friction * tyre.nominal_load, 0.01 * tyre.friction * tyre.nominal_load);
+}
+
+// ---- Structures (structure.h), each against what its formula says -------------------------------------------------
+
+Tyre plainTyre() {
+    Tyre tyre = compact().front.tyre;
+    tyre.friction_by_load = 0;
+    return tyre;
+}
+
+TEST(OtherCarStructure, TyresOfEachShapeHaveTheirStiffnessAndTheirFriction) {
+    const Tyre tyre = plainTyre();
+    const double load = tyre.nominal_load, peak = tyre.friction * load, small = 1e-5;
+    for (const Structure& shape : {Structure{}, Structure{.brush_tyre = true}, Structure{.hyperbolic_tyre = true},
+                                   Structure{.friction_ellipse = true}}) {
+        EXPECT_NEAR(force(tyre, shape, load, 1, 0, small, 0).fy / small, corneringStiffness(tyre, load),
+                    1e-3 * corneringStiffness(tyre, load));
+        EXPECT_NEAR(force(tyre, shape, load, 1, small, 0, 0).fx / small, slipStiffness(tyre, load),
+                    1e-3 * slipStiffness(tyre, load));
+        for (double slip = 0; slip < 0.5; slip += 0.01) {
+            const TyreForce f = force(tyre, shape, load, 1, 0.7 * slip, slip, 0);
+            EXPECT_LE(std::hypot(f.fx, f.fy), 1.0001 * peak);
+        }
+    }
+}
+
+// Brush model: all of the contact slides from tan(alpha) = 3 friction load / stiffness on; half way to there the force
+// is 7/8 of the friction.
+TEST(OtherCarStructure, BrushTyreSlidesWhereItsFormulaSays) {
+    const Tyre tyre = plainTyre();
+    const double load = tyre.nominal_load, peak = tyre.friction * load;
+    const double slides = 3 * peak / corneringStiffness(tyre, load);
+    const Structure brush{.brush_tyre = true};
+    EXPECT_NEAR(force(tyre, brush, load, 1, 0, std::atan(slides), 0).fy, peak, 1e-9 * peak);
+    EXPECT_NEAR(force(tyre, brush, load, 1, 0, std::atan(2 * slides), 0).fy, peak, 1e-9 * peak);
+    EXPECT_NEAR(force(tyre, brush, load, 1, 0, std::atan(slides / 2), 0).fy, 7.0 / 8 * peak, 1e-9 * peak);
+    EXPECT_NEAR(force(tyre, brush, load, 1, 0, std::atan(slides), 0).trail, 0, 1e-9);
+}
+
+TEST(OtherCarStructure, EllipseLeavesTheSideForceTheRest) {
+    const Tyre tyre = plainTyre();
+    const double load = tyre.nominal_load, peak = tyre.friction * load;
+    const Structure ellipse{.friction_ellipse = true};
+    const double fx = force(tyre, ellipse, load, 1, 0.03, 0, 0).fx, fy = force(tyre, ellipse, load, 1, 0, 0.05, 0).fy;
+    const TyreForce both = force(tyre, ellipse, load, 1, 0.03, 0.05, 0);
+    EXPECT_NEAR(both.fx, fx, 1e-9 * peak);
+    EXPECT_NEAR(both.fy, fy * std::sqrt(1 - fx * fx / (peak * peak)), 1e-9 * peak);
+}
+
+TEST(OtherCarStructure, TwistedBodyRollsMoreWhereItIsSofter) {
+    // Held at both axles, the rear lags behind by what the twist carries over.
+    Params p = simple();
+    p.structure.body_twist = true;
+    const Car car = driven(p, 20, 4, [](double) { return Input{.hand_wheel = 0.3}; });
+    const double share = p.front_distance / p.wheelbase;
+    const double axis =
+        (p.front.roll_axis * (p.wheelbase - p.front_distance) + p.rear.roll_axis * p.front_distance) / p.wheelbase;
+    const double front = car.state()[kRoll], rear = car.state()[kRearRoll];
+    const double ay = car.forces({.hand_wheel = 0.3}).ay;
+    const double moment = share * p.mass * (p.height - axis) * (ay + kGravity * rear);
+    EXPECT_NEAR(moment + kTwistStiffness * (front - rear), p.rear.rollStiffness() * rear, 0.01 * moment);
+}
+
+TEST(OtherCarStructure, ColumnSwingsAboutTheAngleOfTheHand) {
+    // Overshoot of an oscillator after a step: exp(-pi d / sqrt(1 - d^2)).
+    Params p = simple();
+    p.structure.steering_column = true;
+    Car car(p, 20);
+    double most = 0;
+    for (int i = 0; i < 500; ++i) {
+        car.step({.hand_wheel = 0.1}, {.hand_wheel = 0.1}, kStep);
+        most = std::max(most, car.state()[kColumn]);
+    }
+    const double overshoot =
+        std::exp(-std::numbers::pi * kColumnDamping / std::sqrt(1 - kColumnDamping * kColumnDamping));
+    EXPECT_NEAR(most, 0.1 * (1 + overshoot), 1e-4);
+    EXPECT_NEAR(car.state()[kColumn], 0.1, 1e-4);
+}
+
+TEST(OtherCarStructure, RearBrakesFillByTheirTimeConstant) {
+    Params p = simple();
+    p.structure.slow_rear_brakes = true;
+    const Car car = driven(p, 30, kRearBrakeLag, [](double) { return Input{.brake = 0.2}; });
+    EXPECT_NEAR(car.state()[kRearBrake], 0.2 * (1 - std::exp(-1)), 1e-6);
+}
+
+TEST(OtherCarStructure, TurboLeavesAShareOfTheTorqueForLater) {
+    Params p = simple();
+    Car at_once(p, 20);
+    p.structure.turbo_lag = true;
+    const Car turbo(p, 20);
+    const double hold = turbo.holdingThrottle();
+    const double missing = at_once.engineTorque({.throttle = 1}) - turbo.engineTorque({.throttle = 1});
+    EXPECT_NEAR(missing, kTurboShare * (1 - hold) * valueAt(p.drive_full, turbo.engineSpeed()), 1e-9);
+    EXPECT_EQ(at_once.engineTorque({.throttle = hold / 2}), turbo.engineTorque({.throttle = hold / 2}));
 }
 
 TEST(OtherCar, HalvingTheStepChangesNothing) {

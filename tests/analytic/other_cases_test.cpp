@@ -3,9 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
+#include "blind/gauges.h"
+#include "blind/other_draw.h"
 #include "blind/other_measure.h"
-#include "diagnose/catalogue/effect.h"
+#include "blind/other_outsiders.h"
+#include "blind/other_shows.h"
+#include "run/simulate.h"
 #include "shared/other_car/compact.h"
 #include "shared/vehicles.h"
 
@@ -24,43 +29,180 @@ tread::Drive driveNamed(const std::string& name) {
     throw std::out_of_range(name);
 }
 
-Drawn drawnWith(const std::string& effect, std::uint64_t seed = 3) {
-    std::vector<tread::diagnose::catalogue::Effect> effects;
-    for (const tread::diagnose::catalogue::Effect& one :
-         plantable(tread::diagnose::catalogue::effectCatalogue(), reference::compact()))
-        if (one.name == effect) effects.push_back(one);
+tread::Subject nominal() {
+    return asInFile(reference::compact());
+}
+
+Drawn drawnOf(tread::CaseKind kind, std::uint64_t seed) {
     tread::Random random(seed);
-    return draw(known(), reference::compact(), effects, tread::CaseKind::one, random);
+    return draw(known(), nominal(), plantable(tread::effectCatalogue(), nominal()), true, kind, random);
+}
+
+// The largest difference of two logs, in units of the instruments' noise.
+double apart(const tread::Log& a, const tread::Log& b) {
+    double most = 0;
+    for (const tread::Gauge& gauge : tread::gauges()) {
+        const auto &x = a.find(gauge.channel)->values, &y = b.find(gauge.channel)->values;
+        EXPECT_EQ(x.size(), y.size());
+        for (std::size_t i = 0; i < x.size(); ++i) most = std::max(most, std::abs(x[i] - y[i]) / gauge.noise);
+    }
+    return most;
+}
+
+bool finite(const tread::Log& log) {
+    return std::all_of(log.channels.begin(), log.channels.end(), [](const tread::Channel& channel) {
+        return std::all_of(channel.values.begin(), channel.values.end(), [](double v) { return std::isfinite(v); });
+    });
 }
 
 TEST(OtherCases, ManyEffectsOfTheCatalogueCanBePlanted) {
-    const auto effects = plantable(tread::diagnose::catalogue::effectCatalogue(), reference::compact());
+    const auto effects = plantable(tread::effectCatalogue(), nominal());
     EXPECT_GE(effects.size(), 25u);
-    for (const char* name : {"mass", "grip", "tyre_relaxation", "wind", "steering_delay", "gyro_scale", "wheel_radius"})
+    for (const char* name :
+         {"mass", "grip", "tyre_relaxation", "wind", "steering_delay", "gyro_scale", "wheel_radius", "damping"})
         EXPECT_TRUE(std::any_of(effects.begin(), effects.end(), [&](const auto& e) { return e.name == name; })) << name;
 }
 
-TEST(OtherCases, PlantedNumberOfTheKeyIsThatOfTheCar) {
-    const Drawn mass = drawnWith("mass"), gyro = drawnWith("gyro_bias");
-    EXPECT_NEAR(mass.truth.car.mass, mass.key.numbers.at("mass").value, 0.003 * 1350);  // errors multiply
-    EXPECT_GT(std::abs(mass.key.numbers.at("mass").change), 0.59);
-    EXPECT_NEAR(gyro.truth.instruments.yaw_rate.bias, gyro.key.numbers.at("instruments.yaw_rate.bias").value, 1e-12);
+// Of each shared number the car has as much more, or the same factor, as the key says of tread's.
+TEST(OtherCases, PlantedNumbersOfTheKeyAreThoseOfTheDrivenCar) {
+    for (std::uint64_t seed = 1; seed < 40; ++seed) {
+        const Drawn drawn = drawnOf(tread::CaseKind::two, seed);
+        ASSERT_EQ(drawn.key.effects.size(), 2u);
+        EXPECT_FALSE(drawn.key.numbers.empty());
+        Truth driven = drivenCar(drawn), begin = known();
+        const auto have = sharedNumbers(driven), had = sharedNumbers(begin);
+        for (const auto& [path, number] : drawn.key.numbers) {
+            for (std::size_t i = 0; i < have.size(); ++i) {
+                if (have[i].path != path || have[i].share != 1) continue;
+                const double more = have[i].by_factor
+                                        ? *have[i].value / *had[i].value - number.value / number.nominal
+                                        : *have[i].value - *had[i].value - (number.value - number.nominal);
+                EXPECT_NEAR(more, 0, 1e-9 * std::max(1.0, std::abs(number.value))) << path;
+            }
+            EXPECT_GT(std::abs(number.change), 0.399) << path;
+            EXPECT_LT(std::abs(number.change), 2.501) << path;
+        }
+    }
 }
 
-TEST(OtherCases, EmptyCaseErrsInEveryNumberOnlyALittle) {
-    tread::Random random(1);
-    Drawn none = draw(known(), reference::compact(), {}, tread::CaseKind::none, random);
-    EXPECT_TRUE(none.key.effects.empty());
-    EXPECT_NE(none.truth.car.mass, 1350);
-    EXPECT_NEAR(none.truth.car.mass, 1350, 0.02 * 1350);
-    EXPECT_NE(none.truth.car.rear.tyre.stiffness, compact().rear.tyre.stiffness);
+TEST(OtherCases, KindsHaveWhatTheirNamesSay) {
+    using enum tread::CaseKind;
+    for (const auto& [kind, effects, outsider] : {std::tuple{one, 1u, false},
+                                                  {two, 2u, false},
+                                                  {none, 0u, false},
+                                                  {outside, 0u, true},
+                                                  {mixed, 1u, true},
+                                                  {small, 1u, false}}) {
+        const Drawn drawn = drawnOf(kind, 5);
+        EXPECT_EQ(drawn.key.effects.size(), effects);
+        EXPECT_EQ(!drawn.key.outsider.empty(), outsider);
+        EXPECT_EQ(wrongThings(drawn).size(), effects + (outsider ? 1 : 0));
+    }
+    for (const auto& [path, number] : drawnOf(small, 5).key.numbers) EXPECT_LE(std::abs(number.change), 0.15) << path;
+}
+
+TEST(OtherCases, NumbersErrALittleAndNoneOfThemWildly) {
+    for (std::uint64_t seed = 1; seed < 30; ++seed) {
+        const Drawn none = drawnOf(tread::CaseKind::none, seed);
+        const Truth driven = drivenCar(none);
+        EXPECT_NE(driven.car.mass, 1350);
+        EXPECT_NEAR(driven.car.mass, 1350, 4.01 * 0.006 * 1350);
+        EXPECT_NEAR(driven.car.rear.tyre.stiffness, known().car.rear.tyre.stiffness,
+                    4.01 * 0.035 * known().car.rear.tyre.stiffness);
+        EXPECT_GE(driven.steering_delay, 0);
+    }
+}
+
+// Same car, other days: without noise and surroundings only what a day changes is between the logs.
+TEST(OtherCases, WithoutAFaultTheReferenceDiffersByTheDayOnly) {
+    const tread::Drive drive = driveNamed("step_steer_80");
+    const Drawn none = drawnOf(tread::CaseKind::none, 7);
+    EXPECT_EQ(apart(replay(drivenCar(none), drive).log, replay(drivenCar(none, wrongThings(none)), drive).log), 0);
+    const Day today{1, 2}, same_day{1, 3}, other_day{4, 5};
+    const auto on = [&](const Day& day) { return replay(drivenCar(none, {}, &day), drive).log; };
+    const double within = apart(on(today), on(same_day)), between = apart(on(today), on(other_day));
+    EXPECT_EQ(apart(on(today), on(today)), 0);
+    EXPECT_GT(within, 0.1);
+    EXPECT_GT(between, within);
+    EXPECT_LT(between, 30);
+}
+
+// The logs of all drives; none when one of them cannot be driven.
+std::vector<tread::Log> drivenThrough(const Truth& truth) {
+    std::vector<tread::Log> logs;
+    try {
+        for (const tread::Drive& drive : tread::blindDrives()) logs.push_back(replay(truth, drive).log);
+    } catch (const tread::SimulationError&) {
+        return {};
+    }
+    return logs;
+}
+
+// Large bent axles and soft rear tyres make the car spin; such cases are drawn anew.
+TEST(OtherCases, EachOutsiderDrivesAllDrivesAndIsSeen) {
+    const std::vector<tread::Log> sound = drivenThrough(known());
+    for (const tread::Outsider& outsider : tread::outsiders()) {
+        std::vector<tread::Log> logs;
+        Truth truth;
+        for (std::uint64_t seed = 1; logs.empty() && seed <= 4; ++seed) {
+            truth = known();
+            tread::Random random(seed);
+            plant(outsider, nominal(), truth, random);
+            logs = drivenThrough(truth);
+        }
+        ASSERT_EQ(logs.size(), sound.size()) << outsider.name;
+        double most = 0;
+        for (std::size_t i = 0; i < logs.size(); ++i) {
+            EXPECT_TRUE(finite(logs[i])) << outsider.name;
+            most = std::max(most, apart(logs[i], sound[i]));
+        }
+        EXPECT_GT(most, 3) << outsider.name;
+        EXPECT_EQ(apart(logs.front(), replay(truth, tread::blindDrives().front()).log), 0) << outsider.name;
+    }
+}
+
+TEST(OtherCases, EachStructureDrivesAllDrivesAndIsSeen) {
+    for (const StructuralChoice& choice : kStructuralChoices) {
+        Truth truth = known();
+        truth.car.structure.*choice.on = true;
+        double most = 0;
+        for (const tread::Drive& drive : tread::blindDrives()) {
+            const tread::Log log = replay(truth, drive).log;
+            EXPECT_TRUE(finite(log)) << choice.name << " " << drive.name;
+            EXPECT_EQ(apart(log, replay(truth, drive).log), 0) << choice.name;
+            most = std::max(most, apart(log, replay(known(), drive).log));
+        }
+        EXPECT_GT(most, 1) << choice.name;
+    }
+}
+
+TEST(OtherCases, TwoOrThreeStructuresAreDrawnAndKeepTheirNames) {
+    for (std::uint64_t seed = 1; seed < 50; ++seed) {
+        tread::Random random(seed);
+        const Structure structure = drawStructure(random);
+        const std::vector<std::string> names = namesOf(structure);
+        EXPECT_TRUE(names.size() == 2 || names.size() == 3);
+        EXPECT_EQ(structureOf(names), structure);
+        EXPECT_FALSE(structure.brush_tyre && structure.hyperbolic_tyre);
+    }
+}
+
+// The same inputs as recorded make the same drive again, also with a driver's instruments that are wrong.
+TEST(OtherCases, ReplayedInputsMakeTheSameDrive) {
+    Truth truth = known();
+    truth.instruments.steering_wheel_angle = {.gain = 1.02, .bias = 0.03};
+    for (const char* name : {"slow_ramp_80", "braking_in_turn_90"}) {
+        const tread::Drive drive = driveNamed(name);
+        const Replayed first = replay(truth, drive);
+        EXPECT_LT(apart(first.log, replay(truth, drive, {.recorded = &first.recorded}).log), 1e-6) << name;
+    }
 }
 
 TEST(OtherCases, InstrumentsReadWhatTheirNumbersSay) {
     const tread::Drive drive = driveNamed("step_steer_80");
     Truth read = known();
     read.instruments.yaw_rate = {.gain = 1.1, .bias = 0.01, .delay = 0.05};
-    const tread::Log plain = measure(known(), drive, 1, tread::kIdeal), other = measure(read, drive, 1, tread::kIdeal);
+    const tread::Log plain = replay(known(), drive).log, other = replay(read, drive).log;
     const auto &yaw = plain.find("chassis.yaw_rate")->values, &shown = other.find("chassis.yaw_rate")->values;
     for (std::size_t i = 5; i < yaw.size(); i += 20) EXPECT_NEAR(shown[i], 1.1 * yaw[i - 5] + 0.01, 1e-12);
 }
@@ -70,7 +212,7 @@ TEST(OtherCases, AccelerationElsewhereFollowsFromYawing) {
     const tread::Drive drive = driveNamed("step_steer_80");
     Truth ahead = known();
     ahead.instruments.inertial_unit.x = 1;
-    const tread::Log plain = measure(known(), drive, 1, tread::kIdeal), other = measure(ahead, drive, 1, tread::kIdeal);
+    const tread::Log plain = replay(known(), drive).log, other = replay(ahead, drive).log;
     const std::size_t steady = 380;
     const double r = plain.find("chassis.yaw_rate")->values[steady];
     EXPECT_NEAR(other.find("chassis.ax")->values[steady] - plain.find("chassis.ax")->values[steady], -r * r, 1e-9);
@@ -80,7 +222,7 @@ TEST(OtherCases, LateSteeringIsTheSameDriveLater) {
     const tread::Drive drive = driveNamed("step_steer_80");
     Truth late = known();
     late.steering_delay = 0.05;
-    const tread::Log plain = measure(known(), drive, 1, tread::kIdeal), other = measure(late, drive, 1, tread::kIdeal);
+    const tread::Log plain = replay(known(), drive).log, other = replay(late, drive).log;
     const auto &yaw = plain.find("chassis.yaw_rate")->values, &later = other.find("chassis.yaw_rate")->values;
     for (std::size_t i = 55; i < 120; i += 5) EXPECT_NEAR(later[i], yaw[i - 5], 2e-4);
     EXPECT_EQ(plain.find("driver.steering_wheel_angle")->values, other.find("driver.steering_wheel_angle")->values);
@@ -92,9 +234,7 @@ TEST(OtherCases, HeadwindAndGradeHoldTheCarBack) {
     wind.car.wind_x = -5;
     grade.car.grade = 0.02;
     const double v = 120 / 3.6, p = known().car.drag_area * known().car.air_density / 2;
-    const auto ax = [&](const Truth& truth) {
-        return measure(truth, drive, 1, tread::kIdeal).find("chassis.ax")->values[20];
-    };
+    const auto ax = [&](const Truth& truth) { return replay(truth, drive).log.find("chassis.ax")->values[20]; };
     const Params car = known().car;
     const double turning =
         2 * (car.front.wheel_inertia + car.rear.wheel_inertia) + car.engine_inertia * car.drive_ratio * car.drive_ratio;
@@ -103,11 +243,57 @@ TEST(OtherCases, HeadwindAndGradeHoldTheCarBack) {
     EXPECT_NEAR(ax(grade) - ax(known()), -0.02 * kGravity * car.mass / mass, 1e-3);
 }
 
+TEST(OtherCases, CarThatSpinsIsNotDrivenOn) {
+    Truth slippery = known();
+    for (const std::size_t rear : {2u, 3u}) slippery.car.wheels[rear].friction = 0.4;
+    EXPECT_THROW(replay(slippery, driveNamed("step_steer_110")), tread::SimulationError);
+}
+
+TEST(OtherCases, SameSeedDrawsTheSameCaseAndAnotherOneAnother) {
+    using enum tread::CaseKind;
+    EXPECT_EQ(drawnOf(mixed, 3).key, drawnOf(mixed, 3).key);
+    EXPECT_NE(drawnOf(mixed, 3).key, drawnOf(mixed, 4).key);
+    EXPECT_EQ(drivenCar(drawnOf(mixed, 3)).car.mass, drivenCar(drawnOf(mixed, 3)).car.mass);
+}
+
+// Half the squared signal over noise: four times as much of twice the fault. With references a gain is no longer open,
+// and shows more.
+TEST(OtherCases, EvidenceGrowsWithTheSquareOfTheSizeAndReferencesAddToIt) {
+    std::vector<tread::Effect> effects;
+    for (const tread::Effect& one : plantable(tread::effectCatalogue(), nominal())) {
+        if (one.name == "gyro_scale" || one.name == "gyro_bias" || one.name == "mass") effects.push_back(one);
+    }
+    const std::vector<tread::Drive> drives{driveNamed("step_steer_80")};
+    const Examination examination = examinationOf(known(), nominal(), effects, drives);
+    tread::Random random(4);
+    const ProvingGround ground = drawnGround(reference::compact(), random);
+    const auto shownOf = [&](double size) {
+        Drawn drawn{.known = known(), .nominal = nominal(), .erring = nominal(), .planted = {}, .key = {}};
+        const auto gyro =
+            std::find_if(effects.begin(), effects.end(), [](const auto& e) { return e.name == "gyro_scale"; });
+        drawn.planted.push_back({*gyro, {size}});
+        drawn.key.effects = {"gyro_scale"};
+        return shown(examination, drawn, ground);
+    };
+    const Shown once = shownOf(0.02), twice = shownOf(0.04);
+    const tread::Shows with = once.with_references.at("gyro_scale"), without = once.without_references.at("gyro_scale");
+    EXPECT_GT(without.nats, 0.1);
+    EXPECT_GT(with.nats, without.nats);
+    EXPECT_LE(with.separation, with.nats);
+    EXPECT_NE(with.rival, "gyro_scale");
+    EXPECT_NEAR(twice.with_references.at("gyro_scale").nats / with.nats, 4, 0.1);
+    EXPECT_NEAR(twice.without_references.at("gyro_scale").nats / without.nats, 4, 0.1);
+}
+
 TEST(OtherCases, RepeatsAndNoiseDifferAndTheSameSeedIsTheSame) {
     const tread::Drive drive = driveNamed("step_steer_80");
-    const tread::Log a = measure(known(), drive, 1), b = measure(known(), drive, 1), c = measure(known(), drive, 2);
-    EXPECT_EQ(a.find("chassis.ay")->values, b.find("chassis.ay")->values);
-    EXPECT_NE(a.find("chassis.ay")->values, c.find("chassis.ay")->values);
+    tread::Random random(1);
+    const ProvingGround ground = drawnGround(reference::compact(), random);
+    const auto ay = [&](std::uint64_t seed) {
+        return measure(known(), ground, drive, seed).find("chassis.ay")->values;
+    };
+    EXPECT_EQ(ay(1), ay(1));
+    EXPECT_NE(ay(1), ay(2));
 }
 
 }  // namespace

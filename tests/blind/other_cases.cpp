@@ -3,6 +3,19 @@
 //
 //   other_cases make --vehicle vehicles/compact.yaml --cases 20 --seed 1 --reference -o cases
 //   tread blind score cases cases.key.json -o score
+//   tread blind score cases cases.without_references.key.json --no-references -o score_without
+//
+// `make` writes a folder for each case, as `tread blind make` does, and with --reference the same drives of the car
+// before anything was wrong. The car before and after is the same but for what differs from day to day
+// (other_errors.h). Two keys are written, of the same cases: in one detectability is that of a diagnosis with
+// references, in the other that of one without. Without --reference there is only the latter, as cases.key.json.
+// --frozen draws outsiders of both families. --kinds sets the kinds of the cases, repeated in an order that the seed
+// shuffles; otherwise they are those of a check.
+//
+//   other_cases gap --vehicle vehicles/compact.yaml --structure brush_tyre turbo_lag
+//
+// says how far the car that errs in nothing is from tread's: root mean square over each drive in units of the
+// instruments' noise, over means of 50 ms. `other_cases structures` lists the structural choices.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -11,48 +24,34 @@
 #include <fstream>
 
 #include "blind/gauges.h"
-#include "blind/make.h"
-#include "blind/other_match.h"
+#include "blind/other_make.h"
 #include "blind/other_measure.h"
-#include "diagnose/catalogue/effect.h"
+#include "diagnose/sha256.h"
 #include "shared/other_car/compact.h"
-#include "store/sha256.h"
 #include "tread/load.h"
 #include "tread/problem.h"
 
 namespace other_car {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct Options {
-    std::string vehicle, output;
-    std::vector<std::string> kinds{"one", "one", "none"};
-    int cases = 0;
-    std::uint64_t seed = 0;
-    bool reference = false;
+    Order order;
+    std::string output;
+    std::vector<std::string> kinds, structure;
 };
 
-constexpr std::uint64_t kBefore = 1;  // another run, other noise
-
-Truth asKnown(const tread::VehicleParams& vehicle) {
-    Truth truth;
-    truth.car = compact();
-    return matched(truth, vehicle);
-}
-
-// How far tread's car is from this one without noise and disturbances: root mean square in units of the instruments'
-// noise over means of 50 ms, as a diagnosis counts it.
 void gap(const Options& options) {
-    const tread::VehicleParams vehicle = tread::loadVehicle(options.vehicle);
-    const Truth truth = asKnown(vehicle);
+    const tread::VehicleParams vehicle = tread::loadVehicle(options.order.vehicle);
+    Truth begin;
+    begin.car = compact();
+    const Truth truth = matched(matchingOf(begin, vehicle), structureOf(options.structure));
     fmt::print("{:<22}", "");
     for (const tread::Gauge& gauge : tread::gauges()) {
         const std::string name(gauge.channel);
         if (!name.starts_with("driver.")) fmt::print("{:>10}", name.substr(name.find('.') + 1, 9));
     }
     for (const tread::Drive& drive : tread::blindDrives()) {
-        const tread::Log other = measure(truth, drive, 1, tread::kIdeal), own = drivenByTread(vehicle, drive);
+        const tread::Log other = replay(truth, drive).log, own = drivenByTread(vehicle, drive);
         fmt::print("\n{:<22}", drive.name);
         for (const tread::Gauge& gauge : tread::gauges()) {
             if (gauge.channel.starts_with("driver.")) continue;
@@ -65,37 +64,27 @@ void gap(const Options& options) {
     fmt::print("\n");
 }
 
-void make(const Options& options) {
-    const tread::VehicleParams nominal = tread::loadVehicle(options.vehicle);
-    const Truth known = asKnown(nominal);
-    const std::vector<tread::diagnose::catalogue::Effect> effects =
-        plantable(tread::diagnose::catalogue::effectCatalogue(), nominal);
-    const std::vector<tread::Drive> drives = tread::blindDrives();
-    tread::BlindKey key;
-    key.seed = options.seed;
-    key.vehicle = options.vehicle;
-    key.generator = "a double-track model";
-    for (int i = 0; i < options.cases; ++i) {
-        const auto index = static_cast<std::size_t>(i);
-        tread::Random random(tread::seedOf(options.seed, index));
-        const tread::CaseKind kind = tread::caseKind(options.kinds[index % options.kinds.size()]);
-        Drawn drawn = draw(known, nominal, effects, kind, random);
-        drawn.key.name = fmt::format("case_{:03}", i + 1);
-        tread::Driven before;
-        if (options.reference) {
-            before = [&](const tread::BlindRecording& one) {
-                return measure(drawn.before, *one.drive, tread::seedOf(one.seed, kBefore));
-            };
-        }
-        tread::writeCase(
-            fs::path(options.output) / drawn.key.name, nominal, tread::recordingsOf(drives, options.seed, i),
-            [&](const tread::BlindRecording& one) { return measure(drawn.truth, *one.drive, one.seed); }, before);
-        key.cases.push_back(drawn.key);
-    }
+void seal(const tread::BlindKey& key, const std::string& file) {
     const std::string sealed = tread::keyText(key);
-    std::ofstream(options.output + ".key.json") << sealed;
-    fmt::print("{} cases of {} effects in {}\nSHA-256 of the key: {}\n", options.cases, effects.size(), options.output,
-               tread::sha256(sealed));
+    std::ofstream out(file, std::ios::binary);
+    out << sealed;
+    out.close();
+    if (!out) throw std::runtime_error("cannot write " + file);
+    fmt::print("SHA-256 of {}: {}\n", file, tread::sha256(sealed));
+}
+
+void make(const Options& options) {
+    Order order = options.order;
+    for (const std::string& kind : options.kinds) order.kinds.push_back(tread::caseKind(kind));
+    const Keys keys = makeCases(order, tread::loadVehicle(order.vehicle), options.output,
+                                [&](int cases) { fmt::print(stderr, "\r{} of {} cases", cases, order.cases); });
+    fmt::print(stderr, "\n");
+    if (order.references) seal(keys.with_references, options.output + ".key.json");
+    seal(keys.without_references, options.output + (order.references ? ".without_references.key.json" : ".key.json"));
+}
+
+void structures() {
+    for (const StructuralChoice& one : kStructuralChoices) fmt::print("{:<28}{}\n", one.name, one.what);
 }
 
 }  // namespace
@@ -106,17 +95,22 @@ int main(int argc, char** argv) {
     other_car::Options options;
     CLI::App* make = app.add_subcommand("make", "cases, as `tread blind make` makes them");
     CLI::App* gap = app.add_subcommand("gap", "how far a car of tread is from the one that errs in nothing");
-    for (CLI::App* one : {make, gap}) one->add_option("--vehicle", options.vehicle, "nominal car (YAML)")->required();
+    CLI::App* structures = app.add_subcommand("structures", "in what the cars are modelled otherwise");
+    for (CLI::App* one : {make, gap})
+        one->add_option("--vehicle", options.order.vehicle, "nominal car (YAML)")->required();
     make->add_option("-o,--output", options.output, "folder")->required();
-    make->add_option("--cases", options.cases, "number of cases")->required();
-    make->add_option("--seed", options.seed, "another number, other cases")->required();
-    make->add_flag("--reference", options.reference, "with the same drives of the car before the effect");
-    make->add_option("--kinds", options.kinds, "one or none, repeated in this order");
+    make->add_option("--cases", options.order.cases, "number of cases")->required();
+    make->add_option("--seed", options.order.seed, "another number, other cases")->required();
+    make->add_flag("--reference", options.order.references, "with the same drives of the car before");
+    make->add_flag("--frozen", options.order.frozen, "outsiders of both families: only to check what stays as it is");
+    make->add_option("--kinds", options.kinds, "one, two, none, outside, mixed, small");
+    gap->add_option("--structure", options.structure, "names of structural choices");
     app.require_subcommand(1);
     CLI11_PARSE(app, argc, argv);
     try {
         if (make->parsed()) other_car::make(options);
         if (gap->parsed()) other_car::gap(options);
+        if (structures->parsed()) other_car::structures();
     } catch (const std::exception& error) {
         fmt::print(stderr, "other_cases: {}\n", error.what());
         return 2;

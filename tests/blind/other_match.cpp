@@ -1,18 +1,22 @@
 #include "blind/other_match.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "base/parallel.h"
+#include "blind/measure.h"
 #include "blind/other_measure.h"
+#include "identify/parallel.h"
+#include "run/simulate.h"
 
 namespace other_car {
 namespace {
 
-constexpr std::size_t kMean = 5;  // rows
-constexpr int kRounds = 2;
-constexpr double kStep = 0.1;  // of the differences, in standard deviations of the prior
+constexpr std::size_t kMean = 5;     // rows
+constexpr int kRounds = 5;           // at most, with the same columns
+constexpr int kNewColumns = 2;       // how often they are taken anew
+constexpr double kSettled = 0.005;   // of the sum of squares, by which a round must improve it
+constexpr double kDifference = 0.1;  // of the differences, in standard deviations of the prior
 
 // What may move, and how far: a fraction of itself, or so much.
 struct Free {
@@ -58,7 +62,58 @@ Eigen::VectorXd readings(const Measure& measured) {
 }
 
 Eigen::VectorXd readingsOf(const Truth& truth) {
-    return readings([&](const tread::Drive& drive) { return measure(truth, drive, 1, tread::kIdeal); });
+    return readings([&](const tread::Drive& drive) { return replay(truth, drive).log; });
+}
+
+Truth moved(const Truth& begin, const Structure& structure, const Eigen::VectorXd& at) {
+    Truth truth = begin;
+    truth.car.structure = structure;
+    const std::vector<Free> free = freeNumbers(truth);
+    for (std::size_t i = 0; i < free.size(); ++i) *free[i].value += at(static_cast<Eigen::Index>(i)) * free[i].by;
+    return truth;
+}
+
+Eigen::MatrixXd columnsAt(const Truth& begin, const Structure& structure, const Eigen::VectorXd& at) {
+    const Eigen::VectorXd here = readingsOf(moved(begin, structure, at));
+    Eigen::MatrixXd columns(here.size(), at.size());
+    tread::inParallel(static_cast<std::size_t>(at.size()), 0, [&](std::size_t i) {
+        Eigen::VectorXd there = at;
+        there(static_cast<Eigen::Index>(i)) += kDifference;
+        columns.col(static_cast<Eigen::Index>(i)) = (readingsOf(moved(begin, structure, there)) - here) / kDifference;
+    });
+    return columns;
+}
+
+// What the readings miss; nothing for a car that cannot be driven.
+std::optional<Eigen::VectorXd> missing(const Matching& matching, const Structure& structure,
+                                       const Eigen::VectorXd& at) {
+    try {
+        return matching.wanted - readingsOf(moved(matching.begin, structure, at));
+    } catch (const tread::SimulationError&) {
+        return std::nullopt;
+    }
+}
+
+// Steps with the same columns as long as they lead nearer; a step that leads too far is halved.
+void approach(Matching& matching, const Structure& structure) {
+    const Eigen::MatrixXd& columns = matching.columns;
+    const Eigen::Index n = columns.cols();
+    const Eigen::LLT<Eigen::MatrixXd> information(columns.transpose() * columns + Eigen::MatrixXd::Identity(n, n));
+    Eigen::VectorXd& at = matching.at;
+    Eigen::VectorXd misses = matching.wanted - readingsOf(moved(matching.begin, structure, at));
+    double squares = misses.squaredNorm() + at.squaredNorm(), share = 1;
+    for (int round = 0; round < kRounds; ++round) {
+        const Eigen::VectorXd next = at + share * information.solve(columns.transpose() * misses - at);
+        const std::optional<Eigen::VectorXd> then = missing(matching, structure, next);
+        const double nearer = then ? then->squaredNorm() + next.squaredNorm() : squares;
+        if (!(nearer < squares)) {
+            share /= 2;
+            continue;
+        }
+        const bool settled = nearer > (1 - kSettled) * squares;
+        at = next, misses = *then, squares = nearer;
+        if (settled) break;
+    }
 }
 
 }  // namespace
@@ -86,30 +141,29 @@ double noiseOfMeans(const tread::Gauge& gauge) {
     return gauge.noise / std::sqrt(static_cast<double>(kMean));
 }
 
-Truth matched(const Truth& begin, const tread::VehicleParams& vehicle) {
-    const Eigen::VectorXd wanted = readings([&](const auto& drive) { return drivenByTread(vehicle, drive); });
-    Truth truth = begin;
-    const std::vector<Free> free = freeNumbers(truth);
-    const auto n = static_cast<Eigen::Index>(free.size());
-    Eigen::VectorXd at = Eigen::VectorXd::Zero(n);
-    for (int round = 0; round < kRounds; ++round) {
-        const Eigen::VectorXd here = readingsOf(truth);
-        Eigen::MatrixXd columns(here.size(), n);
-        tread::inParallel(free.size(), 0, [&](std::size_t i) {
-            Truth moved = truth;
-            const Free one = freeNumbers(moved)[i];
-            *one.value += kStep * free[i].by;
-            columns.col(static_cast<Eigen::Index>(i)) = (readingsOf(moved) - here) / kStep;
-        });
-        const Eigen::MatrixXd information = columns.transpose() * columns + Eigen::MatrixXd::Identity(n, n);
-        const Eigen::VectorXd step = information.llt().solve(columns.transpose() * (wanted - here) - at);
-        at += step;
-        for (Eigen::Index i = 0; i < n; ++i) {
-            const Free& one = free[static_cast<std::size_t>(i)];
-            *one.value += step(i) * one.by;
-        }
+Matching matchingOf(const Truth& begin, const tread::VehicleParams& vehicle) {
+    Matching matching{begin, readings([&](const auto& drive) { return drivenByTread(vehicle, drive); }), {}, {}};
+    Truth copy = begin;
+    matching.at = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(freeNumbers(copy).size()));
+    for (int i = 0; i < kNewColumns; ++i) {
+        matching.columns = columnsAt(begin, {}, matching.at);
+        approach(matching, {});
     }
-    return truth;
+    return matching;
+}
+
+Truth plainCar(const Matching& matching) {
+    return moved(matching.begin, {}, matching.at);
+}
+
+Truth matched(const Matching& matching, const Structure& structure) {
+    Matching own = matching;
+    approach(own, structure);
+    for (int i = 0; i < kNewColumns; ++i) {
+        own.columns = columnsAt(own.begin, structure, own.at);
+        approach(own, structure);
+    }
+    return moved(own.begin, structure, own.at);
 }
 
 }  // namespace other_car

@@ -3,22 +3,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <numbers>
+#include <string_view>
 
+#include "blind/draws.h"
 #include "blind/gauges.h"
+#include "blind/measure.h"
 #include "log/log_columns.h"
-#include "recording/instruments.h"
+#include "run/simulate.h"
 
 namespace other_car {
 namespace {
 
 using tread::Drive;
+using tread::Instrument;
 using tread::Phase;
 
-constexpr double kStep = 0.001;  // s
-constexpr int kRowSteps = 10;    // a row every so many steps
-constexpr double kGear = 5;      // that of its ratio
-enum Stream : std::uint64_t { start_stream, noise_stream, disturbance_stream, vibration_stream };
+constexpr double kGear = 5;  // that of its ratio
+enum Stream : std::uint64_t { start_stream, noise_stream, surroundings_stream, misreading_stream };
 
 // The foot and hand of a drive, phase by phase.
 class Hands {
@@ -53,44 +55,106 @@ private:
     Input held_;  // at the start of the phase
 };
 
-// What a step shows, under the names of the gauges.
-using Motion = std::map<std::string, std::vector<double>, std::less<>>;
+// What each step shows, a row of these.
+enum Seen {
+    kHand,
+    kThrottle,
+    kPedal,
+    kAx,
+    kAy,
+    kTurning,
+    kRollSpeed,
+    kLean,
+    kSpeed,
+    kWheels,
+    kYawing = kWheels + 4,
+    kRolling,
+    kEngine,
+    kSeen
+};
+constexpr std::array<std::string_view, kYawing> kChannels{"driver.steering_wheel_angle",
+                                                          "driver.throttle",
+                                                          "driver.brake",
+                                                          "chassis.ax",
+                                                          "chassis.ay",
+                                                          "chassis.yaw_rate",
+                                                          "chassis.roll_rate",
+                                                          "chassis.roll",
+                                                          "chassis.vx",
+                                                          "wheel.front_left.spin",
+                                                          "wheel.front_right.spin",
+                                                          "wheel.rear_left.spin",
+                                                          "wheel.rear_right.spin"};
+using Series = std::vector<double>;
+using Motion = std::array<Series, kSeen>;
 
-void observe(Motion& motion, const Car& car, const Input& driver, const Input& acting) {
-    static constexpr std::array kWheels{"wheel.front_left.spin", "wheel.front_right.spin", "wheel.rear_left.spin",
-                                        "wheel.rear_right.spin"};
+void observe(Motion& motion, const Car& car, const Input& driver) {
     const Vector& s = car.state();
-    const Forces f = car.forces(acting);
-    motion["driver.steering_wheel_angle"].push_back(driver.hand_wheel);
-    motion["driver.throttle"].push_back(driver.throttle);
-    motion["driver.brake"].push_back(driver.brake);
-    motion["chassis.ax"].push_back(f.ax);
-    motion["chassis.ay"].push_back(f.ay);
-    motion["chassis.yaw_rate"].push_back(s[kYawRate]);
-    motion["chassis.roll_rate"].push_back(s[kRollRate]);
-    motion["chassis.roll"].push_back(car.roll());
-    motion["chassis.vx"].push_back(s[kVx]);
-    for (std::size_t i = 0; i < 4; ++i) motion[kWheels[i]].push_back(s[kSpin + i]);
-    motion["yaw acceleration"].push_back(f.rate[kYawRate]);
-    motion["roll acceleration"].push_back(f.rate[kRollRate]);
+    const Forces& f = car.lastForces();
+    motion[kHand].push_back(driver.hand_wheel);
+    motion[kThrottle].push_back(driver.throttle);
+    motion[kPedal].push_back(driver.brake);
+    motion[kAx].push_back(f.ax);
+    motion[kAy].push_back(f.ay);
+    motion[kTurning].push_back(s[kYawRate]);
+    motion[kRollSpeed].push_back(s[kRollRate]);
+    motion[kLean].push_back(car.roll());
+    motion[kSpeed].push_back(s[kVx]);
+    for (std::size_t i = 0; i < 4; ++i) motion[kWheels + i].push_back(s[kSpin + i]);
+    motion[kYawing].push_back(f.rate[kYawRate]);
+    motion[kRolling].push_back(f.rate[kRollRate]);
+    motion[kEngine].push_back(car.engineSpeed());
 }
 
 // Accelerations where the unit sits, with what gravity adds when it leans.
-void mount(Motion& motion, const tread::recording::InertialUnit& unit) {
-    std::vector<double>&ax = motion["chassis.ax"], &ay = motion["chassis.ay"];
-    const std::vector<double>&yaw = motion["yaw acceleration"], &roll = motion["roll acceleration"];
-    for (std::size_t i = 0; i < ax.size(); ++i) {
-        const double turning = std::pow(motion["chassis.yaw_rate"][i], 2);
-        ax[i] += -yaw[i] * unit.y - turning * unit.x - kGravity * unit.pitch;
-        ay[i] += yaw[i] * unit.x - turning * unit.y - roll[i] * unit.z + kGravity * unit.roll;
+void mount(Motion& motion, const tread::InertialUnit& unit) {
+    for (std::size_t i = 0; i < motion[kAx].size(); ++i) {
+        const double turning = motion[kTurning][i] * motion[kTurning][i], yaw = motion[kYawing][i];
+        motion[kAx][i] += -yaw * unit.y - turning * unit.x - kGravity * unit.pitch;
+        motion[kAy][i] += yaw * unit.x - turning * unit.y - motion[kRolling][i] * unit.z + kGravity * unit.roll;
     }
 }
 
-double at(const std::vector<double>& values, double step) {
+double at(const Series& values, double step) {
     const double place = std::clamp(step, 0.0, static_cast<double>(values.size() - 1));
     const auto below = static_cast<std::size_t>(place);
     const std::size_t above = std::min(below + 1, values.size() - 1);
     return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
+double latency(const Instrument& instrument) {  // in steps; a reading is never early
+    return std::max(instrument.delay, 0.0) / kStep;
+}
+
+// What an instrument shows of the first-order low pass of a value.
+Series read(const Series& values, const Instrument& instrument, double low_pass) {
+    Series shown = values;
+    const double taken = low_pass > 0 ? -std::expm1(-2 * std::numbers::pi * low_pass * kStep) : 1;
+    for (std::size_t i = 1; i < shown.size(); ++i) shown[i] = shown[i - 1] + taken * (values[i] - shown[i - 1]);
+    const Series filtered = shown;
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        shown[i] = instrument.gain * at(filtered, static_cast<double>(i) - latency(instrument)) + instrument.bias;
+    return shown;
+}
+
+// What a driver did of whom this is recorded.
+Series unread(const Series& shown, const Instrument& instrument) {
+    Series values;
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        values.push_back((at(shown, static_cast<double>(i) + latency(instrument)) - instrument.bias) / instrument.gain);
+    return values;
+}
+
+std::vector<Input> driverOf(const Recorded& recorded, const tread::Instruments& instruments) {
+    Series hand, throttle, brake;
+    for (const Input& one : recorded)
+        hand.push_back(one.hand_wheel), throttle.push_back(one.throttle), brake.push_back(one.brake);
+    hand = unread(hand, instruments.steering_wheel_angle);
+    throttle = unread(throttle, instruments.throttle);
+    brake = unread(brake, instruments.brake);
+    std::vector<Input> driver;
+    for (std::size_t i = 0; i < hand.size(); ++i) driver.push_back({hand[i], throttle[i], brake[i]});
+    return driver;
 }
 
 // The input as it was a while ago, never before the start.
@@ -102,55 +166,152 @@ public:
     }
 
 private:
-    std::vector<double> past_;
+    Series past_;
 };
 
-Motion driven(const Truth& truth, const Drive& drive, std::uint64_t seed, const tread::Conditions& conditions) {
-    tread::Random start(tread::seedOf(seed, start_stream));
-    Car car(truth.car, drive.scenario.start.speed * (1 + conditions.speed_scatter * start.normal()));
-    tread::Pushing pushing = tread::wandering(conditions.disturbance, kStep, tread::seedOf(seed, disturbance_stream));
-    Input driver{.throttle = car.holdingThrottle()}, acting = driver;
+// As tread shows a car, for those who push by what they see.
+tread::VehicleOutput seen(const Car& car, const Params& params, const Input& acting) {
+    const Vector& s = car.state();
+    const Forces& f = car.lastForces();
+    tread::VehicleOutput out;
+    tread::ChassisOutput& c = out.chassis;
+    c.x = s[kX], c.y = s[kY], c.yaw = s[State::kYaw];
+    c.roll = s[kRoll], c.pitch = s[kPitch];
+    c.vx = s[kVx], c.vy = s[kVy], c.sideslip = std::atan2(s[kVy], s[kVx]);
+    c.roll_rate = s[kRollRate], c.pitch_rate = s[kPitchRate], c.yaw_rate = s[kYawRate];
+    c.ax = f.ax, c.ay = f.ay;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const bool front = i < 2;
+        const Axle& axle = front ? params.front : params.rear;
+        const double along = front ? params.front_distance : params.front_distance - params.wheelbase;
+        out.wheel[i].load = f.load[i], out.wheel[i].fx = f.fx[i], out.wheel[i].fy = f.fy[i];
+        out.wheel[i].spin = s[kSpin + i];
+        out.wheel[i].travel = axle.travelByRoll() * (i % 2 == 0 ? -s[kRoll] : s[kRoll]) + along * s[kPitch];
+    }
+    out.steering.angle = acting.hand_wheel;
+    out.driveline = {.engine_speed = car.engineSpeed(), .engine_torque = car.engineTorque(acting), .gear = kGear};
+    return out;
+}
+
+// What drives: hands and feet of the drive, or those of a recording.
+struct Driving {
+    double start_speed;
+    tread::Pushing push;
+    const std::vector<Input>* inputs = nullptr;
+};
+
+// The model is one of a car that rolls forward; nobody would go on with a drive in which it does not.
+bool drivable(const Vector& s) {
+    constexpr double kSlowest = 1;  // m/s
+    return s[kVx] > kSlowest && std::abs(s[kVy]) < s[kVx];
+}
+
+Motion driven(const Truth& truth, const Drive& drive, Driving driving) {
+    Car car(truth.car, driving.start_speed);
+    Input driver{.throttle = car.holdingThrottle()};
     Hands hands(drive, driver.throttle);
+    if (driving.inputs) driver = driving.inputs->front();
+    Input acting = driver;
     Late hand_wheel, brake;
     Motion motion;
-    observe(motion, car, driver, acting);
-    while (!hands.done()) {
-        const tread::Push push = pushing(0, {}, {});
-        car.push(push.force.x(), push.force.y(), push.moment.z(), push.moment.x());
-        driver = hands.next(car.state()[kVx]);
+    observe(motion, car, driver);
+    for (std::size_t i = 1; driving.inputs ? i < driving.inputs->size() : !hands.done(); ++i) {
+        if (driving.push) {
+            const tread::Push push = driving.push(
+                static_cast<double>(i - 1) * kStep,
+                {.steering_wheel_angle = driver.hand_wheel, .throttle = driver.throttle, .brake = driver.brake},
+                seen(car, truth.car, acting));
+            car.push({push.force.x(), push.force.y(), push.moment.x(), push.moment.y(), push.moment.z()});
+        }
+        driver = driving.inputs ? (*driving.inputs)[i] : hands.next(car.state()[kVx]);
         const Input before = acting;
         acting = {hand_wheel(driver.hand_wheel, truth.steering_delay), driver.throttle,
                   brake(driver.brake, truth.brake_delay)};
         car.step(before, acting, kStep);
-        observe(motion, car, driver, acting);
+        observe(motion, car, driver);
+        if (!drivable(car.state()))
+            throw tread::SimulationError("the other car spins or stops", static_cast<double>(i) * kStep);
     }
     return motion;
 }
 
+// All that pushes, at once.
+tread::Pushing together(std::vector<tread::Pushing> pushes) {
+    std::erase_if(pushes, [](const tread::Pushing& one) { return !one; });
+    if (pushes.empty()) return {};
+    return [pushes](double time, const tread::VehicleInput& driver, const tread::VehicleOutput& car) {
+        tread::Push sum;
+        for (const tread::Pushing& one : pushes) {
+            const tread::Push more = one(time, driver, car);
+            sum.force += more.force;
+            sum.moment += more.moment;
+        }
+        return sum;
+    };
+}
+
+const Series& seriesOf(const Motion& motion, std::string_view channel) {
+    const auto found = std::find(kChannels.begin(), kChannels.end(), channel);
+    return motion[static_cast<std::size_t>(found - kChannels.begin())];
+}
+
+// Readings without noise.
+Replayed readings(const Truth& truth, Motion motion) {
+    mount(motion, truth.instruments.inertial_unit);
+    const std::size_t steps = motion[kSpeed].size(), rows = (steps - 1) / kRowSteps + 1;
+    const auto rowsOf = [&](const Series& values) {
+        Series some;
+        for (std::size_t i = 0; i < rows; ++i) some.push_back(values[i * kRowSteps]);
+        return some;
+    };
+    Replayed all{{}, Recorded(steps), rowsOf(motion[kEngine])};
+    all.log.channels.push_back({"time", "s", {}});
+    for (std::size_t i = 0; i < rows; ++i)
+        all.log.channels[0].values.push_back(static_cast<double>(i * kRowSteps) * kStep);
+    all.log.channels.push_back({"driveline.gear", "-", Series(rows, kGear)});
+    for (const tread::Gauge& gauge : tread::gauges()) {
+        const std::string name(gauge.channel);
+        const auto slow = truth.low_pass.find(name);
+        const Series shown = read(seriesOf(motion, name), truth.instruments.*gauge.instrument,
+                                  slow == truth.low_pass.end() ? 0 : slow->second);
+        all.log.channels.push_back({name, std::string(*tread::logUnit(name)), rowsOf(shown)});
+        double Input::*input = name == kChannels[kHand]       ? &Input::hand_wheel
+                               : name == kChannels[kThrottle] ? &Input::throttle
+                               : name == kChannels[kPedal]    ? &Input::brake
+                                                              : nullptr;
+        for (std::size_t i = 0; input && i < steps; ++i) all.recorded[i].*input = shown[i];
+    }
+    return all;
+}
+
 }  // namespace
 
-tread::Log measure(const Truth& truth, const Drive& drive, std::uint64_t seed, const tread::Conditions& conditions) {
-    Motion motion = driven(truth, drive, seed, conditions);
-    mount(motion, truth.instruments.inertial_unit);
-    const std::size_t rows = (motion["chassis.vx"].size() - 1) / kRowSteps + 1;
-    tread::Log log;
-    log.channels.push_back({"time", "s", {}});
-    for (std::size_t i = 0; i < rows; ++i) log.channels[0].values.push_back(static_cast<double>(i * kRowSteps) * kStep);
-    log.channels.push_back({"driveline.gear", "-", std::vector<double>(rows, kGear)});
-    tread::Random noise(tread::seedOf(seed, noise_stream));
-    for (const tread::Gauge& gauge : tread::gauges()) {
-        const tread::recording::Instrument& instrument = truth.instruments.*gauge.instrument;
-        tread::Channel channel{
-            std::string(gauge.channel), std::string(*tread::logUnit(std::string(gauge.channel))), {}};
-        for (std::size_t i = 0; i < rows; ++i) {
-            const double then = static_cast<double>(i * kRowSteps) - std::max(instrument.delay, 0.0) / kStep;
-            const double reading = instrument.gain * at(motion[channel.name], then) + instrument.bias;
-            channel.values.push_back(reading + (conditions.noise ? gauge.noise * noise.normal() : 0));
-        }
-        log.channels.push_back(std::move(channel));
-    }
-    if (conditions.noise) tread::vibrate(log, tread::seedOf(seed, vibration_stream));
-    return log;
+ProvingGround drawnGround(const tread::VehicleParams& nominal, tread::Random& random) {
+    std::vector<tread::PushSource> surroundings = tread::drawnSurroundings(nominal, random);
+    return {std::move(surroundings), tread::drawnNoise(random)};
+}
+
+Replayed replay(const Truth& truth, const Drive& drive, const Replay& how) {
+    const std::vector<Input> inputs = how.recorded ? driverOf(*how.recorded, truth.instruments) : std::vector<Input>{};
+    const Driving driving{.start_speed = drive.scenario.start.speed * (1 + how.faster),
+                          .push = together({how.push, truth.push ? truth.push() : tread::Pushing{}}),
+                          .inputs = how.recorded ? &inputs : nullptr};
+    Replayed all = readings(truth, driven(truth, drive, driving));
+    tread::Random misreading(how.misreading);
+    if (truth.misread) truth.misread(all.log, misreading);
+    return all;
+}
+
+tread::Log measure(const Truth& truth, const ProvingGround& ground, const Drive& drive, std::uint64_t seed) {
+    tread::Random start(tread::seedOf(seed, start_stream));
+    Replay how;
+    how.push = tread::pushingOf(ground.surroundings, tread::seedOf(seed, surroundings_stream));
+    how.faster = tread::kSpeedScatter * start.normal();
+    how.misreading = tread::seedOf(seed, misreading_stream);
+    Replayed all = replay(truth, drive, how);
+    const std::vector<double> phase = tread::enginePhase(all.log.channels.front().values, all.engine_speed);
+    tread::addNoise(all.log, ground.noise, phase, tread::seedOf(seed, noise_stream));
+    return all.log;
 }
 
 }  // namespace other_car

@@ -44,14 +44,24 @@ struct Axle {
     }
 };
 
+// What is wrong with one wheel: neutral by default.
+struct WheelFault {
+    double stiffness = 1, friction = 1;  // factors of its tyre's
+    double smaller = 0;                  // m, of its radii
+    double drag_torque = 0;              // N m, of a brake that does not let go
+};
+
 using Line = std::vector<std::array<double, 2>>;  // of straight pieces
 
 struct Params {
     double mass = 1350, yaw_inertia = 1950, roll_inertia = 480, pitch_inertia = 1750;
     double front_distance = 1.03, wheelbase = 2.62, height = 0.54;
     Axle front, rear;
+    Structure structure;
+    std::array<WheelFault, 4> wheels;
     double steering_ratio = 16.5;
-    double steering_lag = 0;  // s
+    double ratio_curvature = 0;  // 1/rad2: relative change of the ratio over the square of the hand-wheel angle
+    double steering_lag = 0;     // s
     double brake_torque = 5000, brake_front_share = 0.82;
     double brake_lag = 0;              // s
     double drive_ratio = 0.78 * 3.94;  // one gear

@@ -10,7 +10,8 @@ struct Input {
 };
 
 // x, y, yaw, vx, vy, yaw rate, roll, roll rate; spins; lateral and longitudinal slips as relaxed; steering and brakes
-// as they lag; pitch, pitch rate.
+// as they lag; pitch, pitch rate. Only of some structures: swinging column, rear brake circuit, boost, roll of the rear
+// of the body.
 enum State {
     kX,
     kY,
@@ -27,6 +28,12 @@ enum State {
     kBrake,
     kPitch,
     kPitchRate,
+    kColumn,
+    kColumnRate,
+    kRearBrake,
+    kBoost,
+    kRearRoll,
+    kRearRollRate,
     kStates
 };
 using Vector = std::array<double, kStates>;

@@ -1,9 +1,12 @@
 // The tyre of the other car: the similarity method (H.B. Pacejka, Tyre and Vehicle Dynamics, 2nd ed. 2006, chapter 4).
-// One magic formula for the slip as a vector, camber as a shift of the slip angle, the trail of the brush model.
+// One magic formula for the slip as a vector, camber as a shift of the slip angle, the trail of the brush model. Its
+// shape and how it combines both slips may be others (structure.h).
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+
+#include "shared/other_car/structure.h"
 
 namespace other_car {
 
@@ -39,22 +42,42 @@ inline double corneringStiffness(const Tyre& tyre, double load) {
     return tyre.stiffness * std::sin(2 * std::atan(load / tyre.stiffness_load));
 }
 
+// Share of the friction that is used; `slip` as the force of a tyre that never slides, over its friction.
+inline double usedShare(const Tyre& tyre, const Structure& structure, double slip) {
+    if (structure.hyperbolic_tyre) return std::tanh(slip);
+    if (structure.brush_tyre) {
+        const double s = std::clamp(slip / 3, -1.0, 1.0);  // of the slip at which all of the contact slides
+        return s * (3 - 3 * std::abs(s) + s * s);
+    }
+    const double x = slip / tyre.shape;
+    return std::sin(tyre.shape * std::atan(x - tyre.curvature * (x - std::atan(x))));
+}
+
+// Brush model: the trail that is left when a share of the friction is used.
+inline double trailShare(double used) {
+    const double stuck = std::cbrt(std::max(0.0, 1 - std::abs(used))), slid = 1 - stuck;
+    return stuck * stuck * stuck / (1 - slid + slid * slid / 3);
+}
+
 // Lateral slip positive for a force to the left, camber for a top that leans to the right.
-inline TyreForce force(const Tyre& tyre, double load, double road_friction, double kappa, double alpha, double camber) {
+inline TyreForce force(const Tyre& tyre, const Structure& structure, double load, double road_friction, double kappa,
+                       double alpha, double camber) {
     if (load <= 0) return {0, 0, 0};
     const double relative = (load - tyre.nominal_load) / tyre.nominal_load;
     const double peak = load * road_friction * tyre.friction * (1 + tyre.friction_by_load * relative);
     const double stiffness = corneringStiffness(tyre, load);
-    const double along = slipStiffness(tyre, load) / stiffness * kappa;
-    const double across = std::tan(alpha) - tyre.camber_stiffness * load / stiffness * camber;
-    const double slip = std::hypot(along, across), trail = tyre.trail * load / tyre.nominal_load;
-    if (slip < 1e-9) return {stiffness * along, stiffness * across, trail};
-    const double x = stiffness * slip / (tyre.shape * peak);
-    const double used = std::sin(tyre.shape * std::atan(x - tyre.curvature * (x - std::atan(x))));
-    // Brush model: the part of the contact that does not slide.
-    const double stuck = std::cbrt(std::max(0.0, 1 - std::abs(used))), slid = 1 - stuck;
-    const double shorter = stuck * stuck * stuck / (1 - slid + slid * slid / 3);
-    return {peak * used * along / slip, peak * used * across / slip, trail * shorter};
+    const double along = slipStiffness(tyre, load) * kappa / peak;
+    const double across = (stiffness * std::tan(alpha) - tyre.camber_stiffness * load * camber) / peak;
+    const double trail = tyre.trail * load / tyre.nominal_load;
+    if (structure.friction_ellipse) {
+        const double fx = usedShare(tyre, structure, along), side = usedShare(tyre, structure, across);
+        const double left = std::sqrt(std::max(0.0, 1 - fx * fx));
+        return {peak * fx, peak * side * left, trail * trailShare(std::hypot(fx, side * left))};
+    }
+    const double slip = std::hypot(along, across);
+    if (slip < 1e-9) return {peak * along, peak * across, trail};
+    const double used = usedShare(tyre, structure, slip);
+    return {peak * used * along / slip, peak * used * across / slip, trail * trailShare(used)};
 }
 
 }  // namespace other_car

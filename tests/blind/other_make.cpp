@@ -1,0 +1,126 @@
+#include "blind/other_make.h"
+
+#include <fmt/format.h>
+
+#include "blind/make.h"
+#include "blind/other_measure.h"
+#include "blind/other_shows.h"
+#include "run/simulate.h"
+#include "shared/other_car/compact.h"
+
+namespace other_car {
+namespace {
+
+using tread::CaseKind;
+using tread::Random;
+using tread::seedOf;
+
+constexpr int kMostDraws = 20;
+enum Stream : std::uint64_t {
+    case_stream = 16,
+    structure_stream,
+    draw_stream,
+    ground_stream,
+    day_stream,
+    before_stream
+};
+
+void drive(const Drawn& drawn, const ProvingGround& ground, std::uint64_t seed, bool references,
+           const std::vector<tread::BlindRecording>& recordings, const std::filesystem::path& place) {
+    const auto driven = [&](const tread::BlindRecording& one) {
+        const Day day = dayOf(seed, false, one.seed);
+        return measure(drivenCar(drawn, {}, &day), ground, *one.drive, one.seed);
+    };
+    const auto before = [&](const tread::BlindRecording& one) {
+        const std::uint64_t own = seedOf(one.seed, before_stream);  // other noise, other surroundings
+        const Day day = dayOf(seed, true, own);
+        return measure(drivenCar(drawn, wrongThings(drawn), &day), ground, *one.drive, own);
+    };
+    tread::writeCase(place, drawn.nominal.vehicle, recordings, driven,
+                     references ? tread::Driven(before) : tread::Driven());
+}
+
+std::vector<CaseKind> kindsOf(const Order& order) {
+    tread::BlindOrder proportions;
+    proportions.cases = order.cases, proportions.seed = order.seed, proportions.kinds = order.kinds;
+    return tread::kindsOf(proportions);
+}
+
+Keys emptyKeys(const Order& order) {
+    Keys keys;
+    keys.without_references.seed = order.seed;
+    keys.without_references.vehicle = order.vehicle;
+    keys.without_references.generator = "a double-track model";
+    keys.without_references.frozen = order.frozen;
+    keys.with_references = keys.without_references;
+    keys.with_references.references = true;
+    return keys;
+}
+
+void append(Keys& keys, const tread::CaseKey& key, const Shown& nats) {
+    keys.with_references.cases.push_back(key);
+    keys.with_references.cases.back().shows = nats.with_references;
+    keys.without_references.cases.push_back(key);
+    keys.without_references.cases.back().shows = nats.without_references;
+}
+
+}  // namespace
+
+std::uint64_t caseSeed(std::uint64_t seed, int index) {
+    return seedOf(seed, case_stream + static_cast<std::uint64_t>(index));
+}
+
+Day dayOf(std::uint64_t case_seed, bool before, std::uint64_t recording_seed) {
+    const std::uint64_t day = seedOf(case_seed, day_stream);
+    return {seedOf(day, before), seedOf(recording_seed, day_stream)};
+}
+
+Truth knownCar(const Order& order, int index, const Matching& matching) {
+    Random structural(seedOf(caseSeed(order.seed, index), structure_stream));
+    return matched(matching, drawStructure(structural));
+}
+
+Drawn drawnCase(const Order& order, int index, CaseKind kind, const Truth& known, const tread::VehicleParams& nominal,
+                const std::vector<tread::Effect>& effects, int draw_number) {
+    const std::uint64_t seed = seedOf(caseSeed(order.seed, index), draw_stream);
+    Random random(seedOf(seed, static_cast<std::uint64_t>(draw_number)));
+    Drawn drawn = draw(known, asInFile(nominal), effects, order.frozen, kind, random);
+    drawn.key.name = fmt::format("case_{:03}", index + 1);
+    drawn.key.draw = draw_number;
+    return drawn;
+}
+
+Keys makeCases(const Order& order, const tread::VehicleParams& nominal, const std::filesystem::path& folder,
+               const std::function<void(int cases)>& progress) {
+    Truth begin;
+    begin.car = compact();
+    const Matching matching = matchingOf(begin, nominal);
+    const tread::Subject in_file = asInFile(nominal);
+    const std::vector<tread::Drive> drives = tread::blindDrives();
+    const Examination examination =
+        examinationOf(plainCar(matching), in_file, plantable(tread::effectCatalogue(), in_file), drives);
+    const std::vector<tread::Effect> effects = shownEffects(examination);
+    const std::vector<CaseKind> kinds = kindsOf(order);
+    Keys keys = emptyKeys(order);
+    for (int i = 0; i < order.cases; ++i) {
+        const Truth known = knownCar(order, i, matching);
+        Random place(seedOf(caseSeed(order.seed, i), ground_stream));
+        const ProvingGround ground = drawnGround(nominal, place);
+        for (int draw_number = 0;; ++draw_number) {
+            const Drawn drawn =
+                drawnCase(order, i, kinds[static_cast<std::size_t>(i)], known, nominal, effects, draw_number);
+            try {
+                drive(drawn, ground, caseSeed(order.seed, i), order.references,
+                      tread::recordingsOf(drives, order.seed, i), folder / drawn.key.name);
+                append(keys, drawn.key, shown(examination, drawn, ground));
+                break;
+            } catch (const tread::SimulationError&) {  // a car that nobody would drive
+                if (draw_number == kMostDraws) throw;
+            }
+        }
+        progress(i + 1);
+    }
+    return keys;
+}
+
+}  // namespace other_car
