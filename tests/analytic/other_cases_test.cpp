@@ -10,6 +10,8 @@
 #include "blind/other_measure.h"
 #include "blind/other_outsiders.h"
 #include "blind/other_shows.h"
+#include "diagnose/catalogue/effect.h"
+#include "recording/subject.h"
 #include "run/simulate.h"
 #include "shared/other_car/compact.h"
 #include "shared/vehicles.h"
@@ -29,13 +31,14 @@ tread::Drive driveNamed(const std::string& name) {
     throw std::out_of_range(name);
 }
 
-tread::Subject nominal() {
+tread::recording::Subject nominal() {
     return asInFile(reference::compact());
 }
 
 Drawn drawnOf(tread::CaseKind kind, std::uint64_t seed) {
     tread::Random random(seed);
-    return draw(known(), nominal(), plantable(tread::effectCatalogue(), nominal()), true, kind, random);
+    return draw(known(), nominal(), plantable(tread::diagnose::catalogue::effectCatalogue(), nominal()), true, kind,
+                random);
 }
 
 // The largest difference of two logs, in units of the instruments' noise.
@@ -56,7 +59,7 @@ bool finite(const tread::Log& log) {
 }
 
 TEST(OtherCases, ManyEffectsOfTheCatalogueCanBePlanted) {
-    const auto effects = plantable(tread::effectCatalogue(), nominal());
+    const auto effects = plantable(tread::diagnose::catalogue::effectCatalogue(), nominal());
     EXPECT_GE(effects.size(), 25u);
     for (const char* name :
          {"mass", "grip", "tyre_relaxation", "wind", "steering_delay", "gyro_scale", "wheel_radius", "damping"})
@@ -259,8 +262,9 @@ TEST(OtherCases, SameSeedDrawsTheSameCaseAndAnotherOneAnother) {
 // Half the squared signal over noise: four times as much of twice the fault. With references a gain is no longer open,
 // and shows more.
 TEST(OtherCases, EvidenceGrowsWithTheSquareOfTheSizeAndReferencesAddToIt) {
-    std::vector<tread::Effect> effects;
-    for (const tread::Effect& one : plantable(tread::effectCatalogue(), nominal())) {
+    std::vector<tread::diagnose::catalogue::Effect> effects;
+    for (const tread::diagnose::catalogue::Effect& one :
+         plantable(tread::diagnose::catalogue::effectCatalogue(), nominal())) {
         if (one.name == "gyro_scale" || one.name == "gyro_bias" || one.name == "mass") effects.push_back(one);
     }
     const std::vector<tread::Drive> drives{driveNamed("step_steer_80")};

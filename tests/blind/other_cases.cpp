@@ -26,8 +26,8 @@
 #include "blind/gauges.h"
 #include "blind/other_make.h"
 #include "blind/other_measure.h"
-#include "diagnose/sha256.h"
 #include "shared/other_car/compact.h"
+#include "store/sha256.h"
 #include "tread/load.h"
 #include "tread/problem.h"
 

@@ -5,16 +5,18 @@
 
 #include "blind/other_errors.h"
 #include "blind/other_outsiders.h"
+#include "diagnose/catalogue/effect.h"
+#include "recording/subject.h"
 
 namespace other_car {
 namespace {
 
 using tread::CaseKind;
-using tread::Direction;
-using tread::Effect;
-using tread::Knob;
 using tread::Random;
-using tread::Subject;
+using tread::diagnose::catalogue::Direction;
+using tread::diagnose::catalogue::Effect;
+using tread::diagnose::catalogue::Knob;
+using tread::recording::Subject;
 
 constexpr double kSmallest = 0.4, kLargest = 2.5;           // of the typical size
 constexpr double kFaintest = 0.05, kStrongestFaint = 0.15;  // of a small one
@@ -48,7 +50,7 @@ Subject changed(const Drawn& drawn, const std::set<std::string>& without) {
     Subject car = drawn.erring;
     for (const Drawn::Planted& one : drawn.planted) {
         if (without.contains(one.effect.name)) continue;
-        for (std::size_t i = 0; i < one.changes.size(); ++i) tread::move(car, one.effect.knobs[i], one.changes[i]);
+        for (std::size_t i = 0; i < one.changes.size(); ++i) move(car, one.effect.knobs[i], one.changes[i]);
     }
     return car;
 }
@@ -59,9 +61,10 @@ void writeNumbers(Drawn& drawn) {
         for (std::size_t i = 0; i < one.changes.size(); ++i) {
             const Knob& knob = one.effect.knobs[i];
             for (const std::string& path : knob.paths) {
-                const double* known = tread::numberAt(nominal, path);
+                const double* known = tread::recording::numberAt(nominal, path);
                 if (!known) continue;
-                drawn.key.numbers[path] = {*known, *tread::numberAt(real, path), one.changes[i] / knob.typical};
+                drawn.key.numbers[path] = {*known, *tread::recording::numberAt(real, path),
+                                           one.changes[i] / knob.typical};
             }
         }
     }

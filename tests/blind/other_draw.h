@@ -10,6 +10,8 @@
 #include "blind/key.h"
 #include "blind/other_truth.h"
 #include "blind/outsiders.h"
+#include "diagnose/catalogue/effect.h"
+#include "recording/subject.h"
 
 namespace other_car {
 
@@ -22,12 +24,12 @@ Structure structureOf(const std::vector<std::string>& names);
 // A car of a case: what it is without day-to-day differences.
 struct Drawn {
     struct Planted {
-        tread::Effect effect;
+        tread::diagnose::catalogue::Effect effect;
         std::vector<double> changes;  // of its knobs, in their own units
     };
-    Truth known;             // goes with
-    tread::Subject nominal;  // , of which
-    tread::Subject erring;   // is the real one without what is wrong
+    Truth known;                        // goes with
+    tread::recording::Subject nominal;  // , of which
+    tread::recording::Subject erring;   // is the real one without what is wrong
     std::vector<Planted> planted;
     const tread::Outsider* outsider = nullptr;
     std::uint64_t outsider_seed = 0;
@@ -37,8 +39,9 @@ struct Drawn {
 // A car that errs in all shared numbers, with effects and outsiders as the kind wants them; outsiders of
 // the second family only when `frozen`, then as often as those of the first. Throws std::invalid_argument when there
 // are not enough effects.
-Drawn draw(const Truth& known, const tread::Subject& nominal, const std::vector<tread::Effect>& effects, bool frozen,
-           tread::CaseKind kind, tread::Random& random);
+Drawn draw(const Truth& known, const tread::recording::Subject& nominal,
+           const std::vector<tread::diagnose::catalogue::Effect>& effects, bool frozen, tread::CaseKind kind,
+           tread::Random& random);
 
 // What the drive `drive` of a day meets (other_errors.h).
 struct Day {

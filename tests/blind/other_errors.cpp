@@ -8,19 +8,21 @@
 #include "base/numbers.h"
 #include "base/pattern.h"
 #include "blind/draws.h"
+#include "recording/instruments.h"
+#include "recording/subject.h"
 
 namespace other_car {
 namespace {
 
 using tread::Random;
-using tread::Subject;
+using tread::recording::Subject;
 
 constexpr double kOpenLimit = 1e-3;  // of the nominal value: how near to an open limit a number may come
 
 constexpr std::array kSpreads{
     Spread{"mass", 0.006, 0, "load", "wheel scales, load guessed to 10 kg"},
     Spread{"front_axle_distance", 0, 0.008, "load", "wheel scales on a floor that is not level, load"},
-    Spread{"height", 0.03, 0, "load", "tilt tests; load"},
+    Spread{"centre_of_gravity_height", 0.03, 0, "load", "tilt tests; load"},
     Spread{"inertia.yaw", 0.03, 0, "load", "estimates from mass and wheelbase: 3 to 5 %"},
     Spread{"inertia.pitch", 0.04, 0, "load", "guess, as yaw"},
     Spread{"inertia.roll", 0.05, 0, "load", "guess: estimates by track are worse than by wheelbase"},
@@ -75,11 +77,11 @@ constexpr std::array kSpreads{
 // Something put into the car: m behind the front axle, m above the road.
 void carry(Subject& car, double mass, double behind, double above) {
     tread::VehicleParams& v = car.vehicle;
-    const double before = v.mass, along = behind - v.front_axle_distance, up = above - v.height;
+    const double before = v.mass, along = behind - v.front_axle_distance, up = above - v.centre_of_gravity_height;
     const double reduced = before * mass / (before + mass);
     v.mass += mass;
     v.front_axle_distance += mass * along / v.mass;
-    v.height += mass * up / v.mass;
+    v.centre_of_gravity_height += mass * up / v.mass;
     v.inertia.yaw += reduced * along * along;
     v.inertia.pitch += reduced * (along * along + up * up);
     v.inertia.roll += reduced * up * up;
@@ -99,17 +101,18 @@ void warm(Subject& car, double by) {
 }
 
 void late(Subject& car, double by) {
-    tread::Instruments& i = car.instruments;
-    for (tread::Instrument* one : {&i.ax, &i.ay, &i.yaw_rate, &i.roll_rate, &i.roll, &i.speed, &i.wheel_speed})
+    tread::recording::Instruments& i = car.instruments;
+    for (tread::recording::Instrument* one :
+         {&i.ax, &i.ay, &i.yaw_rate, &i.roll_rate, &i.roll, &i.speed, &i.wheel_speed})
         one->delay += by;
 }
 
-template <tread::Instrument tread::Instruments::*instrument>
+template <tread::recording::Instrument tread::recording::Instruments::*instrument>
 void shift(Subject& car, double by) {
     (car.instruments.*instrument).bias += by;
 }
 
-using I = tread::Instruments;
+using I = tread::recording::Instruments;
 constexpr double kFree = tread::kInfinity;
 constexpr std::array kCircumstances{
     Circumstance{"fuel", 0, 9, 0.3, -18, 18,

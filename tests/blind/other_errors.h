@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "base/random.h"
-#include "diagnose/subject.h"
+#include "recording/subject.h"
 
 namespace other_car {
 
@@ -22,7 +22,7 @@ struct Spread {
 std::span<const Spread> spreads();
 
 // Errors with heavy tails (blind/draws.h).
-void err(tread::Subject& car, tread::Random& random);
+void err(tread::recording::Subject& car, tread::Random& random);
 
 // Something that is not the same from day to day or from drive to drive, in a unit of its own.
 struct Circumstance {
@@ -30,7 +30,7 @@ struct Circumstance {
     double usual;                 // mean
     double each_day, each_drive;  // standard deviations
     double lowest, highest;
-    void (*apply)(tread::Subject&, double amount);
+    void (*apply)(tread::recording::Subject&, double amount);
     std::string_view source;
 };
 std::span<const Circumstance> circumstances();
@@ -39,6 +39,6 @@ std::span<const Circumstance> circumstances();
 double spreadOf(std::string_view path, double value);
 
 // Applies what the drive `drive` of a day meets; the same seed, the same day.
-void meet(tread::Subject& car, std::uint64_t day_seed, std::uint64_t drive_seed);
+void meet(tread::recording::Subject& car, std::uint64_t day_seed, std::uint64_t drive_seed);
 
 }  // namespace other_car

@@ -5,6 +5,9 @@
 #include "blind/make.h"
 #include "blind/other_measure.h"
 #include "blind/other_shows.h"
+#include "blind/program_hash.h"
+#include "diagnose/catalogue/effect.h"
+#include "recording/subject.h"
 #include "run/simulate.h"
 #include "shared/other_car/compact.h"
 
@@ -48,6 +51,7 @@ std::vector<CaseKind> kindsOf(const Order& order) {
 
 Keys emptyKeys(const Order& order) {
     Keys keys;
+    keys.without_references.program = tread::programHash();
     keys.without_references.seed = order.seed;
     keys.without_references.vehicle = order.vehicle;
     keys.without_references.generator = "a double-track model";
@@ -81,7 +85,7 @@ Truth knownCar(const Order& order, int index, const Matching& matching) {
 }
 
 Drawn drawnCase(const Order& order, int index, CaseKind kind, const Truth& known, const tread::VehicleParams& nominal,
-                const std::vector<tread::Effect>& effects, int draw_number) {
+                const std::vector<tread::diagnose::catalogue::Effect>& effects, int draw_number) {
     const std::uint64_t seed = seedOf(caseSeed(order.seed, index), draw_stream);
     Random random(seedOf(seed, static_cast<std::uint64_t>(draw_number)));
     Drawn drawn = draw(known, asInFile(nominal), effects, order.frozen, kind, random);
@@ -95,11 +99,11 @@ Keys makeCases(const Order& order, const tread::VehicleParams& nominal, const st
     Truth begin;
     begin.car = compact();
     const Matching matching = matchingOf(begin, nominal);
-    const tread::Subject in_file = asInFile(nominal);
+    const tread::recording::Subject in_file = asInFile(nominal);
     const std::vector<tread::Drive> drives = tread::blindDrives();
-    const Examination examination =
-        examinationOf(plainCar(matching), in_file, plantable(tread::effectCatalogue(), in_file), drives);
-    const std::vector<tread::Effect> effects = shownEffects(examination);
+    const Examination examination = examinationOf(
+        plainCar(matching), in_file, plantable(tread::diagnose::catalogue::effectCatalogue(), in_file), drives);
+    const std::vector<tread::diagnose::catalogue::Effect> effects = shownEffects(examination);
     const std::vector<CaseKind> kinds = kindsOf(order);
     Keys keys = emptyKeys(order);
     for (int i = 0; i < order.cases; ++i) {

@@ -10,6 +10,7 @@
 #include "blind/key.h"
 #include "blind/other_draw.h"
 #include "blind/other_match.h"
+#include "diagnose/catalogue/effect.h"
 
 namespace other_car {
 
@@ -36,7 +37,8 @@ Keys makeCases(
 // shows. `draw_number` says the how manieth car for it this is: those before could not be driven.
 Truth knownCar(const Order& order, int index, const Matching& matching);
 Drawn drawnCase(const Order& order, int index, tread::CaseKind kind, const Truth& known,
-                const tread::VehicleParams& nominal, const std::vector<tread::Effect>& effects, int draw_number = 0);
+                const tread::VehicleParams& nominal, const std::vector<tread::diagnose::catalogue::Effect>& effects,
+                int draw_number = 0);
 
 std::uint64_t caseSeed(std::uint64_t seed, int index);
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "base/parallel.h"
 #include "blind/measure.h"
 #include "blind/other_measure.h"
-#include "identify/parallel.h"
 #include "run/simulate.h"
 
 namespace other_car {

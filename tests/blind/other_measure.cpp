@@ -10,14 +10,16 @@
 #include "blind/gauges.h"
 #include "blind/measure.h"
 #include "log/log_columns.h"
+#include "recording/diagnosis_file.h"
+#include "recording/instruments.h"
 #include "run/simulate.h"
 
 namespace other_car {
 namespace {
 
 using tread::Drive;
-using tread::Instrument;
 using tread::Phase;
+using tread::recording::Instrument;
 
 constexpr double kGear = 5;  // that of its ratio
 enum Stream : std::uint64_t { start_stream, noise_stream, surroundings_stream, misreading_stream };
@@ -107,7 +109,7 @@ void observe(Motion& motion, const Car& car, const Input& driver) {
 }
 
 // Accelerations where the unit sits, with what gravity adds when it leans.
-void mount(Motion& motion, const tread::InertialUnit& unit) {
+void mount(Motion& motion, const tread::recording::InertialUnit& unit) {
     for (std::size_t i = 0; i < motion[kAx].size(); ++i) {
         const double turning = motion[kTurning][i] * motion[kTurning][i], yaw = motion[kYawing][i];
         motion[kAx][i] += -yaw * unit.y - turning * unit.x - kGravity * unit.pitch;
@@ -145,7 +147,7 @@ Series unread(const Series& shown, const Instrument& instrument) {
     return values;
 }
 
-std::vector<Input> driverOf(const Recorded& recorded, const tread::Instruments& instruments) {
+std::vector<Input> driverOf(const Recorded& recorded, const tread::recording::Instruments& instruments) {
     Series hand, throttle, brake;
     for (const Input& one : recorded)
         hand.push_back(one.hand_wheel), throttle.push_back(one.throttle), brake.push_back(one.brake);

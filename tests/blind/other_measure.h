@@ -8,6 +8,7 @@
 #include "blind/other_truth.h"
 #include "blind/reading_noise.h"
 #include "blind/surroundings.h"
+#include "recording/diagnosis_file.h"
 
 namespace other_car {
 

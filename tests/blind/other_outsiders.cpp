@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "blind/draws.h"
+#include "recording/subject.h"
 
 namespace other_car {
 namespace {
@@ -43,7 +44,8 @@ constexpr std::array kOwn{Own{"stuck_caliper", stickCaliper}, Own{"soft_tyre", s
 
 }  // namespace
 
-void plant(const tread::Outsider& outsider, const tread::Subject& nominal, Truth& truth, tread::Random& random) {
+void plant(const tread::Outsider& outsider, const tread::recording::Subject& nominal, Truth& truth,
+           tread::Random& random) {
     const auto own = std::find_if(kOwn.begin(), kOwn.end(), [&](const Own& one) { return one.name == outsider.name; });
     if (own != kOwn.end()) return own->plant(truth.car, random);
     tread::Truth as_tread;

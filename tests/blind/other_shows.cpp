@@ -5,19 +5,24 @@
 #include <functional>
 
 #include "base/numbers.h"
+#include "base/parallel.h"
 #include "blind/gauges.h"
 #include "blind/measure.h"
 #include "blind/other_errors.h"
 #include "blind/other_match.h"
-#include "identify/parallel.h"
+#include "diagnose/catalogue/effect.h"
+#include "diagnose/model/parameter.h"
+#include "recording/subject.h"
 
 namespace other_car {
 namespace {
 
+using tread::diagnose::model::knobsOf;
+
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using tread::Subject;
+using tread::recording::Subject;
 
 constexpr double kPush = 100;       // N, N m, of the differences
 constexpr double kFaster = 0.002;   // of the speed, of the differences
@@ -85,13 +90,15 @@ std::vector<Difference> circumstancesOf(const Truth& plain, const Subject& nomin
     return all;
 }
 
-std::vector<Difference> knobsOf(const Truth& plain, const Subject& nominal, const std::vector<tread::Effect>& effects) {
+std::vector<Difference> knobsOf(const Truth& plain, const Subject& nominal,
+                                const std::vector<tread::diagnose::catalogue::Effect>& effects) {
     std::vector<Difference> all;
-    for (const tread::Effect& effect : effects) {
-        for (const tread::Knob& knob : effect.knobs) {
-            const double units = knob.direction == tread::Direction::down ? -kRivalStep : kRivalStep;
+    for (const tread::diagnose::catalogue::Effect& effect : effects) {
+        for (const tread::diagnose::catalogue::Knob& knob : effect.knobs) {
+            const double units =
+                knob.direction == tread::diagnose::catalogue::Direction::down ? -kRivalStep : kRivalStep;
             Subject subject = nominal;
-            tread::move(subject, knob, units * knob.typical);
+            move(subject, knob, units * knob.typical);
             all.push_back({withChanges(plain, nominal, subject), units});
         }
     }
@@ -228,7 +235,7 @@ std::vector<tread::WrongThing> wrongThingsOf(const Examination& examination, con
     std::vector<tread::WrongThing> wrong;
     for (const Drawn::Planted& one : drawn.planted) {
         wrong.push_back({one.effect.name, drawn.key.effects});
-        for (const tread::Effect& other : examination.effects) {
+        for (const tread::diagnose::catalogue::Effect& other : examination.effects) {
             if (tread::sharePaths(one.effect, other)) wrong.back().no_rivals.push_back(other.name);
         }
     }
@@ -246,11 +253,12 @@ MatrixXd withReferences(const MatrixXd& products, Index open, Index days) {
 
 }  // namespace
 
-Examination examinationOf(const Truth& plain, const Subject& nominal, const std::vector<tread::Effect>& effects,
+Examination examinationOf(const Truth& plain, const Subject& nominal,
+                          const std::vector<tread::diagnose::catalogue::Effect>& effects,
                           const std::vector<tread::Drive>& all) {
     Examination examination{{}, effects, {}};
     Index column = 0;
-    for (const tread::Effect& effect : effects) {
+    for (const tread::diagnose::catalogue::Effect& effect : effects) {
         tread::Rival& rival = examination.rivals.emplace_back(tread::Rival{effect.name, {}});
         for (std::size_t i = 0; i < effect.knobs.size(); ++i) rival.columns.push_back(column++);
     }
@@ -271,9 +279,9 @@ Examination examinationOf(const Truth& plain, const Subject& nominal, const std:
     return examination;
 }
 
-std::vector<tread::Effect> shownEffects(const Examination& examination) {
+std::vector<tread::diagnose::catalogue::Effect> shownEffects(const Examination& examination) {
     constexpr double kShown = 200;  // sum of squares over the noise of all readings
-    std::vector<tread::Effect> effects;
+    std::vector<tread::diagnose::catalogue::Effect> effects;
     for (std::size_t i = 0; i < examination.effects.size(); ++i) {
         double sum = 0;
         for (const Absorbing& one : examination.drives) {

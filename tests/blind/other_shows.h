@@ -16,6 +16,8 @@
 #include "blind/other_draw.h"
 #include "blind/other_measure.h"
 #include "blind/shows.h"
+#include "diagnose/catalogue/effect.h"
+#include "recording/subject.h"
 
 namespace other_car {
 
@@ -31,15 +33,16 @@ struct Absorbing {
 };
 struct Examination {
     std::vector<Absorbing> drives;
-    std::vector<tread::Effect> effects;  // the rivals
+    std::vector<tread::diagnose::catalogue::Effect> effects;  // the rivals
     std::vector<tread::Rival> rivals;
 };
 // Of the drives that are not held out.
-Examination examinationOf(const Truth& plain, const tread::Subject& nominal, const std::vector<tread::Effect>& effects,
+Examination examinationOf(const Truth& plain, const tread::recording::Subject& nominal,
+                          const std::vector<tread::diagnose::catalogue::Effect>& effects,
                           const std::vector<tread::Drive>& drives);
 
 // Those whose typical size changes the readings by more than their noise.
-std::vector<tread::Effect> shownEffects(const Examination& examination);
+std::vector<tread::diagnose::catalogue::Effect> shownEffects(const Examination& examination);
 
 struct Shown {
     std::map<std::string, tread::Shows> with_references, without_references;

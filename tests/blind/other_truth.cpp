@@ -3,13 +3,15 @@
 #include <algorithm>
 
 #include "base/numbers.h"
+#include "diagnose/catalogue/effect.h"
+#include "recording/subject.h"
 
 namespace other_car {
 namespace {
 
-using tread::Effect;
-using tread::Knob;
-using tread::Subject;
+using tread::diagnose::catalogue::Effect;
+using tread::diagnose::catalogue::Knob;
+using tread::recording::Subject;
 
 void addAxle(std::vector<SharedNumber>& all, const std::string& axle, Axle& a) {
     const auto same = [&](const char* path, double& value) { all.push_back({axle + path, &value, false}); };
@@ -54,7 +56,7 @@ std::vector<SharedNumber> sharedNumbers(Truth& truth) {
     factor("inertia.pitch", p.pitch_inertia);
     factor("wheelbase", p.wheelbase);
     same("front_axle_distance", p.front_distance);
-    same("height", p.height);
+    same("centre_of_gravity_height", p.height);
     addAxle(all, "front", p.front);
     addAxle(all, "rear", p.rear);
     factor("steering.ratio", p.steering_ratio);
@@ -113,7 +115,7 @@ std::vector<Effect> plantable(const std::vector<Effect>& effects, const Subject&
         int moved = 0, missing = 0;
         for (const Knob& knob : effect.knobs) {
             for (const std::string& path : knob.paths) {
-                const double* number = tread::numberAt(subject, path);
+                const double* number = tread::recording::numberAt(subject, path);
                 if (!number || (knob.relative && *number == 0)) continue;
                 ++(isShared(path) ? moved : missing);
             }

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "base/random.h"
-#include "diagnose/effect.h"
-#include "diagnose/instruments.h"
-#include "diagnose/subject.h"
+#include "diagnose/catalogue/effect.h"
 #include "log/log.h"
+#include "recording/instruments.h"
+#include "recording/subject.h"
 #include "run/push.h"
 #include "shared/other_car/car.h"
 #include "tread/vehicle.h"
@@ -20,7 +20,7 @@ namespace other_car {
 
 struct Truth {
     Params car;
-    tread::Instruments instruments;
+    tread::recording::Instruments instruments;
     double steering_delay = 0, brake_delay = 0;           // s
     std::map<std::string, double, std::less<>> low_pass;  // 1/s, by channel: instruments that are slow
     std::function<tread::Pushing()> push;                 // from outside the catalogue; asked once for each drive
@@ -38,12 +38,14 @@ struct SharedNumber {
 std::vector<SharedNumber> sharedNumbers(Truth& truth);
 
 // A tread car with nothing wrong and nothing around it.
-tread::Subject asInFile(const tread::VehicleParams& vehicle);
+tread::recording::Subject asInFile(const tread::VehicleParams& vehicle);
 
 // `known` goes with `nominal`: the other car with the changes that lead from `nominal` to `changed`.
-Truth withChanges(const Truth& known, const tread::Subject& nominal, const tread::Subject& changed);
+Truth withChanges(const Truth& known, const tread::recording::Subject& nominal,
+                  const tread::recording::Subject& changed);
 
 // The effects of which the other car has all numbers that `nominal` has.
-std::vector<tread::Effect> plantable(const std::vector<tread::Effect>& effects, const tread::Subject& nominal);
+std::vector<tread::diagnose::catalogue::Effect> plantable(
+    const std::vector<tread::diagnose::catalogue::Effect>& effects, const tread::recording::Subject& nominal);
 
 }  // namespace other_car

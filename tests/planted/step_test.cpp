@@ -7,6 +7,8 @@
 #include "blind/measure.h"
 #include "diagnose/catalogue/effect.h"
 #include "diagnose/model/problem.h"
+#include "diagnose/model/replays.h"
+#include "diagnose/model/uncertainty.h"
 #include "planted/planted.h"
 #include "recording/diagnosis_file.h"
 #include "recording/subject.h"

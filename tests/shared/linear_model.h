@@ -3,12 +3,14 @@
 
 #include <vector>
 
+#include "diagnose/select/posterior.h"
 #include "inference/laplace.h"
 #include "inference/normal_equations.h"
 
 namespace tread::linear_model {
 
-// The log posterior of some of the columns about zero; `residual` is the column that they are to explain.
+// The log diagnose::select::posterior of some of the columns about zero; `residual` is the column that they are to
+// explain.
 inline inference::QuadraticModel quadraticOf(const inference::NormalEquations& equations, inference::Index residual,
                                              const std::vector<inference::Index>& free) {
     return {.information = equations.products(free, free),

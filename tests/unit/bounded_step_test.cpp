@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/random.h"
+#include "inference/laplace.h"
 
 namespace tread {
 namespace {

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "base/random.h"
+#include "diagnose/model/problem.h"
+#include "diagnose/select/calibration.h"
 #include "diagnose/select/search.h"
 #include "diagnose/settings.h"
 

@@ -6,11 +6,13 @@
 #include <cmath>
 
 #include "diagnose/answer/diagnosis.h"
+#include "diagnose/catalogue/effect.h"
 #include "diagnose/diagnose.h"
 #include "diagnose/model/noise.h"
 #include "diagnose/model/parameter.h"
 #include "diagnose/model/problem.h"
 #include "diagnose/model/replays.h"
+#include "diagnose/model/uncertainty.h"
 #include "recording/diagnosis_file.h"
 #include "recording/recorded_drive.h"
 #include "recording/subject.h"

@@ -8,6 +8,7 @@
 #include "diagnose/select/unknown_cause.h"
 #include "inference/bounded_step.h"
 #include "inference/heterogeneity.h"
+#include "inference/laplace.h"
 #include "inference/normal_equations.h"
 #include "shared/linear_model.h"
 
