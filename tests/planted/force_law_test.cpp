@@ -28,7 +28,9 @@ using recording::Subject;
 Diagnosis diagnosed(const std::function<Pushing()>& push) {
     Subject nominal;
     nominal.vehicle = planted::nominalCar();
-    const Truth truth{.car = nominal, .low_pass = {}, .push = push};
+    Truth truth;
+    truth.car = nominal;
+    truth.push = push;
     DiagnosisFile file;
     file.vehicle = "car";
     for (const Gauge& gauge : gauges()) {

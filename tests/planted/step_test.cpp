@@ -45,7 +45,8 @@ TEST(Step, OfReplaysLooksLikeNoEffectWhateverTheCarHas) {
         if (!wanted) continue;
         Recording& recording = file.recordings.emplace_back();
         recording.name = drive.name;
-        const Truth truth{.car = nominal, .low_pass = {}, .push = {}};
+        Truth truth;
+        truth.car = nominal;
         recorded.logs.push_back(measure(truth, drive, 1));
     }
     ASSERT_EQ(recorded.logs.size(), 4u);

@@ -3,7 +3,6 @@
 
 #include <string>
 #include <vector>
-#include "diagnose/model/replays.h"
 
 namespace problems {
 
@@ -15,11 +14,11 @@ struct Row {
     double lowest;  // that tread must give
     double highest;
 };
-using diagnose::model::Rows = std::vector<Row>;
+using Rows = std::vector<Row>;
 
-void standing(diagnose::model::Rows& rows);  // standing.cpp: slopes, shaking, sleep
-void driving(diagnose::model::Rows& rows);   // driving.cpp: grip, spin, frame rates
-void tipping(diagnose::model::Rows& rows);   // tipping.cpp: heights, bounces, jumps, axes
-void grounds(diagnose::model::Rows& rows);   // grounds.cpp: what one may drive on
+void standing(Rows& rows);  // standing.cpp: slopes, shaking, sleep
+void driving(Rows& rows);   // driving.cpp: grip, spin, frame rates
+void tipping(Rows& rows);   // tipping.cpp: heights, bounces, jumps, axes
+void grounds(Rows& rows);   // grounds.cpp: what one may drive on
 
 }  // namespace problems
