@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "base/read_yaml.h"
+#include "shared/scratch.h"
 #include "tread/road_params.h"
 
 namespace tread {
@@ -13,14 +14,9 @@ namespace {
 
 class HeightFieldFile : public testing::Test {
 protected:
-    HeightFieldFile() : folder_(std::filesystem::path(testing::TempDir()) / "tread_height_field") {
-        std::filesystem::create_directories(folder_);
-    }
-    ~HeightFieldFile() override { std::filesystem::remove_all(folder_); }
-
     std::filesystem::path write(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ / name) << text;
-        return folder_ / name;
+        std::ofstream(scratch_.path(name)) << text;
+        return scratch_.path(name);
     }
 
     // The only fault of a file of that text, without its path.
@@ -35,7 +31,7 @@ protected:
         return toText(first);
     }
 
-    std::filesystem::path folder_;
+    Scratch scratch_;
 };
 
 TEST_F(HeightFieldFile, IsReadBesideTheScenarioThatNamesIt) {

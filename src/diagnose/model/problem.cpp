@@ -34,17 +34,13 @@ std::vector<Eigen::Index> Problem::allKnobs() const {
 
 Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, const recording::Recorded& recorded,
                   const std::function<Differences(bool compared)>& differences, const Options& options) {
-    const recording::Replayer replayer{nominal, file.step, options.simulate};
-    Problem problem{.replays = {.replayer = replayer,
-                                .parameters = {},
-                                .threads = options.threads,
-                                .cache = options.cache,
-                                .simulations = {}},
-                    .drives = recording::recordedDrives(file, recorded, false, replayer, options.threads),
-                    .held_out = recording::recordedDrives(file, recorded, true, replayer, options.threads),
-                    .effects = {},
-                    .knobs = {},
-                    .nuisances = {}};
+    Problem problem;
+    problem.replays.replayer = {nominal, file.step, options.simulate};
+    problem.replays.threads = options.threads;
+    problem.replays.cache = options.cache;
+    const recording::Replayer& replayer = problem.replays.replayer;
+    problem.drives = recording::recordedDrives(file, recorded, false, replayer, options.threads);
+    problem.held_out = recording::recordedDrives(file, recorded, true, replayer, options.threads);
     if (problem.drives.empty())
         throw std::invalid_argument("every recording is held out, expected at least one from which to learn");
     problem.replays.simulations.add(comparedCount(problem.drives) + comparedCount(problem.held_out));
