@@ -31,7 +31,7 @@ void softenTyre(Truth& truth, Random& random) {
     wheel.tyre = tyre;
 }
 
-// A ratio that changes with the square of the hand-wheel angle.
+// A ratio that changes with the square of the steering-wheel angle.
 void curveRatio(Truth& truth, Random& random) {
     SteeringParams& steering = truth.car.vehicle.steering;
     const double curvature = eitherSign(random) * between(random, 0.12, 0.25);  // of the ratio, at the angle below

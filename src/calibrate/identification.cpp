@@ -168,7 +168,7 @@ void tellNumbers(Identification& found, const Problem& problem, const Fit& fit) 
     }
 }
 
-// How the numbers hang together.
+// How the numbers hang together (D52).
 void tellShape(Identification& found, const Round& round) {
     const Fit& fit = round.fit;
     const Eigen::Index knobs = std::ssize(found.numbers), nuisances = fit.nuisances();

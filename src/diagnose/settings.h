@@ -23,7 +23,7 @@ struct Settings {
     double credible = 0.9;
 
     // Nats of effects besides the first that are not to be trusted when so many are explained in all; more of them
-    // where recordings are `compared` with references, for there the model may have another structure.
+    // where recordings are `compared` with references, for there the model may have another structure (D30).
     double structureAllowance(std::size_t effects, double evidence, bool compared) const {
         if (effects < 2) return 0;
         return static_cast<double>(effects - 1) *

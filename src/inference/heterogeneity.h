@@ -15,12 +15,12 @@ struct Heterogeneity {
 };
 
 // `information` and `gradient` are those of one value per drive, about a common value of `squared_value`; the nuisance
-// parameters are marginalised. Drives with less than `least_share` of the information have no say.
+// parameters are marginalised. Drives with less than `least_share` of the information have no say (D37), (D38).
 Heterogeneity heterogeneity(const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient, double squared_value,
                             double least_share);
 
 // Logarithm of the Bayes factor of a value that varies from drive to drive by the share `wide` of itself, over one that
-// varies by the share `narrow`, as if every drive knew the value equally well.
+// varies by the share `narrow`, as if every drive knew the value equally well (D39).
 double logBayesFactorOfSpread(const Heterogeneity& found, double wide, double narrow);
 
 }  // namespace tread::inference

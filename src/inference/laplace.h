@@ -22,14 +22,14 @@ struct QuadraticModel {
     double log_determinant = 0;   // of that metric
 };
 
-// What a step from the point adds to the log posterior; the gradient of the prior is included.
+// What a step from the point adds to the log posterior; the gradient of the prior is included (D22).
 double gainOf(const QuadraticModel& model, const Eigen::VectorXd& step);
 
 // The step to the largest posterior, without bounds.
 Eigen::VectorXd bestStep(const QuadraticModel& model);
 
 // Logarithm of the evidence, without the constant -rows/2 log(2 pi), when the posterior is largest at the point plus
-// `step`; bounds may hold that step short.
+// `step`; bounds may hold that step short (D23), (D25).
 double logEvidence(const QuadraticModel& model, const Eigen::VectorXd& step);
 
 }  // namespace tread::inference

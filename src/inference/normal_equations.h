@@ -34,13 +34,13 @@ struct NormalEquations {
     double log_determinant = 0;  // of I + D diag(s^2) D', and of all that was marginalised after it
 };
 
-// Marginalises disturbances of the standard deviations `sizes`.
+// Marginalises disturbances of the standard deviations `sizes` (D13).
 NormalEquations normalEquations(const DriveProducts& products, const Eigen::VectorXd& sizes);
 
 NormalEquations operator+(NormalEquations a, const NormalEquations& b);
 
 // The equations once the parameters in `out`, of prior N(0, 1), are marginalised; their rows and columns are left as
-// zeros.
+// zeros (D24).
 NormalEquations marginalised(const NormalEquations& equations, const std::vector<Index>& out);
 
 // The same for the first `count` parameters; only the others are left.

@@ -6,7 +6,7 @@
 namespace tread::inference {
 
 // Cholesky factor of the correlation of `count` values of such a process, `spacing` apart: values of variance one are
-// this times independent impulses of variance one. `correlation_time` is in the unit of `spacing`.
+// this times independent impulses of variance one. `correlation_time` is in the unit of `spacing` (D11).
 Eigen::MatrixXd correlationFactor(Eigen::Index count, double spacing, double correlation_time);
 
 }  // namespace tread::inference

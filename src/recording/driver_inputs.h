@@ -22,7 +22,7 @@ std::vector<double> quietened(const std::vector<double>& values);
 // The first gap in what the replay of a drive needs; shorter ones are bridged by straight lines.
 std::optional<InputGap> firstGap(const RecordedDrive& drive);
 
-// The input that a channel recorded, over the time of the drive; empty without that channel.
+// The input that a channel recorded, over the time of the drive; empty without that channel (D5).
 Curve driverInput(const RecordedDrive& drive, const std::string& channel, const Instrument& instrument,
                   const Limits& limits);
 

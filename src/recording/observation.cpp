@@ -33,7 +33,7 @@ const std::vector<double>& column(const Log& motion, const std::string& name) {
     throw std::logic_error("the model's motion has no " + name);
 }
 
-// Accelerations away from the centre of gravity, and gravity on a leaning unit (level axes, small angles).
+// Accelerations away from the centre of gravity, and gravity on a leaning unit (level axes, small angles) (D3).
 std::vector<double> acceleration(const Log& motion, const InertialUnit& unit, bool lateral, double rows_per_second) {
     std::vector<double> values = column(motion, lateral ? "chassis.ay" : "chassis.ax");
     const double lean = lateral ? unit.roll : -unit.pitch;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "recording/instruments.h"
 #include "log/log.h"
+#include "recording/instruments.h"
 
 namespace tread::recording {
 
@@ -18,7 +18,7 @@ struct ObservedQuantity {
 const std::vector<ObservedQuantity>& observedQuantities();
 std::string observedQuantitiesListed();
 
-// Readings of an instrument at the times of its samples. `motion` has evenly spaced rows from time 0.
+// Readings of an instrument at the times of its samples. `motion` has evenly spaced rows from time 0 (D2), (D4).
 std::vector<double> readings(const Log& motion, const Instruments& instruments, const ObservedQuantity& quantity,
                              const std::vector<double>& times);
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "log/log.h"
 #include "recording/diagnosis_file.h"
 #include "recording/subject.h"
-#include "log/log.h"
 
 namespace tread::recording {
 
@@ -65,7 +65,7 @@ bool wanted(const DiagnosisFile& file, const std::string& channel);
 // Channels that a diagnosis can use, of those that the log has.
 RecordedDrive recordedDrive(const Recording& recording, const Log& log, const DiagnosisFile& file);
 
-// Readings over the samples of a drive -> rows of one channel.
+// Readings over the samples of a drive -> rows of one channel (D1).
 Eigen::VectorXd blockMeans(const ObservedChannel& channel, const std::vector<double>& time,
                            const std::vector<double>& readings);
 

@@ -8,10 +8,10 @@
 #include <stdexcept>
 
 #include "base/parallel.h"
+#include "log/resample.h"
 #include "recording/observation.h"
 #include "recording/replay.h"
 #include "recording/sliding.h"
-#include "log/resample.h"
 
 namespace tread::recording {
 namespace {
@@ -55,7 +55,7 @@ void expectSameDrive(const RecordedDrive& drive, const RecordedDrive& reference)
     }
 }
 
-// Takes off the drive's rows what the nominal car lacks in its reference.
+// Takes off the drive's rows what the nominal car lacks in its reference (D45).
 void lessReference(RecordedDrive& drive, const RecordedDrive& reference, const Replayer& replayer) {
     expectSameDrive(drive, reference);
     Eigen::VectorXd model;

@@ -10,6 +10,7 @@ namespace tread::recording {
 
 // When they begin to, s; infinity when they do not. `model` are the rows of a model in the drive. The sideslip angle is
 // seen to change from lateral acceleration, yaw rate and speed; nothing can be said without one of these, or with gaps.
+// (D6).
 double slideApart(const RecordedDrive& drive, const Eigen::VectorXd& model);
 
 }  // namespace tread::recording

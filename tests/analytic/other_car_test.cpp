@@ -43,7 +43,7 @@ Params simple() {
 TEST(OtherCar, YawGainIsThatOfTheSingleTrackModel) {
     const Params p = simple();
     constexpr double kSpeed = 20, kHand = 0.05;
-    const Car car = driven(p, kSpeed, 4, [](double) { return Input{.hand_wheel = kHand}; });
+    const Car car = driven(p, kSpeed, 4, [](double) { return Input{.steering_wheel = kHand}; });
     const double rear = p.wheelbase - p.front_distance;
     const double understeer =
         p.mass / p.wheelbase * (rear / axleStiffness(p, true) - p.front_distance / axleStiffness(p, false));
@@ -54,10 +54,10 @@ TEST(OtherCar, YawGainIsThatOfTheSingleTrackModel) {
 
 TEST(OtherCar, RollAngleIsMomentOverStiffness) {
     const Params p = simple();
-    const Car car = driven(p, 20, 4, [](double) { return Input{.hand_wheel = 0.3}; });
+    const Car car = driven(p, 20, 4, [](double) { return Input{.steering_wheel = 0.3}; });
     const double axis =
         (p.front.roll_axis * (p.wheelbase - p.front_distance) + p.rear.roll_axis * p.front_distance) / p.wheelbase;
-    const double arm = p.height - axis, ay = car.forces({.hand_wheel = 0.3}).ay;
+    const double arm = p.height - axis, ay = car.forces({.steering_wheel = 0.3}).ay;
     const double stiffness = p.front.rollStiffness() + p.rear.rollStiffness() - p.mass * kGravity * arm;
     EXPECT_GT(ay, 2);
     EXPECT_NEAR(car.state()[kRoll], p.mass * ay * arm / stiffness, 0.01 * p.mass * ay * arm / stiffness);
@@ -68,7 +68,7 @@ TEST(OtherCar, HeldStraightOnABankItLeansToTheLowSide) {
     p.bank = 0.02;
     Car car(p, 20);
     for (int i = 0; i < 6000; ++i) {
-        const Input held{.hand_wheel = -10 * car.state()[kYaw] - 5 * car.state()[kYawRate]};
+        const Input held{.steering_wheel = -10 * car.state()[kYaw] - 5 * car.state()[kYawRate]};
         car.step(held, held, kStep);
     }
     EXPECT_NEAR(car.state()[kYawRate], 0, 2e-4);
@@ -81,8 +81,8 @@ TEST(OtherCar, HeldStraightOnABankItLeansToTheLowSide) {
 
 TEST(OtherCar, LoadsCarryTheCarAndMoveOutwards) {
     const Params p = simple();
-    const Car car = driven(p, 20, 4, [](double) { return Input{.hand_wheel = 0.5}; });
-    const Forces f = car.forces({.hand_wheel = 0.5});
+    const Car car = driven(p, 20, 4, [](double) { return Input{.steering_wheel = 0.5}; });
+    const Forces f = car.forces({.steering_wheel = 0.5});
     EXPECT_NEAR(f.load[0] + f.load[1] + f.load[2] + f.load[3], p.mass * kGravity, 1e-6 * p.mass * kGravity);
     // Moments about the ground line: what the outer wheels have more holds the height of the centre of gravity.
     const double shift = 0.5 * (p.front.track * (f.load[1] - f.load[0]) + p.rear.track * (f.load[3] - f.load[2]));
@@ -120,7 +120,7 @@ TEST(OtherCar, SideForceRelaxesOverItsLength) {
     p.yaw_inertia *= 1e6;
     constexpr double kSpeed = 20;
     Car car(p, kSpeed);
-    const Input turned{.hand_wheel = 0.01};
+    const Input turned{.steering_wheel = 0.01};
     const double length = axleStiffness(p, true) / 2 / p.front.tyre.carcass, time = length / kSpeed;
     for (int i = 0; i < static_cast<int>(std::lround(time / 1e-4)); ++i) car.step(turned, turned, 1e-4);
     EXPECT_NEAR(car.state()[kAlpha], (1 - std::exp(-1)) * 0.01 / p.steering_ratio, 0.05 * 0.01 / p.steering_ratio);
@@ -187,12 +187,12 @@ TEST(OtherCarStructure, TwistedBodyRollsMoreWhereItIsSofter) {
     // Held at both axles, the rear lags behind by what the twist carries over.
     Params p = simple();
     p.structure.body_twist = true;
-    const Car car = driven(p, 20, 4, [](double) { return Input{.hand_wheel = 0.3}; });
+    const Car car = driven(p, 20, 4, [](double) { return Input{.steering_wheel = 0.3}; });
     const double share = p.front_distance / p.wheelbase;
     const double axis =
         (p.front.roll_axis * (p.wheelbase - p.front_distance) + p.rear.roll_axis * p.front_distance) / p.wheelbase;
     const double front = car.state()[kRoll], rear = car.state()[kRearRoll];
-    const double ay = car.forces({.hand_wheel = 0.3}).ay;
+    const double ay = car.forces({.steering_wheel = 0.3}).ay;
     const double moment = share * p.mass * (p.height - axis) * (ay + kGravity * rear);
     EXPECT_NEAR(moment + kTwistStiffness * (front - rear), p.rear.rollStiffness() * rear, 0.01 * moment);
 }
@@ -204,7 +204,7 @@ TEST(OtherCarStructure, ColumnSwingsAboutTheAngleOfTheHand) {
     Car car(p, 20);
     double most = 0;
     for (int i = 0; i < 500; ++i) {
-        car.step({.hand_wheel = 0.1}, {.hand_wheel = 0.1}, kStep);
+        car.step({.steering_wheel = 0.1}, {.steering_wheel = 0.1}, kStep);
         most = std::max(most, car.state()[kColumn]);
     }
     const double overshoot =
@@ -233,7 +233,7 @@ TEST(OtherCarStructure, TurboLeavesAShareOfTheTorqueForLater) {
 
 TEST(OtherCar, HalvingTheStepChangesNothing) {
     const Params p = compact();
-    const Input turned{.hand_wheel = 0.6, .throttle = 0.3};
+    const Input turned{.steering_wheel = 0.6, .throttle = 0.3};
     Car coarse(p, 25), fine(p, 25);
     for (int i = 0; i < 1000; ++i) coarse.step(turned, turned, kStep);
     for (int i = 0; i < 2000; ++i) fine.step(turned, turned, kStep / 2);

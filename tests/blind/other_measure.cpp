@@ -37,7 +37,7 @@ public:
         if (elapsed_ == 0) start_speed_ = speed, missing_way_ = 0;
         elapsed_ += kStep;
         Input now;
-        now.hand_wheel = tread::valueAt(phase.steering, held_.hand_wheel, elapsed_);
+        now.steering_wheel = tread::valueAt(phase.steering, held_.steering_wheel, elapsed_);
         now.brake = tread::valueAt(phase.brake, held_.brake, elapsed_);
         if (const auto* hold = std::get_if<tread::HoldSpeed>(&phase.throttle)) {
             missing_way_ += kStep * (start_speed_ - speed);
@@ -93,7 +93,7 @@ using Motion = std::array<Series, kSeen>;
 void observe(Motion& motion, const Car& car, const Input& driver) {
     const Vector& s = car.state();
     const Forces& f = car.lastForces();
-    motion[kHand].push_back(driver.hand_wheel);
+    motion[kHand].push_back(driver.steering_wheel);
     motion[kThrottle].push_back(driver.throttle);
     motion[kPedal].push_back(driver.brake);
     motion[kAx].push_back(f.ax);
@@ -150,7 +150,7 @@ Series unread(const Series& shown, const Instrument& instrument) {
 std::vector<Input> driverOf(const Recorded& recorded, const tread::recording::Instruments& instruments) {
     Series hand, throttle, brake;
     for (const Input& one : recorded)
-        hand.push_back(one.hand_wheel), throttle.push_back(one.throttle), brake.push_back(one.brake);
+        hand.push_back(one.steering_wheel), throttle.push_back(one.throttle), brake.push_back(one.brake);
     hand = unread(hand, instruments.steering_wheel_angle);
     throttle = unread(throttle, instruments.throttle);
     brake = unread(brake, instruments.brake);
@@ -190,7 +190,7 @@ tread::VehicleOutput seen(const Car& car, const Params& params, const Input& act
         out.wheel[i].spin = s[kSpin + i];
         out.wheel[i].travel = axle.travelByRoll() * (i % 2 == 0 ? -s[kRoll] : s[kRoll]) + along * s[kPitch];
     }
-    out.steering.angle = acting.hand_wheel;
+    out.steering.angle = acting.steering_wheel;
     out.driveline = {.engine_speed = car.engineSpeed(), .engine_torque = car.engineTorque(acting), .gear = kGear};
     return out;
 }
@@ -214,20 +214,20 @@ Motion driven(const Truth& truth, const Drive& drive, Driving driving) {
     Hands hands(drive, driver.throttle);
     if (driving.inputs) driver = driving.inputs->front();
     Input acting = driver;
-    Late hand_wheel, brake;
+    Late steering_wheel, brake;
     Motion motion;
     observe(motion, car, driver);
     for (std::size_t i = 1; driving.inputs ? i < driving.inputs->size() : !hands.done(); ++i) {
         if (driving.push) {
             const tread::Push push = driving.push(
                 static_cast<double>(i - 1) * kStep,
-                {.steering_wheel_angle = driver.hand_wheel, .throttle = driver.throttle, .brake = driver.brake},
+                {.steering_wheel_angle = driver.steering_wheel, .throttle = driver.throttle, .brake = driver.brake},
                 seen(car, truth.car, acting));
             car.push({push.force.x(), push.force.y(), push.moment.x(), push.moment.y(), push.moment.z()});
         }
         driver = driving.inputs ? (*driving.inputs)[i] : hands.next(car.state()[kVx]);
         const Input before = acting;
-        acting = {hand_wheel(driver.hand_wheel, truth.steering_delay), driver.throttle,
+        acting = {steering_wheel(driver.steering_wheel, truth.steering_delay), driver.throttle,
                   brake(driver.brake, truth.brake_delay)};
         car.step(before, acting, kStep);
         observe(motion, car, driver);
@@ -277,7 +277,7 @@ Replayed readings(const Truth& truth, Motion motion) {
         const Series shown = read(seriesOf(motion, name), truth.instruments.*gauge.instrument,
                                   slow == truth.low_pass.end() ? 0 : slow->second);
         all.log.channels.push_back({name, std::string(*tread::logUnit(name)), rowsOf(shown)});
-        double Input::*input = name == kChannels[kHand]       ? &Input::hand_wheel
+        double Input::*input = name == kChannels[kHand]       ? &Input::steering_wheel
                                : name == kChannels[kThrottle] ? &Input::throttle
                                : name == kChannels[kPedal]    ? &Input::brake
                                                               : nullptr;

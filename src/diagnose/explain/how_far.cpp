@@ -54,6 +54,7 @@ double sum(const std::vector<double>& values) {
     return all;
 }
 
+// The root of the squared residual over what noise would leave (D49).
 GapLevels levels(const Gaps& gaps) {
     const double floor = sum(gaps.floor);
     const auto level = [&](const std::vector<double>& squares) {
@@ -179,7 +180,7 @@ std::optional<double> resampled(const TrueGaps& gaps, Random& random) {
 }
 
 // How much of the nominal car's gap to the true one the answer closes. The true car is not known, but the posterior
-// says what it can be: each draw of it is driven and stands for the truth once.
+// says what it can be: each draw of it is driven and stands for the truth once (D50).
 void closure(answer::HowFar& how_far, const Judged& judged, const Gaps& gaps, const select::Fit& fit) {
     if (!driven(gaps.nominal.rows) || !driven(gaps.extended.rows)) return;
     Random random(1);

@@ -57,6 +57,7 @@ Eigen::VectorXd heightsOf(const model::Disturbances& disturbing, const Eigen::Ve
     return disturbing.heights(sizes.cwiseProduct(solved).head(solved.size() - 1));
 }
 
+// The posterior mean of disturbances of the given sizes (D47), and its variance by chance (D48).
 Reading reading(const Calibration& car, std::size_t drive, const Sizes& sizes) {
     const Uncertainty& uncertainty = car.uncertainty;
     const model::Disturbances& disturbing = uncertainty.disturbing[drive];

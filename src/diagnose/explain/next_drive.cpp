@@ -164,7 +164,7 @@ Eigen::MatrixXd uncertainColumns(const Answers& answers, const Fit& fit) {
 }
 
 // Nats that are left of a difference when a car's uncertain numbers, as well as the recordings have determined them,
-// imitate it.
+// imitate it (D51).
 double natsOf(const Look& look, const Answers& answers, const Fit& fit, const Eigen::VectorXd& difference) {
     const Eigen::MatrixXd uncertain = uncertainColumns(answers, fit);
     const Eigen::Index n = uncertain.cols();

@@ -123,7 +123,7 @@ FrontAxle frontAxle(const VehicleParams& car) {
     return {2 * slope / std::max(kLightest, compliant), kStandardGravity * at.muy};
 }
 
-// A hand that trembles pushes the front axle aside, by the slope that its tyres have left in the turn.
+// A hand that trembles pushes the front axle aside, by the slope that its tyres have left in the turn (D14).
 Eigen::MatrixXd trembling(const Course& course, const VehicleParams& car, const Eigen::MatrixXd& lateral,
                           const Eigen::MatrixXd& yaw) {
     const FrontAxle axle = frontAxle(car);

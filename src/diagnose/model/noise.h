@@ -27,7 +27,7 @@ struct RowNoise {
     Eigen::MatrixXd over(const Eigen::Ref<const Eigen::MatrixXd>& rows) const;
 };
 
-// `model`: what the model does in the drives; `until`: s, of each drive, what comes later says nothing.
+// `model`: what the model does in the drives; `until`: s, of each drive, what comes later says nothing (D8), (D45).
 std::vector<RowNoise> rowNoise(Drives drives, const Rows& model, const std::vector<double>& until);
 
 }  // namespace tread::diagnose::model

@@ -33,7 +33,7 @@ struct Parameter {
 void move(Subject& subject, const Parameter& parameter, double units);
 
 // A tolerance t is taken as the standard deviation t / sqrt(3) of a uniform distribution. `same`: the share of it
-// that counts for what is the same from day to day, car and instruments but for their zeros.
+// that counts for what is the same from day to day, car and instruments but for their zeros (D15).
 std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<KnownWithin>& tolerances, double same = 1);
 
 // Indices of parameters, one list behind the other.
@@ -48,7 +48,7 @@ struct Share {
 std::vector<Share> mixture(const Parameter& parameter, const std::vector<Parameter>& all,
                            const std::vector<Eigen::Index>& others);
 
-// One per knob that moves something: the car may lack the part, or a share of nothing may be asked for.
+// One per knob that moves something: the car may lack the part, or a share of nothing may be asked for (D16).
 std::vector<Parameter> knobsOf(const Effect& effect, const Subject& nominal);
 
 }  // namespace tread::diagnose::model

@@ -38,7 +38,7 @@ std::vector<Column> columnsToDrive(const Replays& replays, Drives drives, const 
     return columns;
 }
 
-// The difference of a column, to the other side where this one cannot be driven; nothing when neither can.
+// The difference of a column, to the other side where this one cannot be driven; nothing when neither can (D18).
 std::optional<Eigen::VectorXd> difference(const Replays& replays, const RecordedDrive& drive, const Column& column,
                                           const Subject& subject, const Log& motion, const Eigen::VectorXd& here) {
     const Parameter& parameter = replays.parameters[column.parameter];

@@ -23,7 +23,7 @@ struct Uncertainty {
 };
 
 // Of the drives about a point, where the model does `rows`; with disturbances of the usual sizes. `until` as the drives
-// or an earlier look have it: a drive ends earlier where the car and the model slide apart.
+// or an earlier look have it: a drive ends earlier where the car and the model slide apart (D12).
 Uncertainty uncertaintyAt(const Replays& replays, Drives drives, const Deviation& at, const Rows& rows,
                           std::vector<double> until);
 std::vector<double> endsOf(Drives drives);
@@ -45,7 +45,7 @@ NormalEquations normalEquations(const Uncertainty& uncertainty, const std::vecto
 
 // The root of Birge's ratio (R. T. Birge, The calculation of errors by the method of least squares, Physical Review 40,
 // 1932), not below 1: how many times the noise the rows of a model leave. A model whose structure is not that of the
-// car leaves more, and what it says of anything is that much less certain.
+// car leaves more, and what it says of anything is that much less certain (D27).
 double birgeRatio(Drives drives, const Uncertainty& uncertainty, const Rows& rows);
 
 }  // namespace tread::diagnose::model

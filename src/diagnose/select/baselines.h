@@ -26,7 +26,7 @@ double reduction(const LinearEffect& effect);
 std::string largestReduction(const std::vector<LinearEffect>& effects);
 
 // The effect of the least Bayesian information criterion (G. Schwarz, Annals of Statistics 6, 1978) for so many rows,
-// or "none".
+// or "none" (D53).
 std::string leastBic(const std::vector<LinearEffect>& effects, double rows);
 
 // Of the nominal car's gap with nothing else free; and of the gap of the car with its tolerances free. The rows are

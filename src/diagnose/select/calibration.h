@@ -31,7 +31,7 @@ Calibration calibrate(const Problem& problem, model::NominalCar nominal, const P
 Calibration uncalibrated(const Problem& problem, model::NominalCar nominal, const Progress& progress);
 
 // Sizes of the disturbances under which the recordings are most likely, whatever mixture of nuisances and effects is
-// true; near the usual ones unless the recordings say otherwise. `products`: of all of these and the residual.
+// true; near the usual ones unless the recordings say otherwise. `products`: of all of these and the residual (D26).
 Sizes disturbanceSizes(Drives drives, const Uncertainty& uncertainty, const std::vector<DriveProducts>& products);
 
 }  // namespace tread::diagnose::select

@@ -34,7 +34,7 @@ struct Fitter {
         return all;
     }
 
-    // Minus the log posterior, but for constants.
+    // Minus the log posterior, but for constants (D20).
     double misfit(const Rows& rows, const Deviation& at) const {
         const Eigen::VectorXd x = at(free);
         double sum = x.squaredNorm();
@@ -53,7 +53,7 @@ struct Fitter {
         }
     }
 
-    // What a step really changed corrects the columns along it.
+    // What a step really changed corrects the columns along it (D19).
     void learn(std::vector<Eigen::MatrixXd>& columns, const Rows& before, const Rows& after,
                const Eigen::VectorXd& step) const {
         if (step.squaredNorm() < kTooShort) return;

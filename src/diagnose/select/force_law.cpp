@@ -124,7 +124,7 @@ History historyOf(const Law& law, const Calibration& car) {
     return history;
 }
 
-// Of one drive, over the noise: the columns of every law, each of its kinds of force, then the residual of a fit.
+// Of one drive, over the noise: the columns of every law, each of its kinds of force, then the residual of a fit (D34).
 Eigen::MatrixXd columnsOf(const std::vector<History>& histories, const Calibration& car, const Fit& fit,
                           std::size_t drive) {
     const model::Disturbances& disturbing = car.uncertainty.disturbing[drive];

@@ -8,7 +8,7 @@
 
 namespace tread::diagnose::select {
 
-// The law that gains most beside a model: its forces are those of disturbances, so that nothing is simulated.
+// The law that gains most beside a model: its forces are those of disturbances, so that nothing is simulated (D35).
 answer::ForceLaw forceLaw(const Calibration& car, const Fit& fit);
 
 }  // namespace tread::diagnose::select

@@ -33,7 +33,7 @@ struct Posterior {
     double ofNothingThatShows() const;
 };
 
-// `unknown_gain`: nats that something which is not in the catalogue gains over the best model.
+// `unknown_gain`: nats that something which is not in the catalogue gains over the best model (D28) to (D32).
 Posterior posterior(const Calibration& car, const Search& found, double unknown_gain);
 
 }  // namespace tread::diagnose::select

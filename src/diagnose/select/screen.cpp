@@ -13,7 +13,7 @@ namespace {
 constexpr double kAlike = 0.5;  // cosine: pairs below are hard to tell apart because one of them hardly shows
 constexpr std::size_t kMostConfusable = 30;
 
-// Linear evidence of knobs with these products, as far as their bounds let them.
+// Linear evidence of knobs with these products, as far as their bounds let them (D25).
 double gain(const Problem& problem, const Eigen::MatrixXd& products, std::size_t effect, const Deviation& at) {
     const std::vector<Eigen::Index> places = placesOf(problem, effect);
     const Eigen::Index n = std::ssize(places), last = products.cols() - 1;

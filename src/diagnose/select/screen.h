@@ -15,6 +15,7 @@ struct Screen {
     std::vector<double> gain;               // nats of linear evidence over none, per effect
     Eigen::MatrixXd products;               // of all knobs, then the residual; nuisances and disturbances marginalised
 };
+// Expected evidence (D43), linear gains (D25) and products about the calibrated car.
 Screen screen(const Calibration& car);
 
 // The expected evidence without what was promised of effects that act on one side of a limit only (controllers, play,
@@ -38,7 +39,7 @@ std::vector<double> gainsOver(const Calibration& car, const Linearisation& about
 // Largest cosine between two effects' signatures in such products.
 double cosine(const Problem& problem, const Eigen::MatrixXd& products, std::size_t a, std::size_t b);
 
-// Pairs that look alike and that these drives would leave confused if one of them were true, worst first.
+// Pairs that look alike and that these drives would leave confused if one of them were true, worst first (D40).
 std::vector<answer::ConfusablePair> confusablePairs(const Calibration& car, const Screen& screen,
                                                     const std::vector<double>& expected_evidence);
 

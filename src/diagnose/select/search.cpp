@@ -146,7 +146,7 @@ private:
         return best;
     }
 
-    // What the nuisances did in place of these knobs is given to them: the same car, by the likelier way.
+    // What the nuisances did in place of these knobs is given to them: the same car, by the likelier way (D17).
     Deviation handedOver(const std::vector<Eigen::Index>& knobs, Deviation at) const {
         for (const Eigen::Index k : knobs) {
             if (at(k) != 0) continue;

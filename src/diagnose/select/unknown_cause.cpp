@@ -19,7 +19,7 @@ constexpr double kWider = 2;          // times the spread of an effect's size, t
 constexpr double kSame = 0.1, kVaried = 0.5;
 constexpr double kJumps = 0.04;  // of what is explained, that varies all the same: controllers set in or do not
 
-// Nats that larger disturbances gain on top of a model.
+// Nats that larger disturbances gain on top of a model (D33).
 double gainOfLargerDisturbances(const Calibration& car, const Fit& fit) {
     const Sizes& usual = car.uncertainty.sizes;
     const double now = logEvidence(fit, car.uncertainty, usual);

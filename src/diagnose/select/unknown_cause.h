@@ -13,6 +13,7 @@ struct UnknownCause {
     double gain = 0;       // nats over the best model, of what speaks most for an unknown cause
     answer::ForceLaw law;  // in place of its effects if that is clear, else beside them; named if likelier than those
 };
+// For the best model of the search (D36).
 UnknownCause unknownCause(const Calibration& car, const Search& found);
 
 // Is one value of the model's effects right for all drives?
@@ -20,7 +21,7 @@ inference::Heterogeneity heterogeneity(const Calibration& car, const Fit& fit);
 
 // Nats that a cause of no catalogue gains over a model's effects when it merely looks like them: it need not keep to
 // their typical sizes, nor to one value in all drives. Where recordings are `compared` with references, somebody
-// changed the car by as much as he liked, and a model of another structure finds a value that varies a little.
+// changed the car by as much as he liked, and a model of another structure finds a value that varies a little (D39).
 double lookAlikeGain(const Candidate& candidate, const inference::Heterogeneity& same, bool compared);
 
 }  // namespace tread::diagnose::select

@@ -15,7 +15,7 @@ using answer::Verdict;
 
 constexpr double kNinety = 1.645;  // standard deviations of a 90 % interval
 
-// Of a number that a parameter moves by `units` of it, with a standard deviation of so many units.
+// Of a number that a parameter moves by `units` of it, with a standard deviation of so many units (D42).
 Estimate estimateOf(const Parameter& parameter, const Parameter::Move& move, double units, double sd) {
     constexpr double kNear = 1e-6;
     Estimate one{.value = move.nominal + units * move.by,
@@ -78,7 +78,7 @@ std::set<std::string> credible(const Problem& problem, const Posterior& posterio
     return names;
 }
 
-// The model of which every effect gains enough.
+// The model of which every effect gains enough (D41).
 const Candidate& chosenOf(const Problem& problem, const Search& found, double birge_ratio) {
     const auto merit = [&](const Candidate& one) {
         const std::size_t count = one.effects.size();

@@ -15,7 +15,7 @@ void checkCar(const LogChecks& checks) {
     if (!vx || !yaw_rate || !steer) return;
     constexpr double kLeastUndersteer = -0.001, kMostUndersteer = 0.008;  // rad s2/m, of any road car
     constexpr double kUncertain = 1.35;                                   // of ratio and wheelbase
-    constexpr double kSettling = 0.5, kHeld = 0.05;                       // s, rad: yaw follows the hand wheel by then
+    constexpr double kSettling = 0.5, kHeld = 0.05;  // s, rad: yaw follows the steering wheel by then
     const VehicleParams& car = checks.nominal.vehicle;
     const auto gain = [&](double understeer) {
         std::vector<double> out(vx->size());
@@ -40,7 +40,7 @@ void checkCar(const LogChecks& checks) {
         "chassis.yaw_rate",
         fmt::format("is {:.2g} times what this car's steering ratio and wheelbase give in gentle turns", factor),
         "With the file of another car every effect would be fitted to that",
-        "Check the vehicle, its steering ratio, and whether the recorded angle is that of the hand wheel");
+        "Check the vehicle, its steering ratio, and whether the recorded angle is that of the steering wheel");
 }
 
 }  // namespace tread::recording::checks

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kLateral = 1;    // m/s2: less says little about tyres and steering
 constexpr double kSpeeds = 3;     // m/s, between the slowest and the fastest moment
-constexpr double kAlike = 0.995;  // correlation of the hand wheel in two recordings
+constexpr double kAlike = 0.995;  // correlation of the steering wheel in two recordings
 
 bool has(const Log& log, std::string_view name) {
     const Channel* channel = log.find(name);
@@ -41,7 +41,7 @@ void checkInputs(const LogChecks& checks) {
     if (!has(checks.log, "driver.steering_wheel_angle"))
         checks.warn("driver.steering_wheel_angle", "is missing",
                     "The drive cannot be repeated without it: only straight running is assumed",
-                    "Record the hand-wheel angle, or the road-wheel angle times the steering ratio");
+                    "Record the steering-wheel angle, or the road-wheel angle times the steering ratio");
     if (!has(checks.log, "chassis.vx"))
         checks.warn("chassis.vx", "is missing", "Neither the speed at the start nor that to be followed is known",
                     "Record the speed over ground");

@@ -49,7 +49,7 @@ public:
     // Loads follow from accelerations, and these from forces at those loads: each stage goes on from what the last one
     // and the change over the last step let expect.
     void step(const Input& begin, const Input& end, double dt) {
-        const Input middle{0.5 * (begin.hand_wheel + end.hand_wheel), 0.5 * (begin.throttle + end.throttle),
+        const Input middle{0.5 * (begin.steering_wheel + end.steering_wheel), 0.5 * (begin.throttle + end.throttle),
                            0.5 * (begin.brake + end.brake)};
         const Vector a = at(s_, begin);
         const Forces now = forces_;
@@ -215,12 +215,12 @@ private:
     }
 
     double lagged(const Vector& s, const Input& input) const {
-        return p_.steering_lag > kLeastLag ? s[kSteer] : input.hand_wheel;
+        return p_.steering_lag > kLeastLag ? s[kSteer] : input.steering_wheel;
     }
 
     // What follows hand and foot late.
     void lag(const Vector& s, const Input& input, Vector& rate) const {
-        rate[kSteer] = p_.steering_lag > kLeastLag ? (input.hand_wheel - s[kSteer]) / p_.steering_lag : 0;
+        rate[kSteer] = p_.steering_lag > kLeastLag ? (input.steering_wheel - s[kSteer]) / p_.steering_lag : 0;
         rate[kBrake] = p_.brake_lag > kLeastLag ? (input.brake - s[kBrake]) / p_.brake_lag : 0;
         rate[kRearBrake] = (pedal(s, input) - s[kRearBrake]) / kRearBrakeLag;
         rate[kBoost] = (input.throttle - s[kBoost]) / kTurboTime;

@@ -60,7 +60,7 @@ struct Params {
     Structure structure;
     std::array<WheelFault, 4> wheels;
     double steering_ratio = 16.5;
-    double ratio_curvature = 0;  // 1/rad2: relative change of the ratio over the square of the hand-wheel angle
+    double ratio_curvature = 0;  // 1/rad2: relative change of the ratio over the square of the steering-wheel angle
     double steering_lag = 0;     // s
     double brake_torque = 5000, brake_front_share = 0.82;
     double brake_lag = 0;              // s

@@ -6,7 +6,7 @@
 namespace other_car {
 
 struct Input {
-    double hand_wheel = 0, throttle = 0, brake = 0;
+    double steering_wheel = 0, throttle = 0, brake = 0;
 };
 
 // x, y, yaw, vx, vy, yaw rate, roll, roll rate; spins; lateral and longitudinal slips as relaxed; steering and brakes
