@@ -4,19 +4,31 @@
 
 #include <cmath>
 
+#include "diagnose/select/posterior.h"
 #include "diagnose/select/search.h"
 #include "diagnose/select/unknown_cause.h"
 #include "inference/bounded_step.h"
 #include "inference/heterogeneity.h"
 #include "inference/laplace.h"
 #include "inference/normal_equations.h"
+#include "shared/linear_drives.h"
 #include "shared/linear_model.h"
 
 namespace tread {
 namespace {
 
+using diagnose::model::Problem;
+using diagnose::select::Calibration;
 using diagnose::select::Candidate;
+using diagnose::select::Fit;
+using diagnose::select::Hypothesis;
 using diagnose::select::lookAlikeGain;
+using diagnose::select::Posterior;
+using diagnose::select::posterior;
+using diagnose::select::Screen;
+using diagnose::select::screen;
+using diagnose::select::Search;
+using diagnose::select::Sizes;
 using inference::boundedStep;
 using inference::Heterogeneity;
 using inference::heterogeneity;
@@ -26,6 +38,8 @@ using inference::NormalEquations;
 using inference::normalEquations;
 using inference::productsOf;
 using inference::QuadraticModel;
+using linear_drives::candidateOf;
+using linear_drives::LinearDrive;
 using linear_model::logEvidence;
 using linear_model::quadraticOf;
 
@@ -122,10 +136,68 @@ TEST(WorkedExample, ResemblanceGainsLittle) {
     EXPECT_NEAR(lookAlikeGain(effect, same, false), -0.0913338, 5e-8);
 }
 
+// The same drives as a diagnosis has them.
+struct ExampleDiagnosis {
+    std::vector<LinearDrive> drives = [] {
+        std::vector<LinearDrive> all;
+        for (const Drive& drive : {Example{}.first, Example{}.second})
+            all.push_back({drive.columns.col(0), drive.columns.col(1), drive.columns.col(2), drive.disturbance});
+        return all;
+    }();
+    Problem problem = linear_drives::problemOf(drives);
+    Calibration car = linear_drives::calibrationOf(problem, drives, 2);
+};
+
+TEST(WorkedExample, ScreenPromisesAndGainsWhatIsComputedByHand) {
+    const ExampleDiagnosis example;
+    const Screen seen = screen(example.car);
+    EXPECT_NEAR(seen.expected_evidence.front(), 4, kExact);
+    EXPECT_NEAR(seen.gain.front(), 6.60783, 5e-6);
+}
+
+// (D44), of an expected evidence of 4: that the effect gains 5 nats at its typical size and at 1.6 of it.
+TEST(WorkedExample, EffectIsFoundAsOftenAsItsExpectedEvidenceSays) {
+    const double information = 2 * screen(ExampleDiagnosis{}.car).expected_evidence.front();
+    const double z = std::sqrt(2 * (5 + 0.5 * std::log(1 + information)) * (1 + information) / information);
+    EXPECT_NEAR(z, 3.70431, 5e-6);
+    const auto normal = [](double x) { return 0.5 * std::erfc(-x / std::sqrt(2)); };
+    const auto found = [&](double size) {
+        const double shift = size * std::sqrt(information);
+        return normal(shift - z) + normal(-shift - z);
+    };
+    EXPECT_NEAR(found(1), 0.190548, 5e-7);
+    EXPECT_NEAR(found(1.6), 0.794228, 5e-7);
+}
+
+TEST(WorkedExample, PosteriorOfACatalogueOfThisEffect) {
+    const ExampleDiagnosis example;
+    const Search found{{candidateOf(example.car, {0}), candidateOf(example.car, {})}};
+    EXPECT_NEAR(found.best().fit.at(1), 106 / 81.0, kExact);
+    EXPECT_NEAR(diagnose::select::heterogeneity(example.car, found.best().fit).q, 1.5, kExact);
+    const Posterior result = posterior(example.car, found, -0.656231);
+    EXPECT_EQ(result.birge_ratio, 1);
+    const auto probability = [&](const Candidate* candidate, bool look_alike) {
+        for (const Hypothesis& one : result.hypotheses)
+            if (one.candidate == candidate && one.look_alike == look_alike) return one.probability;
+        return -1.0;
+    };
+    EXPECT_NEAR(probability(&found.candidates[1], false), 0.000742, 5e-7);
+    EXPECT_NEAR(probability(&found.candidates[0], false), 0.988947, 5e-7);
+    EXPECT_NEAR(probability(&found.candidates[0], true), 0.010029, 5e-7);
+    EXPECT_NEAR(probability(nullptr, false), 0.000283, 5e-7);
+    EXPECT_NEAR(result.of(0), 0.988947, 5e-7);
+}
+
 TEST(WorkedExample, LargerDisturbancesAreLessLikely) {
     const Example example;
     const double usual = logEvidence(example.both(), 2, {0, 1}), larger = logEvidence(example.both(3.2), 2, {0, 1});
     EXPECT_NEAR(larger - usual, -0.656231, 5e-7);
+    const ExampleDiagnosis diagnosis;
+    const Fit fit = linear_drives::fitOf(diagnosis.car, {0});
+    Sizes sizes = diagnosis.car.uncertainty.sizes;
+    EXPECT_NEAR(logEvidence(fit, diagnosis.car.uncertainty, sizes), usual, 1e-9);
+    for (double& size : sizes) size *= 1.6;
+    EXPECT_NEAR(logEvidence(fit, diagnosis.car.uncertainty, sizes), larger, 1e-9);
 }
 
 }  // namespace

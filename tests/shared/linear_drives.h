@@ -1,0 +1,119 @@
+// A diagnosis in the middle of its work, filled in by hand: drives whose rows are linear in all parameters and in units
+// of their noise. Each row is a channel of its own to the smoothing, so that nothing is smoothed; N_e is the count of
+// rows.
+#pragma once
+
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "diagnose/select/search.h"
+
+namespace tread::linear_drives {
+
+using diagnose::model::Disturbed;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+struct LinearDrive {
+    MatrixXd nuisances, effects;  // a column each; every effect has one parameter
+    VectorXd measured;            // less what the nominal car does
+    MatrixXd disturbances;        // columns of the usual size
+};
+
+inline diagnose::model::Problem problemOf(const std::vector<LinearDrive>& drives) {
+    diagnose::model::Problem problem;
+    const auto parameter = [&](const std::string& name, double limit) {
+        problem.replays.parameters.push_back({.moves = {{name, 0, 1}}, .lowest = -limit, .highest = limit});
+        return std::ssize(problem.replays.parameters) - 1;
+    };
+    for (Eigen::Index i = 0; i < drives.front().nuisances.cols(); ++i)
+        problem.nuisances.push_back(parameter("n" + std::to_string(i), 4));
+    for (Eigen::Index e = 0; e < drives.front().effects.cols(); ++e) {
+        const std::string name = "e" + std::to_string(e);
+        problem.effects.push_back({.name = name, .question = {}, .source = {}, .knobs = {}});
+        problem.knobs.push_back({parameter(name, 8)});
+    }
+    for (const LinearDrive& told : drives) {
+        recording::RecordedDrive& drive = problem.drives.emplace_back();
+        drive.name = "drive " + std::to_string(problem.drives.size());
+        drive.measured = told.measured;
+    }
+    return problem;
+}
+
+inline diagnose::model::Uncertainty uncertaintyOf(const std::vector<LinearDrive>& drives, double size,
+                                                  Disturbed kind = Disturbed::lateral) {
+    diagnose::model::Uncertainty uncertainty;
+    uncertainty.sizes.fill(size);
+    for (const LinearDrive& told : drives) {
+        const Eigen::Index rows = told.measured.size(), impulses = told.disturbances.cols();
+        diagnose::model::RowNoise& noise = uncertainty.noise.emplace_back();
+        noise.deviation = VectorXd::Ones(rows);
+        noise.ends.resize(rows);
+        std::iota(noise.ends.begin(), noise.ends.end(), 1);
+        noise.expected = static_cast<double>(rows);
+        uncertainty.until.push_back(kInfinity);
+        uncertainty.disturbing.emplace_back().kinds.assign(impulses, kind);
+        MatrixXd& directions = uncertainty.directions.emplace_back(MatrixXd::Zero(rows, impulses + 1));
+        directions.leftCols(impulses) = told.disturbances;  // the speed at the start changes nothing
+        uncertainty.bare.push_back(inference::productsOf(MatrixXd(rows, 0), directions));
+    }
+    return uncertainty;
+}
+
+// The nominal car, with disturbances of so many times the usual size.
+inline diagnose::select::Calibration calibrationOf(const diagnose::model::Problem& problem,
+                                                   const std::vector<LinearDrive>& drives, double size = 1) {
+    diagnose::select::Calibration car{problem, {}, {}, uncertaintyOf(drives, size), {}, {}, {}};
+    diagnose::model::Sensitivities about{problem.replays.origin(), {}, {}};
+    for (const LinearDrive& told : drives) {
+        about.rows.emplace_back(VectorXd::Zero(told.measured.size()));
+        MatrixXd& columns = about.columns.emplace_back(told.measured.size(), about.at.size());
+        columns << told.nuisances, told.effects;
+    }
+    car.nominal = car.fit.rows = about.rows;
+    car.about = diagnose::model::linearisation(std::move(about), problem.nuisances, car.uncertainty);
+    car.products = diagnose::model::productsWith(problem.allKnobs(), problem.drives, car.about, car.uncertainty);
+    car.fit.free = problem.nuisances;
+    car.fit.at = problem.replays.origin();
+    car.fit.columns = car.about.columns;
+    return car;
+}
+
+// The fit of the nuisances and these effects: one step leads there.
+inline diagnose::select::Fit fitOf(const diagnose::select::Calibration& car, const std::vector<std::size_t>& effects) {
+    const diagnose::model::Problem& problem = car.problem;
+    diagnose::select::Fit fit;
+    fit.at = problem.replays.origin();
+    for (const std::size_t e : effects) fit.knobs.push_back(problem.knobs[e].front());
+    fit.free = diagnose::model::joined(problem.nuisances, fit.knobs);
+    fit.rows = car.nominal;
+    const auto look = [&] {
+        fit.products.clear(), fit.columns.clear();
+        for (std::size_t d = 0; d < problem.drives.size(); ++d) {
+            const MatrixXd all = diagnose::model::columnsAndResidual(problem.drives, car.uncertainty, car.about.about,
+                                                                     fit.free, fit.rows, d);
+            fit.columns.emplace_back(all.leftCols(all.cols() - 1));
+            fit.products.push_back(diagnose::model::productsOf(car.uncertainty, d, all));
+        }
+        return diagnose::select::quadraticAt(fit, car.uncertainty, car.uncertainty.sizes);
+    };
+    fit.at(fit.free) = inference::bestStep(look());
+    for (std::size_t d = 0; d < fit.rows.size(); ++d) fit.rows[d] = car.about.about.columns[d] * fit.at;
+    const inference::QuadraticModel there = look();
+    const Eigen::Index n = std::ssize(fit.free);
+    fit.covariance = inference::factorOfPriorAnd(there.information).solve(MatrixXd::Identity(n, n));
+    fit.log_evidence = inference::logEvidence(there, VectorXd::Zero(n));
+    fit.converged = true;
+    return fit;
+}
+
+inline diagnose::select::Candidate candidateOf(const diagnose::select::Calibration& car,
+                                               const std::vector<std::size_t>& effects) {
+    diagnose::select::Candidate candidate{.effects = effects, .fit = fitOf(car, effects), .fitted = true};
+    candidate.log_evidence = candidate.fit.log_evidence - fitOf(car, {}).log_evidence;
+    return candidate;
+}
+
+}  // namespace tread::linear_drives
