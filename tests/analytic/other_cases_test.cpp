@@ -7,6 +7,7 @@
 
 #include "blind/gauges.h"
 #include "blind/other_draw.h"
+#include "blind/other_match.h"
 #include "blind/other_measure.h"
 #include "blind/other_outsiders.h"
 #include "blind/other_shows.h"
@@ -52,12 +53,15 @@ double apart(const tread::Log& a, const tread::Log& b) {
     return most;
 }
 
-// Sum of squares of what the readings differ by, over the noise of the instruments.
-double energy(const tread::Log& a, const tread::Log& b) {
+// Sum of squares of what the readings differ by, over the noise of means of 50 ms. Effects are drawn when theirs is 200
+// and more.
+constexpr double kSeen = 200;
+double squares(const tread::Log& a, const tread::Log& b) {
     double sum = 0;
     for (const tread::Gauge& gauge : tread::gauges()) {
-        const auto &x = a.find(gauge.channel)->values, &y = b.find(gauge.channel)->values;
-        for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) sum += std::pow((x[i] - y[i]) / gauge.noise, 2);
+        if (tread::isOfTheDriver(gauge)) continue;
+        const std::vector<double> x = means(a, gauge.channel), y = means(b, gauge.channel);
+        for (std::size_t i = 0; i < x.size(); ++i) sum += std::pow((x[i] - y[i]) / noiseOfMeans(gauge), 2);
     }
     return sum;
 }
@@ -164,12 +168,12 @@ TEST(OtherCases, EachOutsiderDrivesAllDrivesAndIsSeen) {
             logs = drivenThrough(truth);
         }
         ASSERT_EQ(logs.size(), sound.size()) << outsider.name;
-        double most = 0;
+        double sum = 0;
         for (std::size_t i = 0; i < logs.size(); ++i) {
             EXPECT_TRUE(finite(logs[i])) << outsider.name;
-            most = std::max(most, energy(logs[i], sound[i]));
+            sum += squares(logs[i], sound[i]);
         }
-        EXPECT_GT(most, 200) << outsider.name << ": less could vanish in what is not known of a car";
+        EXPECT_GT(sum, kSeen) << outsider.name;
         EXPECT_EQ(apart(logs.front(), replay(truth, tread::blindDrives().front()).log), 0) << outsider.name;
     }
 }
@@ -178,14 +182,14 @@ TEST(OtherCases, EachStructureDrivesAllDrivesAndIsSeen) {
     for (const StructuralChoice& choice : kStructuralChoices) {
         Truth truth = known();
         truth.car.structure.*choice.on = true;
-        double most = 0;
+        double sum = 0;
         for (const tread::Drive& drive : tread::blindDrives()) {
             const tread::Log log = replay(truth, drive).log;
             EXPECT_TRUE(finite(log)) << choice.name << " " << drive.name;
             EXPECT_EQ(apart(log, replay(truth, drive).log), 0) << choice.name;
-            most = std::max(most, apart(log, replay(known(), drive).log));
+            sum += squares(log, replay(known(), drive).log);
         }
-        EXPECT_GT(most, 1) << choice.name;
+        EXPECT_GT(sum, kSeen) << choice.name;
     }
 }
 

@@ -66,13 +66,13 @@ inline constexpr std::array kStructuralChoices{
 };
 
 // How much of each. Guesses of the middle of what cars have.
-inline constexpr double kRollingSpeed = 45;     // m/s, at which the rolling resistance has grown by half
-inline constexpr double kToeCurve = 0.05;       // m of travel, at which the curve doubles the line
-inline constexpr double kBushForce = 8000;      // N of side force, at which a bush gives half of what it would
-inline constexpr double kBarAngle = 0.08;       // rad of roll, at which a bar's moment has doubled
-inline constexpr double kRollAxisAngle = 0.15;  // rad of roll, by which the roll axis would lie on the road
-inline constexpr double kTwistStiffness = 4e5;  // N m/rad, 7 kN m/deg: an older hatchback
-inline constexpr double kTwistDamping = 0.05;   // of critical, of the rear body on the twisting front
+inline constexpr double kRollingSpeed = 45;       // m/s, at which the rolling resistance has grown by half
+inline constexpr double kToeCurve = 0.05;         // m of travel, at which the curve doubles the line
+inline constexpr double kBushForce = 8000;        // N of side force, at which a bush gives half of what it would
+inline constexpr double kBarAngle = 0.08;         // rad of roll, at which a bar's moment has doubled
+inline constexpr double kRollAxisAngle = 0.15;    // rad of roll, by which the roll axis would lie on the road
+inline constexpr double kTwistStiffness = 1.7e5;  // N m/rad, 3 kN m/deg: an open car
+inline constexpr double kTwistDamping = 0.05;     // of critical, of the rear body on the twisting front
 inline constexpr double kColumnFrequency = 2 * std::numbers::pi * 8;  // rad/s
 inline constexpr double kColumnDamping = 0.3;                         // of critical
 inline constexpr double kRearBrakeLag = 0.12;                         // s
