@@ -134,6 +134,9 @@ std::string diagnosisReport(const DiagnosisReport& content) {
 
     page.section("The car within its tolerances");
     addNuisances(page, d);
+
+    page.section("Priors and thresholds");
+    addSettings(page);
     return page.finish();
 }
 

@@ -172,7 +172,7 @@ void addLimits(HtmlPage& page, const Diagnosis& diagnosis) {
         page.text(
             fmt::format("Pairs that these drives cannot tell apart: less than {:.0f} nats between them at typical "
                         "size{}.",
-                        kSettings.separable, all > kPairs ? fmt::format("; the {} nearest of {}", kPairs, all) : ""));
+                        kSettings.clear, all > kPairs ? fmt::format("; the {} nearest of {}", kPairs, all) : ""));
         page.table({"Effect", "Looks like", "Likeness", "Separation, nats", "Most of it in"}, pairs);
     }
     std::vector<std::string> hidden;
@@ -214,6 +214,17 @@ void addNuisances(HtmlPage& page, const Diagnosis& diagnosis) {
                     "beyond 2 the tolerance is doubtful.",
                     order.size(), diagnosis.nuisance.size(), kNoteworthy));
     page.table({"Number", "Value", "±", "Unit", "Standard deviations moved"}, rows);
+}
+
+void addSettings(HtmlPage& page) {
+    std::vector<std::vector<Cell>> rows;
+    diagnose::Settings::describe(diagnose::kSettings, [&](std::string_view name, double value, const About& about) {
+        rows.push_back({{std::string(name)},
+                        {formatNumber(value), true},
+                        {prettyUnit(std::string(about.unit))},
+                        {std::string(about.meaning)}});
+    });
+    page.table({"Setting", "Value", "Unit", "What it is, and on what it stands"}, rows);
 }
 
 }  // namespace tread

@@ -19,5 +19,7 @@ void addLevels(HtmlPage& page, const diagnose::answer::HowFar& how_far, const ch
 void addWhere(HtmlPage& page, const diagnose::answer::WhereItLies& where);
 void addLimits(HtmlPage& page, const diagnose::answer::Diagnosis& diagnosis);
 void addNuisances(HtmlPage& page, const diagnose::answer::Diagnosis& diagnosis);
+// Priors and thresholds of the diagnosis.
+void addSettings(HtmlPage& page);
 
 }  // namespace tread

@@ -66,7 +66,7 @@ TEST(Posterior, OfUnknownGrowsWithWhatLargerDisturbancesGain) {
     const TenEffects ten;
     const Search found{{judged({3}, 5), judged({}, 0)}};
     const double gain = 8;
-    const double none = 0.25, one = 0.045 * std::exp(5), unknown = 0.1 * std::exp(5 + gain - kSettings.unknown);
+    const double none = 0.25, one = 0.045 * std::exp(5), unknown = 0.1 * std::exp(5 + gain - kSettings.clear);
     const Posterior result = posterior(ten.car, found, gain);
     EXPECT_NEAR(result.ofUnknown(), unknown / (none + one + unknown), 1e-12);
 }

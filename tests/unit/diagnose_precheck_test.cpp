@@ -61,7 +61,7 @@ TEST(Precheck, EffectsWithTheSameTraceArePairedAndTheOthersAreNot) {
     EXPECT_EQ(pair.a, "ratio");
     EXPECT_EQ(pair.b, "wheelbase");
     EXPECT_GT(pair.cosine, 0.99);
-    EXPECT_LT(pair.separation, kSettings.separable);
+    EXPECT_LT(pair.separation, kSettings.clear);
     EXPECT_NE(precheckText(seen).find("ALIKE     ratio and wheelbase"), std::string::npos);
 }
 
@@ -75,13 +75,13 @@ TEST(Precheck, PairsLookAlikeAndAreNearEachOther) {
     };
     const std::vector<ConfusablePair> near = alike(0.06), far = alike(0.6);
     ASSERT_EQ(near.size(), 1u);
-    EXPECT_LT(near.front().separation, kSettings.separable);
+    EXPECT_LT(near.front().separation, kSettings.clear);
     EXPECT_TRUE(far.empty());
     // What one of them hardly shows is hard to tell from anything.
     const Precheck faint = checked(made, {{"understeer", "", "", {{.paths = {"steering.play"}, .typical = 3.58e-5}}},
                                           effect("ratio", "steering.ratio")});
-    EXPECT_GT(faint.expected_evidence.at("understeer"), kSettings.shows);
-    EXPECT_LT(faint.expected_evidence.at("understeer"), 1.01 * kSettings.separable);
+    EXPECT_GT(faint.expected_evidence.at("understeer"), kSettings.clear);
+    EXPECT_LT(faint.expected_evidence.at("understeer"), 1.01 * kSettings.clear);
     EXPECT_TRUE(faint.confusable.empty());
 }
 
@@ -111,7 +111,8 @@ TEST(Precheck, DoesNotDependOnWhatTheRecordedCarWas) {
     const Precheck nominal = checked(simple_car::recorded(kNominalRatio, dragArea(), 3), effects),
                    other = checked(simple_car::recorded(14.5, 1.2 * dragArea(), 3), effects);
     for (const auto& [name, nats] : nominal.expected_evidence)
-        EXPECT_NEAR(other.expected_evidence.at(name), nats, 0.05 * nats) << name << ": only their noise is taken from drives";
+        EXPECT_NEAR(other.expected_evidence.at(name), nats, 0.05 * nats)
+            << name << ": only their noise is taken from drives";
 }
 
 TEST(Precheck, IsTheSameToTheBitForOneAndTwoThreads) {

@@ -1,6 +1,7 @@
 #include "diagnose/answer/diagnosis_json.h"
 
 #include "diagnose/answer/words.h"
+#include "diagnose/settings.h"
 #include "store/described_json.h"
 
 namespace tread::diagnose::answer {
@@ -83,6 +84,7 @@ Json diagnosisJson(const Diagnosis& d) {
         {"baselines", jsonOf(d.baselines)},
         {"compared", d.compared},
         {"data_warnings", d.data_warnings},
+        {"settings", jsonOf(kSettings)},
         {"seconds", d.seconds},
         {"simulations", d.simulations}};
 }

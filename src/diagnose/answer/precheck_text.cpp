@@ -49,7 +49,7 @@ Visibility visibility(const std::map<std::string, double>& expected_evidence) {
     Visibility groups;
     for (const auto& one : expected_evidence) {
         if (one.second >= kSettings.testable) groups.found.push_back(one);
-        else (one.second >= kSettings.shows ? groups.perhaps : groups.hidden).push_back(one);
+        else (one.second >= kSettings.clear ? groups.perhaps : groups.hidden).push_back(one);
     }
     for (Visibility::Group* group : {&groups.found, &groups.perhaps, &groups.hidden})
         std::stable_sort(group->begin(), group->end(),
@@ -60,7 +60,7 @@ Visibility visibility(const std::map<std::string, double>& expected_evidence) {
 std::string precheckText(const Precheck& precheck) {
     const Visibility groups = visibility(precheck.expected_evidence);
     std::string text = groupText("CAN FIND", "nats of evidence to expect at typical size:", groups.found);
-    text += groupText("MAY SHOW", fmt::format("if larger than is typical (from {:.0f} nats):", kSettings.shows),
+    text += groupText("MAY SHOW", fmt::format("if larger than is typical (from {:.0f} nats):", kSettings.clear),
                       groups.perhaps);
     text += groupText("NOT SEEN", "too little in these drives:", groups.hidden);
     return text + pairsText(precheck.confusable);

@@ -198,7 +198,7 @@ public:
                          [&](std::size_t a, std::size_t b) { return looks_[a].most[q] > looks_[b].most[q]; });
         answer::NextDrive best{{}, question.causes_of_one, question.causes_of_other, 0};
         for (const std::size_t d : order) {
-            if (looks_[d].most[q] <= std::max(best.nats, kSettings.separable)) break;
+            if (looks_[d].most[q] <= std::max(best.nats, kSettings.clear)) break;
             if (!looked(d)) continue;
             double nats = kInfinity;
             for (const Fit* fit : question.fits)
@@ -238,7 +238,7 @@ std::vector<answer::NextDrive> nextDrives(const answer::Diagnosis& diagnosis, co
     std::vector<answer::NextDrive> next;
     for (std::size_t q = 0; q < questions.size(); ++q) {
         answer::NextDrive best = chooser.best(q);
-        if (best.nats >= kSettings.separable) next.push_back(std::move(best));
+        if (best.nats >= kSettings.clear) next.push_back(std::move(best));
     }
     std::stable_sort(next.begin(), next.end(), [](const auto& a, const auto& b) { return a.nats > b.nats; });
     return next;

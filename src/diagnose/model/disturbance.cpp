@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "diagnose/model/sensitivities.h"
+#include "diagnose/settings.h"
 #include "inference/ornstein_uhlenbeck.h"
 #include "log/resample.h"
 #include "tread/tyre.h"
@@ -11,20 +12,12 @@
 namespace tread::diagnose::model {
 namespace {
 
-constexpr double kHat = 0.25;         // s, from hat to hat
-constexpr double kCorrelation = 0.5;  // s, time in which a disturbance falls to 1/e
-constexpr Eigen::Index kApart = 12;   // hats: after so many, a car has forgotten a push but for the speed that it cost
-constexpr double kLeastSlope = 0.1;   // of the tyres' slope at rest, that is left at the limit
-constexpr double kLeastKept = 0.02;   // of a change of speed, of which something is still known
+constexpr double kHat = kSettings.correlation_time / 2;  // s, from hat to hat
+constexpr Eigen::Index kApart = 12;  // hats: after so many, a car has forgotten a push but for the speed that it cost
+constexpr double kLeastSlope = 0.1;  // of the tyres' slope at rest, that is left at the limit
+constexpr double kLeastKept = 0.02;  // of a change of speed, of which something is still known
 constexpr double kSlipVelocity = 0.005;  // of the forward speed, at which the tyres' slope is taken
 constexpr double kLightest = 0.05;       // share of the load that a compliant axle's slope can lose
-
-// Usual sizes: accelerations that wind and unevenness of a good road leave, and the tremble of a road wheel.
-constexpr double kLongitudinal = 0.02;  // m/s2
-constexpr double kLateral = 0.04;       // m/s2
-constexpr double kYaw = 0.04;           // rad/s2
-constexpr double kRoll = 0.08;          // rad/s2
-constexpr double kSteering = 0.0003;    // rad
 
 double hat(double t, double peak) {
     return std::max(0.0, 1 - std::abs(t - peak) / kHat);
@@ -133,9 +126,9 @@ Eigen::MatrixXd trembling(const Course& course, const VehicleParams& car, const 
     for (Eigen::Index i = 0; i < lateral.cols(); ++i) {
         const double t = std::min(peakOf(i), time.back());
         const double used = ay ? valueAt(time, ay->values, t) / axle.grip : 0;
-        const double force = std::max(kLeastSlope, 1 - used * used) * axle.slope * kSteering;
-        columns.col(i) = force / (car.mass * kLateral) * lateral.col(i) +
-                         force * car.front_axle_distance / (car.inertia.yaw * kYaw) * yaw.col(i);
+        const double force = std::max(kLeastSlope, 1 - used * used) * axle.slope * kSettings.steering;
+        columns.col(i) = force / (car.mass * kSettings.lateral) * lateral.col(i) +
+                         force * car.front_axle_distance / (car.inertia.yaw * kSettings.yaw) * yaw.col(i);
     }
     return columns;
 }
@@ -145,15 +138,15 @@ Eigen::MatrixXd trembling(const Course& course, const VehicleParams& car, const 
 double usualSize(Disturbed kind, const VehicleParams& car) {
     switch (kind) {
         case Disturbed::longitudinal:
-            return kLongitudinal * car.mass;
+            return kSettings.longitudinal * car.mass;
         case Disturbed::lateral:
-            return kLateral * car.mass;
+            return kSettings.lateral * car.mass;
         case Disturbed::yaw:
-            return kYaw * car.inertia.yaw;
+            return kSettings.yaw * car.inertia.yaw;
         case Disturbed::roll:
-            return kRoll * car.inertia.roll;
+            return kSettings.roll * car.inertia.roll;
         case Disturbed::steering:
-            return kSteering;
+            return kSettings.steering;
     }
     return 0;
 }
@@ -182,7 +175,7 @@ Disturbances disturbances(const Replays& replays, const RecordedDrive& drive, co
             result.times.push_back(peakOf(i));
         }
     }
-    result.correlation_factor = inference::correlationFactor(hats, kHat, kCorrelation);
+    result.correlation_factor = inference::correlationFactor(hats, kHat, kSettings.correlation_time);
     result.by_start_speed = course.by_start_speed;
     if (!motion) return result;
     course.rows = recording::readings(drive, course.motion, subject.instruments);

@@ -5,17 +5,14 @@
 #include <map>
 
 #include "base/median.h"
+#include "diagnose/settings.h"
 #include "inference/whitening.h"
 
 namespace tread::diagnose::model {
 namespace {
 
-constexpr double kModelError = 3e-4;  // of a channel's size: two step widths differ by about that
-// A model that needs a reference has another structure than the car, and answers to a change by so much more or less.
-constexpr double kAnswersOtherwise = 0.1;
 constexpr Eigen::Index kAround = 5;  // rows
 constexpr Eigen::Index kFewRows = 12;
-constexpr double kReferenceInflation = 1.6;
 
 double bandNoise(const Eigen::VectorXd& rows) {
     if (rows.size() < kFewRows) return kInfinity;
@@ -55,14 +52,14 @@ std::map<std::string, Seen> seenIn(Drives drives, const Rows& model) {
 
 double deviationOf(const RecordedDrive& drive, const recording::ObservedChannel& channel, const Seen& seen) {
     const double told = std::sqrt(drive.runs) * channel.noise;
-    const double deviation = std::max({told, median(seen.band), kModelError * seen.size});
+    const double deviation = std::max({told, median(seen.band), kSettings.model_error * seen.size});
     return deviation > 0 ? deviation : 1;  // a channel that is zero throughout says nothing
 }
 
 }  // namespace
 
 double referenceInflation(const RecordedDrive& drive) {
-    return drive.compared() ? kReferenceInflation : 1;
+    return drive.compared() ? kSettings.reference_inflation : 1;
 }
 
 double disturbanceScale(const RecordedDrive& drive) {
@@ -89,7 +86,7 @@ std::vector<RowNoise> rowNoise(Drives drives, const Rows& model, const std::vect
             deviation.setConstant(inflation * deviationOf(drive, channel, channels.at(channel.name)));
             if (drive.compared()) {
                 const Eigen::VectorXd gap = (drive.measured - model[d]).segment(channel.first_row, rows);
-                deviation += kAnswersOtherwise * inflation * localSize(gap);
+                deviation += kSettings.answers_otherwise * inflation * localSize(gap);
             }
             const auto silent = std::upper_bound(channel.times.begin(), channel.times.end(), until[d]);
             const Eigen::Index told = silent - channel.times.begin();

@@ -5,11 +5,11 @@
 
 #include "base/numbers.h"
 #include "base/pattern.h"
+#include "diagnose/settings.h"
 
 namespace tread::diagnose::model {
 namespace {
 
-constexpr double kLargestChange = 8;   // typical sizes of an effect; a tolerance goes as far as the prior is worth
 constexpr double kOpenLimit = 1e-3;    // of the nominal value: how near to an open limit a number may come
 constexpr double kKneeDistance = 0.3;  // units; nearer to its limit than this, a parameter moves to one side only
 
@@ -135,7 +135,7 @@ std::vector<Parameter> knobsOf(const Effect& effect, const Subject& nominal) {
     for (const catalogue::Knob& knob : effect.knobs) {
         Parameter parameter;
         parameter.instruments_only = true;
-        parameter.lowest = -kLargestChange, parameter.highest = kLargestChange;
+        parameter.lowest = -kSettings.largest_effect, parameter.highest = kSettings.largest_effect;
         for (std::size_t i = 0; i < knob.paths.size(); ++i) {
             const std::string& path = knob.paths[i];
             const auto number = std::find_if(all.begin(), all.end(), [&](const Number& n) { return n.path == path; });

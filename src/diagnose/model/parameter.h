@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "diagnose/catalogue/effect.h"
+#include "diagnose/settings.h"
 #include "recording/diagnosis_file.h"
 #include "recording/subject.h"
 
@@ -23,8 +24,9 @@ struct Parameter {
         double by;  // change for one unit of the parameter
     };
     std::vector<Move> moves;
-    double lowest = -4;  // in units: what is physically possible, and not more than four standard deviations
-    double highest = 4;
+    // In units: what is physically possible, and not more than so many standard deviations.
+    double lowest = -kSettings.largest_tolerance;
+    double highest = kSettings.largest_tolerance;
     bool instruments_only = false;  // changes readings, not the drive
 
     const std::string& name() const { return moves.front().path; }

@@ -5,12 +5,11 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "diagnose/settings.h"
 #include "recording/reference.h"
 
 namespace tread::diagnose::model {
 namespace {
-
-constexpr double kBetweenDays = 0.2;  // of its tolerances, that a car differs by from itself on another day
 
 int comparedCount(Drives drives) {
     int count = 0;
@@ -56,7 +55,7 @@ Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, 
                   const std::vector<Effect>& effects, const Options& options) {
     const auto differences = [&](bool compared) {
         Differences all;
-        all.parameters = nuisances(nominal, file.tolerances, compared ? kBetweenDays : 1);
+        all.parameters = nuisances(nominal, file.tolerances, compared ? kSettings.between_days : 1);
         all.nuisances.resize(all.parameters.size());
         std::iota(all.nuisances.begin(), all.nuisances.end(), 0);
         for (const Effect& effect : effects) {

@@ -4,20 +4,15 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "diagnose/settings.h"
 #include "recording/sliding.h"
 
 namespace tread::diagnose::model {
-namespace {
-
-constexpr double kStartSpeed = 0.1;  // m/s, standard deviation of the speed at the start, as measured
-
-}  // namespace
-
 Eigen::VectorXd Uncertainty::sizesOf(std::size_t drive, const Sizes& with) const {
     const std::vector<Disturbed>& kinds = disturbing[drive].kinds;
     Eigen::VectorXd all(std::ssize(kinds) + 1);
     for (std::size_t i = 0; i < kinds.size(); ++i) all(i) = with[placeOf(kinds[i])];
-    all(all.size() - 1) = kStartSpeed;
+    all(all.size() - 1) = kSettings.start_speed;
     return all;
 }
 

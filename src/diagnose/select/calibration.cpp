@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "diagnose/settings.h"
 #include "run/simulate.h"
 
 namespace tread::diagnose::select {
@@ -11,8 +12,6 @@ constexpr int kMostRounds = 2;
 constexpr double kSettled = 15;  // nats: a fit that gained less needs no new linearisation
 
 // Sizes of disturbances: their logarithms about those of the usual ones.
-constexpr double kSizeSpread = 0.5;  // standard deviation of the prior
-constexpr double kLargestFactor = 3;
 constexpr int kSweeps = 6;
 constexpr double kFirstStep = 0.6;
 
@@ -119,7 +118,7 @@ Sizes disturbanceSizes(Drives drives, const Uncertainty& uncertainty, const std:
     const std::vector<DriveProducts> plain = withoutInflation(drives, products);
     const auto merit = [&](const Sizes& logs) {
         double prior = 0;
-        for (const double one : logs) prior += 0.5 * one * one / (kSizeSpread * kSizeSpread);
+        for (const double one : logs) prior += 0.5 * one * one / (kSettings.size_spread * kSettings.size_spread);
         const model::NormalEquations sum = model::normalEquations(uncertainty, plain, exponentialOf(logs));
         const Eigen::Index n = sum.products.cols() - 1;
         const inference::QuadraticModel all{.information = sum.products.topLeftCorner(n, n),
@@ -136,7 +135,7 @@ Sizes disturbanceSizes(Drives drives, const Uncertainty& uncertainty, const std:
         for (double& one : logs) {
             for (const double by : {step, -step}) {
                 const double before = one;
-                if (std::abs(before + by) > std::log(kLargestFactor)) continue;
+                if (std::abs(before + by) > std::log(kSettings.largest_size)) continue;
                 one = before + by;
                 const double now = merit(logs);
                 if (now > best) {

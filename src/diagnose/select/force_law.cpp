@@ -6,11 +6,11 @@
 #include <numbers>
 
 #include "diagnose/select/screen.h"
+#include "diagnose/settings.h"
 
 namespace tread::diagnose::select {
 namespace {
 
-constexpr double kUsual = 2;           // root mean square of such a force, in usual sizes of disturbances
 constexpr double kSwingDamping = 0.1;  // of its critical one
 
 using model::Disturbed;
@@ -120,7 +120,7 @@ History historyOf(const Law& law, const Calibration& car) {
         history.of_drive.push_back(atHats(law.signal(drive), drive.time, car.uncertainty.disturbing[d]));
         squares += history.of_drive.back().squaredNorm(), hats += static_cast<double>(history.of_drive.back().size());
     }
-    history.unit = squares > 0 ? kUsual / std::sqrt(squares / hats) : 0;
+    history.unit = squares > 0 ? kSettings.law_force / std::sqrt(squares / hats) : 0;
     return history;
 }
 

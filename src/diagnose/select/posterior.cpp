@@ -13,11 +13,12 @@ namespace {
 constexpr std::size_t kMost = 4;  // effects of a candidate, none included
 
 // Prior probabilities of none, one, two and three causes of the catalogue, each split evenly over its members.
-constexpr std::array<double, kMost> kPrior{0.25, 0.45, 0.15, 0.05};
-constexpr double kPriorUnknown = 0.1;
+constexpr std::array<double, kMost> kPrior{kSettings.none, kSettings.one_cause, kSettings.two_causes,
+                                           kSettings.three_causes};
 // Of the unknown causes, those that look like so many effects of the catalogue, and that neither larger disturbances
 // nor a law of forces give away.
-constexpr std::array<double, kMost> kLookAlike{0, 0.05, 0.05, 0.3};
+constexpr std::array<double, kMost> kLookAlike{0, kSettings.one_look_alike, kSettings.two_look_alike,
+                                               kSettings.three_look_alike};
 
 // Ways to choose so many of n effects.
 double choices(double n, std::size_t effects) {
@@ -89,10 +90,10 @@ Posterior posterior(const Calibration& car, const Search& found, double unknown_
         add(&one, false, kPrior[count] / ways, evidence);
         result.heterogeneity.push_back(one.fitted ? heterogeneity(car, one.fit) : inference::Heterogeneity{});
         if (count > 0 && one.fitted)
-            add(&one, true, kPriorUnknown * kLookAlike[count] / ways,
+            add(&one, true, kSettings.unknown_cause * kLookAlike[count] / ways,
                 evidence + lookAlikeGain(one, result.heterogeneity.back(), compared));
     }
-    add(nullptr, false, kPriorUnknown, strongest + unknown_gain - kSettings.unknown);
+    add(nullptr, false, kSettings.unknown_cause, strongest + unknown_gain - kSettings.clear);
     normalise(result.hypotheses, std::move(logs));
     return result;
 }

@@ -88,7 +88,7 @@ std::vector<double> expectedEvidenceAt(const Calibration& car, const Fit& found,
     const Problem& problem = car.problem;
     std::vector<double> expected = screen.expected_evidence;
     for (std::size_t e = 0; e < problem.effects.size(); ++e) {
-        if (expected[e] < kSettings.shows || isFree(found, problem.knobs[e])) continue;
+        if (expected[e] < kSettings.clear || isFree(found, problem.knobs[e])) continue;
         const std::optional<Deviation> with = withOneSided(problem, e, found.at);
         if (!with) continue;
         const std::optional<Rows> rows = model::rowsAt(problem.replays, problem.drives, *with);
@@ -156,9 +156,9 @@ std::vector<answer::ConfusablePair> confusablePairs(const Calibration& car, cons
     for (std::size_t a = 0; a < problem.effects.size(); ++a) {
         for (std::size_t b = a + 1; b < problem.effects.size(); ++b) {
             const double least = std::min(expected_evidence[a], expected_evidence[b]);
-            if (least < kSettings.shows) continue;
+            if (least < kSettings.clear) continue;
             const double alike = cosine(problem, screen.products, a, b), apart = least * (1 - alike * alike);
-            if (apart >= kSettings.separable || alike < kAlike) continue;
+            if (apart >= kSettings.clear || alike < kAlike) continue;
             pairs.push_back(
                 {problem.effects[a].name, problem.effects[b].name, alike, apart, mostTelling(car, screen, a, b)});
         }

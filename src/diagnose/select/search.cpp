@@ -183,7 +183,7 @@ private:
     void grow(Linearisation about, Candidate from, std::vector<Candidate>& found) const {
         while (from.effects.size() < kMostEffects) {
             const double enough =
-                kSettings.further_effect + kSettings.structureAllowance(2, from.log_evidence, problem_.compared());
+                kSettings.effect + kSettings.structureAllowance(2, from.log_evidence, problem_.compared());
             std::optional<Candidate> best = bestBeside(from, about, enough, found);
             if (!best || best->log_evidence < from.log_evidence + enough) return;
             from = std::move(*best);

@@ -13,12 +13,6 @@ namespace {
 constexpr std::array<double, 6> kAllLarger{1.6, 2.5, 4, 8, 16, 50};
 constexpr std::array<double, 3> kOneLarger{4, 15, 50};
 constexpr double kLeastShare = 0.02;  // of the information, that a drive must carry to have a say
-constexpr double kWider = 2;          // times the spread of an effect's size, that a look-alike has
-// Standard deviation of a value from drive to drive, as a share of it: of a true effect (the fit is linear there), and
-// of a look-alike.
-constexpr double kSame = 0.1, kVaried = 0.5;
-constexpr double kJumps = 0.04;  // of what is explained, that varies all the same: controllers set in or do not
-
 // Nats that larger disturbances gain on top of a model (D33).
 double gainOfLargerDisturbances(const Calibration& car, const Fit& fit) {
     const Sizes& usual = car.uncertainty.sizes;
@@ -77,12 +71,12 @@ UnknownCause unknownCause(const Calibration& car, const Search& found) {
     answer::ForceLaw law = forceLaw(car, found.none().fit);
     law.gain -= best.log_evidence + allowance;
     const double larger = gainOfLargerDisturbances(car, best.fit), gain = std::max(law.gain, larger);
-    if (law.gain <= kSettings.unknown) {
+    if (law.gain <= kSettings.clear) {
         law = forceLaw(car, best.fit);
         law.gain -= allowance;
         law.generalised_force.clear();  // of what the effects leave only
     }
-    if (law.gain < std::max(larger, kSettings.unknown)) law = {.gain = law.gain};
+    if (law.gain < std::max(larger, kSettings.clear)) law = {.gain = law.gain};
     return {.gain = gain, .law = std::move(law)};
 }
 
@@ -104,12 +98,12 @@ double lookAlikeGain(const Candidate& candidate, const inference::Heterogeneity&
     if (!compared) {
         for (const Eigen::Index k : candidate.fit.knobs) {
             const double size = candidate.fit.at(k);
-            gain += 0.5 * size * size * (1 - 1 / (kWider * kWider)) - std::log(kWider);
+            gain += 0.5 * size * size * (1 - 1 / (kSettings.wider * kSettings.wider)) - std::log(kSettings.wider);
         }
     }
-    const double one_value = compared ? kSettings.structure : kSame;
-    const double varied = inference::logBayesFactorOfSpread(same, kVaried, one_value);
-    return gain + (varied > 0 ? std::max(0.0, varied - kJumps * candidate.log_evidence) : varied);
+    const double one_value = compared ? kSettings.structure : kSettings.same;
+    const double varied = inference::logBayesFactorOfSpread(same, kSettings.varied, one_value);
+    return gain + (varied > 0 ? std::max(0.0, varied - kSettings.jumps * candidate.log_evidence) : varied);
 }
 
 }  // namespace tread::diagnose::select

@@ -68,7 +68,7 @@ std::set<std::string> credible(const Problem& problem, const Posterior& posterio
     std::set<std::string> names;
     double held = 0;
     for (const Hypothesis& one : posterior.hypotheses) {
-        if (held >= kSettings.credible) break;
+        if (held >= kSettings.sure) break;
         held += one.probability;
         if (one.unknown()) names.insert("unknown");
         else if (one.candidate->effects.empty()) names.insert("none");
@@ -83,7 +83,7 @@ const Candidate& chosenOf(const Problem& problem, const Search& found, double bi
     const auto merit = [&](const Candidate& one) {
         const std::size_t count = one.effects.size();
         return one.log_evidence - kSettings.structureAllowance(count, found.best().log_evidence, problem.compared()) -
-               birge_ratio * kSettings.further_effect * static_cast<double>(count);
+               birge_ratio * kSettings.effect * static_cast<double>(count);
     };
     const Candidate* chosen = &found.best();
     for (const Candidate& one : found.candidates)
@@ -123,11 +123,11 @@ void judge(Diagnosis& diagnosis, const Calibration& car, const std::vector<doubl
     diagnosis.credible_set.assign(names.begin(), names.end());
 
     const Candidate& best = found.best();
-    if (unknown.gain > kSettings.unknown || diagnosis.probability_of_unknown > 0.5) {
+    if (unknown.gain > kSettings.clear || diagnosis.probability_of_unknown > 0.5) {
         diagnosis.verdict = Verdict::unknown;
     } else if (best.effects.empty() || !probable.shows(best.log_evidence)) {
         const bool seen = std::any_of(expected_evidence.begin(), expected_evidence.end(),
-                                      [](double nats) { return nats >= kSettings.shows; });
+                                      [](double nats) { return nats >= kSettings.clear; });
         diagnosis.verdict = seen ? Verdict::nothing : Verdict::not_testable;
     } else {
         blame(diagnosis, problem, found, probable);
