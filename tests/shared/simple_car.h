@@ -60,7 +60,8 @@ inline Scenario slalom(double speed) {
 }
 
 // Recordings of a true car, with noise.
-inline Case recorded(const VehicleParams& truth, const std::vector<Scenario>& drives, std::uint64_t seed) {
+inline Case recorded(const VehicleParams& truth, const std::vector<Scenario>& drives, std::uint64_t seed,
+                     const recording::Simulate& simulate = drive) {
     Case made;
     Random random(seed);
     for (const Scenario& told : drives) {
@@ -70,7 +71,7 @@ inline Case recorded(const VehicleParams& truth, const std::vector<Scenario>& dr
         Scenario scenario = told;
         scenario.log.channels = {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate"};
         Log log;
-        drive(truth, scenario, recorderInto(log), {});
+        simulate(truth, scenario, recorderInto(log), {});
         for (Channel& channel : log.channels) {
             const double noise = channel.name == "chassis.vx" ? 0.02 : channel.name == "chassis.yaw_rate" ? 0.003 : 0;
             for (double& value : channel.values) value += noise * random.normal();

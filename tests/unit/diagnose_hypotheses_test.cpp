@@ -31,27 +31,32 @@ LinearDrive driveOf(const VectorXd& slopes, const VectorXd& measured) {
     return drive;
 }
 
+std::vector<LinearDrive> usualDrives() {
+    return {driveOf(VectorXd{{3, 2, 1}}, VectorXd{{4.1, 1.5, 0.4, 3}}),
+            driveOf(VectorXd{{2, 4, 3}}, VectorXd{{1.9, 4.8, 2.2, -2}})};
+}
+
+// Candidates of some sets, the best first. Their evidences are as given, not those of the drives.
 struct ThreeEffects {
-    std::vector<LinearDrive> drives{driveOf(VectorXd{{3, 2, 1}}, VectorXd{{4.1, 1.5, 0.4, 3}}),
-                                    driveOf(VectorXd{{2, 4, 3}}, VectorXd{{1.9, 4.8, 2.2, -2}})};
-    Problem problem = linear_drives::problemOf(drives);
-    Calibration car = linear_drives::calibrationOf(problem, drives);
+    std::vector<LinearDrive> drives;
+    Problem problem;
+    Calibration car;
     Search found;
 
-    // Evidences are as given, not those of the drives.
-    ThreeEffects() {
-        const auto add = [&](std::vector<std::size_t> effects, double evidence, bool fitted) {
-            Candidate one = linear_drives::candidateOf(car, effects);
-            one.log_evidence = evidence, one.fitted = fitted;
-            if (!fitted) one.fit = {};
-            found.candidates.push_back(std::move(one));
-        };
-        add({0, 1}, 14.5, true);
-        add({0, 1, 2}, 16, true);
-        add({0}, 8.2, true);
-        add({1}, 6.7, true);
-        add({}, 0, true);
-        add({2}, 1.3, false);  // screened only
+    explicit ThreeEffects(std::vector<LinearDrive> told = usualDrives())
+        : drives(std::move(told)),
+          problem(linear_drives::problemOf(drives)),
+          car(linear_drives::calibrationOf(problem, drives)) {
+        add({0, 1}, 14.5);
+        add({0, 1, 2}, 16);
+        add({0}, 8.2);
+        add({1}, 6.7);
+        add({}, 0);
+        found.candidates.push_back({.effects = {2}, .log_evidence = 1.3, .fit = {}, .fitted = false});
+    }
+    void add(const std::vector<std::size_t>& effects, double evidence) {
+        found.candidates.push_back(linear_drives::candidateOf(car, effects));
+        found.candidates.back().log_evidence = evidence;
     }
 
     // Fitted sizes and squares that are left, row by row: no matrix is needed.
@@ -174,14 +179,17 @@ TEST(Hypotheses, OfDrivesWithReferencesDoubtFurtherEffectsMore) {
     expectSame(told(posterior(three.car, three.found, 2)), enumerated(three, birge, 0.15 * 14.5, 2, true));
 }
 
-TEST(Hypotheses, DriveInWhichAnEffectHasAnotherValueSpeaksForAnUnknownCause) {
-    ThreeEffects three;
-    three.drives[1].measured(0) = -6;  // the first drive asks for 1.4, the second for -3
-    three.problem = linear_drives::problemOf(three.drives);
-    three.found.candidates = {linear_drives::candidateOf(three.car, {0}), linear_drives::candidateOf(three.car, {})};
-    for (Candidate& one : three.found.candidates) one.log_evidence = one.effects.empty() ? 0 : 8.2;
-    EXPECT_GT(three.resembles({0}, 8.2, false), 0);
-    expectSame(told(posterior(three.car, three.found, -3)), enumerated(three, three.leftOf({0}) / 8, 0, -3, false));
+TEST(Hypotheses, EffectThatHasAnotherValueInEachDriveIsRatherResembled) {
+    // The first drive asks for 1.6, the second for 0.6; both know it well.
+    ThreeEffects three({driveOf(VectorXd{{12, 2, 1}}, VectorXd{{19.2, 1, -1, 1}}),
+                        driveOf(VectorXd{{10, 2, 1}}, VectorXd{{6, -1, 1, -1}})});
+    three.found.candidates.clear();
+    three.add({0}, 40);
+    three.add({}, 0);
+    EXPECT_GT(three.resembles({0}, 40, false), 3);
+    const Probabilities found = told(posterior(three.car, three.found, -3));
+    expectSame(found, enumerated(three, three.leftOf({0}) / 8, 0, -3, false));
+    EXPECT_GT(found.at("0 resembled") / found.at("0"), 2 / 90.0) << "of priors, 0.005 and 0.45, it is 1 / 90";
 }
 
 }  // namespace

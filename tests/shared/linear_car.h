@@ -1,0 +1,89 @@
+// A car whose yaw rate is a sum of waves, each times one of its numbers: linear in all of them, so that fits have
+// closed forms.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "diagnose/model/problem.h"
+#include "shared/simple_car.h"
+
+namespace tread::linear_car {
+
+using Wave = double (*)(double);
+inline double ofWheelbase(double t) {
+    return 0.02 * std::sin(2 * t + 0.4);
+}
+inline double ofRatio(double t) {
+    return 0.004 * std::sin(2 * t);
+}
+inline double ofDrag(double t) {
+    return 0.1 * std::cos(3 * t);
+}
+// Of the speed at the start, times `steering.play`.
+inline double ofSpeed(double t) {
+    return 0.01 * std::exp(-t);
+}
+
+inline void drive(const VehicleParams& car, const Scenario& scenario, const Recorder& recorder, const Pushing&) {
+    const std::vector<Column> columns = recordedColumns(scenario.log.channels);
+    recorder.begin(columns);
+    const Phase& phase = scenario.phases.back();
+    const auto rows = static_cast<int>(*phase.until.duration / scenario.step) + 1;
+    for (int k = 0; k <= rows; ++k) {
+        const double t = k * scenario.step, speed = scenario.start.speed;
+        const double rate = car.wheelbase * ofWheelbase(t) + car.steering.ratio * ofRatio(t) +
+                            car.aero.drag_area * ofDrag(t) + car.steering.play * speed * ofSpeed(t);
+        const std::map<std::string, double> shown{{"time", t},
+                                                  {"driver.steering_wheel_angle", valueAt(phase.steering, 0, t)},
+                                                  {"chassis.vx", speed},
+                                                  {"chassis.yaw_rate", rate}};
+        std::vector<double> row(columns.size(), 0);
+        for (std::size_t i = 0; i < row.size(); ++i)
+            if (const auto found = shown.find(columns[i].name); found != shown.end()) row[i] = found->second;
+        recorder.row(row);
+    }
+}
+
+inline VehicleParams nominal() {
+    return simple_car::Case{}.nominal.vehicle;
+}
+
+// Two drives of a true car, of which the yaw rate alone is compared. Of its numbers only the wheelbase is uncertain.
+inline simple_car::Case recorded(const VehicleParams& truth, std::uint64_t seed) {
+    simple_car::Case made = simple_car::recorded(truth, {simple_car::slalom(15), simple_car::slalom(22)}, seed, drive);
+    made.nominal.vehicle.steering.play = truth.steering.play;
+    made.file.channels = {{.channel = "chassis.yaw_rate"}};
+    made.file.tolerances = {{.path = "*"}, {.path = "wheelbase", .relative = 0.02}};
+    return made;
+}
+
+inline diagnose::Options options() {
+    diagnose::Options options = simple_car::options(1);
+    options.simulate = drive;
+    return options;
+}
+
+// Rows of a wave in a drive over its noise, smoothed by hand.
+inline Eigen::VectorXd weighted(const recording::RecordedDrive& drive, const diagnose::model::RowNoise& noise,
+                                const Eigen::VectorXd& rows) {
+    const Eigen::VectorXd scaled = rows.cwiseQuotient(noise.deviation);
+    Eigen::VectorXd smooth(rows.size());
+    const Eigen::Index last = drive.channels.front().rows() - 1;
+    for (Eigen::Index i = 0; i <= last; ++i)
+        smooth(i) =
+            0.25 * scaled(std::max<Eigen::Index>(i - 1, 0)) + 0.5 * scaled(i) + 0.25 * scaled(std::min(i + 1, last));
+    return smooth;
+}
+inline Eigen::VectorXd rowsOf(const recording::RecordedDrive& drive, Wave wave) {
+    std::vector<double> values;
+    for (const double t : drive.time) values.push_back(wave(t));
+    return recording::blockMeans(drive.channels.front(), drive.time, values);
+}
+// What the nominal car does.
+inline Eigen::VectorXd nominalRows(const recording::RecordedDrive& drive, const VehicleParams& car) {
+    return car.wheelbase * rowsOf(drive, ofWheelbase) + car.steering.ratio * rowsOf(drive, ofRatio) +
+           car.aero.drag_area * rowsOf(drive, ofDrag) + car.steering.play * drive.speed * rowsOf(drive, ofSpeed);
+}
+
+}  // namespace tread::linear_car

@@ -1,0 +1,207 @@
+// Fits of a car that is linear in its numbers, against the closed form in the full covariance of all rows.
+#include "diagnose/select/fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "diagnose/diagnose.h"
+#include "diagnose/select/search.h"
+#include "shared/linear_car.h"
+
+namespace tread {
+namespace {
+
+using diagnose::catalogue::Direction;
+using diagnose::catalogue::Effect;
+using diagnose::model::nominalCar;
+using diagnose::model::Problem;
+using diagnose::model::problemOf;
+using diagnose::select::calibrate;
+using diagnose::select::Calibration;
+using diagnose::select::Candidate;
+using diagnose::select::Fit;
+using diagnose::select::fitted;
+using diagnose::select::screen;
+using diagnose::select::search;
+using diagnose::select::Search;
+using simple_car::effect;
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+const diagnose::Progress kQuiet = [](double, const std::string&) {};
+
+constexpr double kStartSpeed = 0.1;  // m/s, of what is not known of the speed at the start
+
+// The parameters of the problem: wheelbase (a nuisance), ratio, drag.
+constexpr Index kWheelbase = 0, kRatio = 1, kDrag = 2;
+
+Problem problemOfTwo(const simple_car::Case& made, Direction of_drag = Direction::either) {
+    Effect drag = effect("drag", "aero.drag_area");
+    drag.knobs.front().direction = of_drag;
+    return problemOf(made.nominal, made.file, made.recorded, {effect("ratio", "steering.ratio"), drag},
+                     linear_car::options());
+}
+
+// All rows of the drives over their noise: what is measured beyond the nominal car, its sensitivities in units of the
+// priors, and the covariance of noise and of the speed at the start.
+struct Dense {
+    VectorXd residual;
+    MatrixXd columns, covariance;
+
+    Dense(const Calibration& car, const VehicleParams& nominal) {
+        Index rows = 0;
+        for (const auto& drive : car.drives()) rows += drive.rows();
+        residual.resize(rows), columns.resize(rows, 3);
+        MatrixXd starts = MatrixXd::Zero(rows, std::ssize(car.drives()));
+        Index first = 0;
+        for (std::size_t d = 0; d < car.drives().size(); ++d) {
+            const recording::RecordedDrive& drive = car.drives()[d];
+            const auto over = [&](const VectorXd& plain) {
+                return linear_car::weighted(drive, car.uncertainty.noise[d], plain);
+            };
+            const auto put = [&](auto column, const VectorXd& values) { column.segment(first, drive.rows()) = values; };
+            put(residual, over(drive.measured - linear_car::nominalRows(drive, nominal)));
+            const double tolerance = 0.02 * nominal.wheelbase / std::sqrt(3);
+            put(columns.col(kWheelbase), tolerance * over(linear_car::rowsOf(drive, linear_car::ofWheelbase)));
+            put(columns.col(kRatio),
+                0.1 * nominal.steering.ratio * over(linear_car::rowsOf(drive, linear_car::ofRatio)));
+            put(columns.col(kDrag), 0.1 * nominal.aero.drag_area * over(linear_car::rowsOf(drive, linear_car::ofDrag)));
+            put(starts.col(d),
+                kStartSpeed * nominal.steering.play * over(linear_car::rowsOf(drive, linear_car::ofSpeed)));
+            first += drive.rows();
+        }
+        covariance = MatrixXd::Identity(rows, rows) + starts * starts.transpose();
+    }
+
+    MatrixXd posterior(const std::vector<Index>& free) const {
+        const MatrixXd some = columns(Eigen::all, free);
+        const MatrixXd information = some.transpose() * covariance.inverse() * some;
+        return (MatrixXd::Identity(std::ssize(free), std::ssize(free)) + information).inverse();
+    }
+    VectorXd best(const std::vector<Index>& free) const {
+        return posterior(free) * columns(Eigen::all, free).transpose() * covariance.inverse() * residual;
+    }
+    double logEvidence(const std::vector<Index>& free) const {
+        const MatrixXd some = columns(Eigen::all, free), all = covariance + some * some.transpose();
+        const Eigen::LLT<MatrixXd> factor(all);
+        return -0.5 * residual.dot(factor.solve(residual)) - MatrixXd(factor.matrixL()).diagonal().array().log().sum();
+    }
+};
+
+simple_car::Case someCase(double ratio, double drag, std::uint64_t seed = 3) {
+    VehicleParams truth = linear_car::nominal();
+    truth.steering.play = 1;
+    truth.steering.ratio *= ratio;
+    truth.aero.drag_area *= drag;
+    truth.wheelbase *= 1.01;
+    return linear_car::recorded(truth, seed);
+}
+
+void expectSame(const VectorXd& found, const VectorXd& expected, double within) {
+    ASSERT_EQ(found.size(), expected.size());
+    EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), within) << found.transpose() << "; " << expected.transpose();
+}
+
+TEST(Fit, OfALinearCarIsRidgeRegressionInTheFullCovariance) {
+    const simple_car::Case made = someCase(0.93, 1.12);
+    const Problem problem = problemOfTwo(made);
+    const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
+    ASSERT_EQ(car.about.nuisances, std::vector<Index>{kWheelbase});
+    const Dense dense(car, made.nominal.vehicle);
+    for (const std::vector<Index>& knobs : {std::vector<Index>{}, {kRatio}, {kDrag}, {kRatio, kDrag}}) {
+        const std::optional<Fit> fit =
+            fitted(problem.replays, problem.drives, car.uncertainty, car.about, knobs, problem.replays.origin());
+        ASSERT_TRUE(fit);
+        EXPECT_TRUE(fit->converged);
+        const std::vector<Index> free = diagnose::model::joined({kWheelbase}, knobs);
+        EXPECT_EQ(fit->free, free);
+        expectSame(fit->at(free), dense.best(free), 1e-6);
+        expectSame(fit->covariance.reshaped(), dense.posterior(free).reshaped(), 1e-8);
+        EXPECT_NEAR(fit->log_evidence, dense.logEvidence(free), 1e-6);
+        EXPECT_NEAR(logEvidence(*fit, car.uncertainty, car.uncertainty.sizes), dense.logEvidence(free), 1e-6);
+    }
+}
+
+TEST(Fit, KnobThatMayOnlyGrowStaysAtItsLimitWhenLessIsTrue) {
+    const simple_car::Case made = someCase(0.93, 0.9);
+    const Problem problem = problemOfTwo(made, Direction::up);
+    const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
+    const Dense dense(car, made.nominal.vehicle);
+    ASSERT_LT(dense.best({kWheelbase, kRatio, kDrag})(2), -0.5);
+    const std::optional<Fit> fit =
+        fitted(problem.replays, problem.drives, car.uncertainty, car.about, {kRatio, kDrag}, problem.replays.origin());
+    ASSERT_TRUE(fit);
+    EXPECT_EQ(fit->at(kDrag), 0);
+    expectSame(fit->at(std::vector<Index>{kWheelbase, kRatio}), dense.best({kWheelbase, kRatio}), 1e-6);
+}
+
+const Candidate* candidate(const Search& found, const std::vector<std::size_t>& effects) {
+    for (const Candidate& one : found.candidates)
+        if (one.effects == effects) return &one;
+    return nullptr;
+}
+
+TEST(Search, OfTwoEffectsThatAreBothTrueFindsBothWithTheEvidenceOfTheClosedForm) {
+    const simple_car::Case made = someCase(0.93, 1.12);
+    const Problem problem = problemOfTwo(made);
+    const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
+    const Dense dense(car, made.nominal.vehicle);
+    const Search found = search(car, screen(car), kQuiet);
+    std::vector<std::size_t> best = found.best().effects;
+    std::sort(best.begin(), best.end());
+    ASSERT_EQ(best, (std::vector<std::size_t>{0, 1}));
+    const double none = dense.logEvidence({kWheelbase}), both = dense.logEvidence({kWheelbase, kRatio, kDrag});
+    EXPECT_NEAR(found.best().log_evidence, both - none, 1e-6);
+    for (const Index one : {kRatio, kDrag}) {
+        const Candidate* single = candidate(found, {static_cast<std::size_t>(one - kRatio)});
+        ASSERT_TRUE(single);
+        EXPECT_NEAR(single->log_evidence, dense.logEvidence({kWheelbase, one}) - none, 1e-6);
+        EXPECT_LT(single->log_evidence, found.best().log_evidence - 20) << "alone it does not explain the rows";
+    }
+    EXPECT_EQ(found.none().log_evidence, 0);
+}
+
+TEST(Search, OfOneTrueEffectAddsNoSecond) {
+    for (const std::uint64_t seed : {3u, 4u, 5u}) {
+        const simple_car::Case made = someCase(0.93, 1, seed);
+        const Problem problem = problemOfTwo(made);
+        const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
+        const Search found = search(car, screen(car), kQuiet);
+        const Candidate *single = candidate(found, {0}), *pair = candidate(found, {0, 1});
+        ASSERT_TRUE(single);
+        EXPECT_GT(single->log_evidence, 100);
+        if (pair) {
+            EXPECT_LT(pair->log_evidence, single->log_evidence + 5);
+        }
+    }
+}
+
+// Yaw rate of this car is speed times angle over ratio times wheelbase: which of them is larger cannot be told.
+TEST(Search, EffectAndItsTwinHaveTheSameEvidenceAndNeitherIsBlamedAlone) {
+    simple_car::Case made = simple_car::recorded(14.5, simple_car::Case{}.nominal.vehicle.aero.drag_area, 3);
+    made.file.tolerances = {{.path = "*"}};
+    const std::vector<Effect> effects{effect("ratio", "steering.ratio"), effect("wheelbase", "wheelbase"),
+                                      effect("drag", "aero.drag_area")};
+    const Problem problem = problemOf(made.nominal, made.file, made.recorded, effects, simple_car::options());
+    const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
+    const auto screened = screen(car);
+    EXPECT_GT(cosine(problem, screened.products, 0, 1), 0.9999);
+    const Search found = search(car, screened, kQuiet);
+    const Candidate *ratio = candidate(found, {0}), *wheelbase = candidate(found, {1});
+    ASSERT_TRUE(ratio && wheelbase);
+    EXPECT_NEAR(ratio->log_evidence, wheelbase->log_evidence, 1e-3);
+    EXPECT_EQ(candidate(found, {0, 1}), nullptr) << "a second one has nothing to explain";
+    const auto d = diagnose::diagnosisOf(made.nominal, made.file, made.recorded, effects, simple_car::options());
+    EXPECT_EQ(d.verdict, diagnose::answer::Verdict::ambiguous) << d.answer;
+    ASSERT_EQ(d.causes.size(), 1u);
+    ASSERT_EQ(d.alternatives.size(), 1u);
+    EXPECT_NE(d.causes.front(), d.alternatives.front().front());
+    EXPECT_NEAR(d.effects[0].probability, d.effects[1].probability, 1e-3);
+    EXPECT_NEAR(d.effects[0].probability, 0.5, 0.05);
+}
+
+}  // namespace
+}  // namespace tread
