@@ -127,11 +127,11 @@ TEST_P(CatalogueRow, IsNamedWhereItsDrivesShowItAndNothingIsBlamedWhereTheyDoNot
     ASSERT_FALSE(d.effects.empty());
     const double expected = d.expected_evidence.at(effect.name);
     if (kHidden.contains(effect.name)) {
-        EXPECT_LT(expected, kSettings.shows) << "the drives show it: it belongs to the others";
+        EXPECT_LT(expected, kSettings.clear) << "the drives show it: it belongs to the others";
         EXPECT_TRUE(d.causes.empty()) << d.answer;
         return;
     }
-    ASSERT_GE(expected, kSettings.shows) << "the drives do not show it any more";
+    ASSERT_GE(expected, kSettings.clear) << "the drives do not show it any more";
     // What these drives show only just may be too little for a verdict, but nothing is likelier.
     constexpr double kPlain = 25;  // nats to expect: two standard deviations above what a verdict asks for
     if (expected * kSize * kSize < kPlain && d.causes.empty()) {

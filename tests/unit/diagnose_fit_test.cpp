@@ -188,7 +188,7 @@ TEST(Search, EffectAndItsTwinHaveTheSameEvidenceAndNeitherIsBlamedAlone) {
     const Problem problem = problemOf(made.nominal, made.file, made.recorded, effects, simple_car::options());
     const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
     const auto screened = screen(car);
-    EXPECT_GT(cosine(problem, screened.products, 0, 1), 0.9999);
+    EXPECT_GT(diagnose::select::cosine(problem, screened.products, 0, 1), 0.9999);
     const Search found = search(car, screened, kQuiet);
     const Candidate *ratio = candidate(found, {0}), *wheelbase = candidate(found, {1});
     ASSERT_TRUE(ratio && wheelbase);
