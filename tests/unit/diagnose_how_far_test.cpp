@@ -33,9 +33,9 @@ struct Driven {
     simple_car::Case made = [] {
         VehicleParams truth = linear_car::nominal();
         truth.steering.ratio *= 1 + 0.1 * kTruth;
-        simple_car::Case made = linear_car::recorded(truth, 3);
-        made.file.tolerances = {{.path = "*"}};
-        return made;
+        simple_car::Case all = linear_car::recorded(truth, 3);
+        all.file.tolerances = {{.path = "*"}};
+        return all;
     }();
     Problem problem = diagnose::model::problemOf(
         made.nominal, made.file, made.recorded, {simple_car::effect("ratio", "steering.ratio")}, linear_car::options());
