@@ -35,9 +35,9 @@ using Eigen::VectorXd;
 constexpr double kStep = 0.005;            // s: differences of two runs of the same step
 constexpr std::uint64_t kAnySeed = 1;      // nothing of these drives is random but misreadings
 constexpr double kSpeedStep = 0.1;         // m/s
-constexpr std::size_t kApart = 12;         // hats: after three seconds a push is forgotten but for the speed it cost
+constexpr std::size_t kApart = 20;         // hats: after two seconds a push is forgotten but for the speed it cost
 constexpr double kLeastKept = 0.02;        // of a change of speed, of which something is still known
-constexpr double kLeastPush = 1e-4;        // of the variance of a source: smaller parts are left out
+constexpr double kLeastPush = 1e-3;        // of the variance of a source: smaller parts are left out
 constexpr std::array kTail{"chassis.vx"};  // shows the speed
 
 constexpr Conditions conditions() {
@@ -51,21 +51,6 @@ std::vector<const Gauge*> gaugesOfTheCar() {
     for (const Gauge& gauge : gauges())
         if (!isOfTheDriver(gauge)) found.push_back(&gauge);
     return found;
-}
-
-// The blocks of one channel after the other.
-VectorXd rowsOf(const Log& log) {
-    const std::vector<double>& times = log.channels.front().values;
-    std::vector<VectorXd> parts;
-    Index count = 0;
-    for (const Gauge* gauge : gaugesOfTheCar()) {
-        parts.push_back(shownBlocks(times, log.find(gauge->channel)->values));
-        count += parts.back().size();
-    }
-    VectorXd rows(count);
-    Index first = 0;
-    for (const VectorXd& part : parts) rows.segment(first, part.size()) = part, first += part.size();
-    return rows;
 }
 
 // ---- The same drive again ------------------------------------------------------------------------------------------
@@ -111,7 +96,7 @@ public:
         holdGear(held.car.vehicle);
         return readingsOf(held, repeated(drive_, driven_, truth, faster), kAnySeed, conditions());
     }
-    VectorXd rows(const Truth& truth, double faster = 0) const { return rowsOf(readings(truth, faster)); }
+    VectorXd rows(const Truth& truth, double faster = 0) const { return shownRows(readings(truth, faster)); }
 
 private:
     // The gear of the drive as the only one: nothing shifts at another time.
@@ -259,7 +244,7 @@ private:
     void begin(std::size_t d) {
         ExaminedDrive& drive = found_.drives[d];
         const Log log = courses_[d].readings(about_);
-        here_[d] = rowsOf(log);
+        here_[d] = shownRows(log);
         drive.times = log.channels.front().values;
         drive.speed = log.find("chassis.vx")->values;
         const Index rows = here_[d].size();
@@ -393,35 +378,22 @@ std::vector<Process> processesOf(const Truth& truth) {
     return processes;
 }
 
-// Of two means over so wide a range each, so far apart: the autocovariance under the triangle that two ranges make.
-double covarianceOfMeans(const Process& process, double apart, double width) {
-    constexpr int kPoints = 4;  // to each side
-    double sum = 0;
-    for (int k = -kPoints; k <= kPoints; ++k) {
-        const double share = static_cast<double>(k) / (kPoints + 1);
-        sum += (1 - std::abs(share)) / (kPoints + 1) * process.autocovariance(apart + share * width);
-    }
-    return sum;
-}
-
-// Covariance of the heights of the hats of a process: of its means over the width of a hat, which have the power that
-// it has at low frequencies.
+// Covariance of the heights of the hats of a process: of its values at their peaks. Hats a tenth of a second apart keep
+// what changes slower than 5 Hz, and what is faster a car hardly follows.
 MatrixXd covarianceOfHats(const Process& process, const ExaminedDrive& drive, Index hats) {
     std::vector<double> way(drive.times.size());
     for (std::size_t i = 1; i < way.size(); ++i)
         way[i] = way[i - 1] + (drive.times[i] - drive.times[i - 1]) * drive.speed[i];
-    const auto timeOf = [&](Index hat) { return std::min(static_cast<double>(hat) * kHat, drive.times.back()); };
+    VectorXd place(hats), size(hats);
+    for (Index i = 0; i < hats; ++i) {
+        const double time = std::min(static_cast<double>(i) * kHat, drive.times.back());
+        place(i) = process.by_distance ? valueAt(drive.times, way, time) : time;
+        size(i) = process.by_speed ? valueAt(drive.times, drive.speed, time) / kSourceSpeed : 1;
+    }
     MatrixXd covariance(hats, hats);
     for (Index i = 0; i < hats; ++i) {
-        for (Index j = 0; j <= i; ++j) {
-            const double a = timeOf(i), b = timeOf(j);
-            const double speed_a = valueAt(drive.times, drive.speed, a), speed_b = valueAt(drive.times, drive.speed, b);
-            const double apart =
-                process.by_distance ? valueAt(drive.times, way, a) - valueAt(drive.times, way, b) : a - b;
-            const double width = kHat * (process.by_distance ? 0.5 * (speed_a + speed_b) : 1);
-            const double grows = process.by_speed ? speed_a * speed_b / (kSourceSpeed * kSourceSpeed) : 1;
-            covariance(i, j) = covariance(j, i) = grows * covarianceOfMeans(process, apart, width);
-        }
+        for (Index j = 0; j <= i; ++j)
+            covariance(i, j) = covariance(j, i) = size(i) * size(j) * process.autocovariance(place(i) - place(j));
     }
     return covariance;
 }
@@ -465,13 +437,11 @@ std::vector<MatrixXd> noiseOf(const Truth& truth, const Log& readings) {
 MatrixXd productsOf(const ExaminedDrive& drive, const DrawnCase& drawn, const std::vector<WrongThing>& wrong) {
     const Course course(drive.drive, drawn.truth);
     const Log readings = course.readings(drawn.truth);
-    const VectorXd here = rowsOf(readings);
-    ShownDrive shown{.noise = noiseOf(drawn.truth, readings),
-                     .pushes = pushesOf(drawn.truth, drive),
-                     .tolerances = drive.tolerances,
-                     .rivals = drive.rivals,
-                     .changes = MatrixXd(here.size(), static_cast<Index>(wrong.size())),
-                     .times = static_cast<double>(drive.drive.repeats)};
+    const VectorXd here = shownRows(readings);
+    ShownDrive shown = hiding(drive, drawn.truth, readings);
+    shown.tolerances = drive.tolerances;
+    shown.rivals = drive.rivals;
+    shown.changes.resize(here.size(), static_cast<Index>(wrong.size()));
     for (std::size_t i = 0; i < wrong.size(); ++i)
         shown.changes.col(static_cast<Index>(i)) = here - course.rows(drawn.without.at(wrong[i].name));
     return products(shown);
@@ -493,6 +463,29 @@ std::vector<WrongThing> wrongThings(const Examination& examination, const DrawnC
 }
 
 }  // namespace
+
+Eigen::VectorXd shownRows(const Log& log) {
+    const std::vector<double>& times = log.channels.front().values;
+    std::vector<VectorXd> parts;
+    Index count = 0;
+    for (const Gauge* gauge : gaugesOfTheCar()) {
+        parts.push_back(shownBlocks(times, log.find(gauge->channel)->values));
+        count += parts.back().size();
+    }
+    VectorXd rows(count);
+    Index first = 0;
+    for (const VectorXd& part : parts) rows.segment(first, part.size()) = part, first += part.size();
+    return rows;
+}
+
+ShownDrive hiding(const ExaminedDrive& drive, const Truth& truth, const Log& readings) {
+    return {.noise = noiseOf(truth, readings),
+            .pushes = pushesOf(truth, drive),
+            .tolerances = {},
+            .rivals = {},
+            .changes = {},
+            .times = static_cast<double>(drive.drive.repeats)};
+}
 
 Examination examination(const Subject& about, const std::vector<Drive>& drives, const std::vector<OpenNumber>& open,
                         const std::vector<Effect>& effects, int threads) {

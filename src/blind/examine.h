@@ -32,7 +32,7 @@ struct ExaminedDrive {
     Eigen::MatrixXd differences;            // of one drive against others, of one standard deviation each
     Eigen::VectorXd by_start_speed;         // per m/s
 };
-inline constexpr double kHat = 0.25;      // s
+inline constexpr double kHat = 0.1;       // s
 inline constexpr double kUnitPush = 100;  // N or N m
 
 struct Examination {
@@ -46,6 +46,12 @@ struct Examination {
 Examination examination(const recording::Subject& about, const std::vector<Drive>& drives,
                         const std::vector<OpenNumber>& open, const std::vector<diagnose::catalogue::Effect>& effects,
                         int threads = 0);
+
+// The rows of a log: blocks of every gauge of the car, one channel after the other.
+Eigen::VectorXd shownRows(const Log& log);
+
+// Noise and pushes in a drive of this car, whose readings without them these are (readingsOf()); no columns besides.
+ShownDrive hiding(const ExaminedDrive& drive, const Truth& truth, const Log& readings);
 
 // Of each thing that is wrong. Throws SimulationError when the car without it cannot be driven.
 std::map<std::string, Shows> examined(const Examination& examination, const DrawnCase& drawn, int threads = 0);

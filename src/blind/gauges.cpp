@@ -18,6 +18,7 @@ constexpr double kEngineOrder = 2;                      // of a four-stroke engi
 constexpr double kLeastLevel = 0.5, kMostLevel = 2;  // of the sheet's noise, and of the vibration
 constexpr double kMostKept = 0.6;                    // of an error in the next reading, 10 ms later
 constexpr double kEngineShare = 0.5;                 // of the vibration at 8 Hz
+constexpr double kEngineScatter = 0.005;             // as the speed at the start of a drive (measure.h)
 constexpr double kJitter = 0.001;                    // s: reading and bus are not synchronous
 constexpr double kSpikes = 1e-4, kSpikeHeight = 40;  // of the readings; in standard deviations of the noise
 
@@ -100,6 +101,7 @@ std::vector<ReadingNoise> drawnNoise(Random& random) {
         noise.kept = kMostKept * random.uniform();
         noise.shaking *= betweenFactors(random, kLeastLevel, kMostLevel);
         noise.engine = kEngineShare * noise.shaking;
+        noise.engine_scatter = kEngineScatter;
         noise.resolution = gauge.resolution;
         if (isOfTheDriver(gauge)) continue;
         noise.jitter = kJitter * random.uniform();

@@ -75,12 +75,18 @@ Eigen::MatrixXd blockCovariance(const ReadingNoise& noise, std::span<const doubl
     covariance = (sizes.cwiseInverse().asDiagonal() * covariance * sizes.cwiseInverse().asDiagonal()).eval();
     if (noise.engine == 0 || engine_phase.empty()) return covariance;
 
-    // A sine of an unknown phase is a sine and a cosine of half its squared amplitude each.
+    // A sine of an unknown phase is a sine and a cosine of half its squared amplitude each; two readings forget their
+    // common phase as far as the engine may have turned faster or slower between them.
     std::vector<double> sine, cosine;
     for (const double phase : engine_phase) sine.push_back(std::sin(phase)), cosine.push_back(std::cos(phase));
+    const Eigen::VectorXd phases = noise.engine_scatter * shownBlocks(times, engine_phase);
+    const Eigen::Index count_of_blocks = phases.size();
+    const Eigen::ArrayXXd apart =
+        phases.array().replicate(1, count_of_blocks) - phases.transpose().array().replicate(count_of_blocks, 1);
+    const Eigen::MatrixXd alike = (-0.5 * apart.square()).exp().matrix();
     for (const std::vector<double>& wave : {sine, cosine}) {
         const Eigen::VectorXd mean = noise.engine / std::numbers::sqrt2 * shownBlocks(times, wave);
-        covariance += mean * mean.transpose();
+        covariance += (mean * mean.transpose()).cwiseProduct(alike);
     }
     return covariance;
 }

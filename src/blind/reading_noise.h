@@ -26,6 +26,7 @@ struct ReadingNoise {
     double frequency = 8;       // 1/s
     double frequency_band = 0;  // 1/s, half the width of the range of the frequency
     double engine = 0;          // of an order of the engine
+    double engine_scatter = 0;  // standard deviation of the engine's speed as a share of what its phase is told with
 
     double spikes = 0;        // probability that a reading is one; not part of the covariance: they are plain to see
     double spike_height = 0;  // standard deviation

@@ -87,7 +87,7 @@ std::vector<PushSource> sourcesOfTheRoad(const VehicleParams& car, Random& rando
         {.name = "unevenness",
          .push = {.moment = {level(kUnevenness), 0, 0}},
          .by_distance = true,
-         .waves = wavesOf(wavelength(50), wavelength(4), random, heights)},
+         .waves = wavesOf(wavelength(50), wavelength(7), random, heights)},
         {.name = "ruts",
          .push = {.force = {0, rut, 0}, .moment = {0, 0, kRutArm * rut}},
          .by_distance = true,

@@ -282,7 +282,8 @@ TEST(OtherCases, EvidenceGrowsWithTheSquareOfTheSizeAndReferencesAddToIt) {
         if (one.name == "gyro_scale" || one.name == "gyro_bias" || one.name == "mass") effects.push_back(one);
     }
     const std::vector<tread::Drive> drives{driveNamed("step_steer_80")};
-    const Examination examination = examinationOf(known(), nominal(), effects, drives);
+    const Directions directions = directionsOf(nominal(), effects);
+    const std::vector<Pushed> pushed = pushedDrives(known(), drives);
     tread::Random random(4);
     const ProvingGround ground = drawnGround(reference::compact(), random);
     const auto shownOf = [&](double size) {
@@ -291,7 +292,7 @@ TEST(OtherCases, EvidenceGrowsWithTheSquareOfTheSizeAndReferencesAddToIt) {
             std::find_if(effects.begin(), effects.end(), [](const auto& e) { return e.name == "gyro_scale"; });
         drawn.planted.push_back({*gyro, {size}});
         drawn.key.effects = {"gyro_scale"};
-        return shown(examination, drawn, ground);
+        return shown(pushed, directions, drawn, ground);
     };
     const Shown once = shownOf(0.02), twice = shownOf(0.04);
     const tread::Shows with = once.with_references.at("gyro_scale"), without = once.without_references.at("gyro_scale");

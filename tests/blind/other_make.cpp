@@ -101,9 +101,11 @@ Keys makeCases(const Order& order, const tread::VehicleParams& nominal, const st
     const Matching matching = matchingOf(begin, nominal);
     const tread::recording::Subject in_file = asInFile(nominal);
     const std::vector<tread::Drive> drives = tread::blindDrives();
-    const Examination examination = examinationOf(
-        plainCar(matching), in_file, plantable(tread::diagnose::catalogue::effectCatalogue(), in_file), drives);
-    const std::vector<tread::diagnose::catalogue::Effect> effects = shownEffects(examination);
+    const Directions directions =
+        directionsOf(in_file, plantable(tread::diagnose::catalogue::effectCatalogue(), in_file));
+    const std::vector<Pushed> pushed = pushedDrives(plainCar(matching), drives);
+    const std::vector<tread::diagnose::catalogue::Effect> effects =
+        shownEffects(plainCar(matching), in_file, directions, drives);
     const std::vector<CaseKind> kinds = kindsOf(order);
     Keys keys = emptyKeys(order);
     for (int i = 0; i < order.cases; ++i) {
@@ -116,7 +118,7 @@ Keys makeCases(const Order& order, const tread::VehicleParams& nominal, const st
             try {
                 drive(drawn, ground, caseSeed(order.seed, i), order.references,
                       tread::recordingsOf(drives, order.seed, i), folder / drawn.key.name);
-                append(keys, drawn.key, shown(examination, drawn, ground));
+                append(keys, drawn.key, shown(pushed, directions, drawn, ground));
                 break;
             } catch (const tread::SimulationError&) {  // a car that nobody would drive
                 if (draw_number == kMostDraws) throw;

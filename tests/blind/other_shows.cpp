@@ -11,13 +11,12 @@
 #include "blind/other_errors.h"
 #include "blind/other_match.h"
 #include "diagnose/catalogue/effect.h"
-#include "diagnose/model/parameter.h"
+#include "recording/diagnosis_file.h"
 #include "recording/subject.h"
 
 namespace other_car {
 namespace {
 
-using tread::diagnose::model::knobsOf;
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -52,57 +51,94 @@ VectorXd noiseOfRows(Index rows) {
 
 // ---- What can absorb a change --------------------------------------------------------------------------------------
 
-// Another car, driven with the same recorded inputs; its change is that of `units` of the column.
-struct Difference {
-    Truth truth;
-    double units = 1;
-    tread::Pushing push = {};
-    double faster = 0;
-};
+// Of the shared numbers between two cars.
+VectorXd between(const Subject& from, const Subject& to, const std::vector<std::string>& paths) {
+    Subject before = from, after = to;
+    VectorXd changes(static_cast<Index>(paths.size()));
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        changes(static_cast<Index>(i)) =
+            *tread::recording::numberAt(after, paths[i]) - *tread::recording::numberAt(before, paths[i]);
+    return changes;
+}
 
-std::vector<Difference> openNumbers(const Truth& plain, const Subject& nominal) {
-    Truth any;
-    const std::vector<SharedNumber> shared = sharedNumbers(any);
-    Subject subject = nominal;
-    std::vector<Difference> all;
-    for (const tread::Number& number : tread::numbers(subject)) {
-        const bool has =
-            std::any_of(shared.begin(), shared.end(), [&](const auto& s) { return s.path == number.path; });
-        const double stated = number.about.tolerance * std::abs(*number.value) / std::sqrt(3.0);
-        const double sd = stated > 0 ? stated : spreadOf(number.path, *number.value);
-        if (!has || sd == 0) continue;
-        const double value = *number.value;
-        *number.value += sd;
-        all.push_back({withChanges(plain, nominal, subject)});
-        *number.value = value;
-    }
+MatrixXd sideBySide(const std::vector<VectorXd>& columns) {
+    MatrixXd all(columns.front().size(), static_cast<Index>(columns.size()));
+    for (std::size_t i = 0; i < columns.size(); ++i) all.col(static_cast<Index>(i)) = columns[i];
     return all;
 }
 
-std::vector<Difference> circumstancesOf(const Truth& plain, const Subject& nominal, double Circumstance::*sd) {
-    std::vector<Difference> all;
+MatrixXd openNumbers(const Subject& nominal, const std::vector<std::string>& paths) {
+    Subject subject = nominal;
+    std::vector<VectorXd> all;
+    for (const tread::Number& number : tread::numbers(subject)) {
+        const auto path = std::find(paths.begin(), paths.end(), number.path);
+        const double stated = number.about.tolerance * std::abs(*number.value) / std::sqrt(3.0);
+        const double sd = stated > 0 ? stated : spreadOf(number.path, *number.value);
+        if (path == paths.end() || sd == 0) continue;
+        all.push_back(sd * VectorXd::Unit(static_cast<Index>(paths.size()), path - paths.begin()));
+    }
+    return sideBySide(all);
+}
+
+MatrixXd ofCircumstances(const Subject& nominal, const std::vector<std::string>& paths, double Circumstance::*sd) {
+    std::vector<VectorXd> all;
     for (const Circumstance& one : circumstances()) {
         if (one.*sd == 0) continue;
         Subject subject = nominal;
         one.apply(subject, one.*sd);
-        all.push_back({withChanges(plain, nominal, subject)});
+        all.push_back(between(nominal, subject, paths));
     }
-    return all;
+    return sideBySide(all);
 }
 
-std::vector<Difference> knobsOf(const Truth& plain, const Subject& nominal,
-                                const std::vector<tread::diagnose::catalogue::Effect>& effects) {
-    std::vector<Difference> all;
+MatrixXd ofKnobs(const Subject& nominal, const std::vector<std::string>& paths,
+                 const std::vector<tread::diagnose::catalogue::Effect>& effects) {
+    std::vector<VectorXd> all;
     for (const tread::diagnose::catalogue::Effect& effect : effects) {
         for (const tread::diagnose::catalogue::Knob& knob : effect.knobs) {
             const double units =
                 knob.direction == tread::diagnose::catalogue::Direction::down ? -kRivalStep : kRivalStep;
             Subject subject = nominal;
             move(subject, knob, units * knob.typical);
-            all.push_back({withChanges(plain, nominal, subject), units});
+            all.push_back(between(nominal, subject, paths) / units);
         }
     }
-    return all;
+    return sideBySide(all);
+}
+
+// A usual change of each number; one that nothing changes has none.
+VectorXd stepsOf(const Directions& directions) {
+    VectorXd steps = VectorXd::Zero(static_cast<Index>(directions.paths.size()));
+    const MatrixXd knobs = kRivalStep * directions.knobs;
+    for (const MatrixXd* all : {&directions.open, &directions.days, &directions.drives, &knobs}) {
+        for (Index i = 0; i < steps.size(); ++i)
+            if (steps(i) == 0) steps(i) = all->row(i).cwiseAbs().maxCoeff();
+    }
+    return steps;
+}
+
+// Rows of other cars, driven with the inputs that were recorded of the first.
+MatrixXd again(const tread::Drive& drive, const Truth& truth, std::size_t count,
+               const std::function<Replayed(std::size_t i, const Recorded& recorded)>& other) {
+    const Replayed first = replay(truth, drive);
+    const VectorXd here = rowsOf(first.log);
+    MatrixXd changes(here.size(), static_cast<Index>(count));
+    tread::inParallel(count, 0, [&](std::size_t i) {
+        changes.col(static_cast<Index>(i)) = rowsOf(other(i, first.recorded).log) - here;
+    });
+    return changes;
+}
+
+// By each shared number.
+MatrixXd columnsOf(const tread::Drive& drive, const Truth& truth, const Subject& nominal,
+                   const Directions& directions) {
+    const auto count = directions.paths.size();
+    MatrixXd columns = again(drive, truth, count, [&](std::size_t i, const Recorded& recorded) {
+        Subject changed = nominal;
+        *tread::recording::numberAt(changed, directions.paths[i]) += directions.steps(static_cast<Index>(i));
+        return replay(withChanges(truth, nominal, changed), drive, {.recorded = &recorded});
+    });
+    return columns * directions.steps.unaryExpr([](double step) { return step > 0 ? 1 / step : 0; }).asDiagonal();
 }
 
 tread::Pushing hat(std::size_t kind, std::size_t which) {
@@ -118,20 +154,7 @@ tread::Pushing hat(std::size_t kind, std::size_t which) {
     };
 }
 
-MatrixXd columnsOf(const tread::Drive& drive, const Truth& plain, const std::vector<Difference>& differences) {
-    const Replayed first = replay(plain, drive);
-    const VectorXd here = rowsOf(first.log);
-    MatrixXd columns(here.size(), static_cast<Index>(differences.size()));
-    tread::inParallel(differences.size(), 0, [&](std::size_t i) {
-        const Difference& one = differences[i];
-        const Replayed again =
-            replay(one.truth, drive, {.recorded = &first.recorded, .push = one.push, .faster = one.faster});
-        columns.col(static_cast<Index>(i)) = (rowsOf(again.log) - here) / one.units;
-    });
-    return columns;
-}
-
-void takeHats(Absorbing& one, const Truth& plain) {
+void takeHats(Pushed& one, const Truth& plain) {
     const tread::Log log = replay(plain, one.drive).log;
     const std::vector<double>&times = log.channels.front().values, &speed = log.find("chassis.vx")->values;
     const auto count = static_cast<std::size_t>(std::ceil(times.back() / kHat)) + 1;
@@ -143,16 +166,17 @@ void takeHats(Absorbing& one, const Truth& plain) {
     }
     while (one.speed.size() < count) one.speed.push_back(speed.back()), one.way.push_back(way);
     for (std::size_t kind = 0; kind < one.hats.size(); ++kind) {
-        std::vector<Difference> pushed;
-        for (std::size_t i = 0; i < count; ++i) pushed.push_back({plain, kPush, hat(kind, i)});
-        one.hats[kind] = columnsOf(one.drive, plain, pushed);
+        one.hats[kind] = again(one.drive, plain, count, [&](std::size_t i, const Recorded& recorded) {
+            return replay(plain, one.drive, {.recorded = &recorded, .push = hat(kind, i)});
+        });
+        one.hats[kind] /= kPush;
     }
 }
 
 // ---- One case ------------------------------------------------------------------------------------------------------
 
 // Covariance of the heights of the hats of a source: of its means over the width of a hat.
-MatrixXd covarianceOfHats(const tread::PushSource& source, const Absorbing& one) {
+MatrixXd covarianceOfHats(const tread::PushSource& source, const Pushed& one) {
     constexpr int kPoints = 4;  // to each side, of the triangle that two means make
     const auto count = static_cast<Index>(one.speed.size());
     MatrixXd covariance(count, count);
@@ -173,8 +197,8 @@ MatrixXd covarianceOfHats(const tread::PushSource& source, const Absorbing& one)
     return covariance;
 }
 
-// Columns of standard deviation 1 of all that pushes and of what differs from drive to drive.
-MatrixXd pushesOf(const Absorbing& one, const std::vector<tread::PushSource>& surroundings) {
+// Columns of standard deviation 1 of all that pushes.
+MatrixXd pushesOf(const Pushed& one, const std::vector<tread::PushSource>& surroundings) {
     const Index count = one.hats[0].cols(), all = 4 * count;
     MatrixXd covariance = MatrixXd::Zero(all, all), responses(one.hats[0].rows(), all);
     for (Index kind = 0; kind < 4; ++kind)
@@ -194,9 +218,16 @@ MatrixXd pushesOf(const Absorbing& one, const std::vector<tread::PushSource>& su
     constexpr double kLeast = 0.01;                                      // of the largest: smaller ones are left out
     Index kept = 0;
     while (kept < all && sizes(all - 1 - kept) > kLeast * sizes(all - 1)) ++kept;
-    MatrixXd columns(responses.rows(), kept + one.drives.cols());
-    columns << responses * (parts.eigenvectors().rightCols(kept) * sizes.tail(kept).asDiagonal()), one.drives;
-    return columns;
+    return responses * (parts.eigenvectors().rightCols(kept) * sizes.tail(kept).asDiagonal());
+}
+
+MatrixXd joined(const std::vector<MatrixXd>& parts) {
+    Index columns = 0;
+    for (const MatrixXd& part : parts) columns += part.cols();
+    MatrixXd all(parts.front().rows(), columns);
+    columns = 0;
+    for (const MatrixXd& part : parts) all.middleCols(columns, part.cols()) = part, columns += part.cols();
+    return all;
 }
 
 std::vector<MatrixXd> noiseOf(const ProvingGround& ground, const Replayed& replayed) {
@@ -212,30 +243,30 @@ std::vector<MatrixXd> noiseOf(const ProvingGround& ground, const Replayed& repla
     return covariances;
 }
 
-MatrixXd productsOf(const Absorbing& one, const Drawn& drawn, const ProvingGround& ground,
+MatrixXd productsOf(const Pushed& one, const Directions& directions, const Drawn& drawn, const ProvingGround& ground,
                     const std::vector<tread::WrongThing>& wrong) {
+    const MatrixXd columns = columnsOf(one.drive, drivenCar(drawn, wrongThings(drawn)), drawn.nominal, directions);
     const Replayed first = replay(drivenCar(drawn), one.drive);
     const VectorXd here = rowsOf(first.log);
-    tread::ShownDrive shown{.noise = noiseOf(ground, first),
-                            .pushes = pushesOf(one, ground.surroundings),
-                            .tolerances = MatrixXd(here.size(), one.open.cols() + one.days.cols()),
-                            .rivals = one.rivals,
-                            .changes = MatrixXd(here.size(), static_cast<Index>(wrong.size())),
-                            .times = static_cast<double>(one.drive.repeats)};
-    shown.tolerances << one.open, one.days;
-    for (std::size_t i = 0; i < wrong.size(); ++i) {
-        const Truth without = drivenCar(drawn, {wrong[i].name});
-        shown.changes.col(static_cast<Index>(i)) =
-            here - rowsOf(replay(without, one.drive, {.recorded = &first.recorded}).log);
+    std::vector<VectorXd> changes;
+    for (const tread::WrongThing& thing : wrong) {
+        const Truth without = drivenCar(drawn, {thing.name});
+        changes.push_back(here - rowsOf(replay(without, one.drive, {.recorded = &first.recorded}).log));
     }
-    return tread::products(shown);
+    return tread::products(
+        {.noise = noiseOf(ground, first),
+         .pushes = joined({pushesOf(one, ground.surroundings), columns * directions.drives, one.start}),
+         .tolerances = columns * joined({directions.open, directions.days}),
+         .rivals = columns * directions.knobs,
+         .changes = sideBySide(changes),
+         .times = static_cast<double>(one.drive.repeats)});
 }
 
-std::vector<tread::WrongThing> wrongThingsOf(const Examination& examination, const Drawn& drawn) {
+std::vector<tread::WrongThing> wrongThingsOf(const Directions& directions, const Drawn& drawn) {
     std::vector<tread::WrongThing> wrong;
     for (const Drawn::Planted& one : drawn.planted) {
         wrong.push_back({one.effect.name, drawn.key.effects});
-        for (const tread::diagnose::catalogue::Effect& other : examination.effects) {
+        for (const tread::diagnose::catalogue::Effect& other : directions.effects) {
             if (tread::sharePaths(one.effect, other)) wrong.back().no_rivals.push_back(other.name);
         }
     }
@@ -253,58 +284,72 @@ MatrixXd withReferences(const MatrixXd& products, Index open, Index days) {
 
 }  // namespace
 
-Examination examinationOf(const Truth& plain, const Subject& nominal,
-                          const std::vector<tread::diagnose::catalogue::Effect>& effects,
-                          const std::vector<tread::Drive>& all) {
-    Examination examination{{}, effects, {}};
+Directions directionsOf(const Subject& nominal, const std::vector<tread::diagnose::catalogue::Effect>& effects) {
+    Directions directions;
+    directions.effects = effects;
+    Truth any;
+    Subject subject = nominal;
+    for (const SharedNumber& shared : sharedNumbers(any)) {
+        if (tread::recording::numberAt(subject, shared.path)) directions.paths.push_back(shared.path);
+    }
+    directions.open = openNumbers(nominal, directions.paths);
+    directions.days = ofCircumstances(nominal, directions.paths, &Circumstance::each_day);
+    directions.drives = ofCircumstances(nominal, directions.paths, &Circumstance::each_drive);
+    directions.knobs = ofKnobs(nominal, directions.paths, effects);
+    directions.steps = stepsOf(directions);
     Index column = 0;
     for (const tread::diagnose::catalogue::Effect& effect : effects) {
-        tread::Rival& rival = examination.rivals.emplace_back(tread::Rival{effect.name, {}});
+        tread::Rival& rival = directions.rivals.emplace_back(tread::Rival{effect.name, {}});
         for (std::size_t i = 0; i < effect.knobs.size(); ++i) rival.columns.push_back(column++);
     }
-    const std::vector<Difference> open = openNumbers(plain, nominal), rivals = knobsOf(plain, nominal, effects);
-    const std::vector<Difference> days = circumstancesOf(plain, nominal, &Circumstance::each_day);
-    std::vector<Difference> drives = circumstancesOf(plain, nominal, &Circumstance::each_drive);
-    drives.push_back({plain, kFaster / tread::kSpeedScatter, {}, kFaster});
-    for (const tread::Drive& drive : all) {
-        if (drive.hold_out) continue;
-        Absorbing& one = examination.drives.emplace_back();
-        one.drive = drive;
-        one.open = columnsOf(drive, plain, open);
-        one.days = columnsOf(drive, plain, days);
-        one.rivals = columnsOf(drive, plain, rivals);
-        one.drives = columnsOf(drive, plain, drives);
-        takeHats(one, plain);
-    }
-    return examination;
+    return directions;
 }
 
-std::vector<tread::diagnose::catalogue::Effect> shownEffects(const Examination& examination) {
+std::vector<Pushed> pushedDrives(const Truth& plain, const std::vector<tread::Drive>& drives) {
+    std::vector<Pushed> pushed;
+    for (const tread::Drive& drive : drives) {
+        if (drive.hold_out) continue;
+        Pushed& one = pushed.emplace_back();
+        one.drive = drive;
+        takeHats(one, plain);
+        one.start = again(drive, plain, 1, [&](std::size_t, const Recorded& recorded) {
+            return replay(plain, drive, {.recorded = &recorded, .faster = kFaster});
+        });
+        one.start *= tread::kSpeedScatter / kFaster;
+    }
+    return pushed;
+}
+
+std::vector<tread::diagnose::catalogue::Effect> shownEffects(const Truth& plain, const Subject& nominal,
+                                                             const Directions& directions,
+                                                             const std::vector<tread::Drive>& drives) {
     constexpr double kShown = 200;  // sum of squares over the noise of all readings
+    VectorXd sums = VectorXd::Zero(directions.knobs.cols());
+    for (const tread::Drive& drive : drives) {
+        if (drive.hold_out) continue;
+        const MatrixXd knobs = columnsOf(drive, plain, nominal, directions) * directions.knobs;
+        sums += (noiseOfRows(knobs.rows()).cwiseInverse().asDiagonal() * knobs).colwise().squaredNorm().transpose();
+    }
     std::vector<tread::diagnose::catalogue::Effect> effects;
-    for (std::size_t i = 0; i < examination.effects.size(); ++i) {
+    for (std::size_t i = 0; i < directions.effects.size(); ++i) {
         double sum = 0;
-        for (const Absorbing& one : examination.drives) {
-            const VectorXd noise = noiseOfRows(one.rivals.rows());
-            for (const Index column : examination.rivals[i].columns)
-                sum += one.rivals.col(column).cwiseQuotient(noise).squaredNorm();
-        }
-        if (sum >= kShown) effects.push_back(examination.effects[i]);
+        for (const Index column : directions.rivals[i].columns) sum += sums(column);
+        if (sum >= kShown) effects.push_back(directions.effects[i]);
     }
     return effects;
 }
 
-Shown shown(const Examination& examination, const Drawn& drawn, const ProvingGround& ground) {
-    const std::vector<tread::WrongThing> wrong = wrongThingsOf(examination, drawn);
+Shown shown(const std::vector<Pushed>& pushed, const Directions& directions, const Drawn& drawn,
+            const ProvingGround& ground) {
+    const std::vector<tread::WrongThing> wrong = wrongThingsOf(directions, drawn);
     if (wrong.empty()) return {};
-    std::vector<MatrixXd> all(examination.drives.size());
-    tread::inParallel(all.size(), 0,
-                      [&](std::size_t i) { all[i] = productsOf(examination.drives[i], drawn, ground, wrong); });
+    std::vector<MatrixXd> all;
+    for (const Pushed& one : pushed) all.push_back(productsOf(one, directions, drawn, ground, wrong));
     MatrixXd sum = all.front();
     for (std::size_t i = 1; i < all.size(); ++i) sum += all[i];
-    const Index open = examination.drives.front().open.cols(), days = examination.drives.front().days.cols();
-    return {tread::shows(withReferences(sum, open, days), days, examination.rivals, wrong),
-            tread::shows(sum, open + days, examination.rivals, wrong)};
+    const Index open = directions.open.cols(), days = directions.days.cols();
+    return {tread::shows(withReferences(sum, open, days), days, directions.rivals, wrong),
+            tread::shows(sum, open + days, directions.rivals, wrong)};
 }
 
 }  // namespace other_car

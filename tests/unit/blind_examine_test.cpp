@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "blind/examine.h"
+#include "blind/measure.h"
 #include "blind/outsiders.h"
 #include "diagnose/catalogue/effect.h"
 #include "recording/subject.h"
@@ -16,7 +17,7 @@ using diagnose::catalogue::Direction;
 using diagnose::catalogue::Effect;
 using recording::Subject;
 
-// Of a car, its steering's recording, an instrument that reads late, and one that shows the same as the first in part.
+// Of a car, of how its steering was recorded, of an instrument that reads late, and of its engine.
 const std::vector<Effect> kEffects{
     {"heavier", "", "", {{{"mass"}, 0.1, true, Direction::up}}},
     {"steering_zero", "", "", {{{"instruments.steering_wheel_angle.bias"}, 0.035}}},
@@ -102,15 +103,14 @@ TEST(BlindExamine, ErrorOfTheRecordedSteeringShowsInTheMotion) {
     EXPECT_LT(zero.nats, 1e6);
 }
 
-TEST(BlindExamine, WhatTheDrivesDoNotUseShowsNothing) {
-    // Both hold their speed: an engine that gives less gets as much throttle as was recorded, and loses speed.
-    const Shows weaker = shown(usual(), planted("weaker", -1));
-    const Shows heavier = shown(usual(), planted("heavier", 1));
-    EXPECT_GT(heavier.separation, 0);
-    EXPECT_LE(heavier.separation, heavier.nats);
-    EXPECT_FALSE(heavier.rival.empty());
-    EXPECT_NE(heavier.rival, "heavier");
-    EXPECT_LE(weaker.separation, weaker.nats);
+TEST(BlindExamine, RivalLeavesNoMoreThanTolerances) {
+    for (const char* name : {"heavier", "weaker", "late_gyro"}) {
+        const Shows found = shown(usual(), planted(name, 1));
+        EXPECT_GT(found.separation, 0) << name;
+        EXPECT_LE(found.separation, found.nats) << name;
+        EXPECT_FALSE(found.rival.empty()) << name;
+        EXPECT_NE(found.rival, name);
+    }
 }
 
 TEST(BlindExamine, OutsiderShowsBesideTheEffect) {
@@ -120,6 +120,30 @@ TEST(BlindExamine, OutsiderShowsBesideTheEffect) {
     ASSERT_EQ(all.size(), 2u);
     EXPECT_TRUE(all.contains(mixed.key.outsider));
     EXPECT_NE(all.at(mixed.key.outsider).rival, mixed.key.effects.front()) << "planted itself";
+}
+
+TEST(BlindExamine, NoiseAndPushesOfRealDrivesAreAsLargeAsExpected) {
+    // Squares of what disturbs real drives, in units of its covariance: one for each row.
+    Random random(3);
+    for (const World world : {World::own, World::assumed}) {
+        DrawnCase none = drawCase(reference::compact(), {}, CaseKind::none, random, {.world = world});
+        if (none.truth.own) {
+            for (ReadingNoise& noise : none.truth.own->noise) noise.spikes = 0;
+        }
+        double squares = 0, rows = 0;
+        for (const ExaminedDrive& drive : examination(none.truth.car, blindDrives(), {}, {}).drives) {
+            const Log quiet = readingsOf(none.truth, drive.drive, 1, kIdeal);
+            ShownDrive hidden = hiding(drive, none.truth, quiet);
+            hidden.times = 1;
+            hidden.tolerances = hidden.rivals = Eigen::MatrixXd(shownRows(quiet).size(), 0);
+            for (std::uint64_t seed = 0; seed < 3; ++seed) {
+                hidden.changes = shownRows(measure(none.truth, drive.drive, seed)) - shownRows(quiet);
+                squares += products(hidden)(0, 0), rows += static_cast<double>(hidden.changes.size());
+            }
+        }
+        EXPECT_GT(squares / rows, 0.95);
+        EXPECT_LT(squares / rows, 1.25) << "pushes that are faster than the hats, and what bends";
+    }
 }
 
 TEST(BlindExamine, SameForAnyNumberOfThreads) {
