@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "blind/examine.h"
 #include "blind/other_draw.h"
 #include "blind/other_measure.h"
 #include "blind/shows.h"
@@ -23,7 +24,7 @@
 
 namespace other_car {
 
-inline constexpr double kHat = 0.25;  // s, between the pushes from whose responses those of a process are made
+using tread::kHat;  // between the pushes from whose responses those of a process are made, as of the first generator
 
 // What can change a car, each as changes of the shared numbers: of one standard deviation that is left open, of one of
 // a day, of one from drive to drive; of one typical size of each knob of the rivals.
