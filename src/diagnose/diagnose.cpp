@@ -16,7 +16,7 @@ namespace {
 
 using answer::Diagnosis;
 
-// Where the best model has the nuisance parameters.
+// Values of the nuisance parameters in the best model.
 void tellNuisances(Diagnosis& diagnosis, const model::Problem& problem, const select::Fit& fit) {
     for (Eigen::Index i = 0; i < fit.nuisances(); ++i) {
         const Eigen::Index p = fit.free[i];
@@ -36,7 +36,7 @@ void tellUnexplained(Diagnosis& diagnosis, const explain::MissingForce& missing,
     if (!unknown.law.generalised_force.empty()) unexplained.generalised_force = unknown.law.generalised_force;
 }
 
-// The fit of the causes that are named; without any, of none.
+// The fit of the causes that are named; the fit without effects when none is named.
 const select::Fit& answered(const Diagnosis& diagnosis, const model::Problem& problem, const select::Search& found) {
     for (const select::Candidate& one : found.candidates) {
         if (one.fitted && problem.namesOf(one.effects) == diagnosis.causes) return one.fit;
@@ -52,12 +52,12 @@ Diagnosis diagnosisOf(const recording::Subject& nominal, const recording::Diagno
     const auto started = std::chrono::steady_clock::now();
     const Progress& progress = options.progress;
 
-    // The drives, and the car about which effects are sought: tolerances where the recordings want them.
+    // The drives, and the calibrated car: the nominal car with its nuisance parameters fitted to the recordings.
     const model::Problem problem = model::problemOf(nominal, file, recorded, effects, options);
     const select::Calibration car =
         select::calibrate(problem, model::nominalCar(problem, partOf(progress, 0, 0.1)), partOf(progress, 0.1, 0.4));
 
-    // Which effect.
+    // Which effects explain the gap.
     const select::Screen screened = select::screen(car);
     const select::Search found = select::search(car, screened, partOf(progress, 0.4, 0.9));
     const std::vector<double> expected = select::expectedEvidenceAt(car, found.best().fit, screened);
@@ -69,7 +69,7 @@ Diagnosis diagnosisOf(const recording::Subject& nominal, const recording::Diagno
     diagnosis.confusable = select::confusablePairs(car, screened, expected);
     tellNuisances(diagnosis, problem, found.best().fit);
 
-    // Where, and how far.
+    // Where the gap is, and how far the causes close it.
     const explain::MissingForce missing = explain::missingForce(car);
     tellUnexplained(diagnosis, missing, unknown);
     diagnosis.where = explain::whereItLies(car, missing);

@@ -1,4 +1,4 @@
-// The diagnosis of the gap between a car and its model: README.md beside this file has the method.
+// Diagnosis of the gap between a car and its model. The method is described in README.md beside this file.
 #pragma once
 
 #include "diagnose/answer/diagnosis.h"
@@ -8,9 +8,9 @@
 
 namespace tread::diagnose {
 
-// `nominal` is the car as its file says, with the instruments as far as they are known; `recorded` is what
-// readRecordings gives. Throws SimulationError when the nominal car cannot be driven in the recordings, and
-// std::invalid_argument that names the recording from which nothing can be learnt.
+// `nominal`: the car as its file describes it, with its instruments as far as they are known. `recorded`: the result of
+// readRecordings(). Throws SimulationError when the nominal car cannot be driven in the recordings, and
+// std::invalid_argument, naming the recording, when nothing can be learnt from one of them.
 answer::Diagnosis diagnosisOf(const recording::Subject& nominal, const recording::DiagnosisFile& file,
                               const recording::Recorded& recorded, const std::vector<catalogue::Effect>& effects,
                               const Options& options = {});

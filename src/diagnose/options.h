@@ -1,4 +1,5 @@
-// How a diagnosis is carried out: what does not change its answer, but for the manoeuvres among which to choose.
+// How a diagnosis is carried out. Apart from the manoeuvres to choose the next drive from, nothing here changes its
+// answer.
 #pragma once
 
 #include <filesystem>
@@ -10,13 +11,13 @@
 
 namespace tread::diagnose {
 
-// A manoeuvre that could be driven next, under the name by which the user knows it.
+// A manoeuvre that could be driven next, with the name under which the user knows it.
 struct PossibleDrive {
     std::string name;
     Scenario scenario;
 };
 
-// Told how much is done, from 0 to 1, and what is under way.
+// Called with the share of the work that is done, from 0 to 1, and the name of the current step.
 using Progress = std::function<void(double, const std::string&)>;
 
 struct Options {
@@ -24,13 +25,14 @@ struct Options {
                                       const Pushing& pushing) {
         tread::simulate(vehicle, scenario, recorder, pushing);
     };
-    int threads = 0;                             // 0: one per core
-    std::filesystem::path cache{};               // folder of the sensitivities of the nominal car; empty: none
-    std::vector<PossibleDrive> possible_next{};  // none: what to drive next is not asked
+    int threads = 0;                // number of threads; 0: one per core
+    std::filesystem::path cache{};  // folder in which the sensitivities of the nominal car are kept; empty: none
+    // manoeuvres to choose the next drive from; empty: no next drive is proposed
+    std::vector<PossibleDrive> possible_next{};
     Progress progress = [](double, const std::string&) {};
 };
 
-// A part of the work, from one share of the whole to another.
+// Progress of a part of the work that takes the whole from the share `from` to the share `to`.
 inline Progress partOf(const Progress& whole, double from, double to) {
     return [=](double share, const std::string& what) { whole(from + (to - from) * share, what); };
 }

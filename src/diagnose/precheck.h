@@ -1,4 +1,4 @@
-// Before a diagnosis: what would these drives show of each effect, if it were there in the nominal car?
+// Check before a diagnosis: how well would these drives show each effect, if the nominal car had it?
 #pragma once
 
 #include "diagnose/answer/precheck.h"
@@ -8,9 +8,9 @@
 
 namespace tread::diagnose {
 
-// As diagnosisOf(), but linear about the nominal car: nothing is fitted and no effect is sought. Tolerances,
-// instruments and disturbances of the usual sizes imitate what they can of each effect; what is left counts. Throws
-// what diagnosisOf() throws.
+// Takes the arguments of diagnosisOf() but stays linear about the nominal car: nothing is fitted and no effect is
+// searched for. Tolerances, instruments and disturbances of the usual sizes are marginalised, and only the part of an
+// effect that they cannot imitate counts. Throws what diagnosisOf() throws.
 answer::Precheck precheckOf(const recording::Subject& nominal, const recording::DiagnosisFile& file,
                             const recording::Recorded& recorded, const std::vector<catalogue::Effect>& effects,
                             const Options& options = {});

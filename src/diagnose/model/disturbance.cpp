@@ -12,12 +12,17 @@
 namespace tread::diagnose::model {
 namespace {
 
-constexpr double kHat = kSettings.correlation_time / 2;  // s, from hat to hat
-constexpr Eigen::Index kApart = 12;  // hats: after so many, a car has forgotten a push but for the speed that it cost
-constexpr double kLeastSlope = 0.1;  // of the tyres' slope at rest, that is left at the limit
-constexpr double kLeastKept = 0.02;  // of a change of speed, of which something is still known
-constexpr double kSlipVelocity = 0.005;  // of the forward speed, at which the tyres' slope is taken
-constexpr double kLightest = 0.05;       // share of the load that a compliant axle's slope can lose
+constexpr double kHat = kSettings.correlation_time / 2;  // s, distance of hats
+// Hats between the pushes of one replay (3 s). After that a car is taken to have forgotten a push except for the speed
+// it has lost. Each more costs one more replay per kind and drive.
+constexpr Eigen::Index kApart = 12;
+constexpr double kLeastSlope = 0.1;  // least share of the front tyres' cornering stiffness, left at the limit of grip
+// least share of a change of start speed that must be left to infer lost speed from it; less would be numerical noise
+constexpr double kLeastKept = 0.02;
+// lateral slip velocity over forward speed at which the cornering stiffness is taken, within the linear range
+constexpr double kSlipVelocity = 0.005;
+// least denominator of the axle's slope with compliance steer: limits the slope to 20 times that of the tyres
+constexpr double kLightest = 0.05;
 
 double hat(double t, double peak) {
     return std::max(0.0, 1 - std::abs(t - peak) / kHat);
@@ -27,7 +32,7 @@ double peakOf(Eigen::Index hat) {
     return static_cast<double>(hat) * kHat;
 }
 
-// Every kApart-th of the hats from the first one, as pushes.
+// Pushes shaped like hat `first` and every kApart-th hat after it.
 Pushing pushes(const VehicleParams& car, Disturbed kind, Eigen::Index first) {
     return [=, &car](double time, const VehicleInput&, const VehicleOutput&) {
         const double since = time - peakOf(first), period = kApart * kHat;
@@ -46,14 +51,14 @@ Pushing pushes(const VehicleParams& car, Disturbed kind, Eigen::Index first) {
     };
 }
 
-// A drive about which small disturbances are taken.
+// A drive as replayed without disturbances, about which it is linearised.
 struct Course {
     const RecordedDrive& drive;
     Log motion;
     Eigen::VectorXd rows;
     Eigen::VectorXd by_start_speed;
     Eigen::Index hats;
-    const recording::ObservedChannel* speed = nullptr;  // that shows it, if any
+    const recording::ObservedChannel* speed = nullptr;  // a channel that shows the speed; null if there is none
 };
 
 const recording::ObservedChannel* showsSpeed(const RecordedDrive& drive) {
@@ -64,8 +69,8 @@ const recording::ObservedChannel* showsSpeed(const RecordedDrive& drive) {
     return found == drive.channels.end() ? nullptr : &*found;
 }
 
-// A push that is over has cost the car some speed. The change of the speed at the start that would leave the same, m/s;
-// `change`: of the rows by the push, `over`: s, from when on.
+// Change of the start speed, m/s, that leaves the car as slow as a push that is over. `change`: change of the rows by
+// the push. `over`: time, s, at which the push counts as forgotten.
 double speedLost(const Course& course, const Eigen::VectorXd& change, double over) {
     if (!course.speed) return 0;
     const std::vector<double>& times = course.speed->times;
@@ -75,8 +80,9 @@ double speedLost(const Course& course, const Eigen::VectorXd& change, double ove
     return kept > kLeastKept * course.by_start_speed(first) ? change(row) / kept : 0;
 }
 
-// What pushes of one kind do. A few replays with many pushes each answer for all hats: but for the speed that it cost,
-// a push is forgotten before the next one comes.
+// Change of the rows by a push of one kind at each hat; one column per hat. A replay contains every kApart-th push: by
+// the time the next one comes, a push is forgotten except for the speed it has cost, which goes on as a change of the
+// start speed.
 Eigen::MatrixXd pushed(const Replays& replays, const Subject& subject, const Course& course, Disturbed kind) {
     Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(course.rows.size(), course.hats);
     for (Eigen::Index first = 0; first < std::min(kApart, course.hats); ++first) {
@@ -101,7 +107,8 @@ Eigen::MatrixXd pushed(const Replays& replays, const Subject& subject, const Cou
     return columns;
 }
 
-// Of both front tyres at rest, N/rad, and the lateral acceleration at which the car slides, m/s2.
+// Front axle at static load: cornering stiffness of both tyres, N/rad, and lateral acceleration at the limit of grip,
+// m/s2.
 struct FrontAxle {
     double slope = 0, grip = 0;
 };
@@ -116,7 +123,8 @@ FrontAxle frontAxle(const VehicleParams& car) {
     return {2 * slope / std::max(kLightest, compliant), kStandardGravity * at.muy};
 }
 
-// A hand that trembles pushes the front axle aside, by the slope that its tyres have left in the turn (D14).
+// Steering tremor as a side force at the front axle. Its stiffness falls with the square of the lateral acceleration as
+// the turn uses up the grip (D14).
 Eigen::MatrixXd trembling(const Course& course, const VehicleParams& car, const Eigen::MatrixXd& lateral,
                           const Eigen::MatrixXd& yaw) {
     const FrontAxle axle = frontAxle(car);

@@ -1,7 +1,7 @@
-// What disturbs every real drive and no model: wind, unevenness, a hand that trembles. As generalised forces on the
-// car that wander about zero (Ornstein-Uhlenbeck processes), piecewise linear over time (hat functions a quarter of a
-// second apart), so that what they do to the motion is as correlated in time and across channels as it really is: what
-// pushes aside is replayed.
+// Random disturbances of a real drive that the model does not have: wind, road unevenness, tremor of the driver's hand.
+// Each is an Ornstein-Uhlenbeck process that acts as a generalised force on the car, piecewise linear over time (hat
+// functions 0.25 s apart). Their effect on the motion is found by replaying the drive with pushes, so it has the right
+// correlation over time and between channels.
 #pragma once
 
 #include <Eigen/Dense>
@@ -19,7 +19,7 @@ inline constexpr std::size_t kDisturbances = kDisturbedNames.size();
 inline constexpr std::array<Disturbed, kDisturbances> kDisturbedKinds{
     Disturbed::longitudinal, Disturbed::lateral, Disturbed::yaw, Disturbed::roll, Disturbed::steering};
 
-using Sizes = std::array<double, kDisturbances>;  // of each kind, as a multiple of the usual size
+using Sizes = std::array<double, kDisturbances>;  // of each kind, as a multiple of its usual size
 
 constexpr std::size_t placeOf(Disturbed kind) {
     return static_cast<std::size_t>(kind);
@@ -28,22 +28,24 @@ constexpr std::string_view nameOf(Disturbed kind) {
     return kDisturbedNames[placeOf(kind)];
 }
 
-// Of a usual disturbance of a car: N along or aside, N m in yaw or roll, rad of the road wheels.
+// Usual size of a disturbance of this car: N (longitudinal, lateral), N m (yaw, roll), rad at the road wheels
+// (steering).
 double usualSize(Disturbed kind, const VehicleParams& car);
 
 struct Disturbances {
-    Eigen::MatrixXd columns;              // rows x impulses, each of the usual size: what they do to the drive
-    std::vector<Disturbed> kinds;         // of each column
-    std::vector<double> times;            // s, of each impulse
-    Eigen::MatrixXd correlation_factor;   // of one kind: heights of the hats x impulses
-    Eigen::VectorXd by_start_speed = {};  // startSpeedColumn
+    Eigen::MatrixXd columns;       // rows x impulses: change of the rows by each impulse at its usual size
+    std::vector<Disturbed> kinds;  // kind of each column
+    std::vector<double> times;     // s, time of each column's hat
+    // Cholesky factor of the hats' correlation for one kind: heights of hats x impulses
+    Eigen::MatrixXd correlation_factor;
+    Eigen::VectorXd by_start_speed = {};  // change of the rows per m/s of start speed
 
     Eigen::Index hats() const { return correlation_factor.rows(); }  // of one kind
-    // Heights of the hats, of all kinds, that these impulses build up.
+    // Heights of the hats, all kinds one after the other, for the given impulses.
     Eigen::VectorXd heights(const Eigen::VectorXd& impulses) const;
 };
 
-// Of a drive of the subject.
+// Disturbances of a drive, linear about its replay by `subject`.
 Disturbances disturbances(const Replays& replays, const RecordedDrive& drive, const Subject& subject);
 
 }  // namespace tread::diagnose::model

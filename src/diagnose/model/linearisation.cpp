@@ -3,10 +3,14 @@
 namespace tread::diagnose::model {
 namespace {
 
-constexpr double kWorthDriving = 0.1;  // squared signal over noise of a nuisance of usual size
-constexpr double kNegligible = 0.01;   // nats that a nuisance of usual size makes of difference
+// Squared signal-to-noise ratio of a nuisance at one prior standard deviation, above which its column is computed again
+// in a drive. Raising this saves replays; more columns stay those of the former point.
+constexpr double kWorthDriving = 0.1;
+// Half the Fisher information, nats, below which a nuisance is left out. Raising this leaves out nuisances that imitate
+// part of an effect.
+constexpr double kNegligible = 0.01;
 
-// Drives in which a nuisance makes a difference: only there is it worth a new look.
+// For each nuisance, the drives in which it matters enough to compute its column again.
 std::vector<std::vector<bool>> worthDriving(const Linearisation& about, const Uncertainty& uncertainty) {
     std::vector<std::vector<bool>> worth(about.nuisances.size(), std::vector<bool>(about.products.size()));
     for (std::size_t d = 0; d < about.products.size(); ++d) {

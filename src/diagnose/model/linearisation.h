@@ -1,5 +1,4 @@
-// A linearisation made ready for fits: the sensitivities to the relevant nuisance parameters over the noise, and their
-// products.
+// A linearisation prepared for fits: whitened sensitivities to the relevant nuisance parameters, and their products.
 #pragma once
 
 #include "diagnose/model/sensitivities.h"
@@ -9,22 +8,23 @@ namespace tread::diagnose::model {
 
 struct Linearisation {
     Sensitivities about;
-    std::vector<Eigen::Index> nuisances;   // those that are relevant: indices of parameters
-    std::vector<Eigen::MatrixXd> columns;  // per drive: rows x nuisances, over the noise
-    std::vector<DriveProducts> products;   // per drive, of those
+    std::vector<Eigen::Index> nuisances;   // the relevant ones: indices of parameters
+    std::vector<Eigen::MatrixXd> columns;  // per drive: rows x nuisances, whitened
+    std::vector<DriveProducts> products;   // per drive, of these columns
 };
 Linearisation linearisation(Sensitivities about, const std::vector<Eigen::Index>& nuisances,
                             const Uncertainty& uncertainty);
 
-// Those of the nuisances that make a difference to any answer.
+// Nuisances that can change an answer: those with more than a negligible Fisher information.
 std::vector<Eigen::Index> relevantNuisances(const std::vector<Eigen::Index>& nuisances, const Sensitivities& about,
                                             const Uncertainty& uncertainty);
 
-// The drives about another point: sensitivities to the nuisances anew where they make a difference, all else as before.
+// Sensitivities about another point: those to the nuisances are computed again in the drives where they matter, all
+// others are taken from `before`.
 Sensitivities nuisancesAt(const Replays& replays, Drives drives, const Deviation& at, const Linearisation& before,
                           const Uncertainty& uncertainty, const std::function<void(double)>& progress);
 
-// Of one drive, over the noise: the columns of these parameters about a point, then the residual that the rows leave.
+// Whitened rows of one drive: the columns of these parameters about a point, then the residual that `rows` leave.
 Eigen::MatrixXd columnsAndResidual(Drives drives, const Uncertainty& uncertainty, const Sensitivities& about,
                                    const std::vector<Eigen::Index>& parameters, const Rows& rows, std::size_t drive);
 

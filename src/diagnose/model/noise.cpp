@@ -11,15 +11,16 @@
 namespace tread::diagnose::model {
 namespace {
 
-constexpr Eigen::Index kAround = 5;  // rows
-constexpr Eigen::Index kFewRows = 12;
+constexpr Eigen::Index kAround = 5;    // rows on either side (0.25 s) over which the local size of the gap is taken
+constexpr Eigen::Index kFewRows = 12;  // a channel with fewer rows gives no estimate of its noise
 
 double bandNoise(const Eigen::VectorXd& rows) {
     if (rows.size() < kFewRows) return kInfinity;
     return inference::noiseBehind(std::span<const double>(rows.data(), rows.size()), inference::kBand);
 }
 
-// Root mean square over the rows around each: what passes through zero there is not small.
+// Root mean square over the rows within kAround of each, so that a value that passes through zero does not count as
+// small.
 Eigen::VectorXd localSize(const Eigen::VectorXd& values) {
     Eigen::VectorXd size(values.size());
     for (Eigen::Index i = 0; i < values.size(); ++i) {
@@ -30,7 +31,7 @@ Eigen::VectorXd localSize(const Eigen::VectorXd& values) {
     return size;
 }
 
-// Of one channel in all drives.
+// One channel in all drives: its noise between 2 and 7 Hz in each, and its largest root mean square.
 struct Seen {
     std::vector<double> band;
     double size = 0;
@@ -53,7 +54,8 @@ std::map<std::string, Seen> seenIn(Drives drives, const Rows& model) {
 double deviationOf(const RecordedDrive& drive, const recording::ObservedChannel& channel, const Seen& seen) {
     const double told = std::sqrt(drive.runs) * channel.noise;
     const double deviation = std::max({told, median(seen.band), kSettings.model_error * seen.size});
-    return deviation > 0 ? deviation : 1;  // a channel that is zero throughout says nothing
+    // a channel that is zero throughout carries no information, whatever its noise
+    return deviation > 0 ? deviation : 1;
 }
 
 }  // namespace

@@ -10,11 +10,12 @@
 namespace tread::diagnose::model {
 namespace {
 
-constexpr double kOpenLimit = 1e-3;    // of the nominal value: how near to an open limit a number may come
-constexpr double kKneeDistance = 0.3;  // units; nearer to its limit than this, a parameter moves to one side only
+// share of the nominal value, or of the unit if larger, that a number keeps from an open limit
+constexpr double kOpenLimit = 1e-3;
+constexpr double kKneeDistance = 0.3;  // units; a number whose limits leave it less room than this is not a parameter
 
-// How well numbers are known whose descriptions cannot say it as a fraction, because their nominal value is 0 or
-// because a fraction says nothing about it. Angles of the chassis: alignment benches; instruments: data sheets of usual
+// Tolerances of numbers whose description cannot state one as a fraction, because the nominal value is 0 or because a
+// fraction would be meaningless. Chassis angles: accuracy of alignment benches. Instruments: data sheets of common
 // ones.
 const std::vector<KnownWithin>& usualTolerances() {
     static const std::vector<KnownWithin> known{
@@ -51,7 +52,7 @@ double toleranceOf(const Number& number, const std::vector<KnownWithin>& told) {
     return tolerance;
 }
 
-// Units by which a number may move until it meets its limits.
+// Narrows the range of the parameter, in units, so that the number stays within its limits.
 void limit(Parameter& parameter, const Limits& limits, double nominal, double by) {
     const auto until = [&](double end, bool open) {
         const double margin = open ? kOpenLimit * std::max(std::abs(nominal), std::abs(by)) : 0;
@@ -67,13 +68,13 @@ void limit(Parameter& parameter, const Limits& limits, double nominal, double by
     parameter.highest = std::min(parameter.highest, std::max(high, 0.0));
 }
 
-// What the driver did is recorded by instruments, too: those change the drive.
+// Instruments that record the driver's inputs are excluded, because the replay is driven with these inputs.
 bool readingOnly(const std::string& path) {
     const auto of = [&](const char* input) { return path.starts_with(std::string("instruments.") + input); };
     return path.starts_with("instruments.") && !of("steering_wheel_angle") && !of("throttle") && !of("brake");
 }
 
-// Road, wind and the zeros of instruments are those of the day.
+// Road, wind and the zeros of instruments change from day to day.
 bool staysTheSame(const std::string& path) {
     return !path.starts_with("road.") && !path.starts_with("wind.") && !path.ends_with(".bias");
 }

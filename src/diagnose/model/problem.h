@@ -1,5 +1,5 @@
-// What is asked of a diagnosis: the drives, the model that repeats them, and what may differ between model and car. It
-// is built whole and does not change any more.
+// The problem that a diagnosis solves: the recorded drives, the model that replays them, and the parameters in which
+// model and car may differ. Built once and constant from then on.
 #pragma once
 
 #include "diagnose/catalogue/effect.h"
@@ -10,23 +10,24 @@ namespace tread::diagnose::model {
 
 struct Problem {
     Replays replays;
-    std::vector<RecordedDrive> drives;             // from which to learn
-    std::vector<RecordedDrive> held_out;           // that judge
-    std::vector<Effect> effects;                   // those that the car can show at all
-    std::vector<std::vector<Eigen::Index>> knobs;  // of each effect: indices of parameters
-    std::vector<Eigen::Index> nuisances;           // indices of parameters
+    std::vector<RecordedDrive> drives;             // the model is fitted to these
+    std::vector<RecordedDrive> held_out;           // these only test the fitted model
+    std::vector<Effect> effects;                   // those that this car can have
+    std::vector<std::vector<Eigen::Index>> knobs;  // of each effect: indices into replays.parameters
+    std::vector<Eigen::Index> nuisances;           // indices into replays.parameters
 
     bool compared() const { return recording::compared(drives); }
     std::vector<std::string> namesOf(const std::vector<std::size_t>& some) const;
     std::vector<Eigen::Index> allKnobs() const;
 };
 
-// All uncertain numbers may differ, and then the parameters of those effects. Recordings are less their references, as
-// the nominal car sees them. Throws std::invalid_argument when nothing can be learnt from a recording.
+// Parameters are all uncertain numbers and the knobs of the given effects. Where a recording has a reference, the gap
+// of the nominal car to the reference is subtracted. Throws std::invalid_argument when nothing can be learnt from a
+// recording.
 Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, const recording::Recorded& recorded,
                   const std::vector<Effect>& effects, const Options& options);
 
-// The same with parameters of the caller's.
+// The same with parameters chosen by the caller.
 struct Differences {
     std::vector<Parameter> parameters;
     std::vector<Effect> effects;
@@ -36,15 +37,16 @@ struct Differences {
 Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, const recording::Recorded& recorded,
                   const std::function<Differences(bool compared)>& differences, const Options& options);
 
-// The nominal car in the drives: its rows and what its tolerances do; noise and disturbances are those about it.
+// The nominal car in the drives: its rows, their sensitivities to the tolerances, and the noise and disturbances about
+// them.
 struct NominalCar {
-    Rows allowed;  // standard deviation of its rows by its tolerances
+    Rows allowed;  // standard deviation of its rows due to its tolerances
     Uncertainty uncertainty;
-    Linearisation about;  // to the relevant nuisances; about.about.rows is what it does
+    Linearisation about;  // with respect to the relevant nuisances; about.about.rows are the rows of the nominal car
 };
 NominalCar nominalCar(const Problem& problem, const Progress& progress);
 
-// Throws when the nominal car could not be driven in one of the recordings.
+// Throws std::invalid_argument when the nominal car could not be driven in one of the recordings.
 void expectDriven(Drives drives, const Sensitivities& about);
 
 }  // namespace tread::diagnose::model

@@ -1,4 +1,4 @@
-// The model's replays: the recorded drives, repeated by the car at any point of the space of parameters.
+// Replays of the recorded drives by the model, at any point of the parameter space.
 #pragma once
 
 #include <Eigen/Dense>
@@ -16,9 +16,9 @@ using recording::Drives;
 using recording::RecordedDrive;
 
 using Deviation = Eigen::VectorXd;          // from the nominal car: one value per parameter, in its units
-using Rows = std::vector<Eigen::VectorXd>;  // of each drive
+using Rows = std::vector<Eigen::VectorXd>;  // one vector per drive
 
-// Counts from several threads; a copy goes on from where it was made.
+// Counter that several threads may increase. A copy starts from the value at the time of copying.
 class Count {
 public:
     Count() = default;
@@ -31,14 +31,14 @@ public:
     int value() const { return value_; }
 
 private:
-    mutable std::atomic<int> value_{0};  // no part of what a model is
+    mutable std::atomic<int> value_{0};  // mutable: counting simulations does not change the model
 };
 
 struct Replays {
     recording::Replayer replayer;
     std::vector<Parameter> parameters;
     int threads = 0;              // 0: one per core
-    std::filesystem::path cache;  // of the sensitivities of the nominal car; empty: none
+    std::filesystem::path cache;  // folder for the sensitivities of the nominal car; empty: none
     Count simulations;
 
     const Subject& nominal() const { return replayer.nominal; }
@@ -46,13 +46,13 @@ struct Replays {
     Subject subjectAt(const Deviation& point) const;
 };
 
-// How a drive is repeated otherwise than it was driven.
+// How a replay differs from the recorded drive.
 struct Variation {
-    double faster = 0;     // m/s, at the start
-    Pushing pushing = {};  // over the time of the drive
+    double faster = 0;     // m/s, added to the start speed
+    Pushing pushing = {};  // external forces over the time of the drive
 };
 
-// What the subject does in a drive; nothing when the simulation breaks down.
+// Motion of the subject in a drive; nothing when the simulation fails.
 std::optional<Log> motionAt(const Replays& replays, const RecordedDrive& drive, const Subject& subject,
                             const Variation& variation = {});
 

@@ -9,16 +9,16 @@
 namespace tread::diagnose::model {
 namespace {
 
-constexpr double kSpeedStep = 0.1;  // m/s
+constexpr double kSpeedStep = 0.1;  // m/s, step of the start speed
 
 // One column of one drive.
 struct Column {
     std::size_t drive;
     Eigen::Index parameter;
-    double by;  // units, of the difference
+    double by;  // step of the difference, in units of the parameter
 };
 
-// Upwards, unless the parameter's limits leave room only below.
+// Upwards, or downwards if the limits leave room only below; up to the upper limit if neither step fits.
 double stepOf(const Parameter& parameter, double at, double step) {
     if (at + step <= parameter.highest) return step;
     return at - step >= parameter.lowest ? -step : parameter.highest - at;
@@ -38,7 +38,8 @@ std::vector<Column> columnsToDrive(const Replays& replays, Drives drives, const 
     return columns;
 }
 
-// The difference of a column, to the other side where this one cannot be driven; nothing when neither can (D18).
+// The finite difference of a column. It is taken with the opposite step when the drive fails; nothing when both fail
+// (D18).
 std::optional<Eigen::VectorXd> difference(const Replays& replays, const RecordedDrive& drive, const Column& column,
                                           const Subject& subject, const Log& motion, const Eigen::VectorXd& here) {
     const Parameter& parameter = replays.parameters[column.parameter];

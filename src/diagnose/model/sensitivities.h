@@ -1,4 +1,4 @@
-// What is observed in the drives about a point, and how it changes with each parameter: by finite differences.
+// Rows of the drives at a point of the parameter space, and their sensitivity to each parameter by finite differences.
 #pragma once
 
 #include <functional>
@@ -7,18 +7,18 @@
 
 namespace tread::diagnose::model {
 
-// Steps of the differences, in units: small against what bends the response, large against what jumps. Effects take
-// smaller ones, for their typical sizes are large.
+// Steps of the differences, in units: small against the curvature of the response, large against its jumps. The step of
+// effects is smaller because their typical sizes are large.
 inline constexpr double kNuisanceStep = 0.6, kEffectStep = 0.3;
 
 struct Sensitivities {
     Deviation at;
     Rows rows;
-    std::vector<Eigen::MatrixXd> columns;  // per drive: rows x parameters; zero where a parameter was not asked for
+    std::vector<Eigen::MatrixXd> columns;  // per drive: rows x parameters; zero for parameters not asked for
 };
 
-// Which columns are asked for, and in which drives they are worth driving (empty: in all); the others stay those of
-// `elsewhere`, or zero.
+// Parameters whose columns are computed, and the drives in which each is worth computing (empty: all drives). Other
+// columns are taken from `elsewhere`, or are zero.
 struct Wanted {
     std::vector<Eigen::Index> parameters;
     double step = kNuisanceStep;
@@ -26,12 +26,12 @@ struct Wanted {
     const Sensitivities* elsewhere = nullptr;
 };
 
-// Those of the nominal car are kept in the cache of the replays.
+// Columns about the nominal car are kept in the cache of the replays.
 Sensitivities sensitivities(
     const Replays& replays, Drives drives, const Deviation& at, const Wanted& wanted,
     const std::function<void(double)>& progress = [](double) {});
 
-// How the rows of a drive of the subject change with the speed at its start, s.
+// Change of the rows of a drive with the start speed, per m/s; the unit of a column is that of the row times s/m.
 Eigen::VectorXd startSpeedColumn(const Replays& replays, const RecordedDrive& drive, const Subject& subject,
                                  const Eigen::VectorXd& rows);
 

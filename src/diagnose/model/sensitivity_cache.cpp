@@ -23,7 +23,8 @@ std::string bytesOf(const Path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// Another program may compute otherwise, whatever its version says; empty when it cannot be read.
+// Builds of the same version may compute different values, so the program itself is hashed. Empty when it cannot be
+// read.
 const std::string& programHash() {
     static const std::string hash = [] {
         const std::string bytes = bytesOf("/proc/self/exe");
@@ -65,7 +66,7 @@ std::optional<Eigen::VectorXd> read(const Path& file, Eigen::Index rows) {
     return column;
 }
 
-// Under another name first: whoever is interrupted leaves no half of a column.
+// Written under another name and then renamed, so that an interruption leaves no incomplete column.
 void write(const Path& file, const Eigen::VectorXd& column) {
     static std::atomic<std::uint64_t> count{0};
     const Path part = file.string() + "." + std::to_string(getpid()) + "." + std::to_string(count++) + ".part";
