@@ -1,4 +1,4 @@
-// Effects of the body, and of the air and the road around it.
+// Effects of body, air and road.
 
 #include "diagnose/catalogue/catalogue.h"
 

@@ -1,4 +1,4 @@
-// The catalogue by subsystem; effectCatalogue() is all of it.
+// The catalogue by subsystem; effectCatalogue() joins these lists.
 #pragma once
 
 #include <vector>

@@ -8,7 +8,8 @@
 namespace tread::diagnose::catalogue {
 namespace {
 
-// Before an end that does not belong to the range, half of the way from the nominal value is left.
+// The wanted value clamped to the limits. If it meets a limit that is itself excluded, half of the way from the nominal
+// value to that limit.
 double within(const Limits& limits, double wanted, double nominal) {
     const double value = std::clamp(wanted, limits.lowest, limits.highest);
     return limits.allow(value) ? value : 0.5 * (value + nominal);

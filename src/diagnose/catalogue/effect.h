@@ -1,12 +1,14 @@
-// A cause of a gap between model and car: named numbers whose defaults are neutral, and which are set free together.
+// An effect is a possible cause of a gap between model and car: a set of numbers with neutral defaults that are freed
+// together.
 //
-// A new effect of numbers that exist needs no compiling: a file of OwnEffects, named in diagnosis.yaml. New physics is
-// C++: give the sub-model that it belongs to a number with a neutral default (say `double trail_lag = 0;` in
-// SteeringParams, its line in `describe`, and what it does in advance()), and register the effect in one line of any
-// source file that is linked:
+// A new effect of existing numbers needs no compiling: describe it in a file of OwnEffects and name that file in
+// diagnosis.yaml. New physics is C++: give the sub-model a number with a neutral default (for example
+// `double trail_lag = 0;` in SteeringParams, its line in `describe`, and its use in advance()), and register the effect
+// in one line of any source file that is linked:
 //
-//     const bool kTrailLag = tread::diagnose::catalogue::addEffect({.name = "trail_lag",
-//         .question = "Does the trail follow late?", .source = "guess", .knobs = {{.paths = {"steering.trail_lag"}, .typical = 0.02}}});
+//     const bool kTrailLag = tread::diagnose::catalogue::addEffect(
+//         {.name = "trail_lag", .question = "Does the trail follow late?", .source = "guess",
+//          .knobs = {{.paths = {"steering.trail_lag"}, .typical = 0.02}}});
 #pragma once
 
 #include <array>
@@ -22,16 +24,16 @@ namespace tread::diagnose::catalogue {
 
 using recording::Subject;
 
-enum class Direction { either, up, down };  // of a change that is physically possible
+enum class Direction { either, up, down };  // sign of a change that is physically possible
 constexpr auto enumNames(Direction) {
     return std::array<std::string_view, 3>{"either", "up", "down"};
 }
 
-// One free parameter of an effect. It moves its paths together, from the nominal value of each:
-// value = nominal + share change, or nominal (1 + share change) when `relative`.
+// One free parameter of an effect. It moves all its paths together from their nominal values:
+// `value = nominal + share * change`, or `nominal * (1 + share * change)` when `relative`.
 struct Knob {
-    // In Subject: "front.tyre.lambda.Ky", "road.grade", "instruments.yaw_rate.bias". Those of parts that a car does not
-    // have are left out; without any left the effect does not apply to that car.
+    // Paths in Subject, such as "front.tyre.lambda.Ky", "road.grade" or "instruments.yaw_rate.bias". Paths of parts
+    // that a car lacks are skipped; if none is left, the effect does not apply to that car.
     std::vector<std::string> paths;
     double typical = kRequired;
     bool relative = false;
@@ -78,7 +80,7 @@ struct Effect {
 };
 static_assert(describesEveryMember<Effect>());
 
-// A file of effects that a user adds.
+// A file of effects added by the user.
 struct OwnEffects {
     std::vector<Effect> catalogue;
 
@@ -88,19 +90,20 @@ struct OwnEffects {
 };
 static_assert(describesEveryMember<OwnEffects>());
 
-// Throws LoadError: also for a path that no car has, and for a name that is taken.
+// Throws LoadError, also for a path that no car has and for a name that is already taken.
 std::vector<Effect> loadOwnEffects(const std::filesystem::path& file);
 
-// Changes the numbers of a knob, within their limits; `subject` has the nominal ones. False when it has none of them.
+// Changes the numbers of a knob within their limits; `subject` holds the nominal values. False when the subject has
+// none of these numbers.
 bool move(Subject& subject, const Knob& knob, double change);
 
-// Whether the subject has a number that the effect moves.
+// True when the subject has at least one number that the effect moves.
 bool applies(const Effect& effect, Subject subject);
 
-// The effects that tread knows, in the order of `tread describe effects`, and those that were added.
+// Built-in effects in the order of `tread describe effects`, then the registered ones.
 const std::vector<Effect>& effectCatalogue();
 
-// Adds one at the start of the program; true.
+// Registers an effect during static initialisation. Always returns true.
 bool addEffect(Effect effect);
 
 }  // namespace tread::diagnose::catalogue

@@ -1,4 +1,4 @@
-// The effects that a diagnosis is asked to consider.
+// Selection of the effects that a diagnosis considers.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,8 @@
 
 namespace tread::diagnose::catalogue {
 
-// Those of the catalogue and the user's own that the file asks for. Throws LoadError with every fault.
+// Effects of the catalogue and of the user's own file that match the patterns of the diagnosis file. Throws LoadError
+// that lists every fault.
 std::vector<Effect> effectsToConsider(const recording::DiagnosisFile& file);
 
 }  // namespace tread::diagnose::catalogue

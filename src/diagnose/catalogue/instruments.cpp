@@ -1,4 +1,4 @@
-// Effects of the instruments that observed the car: they change what was read, not how the car moved.
+// Effects of the instruments that recorded the car. They change the readings, or the recorded inputs, but not the car.
 
 #include "diagnose/catalogue/catalogue.h"
 
