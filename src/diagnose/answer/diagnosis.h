@@ -1,4 +1,4 @@
-// What a diagnosis answers; `diagnosis.json` is this, name by name.
+// The answer of a diagnosis. `diagnosis.json` has the same names.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ constexpr auto enumNames(Verdict) {
     return std::array<std::string_view, 5>{"explained", "nothing", "ambiguous", "unknown", "not_testable"};
 }
 
-struct Estimate {  // of a parameter
+struct Estimate {  // estimate of one parameter
     double value = 0, sd = 0, low = 0, high = 0, neutral = 0;
     bool at_bound = false;
 
@@ -47,23 +47,25 @@ struct RankedEffect {
 };
 static_assert(describesEveryMember<RankedEffect>());
 
-using Shares = std::map<std::string, double>;  // sum to 1
+using Shares = std::map<std::string, double>;  // share by name, sum 1
 
 struct WhereItLies {
     Shares channels, recordings, phases, bands, regimes, generalised_force;
-    Shares axle_force;                                    // front, rear: side force that would do what is missing
-    std::map<std::string, Shares> channels_of_recording;  // the heat map; all of them sum to 1
+    Shares axle_force;  // front and rear: shares of the side force that would close the gap
+    // share by recording and channel; all of them together sum to 1
+    std::map<std::string, Shares> channels_of_recording;
 };
 
-// Root mean square of the gap in noise units; `floor` is what a perfect model would leave.
+// Root mean square of the gap in units of the noise. `floor` is the level that a perfect model would leave.
 struct GapLevels {
     double nominal = 0, calibrated = 0, extended = 0, floor = 0;
 };
 
 struct HowFar {
     GapLevels training, held_out;
-    double closure = 0, closure_low = 0, closure_high = 0;  // share of the nominal car's gap to the true one
-    bool in_sample = false;                                 // no recording was held out
+    // share of the nominal car's gap to the true car that is closed
+    double closure = 0, closure_low = 0, closure_high = 0;
+    bool in_sample = false;  // true when no recording was held out
 };
 
 struct NuisanceEstimate {
@@ -72,39 +74,40 @@ struct NuisanceEstimate {
 
 struct ConfusablePair {
     std::string a, b;
-    double cosine = 0;      // of their signatures, nuisances projected out
+    double cosine = 0;      // of their signatures, with the nuisances projected out
     double separation = 0;  // nats at typical size
     std::string manoeuvre;  // recording that separates them most
 };
 
 struct NextDrive {
     std::string scenario;
-    std::vector<std::string> one, other;  // causes that it tells apart; without `other`: the first from none
+    // two sets of causes that it tells apart; empty `other`: `one` against no cause
+    std::vector<std::string> one, other;
     double nats = 0;
 };
 
-// That forces follow which no effect of the catalogue explains.
+// Law of forces that no effect of the catalogue explains.
 struct ForceLaw {
-    std::string follows = {};                         // in words; empty when the gain is not clear
-    std::string unit = {};                            // of what they follow
+    std::string follows = {};  // quantity that the force follows, in words; empty when the gain is not clear
+    std::string unit = {};     // unit of that quantity
     std::map<std::string, double> coefficients = {};  // of each generalised force: N or N m per unit
-    std::string generalised_force = {};               // the largest of them; empty when effects act, too
+    std::string generalised_force = {};               // the largest of them; empty when effects act too
     double gain = 0;                                  // nats over the best model
 };
 
 struct Moment {
-    std::string recording = {};  // empty: none
+    std::string recording = {};  // empty: no moment found
     double time = 0;             // s
 };
 
 struct Unexplained {
-    double share = 0;               // of the gap that the best answer leaves
-    std::string generalised_force;  // longitudinal, lateral, yaw, roll: where it acts
-    Moment when;                    // it acts most
-    ForceLaw law = {};              // that it follows, if any
+    double share = 0;               // share of the gap that the best answer leaves
+    std::string generalised_force;  // longitudinal, lateral, yaw or roll: the largest missing force
+    Moment when;                    // moment at which it is largest
+    ForceLaw law = {};              // law that it follows, if one was found
 };
 
-// What simpler methods would answer: the name of one effect, or "none".
+// Answers of simpler methods: the name of one effect, or "none".
 struct Baselines {
     std::string largest_reduction;
     std::string bic;
@@ -117,21 +120,21 @@ struct Baselines {
 };
 static_assert(describesEveryMember<Baselines>());
 
-// Time histories for the report and the logs: measured, nominal, calibrated and with the effect.
+// Time histories for report and logs: measured, nominal, calibrated, and with the causes.
 struct Overlay {
     std::string recording;
     bool hold_out = false;
     Log measured, nominal, calibrated, extended;
-    Log allowed = {};  // standard deviation that the tolerances give the nominal car; empty for held-out drives
+    Log allowed = {};  // standard deviation of the nominal rows due to tolerances; empty for held-out drives
 };
 
 struct Diagnosis {
     Verdict verdict = Verdict::not_testable;
     std::string answer;  // in words
     std::vector<std::string> causes;
-    std::vector<std::vector<std::string>> alternatives;  // instead of the causes, each as many as they
+    std::vector<std::vector<std::string>> alternatives;  // to the causes: sets of the same number of effects
     std::vector<RankedEffect> effects;                   // best first
-    double probability_of_nothing = 0;                   // none of the effects, or only such as have not shown
+    double probability_of_nothing = 0;                   // no effect, or only effects below the threshold of evidence
     double probability_of_unknown = 0;
     WhereItLies where;
     HowFar how_far;
@@ -141,9 +144,9 @@ struct Diagnosis {
     std::vector<NextDrive> next;
     Unexplained unexplained;
     std::vector<std::string> credible_set;
-    std::map<std::string, double> constancy;  // p of one value in all drives
+    std::map<std::string, double> constancy;  // by effect: p-value of one value in all drives
     Baselines baselines;
-    bool compared = false;  // every recording has a reference
+    bool compared = false;  // true when every recording has a reference
     std::vector<std::string> data_warnings;
     double seconds = 0;
     int simulations = 0;

@@ -23,7 +23,7 @@ Json whereOf(const WhereItLies& where) {
             {"axle_force", where.axle_force}, {"channels_of_recording", where.channels_of_recording}};
 }
 
-// Of a list, each element as an object.
+// JSON array of the values, each converted by `to_json`.
 template <class T, class ToJson>
 Json listOf(const std::vector<T>& values, ToJson to_json) {
     Json list = Json::array();

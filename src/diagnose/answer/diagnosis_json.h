@@ -1,4 +1,4 @@
-// diagnosis.json: the answer of a diagnosis, name by name.
+// The answer of a diagnosis as diagnosis.json.
 #pragma once
 
 #include <nlohmann/json.hpp>

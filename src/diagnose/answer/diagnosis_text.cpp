@@ -10,8 +10,9 @@
 namespace tread::diagnose::answer {
 namespace {
 
-constexpr double kWorthNaming = 0.05;  // share, or probability of an effect
-constexpr double kMostly = 0.5;        // of the missing force: side forces are worth a word
+constexpr double kWorthNaming = 0.05;  // share of the gap, or probability of an effect
+// share of lateral force and yaw moment in the missing force from which the axle is named
+constexpr double kMostly = 0.5;
 constexpr std::size_t kMostShares = 3, kMostEffects = 5;
 
 // "yaw rate 62 %, lateral acceleration 30 %"
@@ -28,7 +29,7 @@ std::string largest(const Shares& shares, bool channels = false) {
     return list.empty() ? "nowhere" : list;
 }
 
-// "; front axle side force 80 %", where side forces are most of what is missing.
+// "; front axle side force 80 %" when side forces make up most of the missing force; otherwise empty.
 std::string axleOf(const WhereItLies& where) {
     const auto share = [](const Shares& shares, std::string_view name) {
         const auto found = shares.find(std::string(name));

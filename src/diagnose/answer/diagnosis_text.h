@@ -1,4 +1,5 @@
-// The answer of a diagnosis as it is printed: where, which, how far, what to drive next.
+// The answer of a diagnosis as printed: where the gap is, which effects cause it, how far they close it, what to drive
+// next.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What drives would show of each effect before anything is fitted, as it is printed.
+// Result of the check before a diagnosis: how well the drives would show each effect.
 #pragma once
 
 #include <map>
@@ -12,21 +12,22 @@ namespace tread::diagnose::answer {
 
 struct Precheck {
     std::map<std::string, double> expected_evidence;  // nats, of each effect at its typical size
-    std::vector<ConfusablePair> confusable;           // that would be left so if one of them were true, worst first
-    std::vector<std::string> warnings;                // of what is left out of the drives
+    // pairs that the drives could not tell apart if one of them were true, worst first
+    std::vector<ConfusablePair> confusable;
+    std::vector<std::string> warnings;  // about parts of the drives that are left out
     int simulations = 0;
 };
 
-// The effects by what the drives would show of them, each group the clearest first.
+// Effects grouped by how well the drives would show them; within a group the clearest first.
 struct Visibility {
-    using Group = std::vector<std::pair<std::string, double>>;  // with the nats to expect
-    Group found;                                                // enough for the thresholds of a verdict
-    Group perhaps;                                              // enough to stand out, if it is larger than is typical
+    using Group = std::vector<std::pair<std::string, double>>;  // effects with their expected evidence, nats
+    Group found;                                                // enough for a verdict
+    Group perhaps;                                              // enough only if the effect is larger than typical
     Group hidden;
 };
 Visibility visibility(const std::map<std::string, double>& expected_evidence);
 
-// As it is printed: the groups, then the pairs.
+// The printed check: the groups, then the pairs.
 std::string precheckText(const Precheck& precheck);
 
 }  // namespace tread::diagnose::answer

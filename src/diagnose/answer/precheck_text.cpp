@@ -8,9 +8,9 @@
 namespace tread::diagnose::answer {
 namespace {
 
-constexpr std::size_t kMostPairs = 12, kWidth = 116, kIndent = 10;
+constexpr std::size_t kMostPairs = 12, kWidth = 116, kIndent = 10;  // kWidth, kIndent: characters
 
-// Words after a headline, with the lines beneath it indented.
+// A headline followed by words, wrapped, with the lines below indented.
 std::string paragraph(const char* headline, const std::vector<std::string>& words) {
     std::string text, line = fmt::format("{:<{}}", headline, kIndent);
     for (const std::string& word : words) {
@@ -23,7 +23,7 @@ std::string paragraph(const char* headline, const std::vector<std::string>& word
     return text + line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
 }
 
-// "CAN FIND  grip 340, mass 120"; nothing without effects.
+// "CAN FIND  grip 340, mass 120"; empty for an empty group.
 std::string groupText(const char* headline, const std::string& meaning, const Visibility::Group& group) {
     if (group.empty()) return {};
     std::vector<std::string> words{meaning};

@@ -1,4 +1,4 @@
-// The nominal car with the numbers that a diagnosis found, ready to run.
+// The nominal car with the parameters that a diagnosis found, ready to run.
 #pragma once
 
 #include <string>
@@ -8,10 +8,11 @@
 
 namespace tread::diagnose::answer {
 
-// The subject with the fitted parameters of the causes; without a cause the nominal one.
+// The subject with the fitted parameters of the causes; unchanged when there is no cause.
 recording::Subject withCauses(recording::Subject nominal, const Diagnosis& diagnosis);
 
-// vehicle_with_effect.yaml: the car, headed by what was changed and by what is not the car's (road, wind, instruments).
+// Text of vehicle_with_effect.yaml: the car, below a comment that lists the changed numbers and those that do not
+// belong to the car (road, wind, instruments).
 std::string vehicleWithEffectYaml(const recording::Subject& nominal, const Diagnosis& diagnosis);
 
 }  // namespace tread::diagnose::answer

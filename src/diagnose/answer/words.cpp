@@ -11,7 +11,7 @@
 namespace tread::diagnose::answer {
 namespace {
 
-// Of the least certain cause.
+// Probability of the least certain cause.
 double probabilityOfCauses(const Diagnosis& d) {
     double p = 1;
     for (const RankedEffect& effect : d.effects) {

@@ -1,4 +1,4 @@
-// The parts of an answer in words.
+// Phrases for the answer of a diagnosis.
 #pragma once
 
 #include <string>
@@ -8,29 +8,29 @@
 
 namespace tread::diagnose::answer {
 
-// The first line of an answer: the verdict, with its causes and how sure they are.
+// First line of the answer: the verdict, its causes and their probability.
 std::string inWords(const Diagnosis& diagnosis);
 
-// A measured channel as people name it: "yaw rate"; one that is not known stays as it is.
+// Name of a measured channel for people, such as "yaw rate"; an unknown channel keeps its name.
 std::string channelInWords(const std::string& channel);
 
-// "p = 0.97"; nothing is certain.
+// "p = 0.97"; close to 1 it reads "p > 0.99", because nothing is certain.
 std::string probabilityInWords(double p);
 
-// What forces of unknown cause follow, with numbers; empty when nothing is known of it.
+// The law of an unexplained force, with its coefficients; empty when there is none.
 std::string lawInWords(const ForceLaw& law);
 
 // "step_1, about 3.2 s"; empty without a recording.
 std::string momentInWords(const Moment& moment);
 
-// What a manoeuvre tells apart: "grip from mass".
+// The causes that a manoeuvre tells apart: "grip from mass".
 std::string separatesInWords(const NextDrive& next);
 
-// What acts together: "grip and mass".
+// Causes that act together: "grip and mass".
 std::string together(const std::vector<std::string>& causes);
 std::vector<std::string> eachTogether(const std::vector<std::vector<std::string>>& alternatives);
 
-// The effects that stand in alternatives and not among the causes, each once.
+// Effects that are in an alternative but not among the causes, each once.
 std::vector<std::string> namesOnlyIn(const std::vector<std::vector<std::string>>& alternatives,
                                      const std::vector<std::string>& causes);
 
