@@ -24,23 +24,24 @@ using model::Uncertainty;
 using recording::ObservedChannel;
 using recording::RecordedDrive;
 
-constexpr int kDraws = 12;            // of the posterior, each driven
-constexpr int kResamples = 400;       // of the recordings, spread over the draws
-constexpr double kStartError = 0.03;  // m/s: what a line through the first half second of speeds leaves
-constexpr double kSignificant = 2;    // standard deviations by which a gap must exceed its floor
+constexpr int kDraws = 12;       // draws from the posterior, each one a replay of all drives
+constexpr int kResamples = 400;  // bootstrap samples of the drives, shared out among the draws
+// m/s, standard deviation of a start speed taken from a line through the first half second
+constexpr double kStartError = 0.03;
+constexpr double kSignificant = 2;  // standard deviations by which a gap must exceed its floor
 constexpr double kLow = 0.05, kHigh = 0.95;
 
-// What a model does in each drive, and the sum of squares of what is then off. No rows where it cannot be driven.
+// Rows of a model in each drive, and the squared residual that they leave. A drive that cannot be driven has no rows.
 struct Stage {
     Rows rows;
     std::vector<double> off;
 };
 struct Gaps {
-    std::vector<double> floor;  // per drive: the sum that noise alone leaves
+    std::vector<double> floor;  // per drive: squared residual expected of noise alone
     Stage nominal, calibrated, extended;
 };
 
-// The drives that are looked at, and how uncertain they are.
+// The drives that are judged, with their noise and disturbances.
 struct Judged {
     const Replays& replays;
     Drives drives;
@@ -54,7 +55,7 @@ double sum(const std::vector<double>& values) {
     return all;
 }
 
-// The root of the squared residual over what noise would leave (D49).
+// Root of the squared residual over that expected of noise (D49).
 GapLevels levels(const Gaps& gaps) {
     const double floor = sum(gaps.floor);
     const auto level = [&](const std::vector<double>& squares) {
@@ -63,7 +64,7 @@ GapLevels levels(const Gaps& gaps) {
     return {level(gaps.nominal.off), level(gaps.calibrated.off), level(gaps.extended.off), level(gaps.floor)};
 }
 
-// Rows of a drive as a log; with no rows, only their times.
+// Rows of a drive as a log; without rows only the time column.
 Log logOf(const RecordedDrive& drive, const Eigen::VectorXd& rows) {
     Log log;
     std::set<double> every;
@@ -82,7 +83,7 @@ Log logOf(const RecordedDrive& drive, const Eigen::VectorXd& rows) {
     return log;
 }
 
-// What was measured; its rows where something was taken off them.
+// The measured channels and the driver's inputs. With a reference, the rows with the gap to the reference subtracted.
 Log measuredOverlay(const RecordedDrive& drive) {
     const bool compared = drive.compared();
     Log log = compared ? logOf(drive, drive.measured) : Log{{{"time", "s", drive.time}}};
@@ -98,7 +99,7 @@ Log measuredOverlay(const RecordedDrive& drive) {
     return log;
 }
 
-// Drives every stage of the model, and adds its time histories to the overlays.
+// Drives every stage of the model and adds its time histories to the overlays.
 Gaps gapsOf(const Judged& judged, const std::array<Deviation, 3>& stages, std::vector<Overlay>& overlays) {
     const std::size_t n = judged.drives.size();
     Gaps gaps{.floor = std::vector<double>(n), .nominal = {}, .calibrated = {}, .extended = {}};
@@ -128,7 +129,7 @@ Gaps gapsOf(const Judged& judged, const std::array<Deviation, 3>& stages, std::v
     return gaps;
 }
 
-// A point as likely as the posterior makes it.
+// A random point from the Gaussian posterior of the fit, cut at the parameters' bounds.
 Deviation drawn(const Replays& replays, const select::Fit& fit, Random& random) {
     Eigen::VectorXd normal(fit.covariance.rows());
     for (double& one : normal) one = random.normal();
@@ -146,13 +147,13 @@ bool driven(const Rows& rows) {
                        [](const Eigen::VectorXd& r) { return r.size() > 0 && r.allFinite(); });
 }
 
-// Squared gaps of each drive to a car that may be the true one, before and after.
+// Squared gap of each drive to a car that may be the true one, for the nominal car and for the answer.
 struct TrueGaps {
     std::vector<double> before, after;
 };
 
-// `truth` stands for the true car, from a start as uncertain as that of the replay. A gap that the answer leaves beyond
-// its floor in the recordings themselves is not closed whatever the posterior says.
+// Gaps to `truth`, a possible true car, with a start speed as uncertain as that of the replay. Where the answer leaves
+// more than its floor in the recording itself, the excess counts as not closed, whatever the posterior says.
 TrueGaps gapsTo(const Rows& truth, const Judged& judged, const Gaps& gaps, Random& random) {
     TrueGaps found;
     for (std::size_t d = 0; d < judged.drives.size(); ++d) {
@@ -167,7 +168,7 @@ TrueGaps gapsTo(const Rows& truth, const Judged& judged, const Gaps& gaps, Rando
     return found;
 }
 
-// The share that is closed in drives drawn with replacement; nothing when there is no gap in them.
+// Share of the gap closed in a bootstrap sample of the drives; nothing when the sample has no gap.
 std::optional<double> resampled(const TrueGaps& gaps, Random& random) {
     const std::size_t n = gaps.before.size();
     double before = 0, after = 0;
@@ -179,8 +180,8 @@ std::optional<double> resampled(const TrueGaps& gaps, Random& random) {
     return 1 - after / before;
 }
 
-// How much of the nominal car's gap to the true one the answer closes. The true car is not known, but the posterior
-// says what it can be: each draw of it is driven and stands for the truth once (D50).
+// Share of the gap between nominal and true car that the answer closes. The true car is unknown, so each draw from the
+// posterior takes its place in turn (D50).
 void closure(answer::HowFar& how_far, const Judged& judged, const Gaps& gaps, const select::Fit& fit) {
     if (!driven(gaps.nominal.rows) || !driven(gaps.extended.rows)) return;
     Random random(1);

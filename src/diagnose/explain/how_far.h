@@ -1,5 +1,5 @@
-// How far the gap shrinks: nominal car, tolerances used up, and with the effect; on the drives from which it was
-// learned and on those held out.
+// How far the gap shrinks from the nominal car to the calibrated car and to the car with the causes, on training drives
+// and on held-out drives.
 #pragma once
 
 #include "diagnose/answer/diagnosis.h"
@@ -7,13 +7,14 @@
 
 namespace tread::diagnose::explain {
 
-// The stages of the gap: the nominal car at the origin, the calibrated one, and the answer.
+// Stages after the nominal car: the calibrated car and the answer.
 struct Stages {
     model::Deviation calibrated;
     const select::Fit& answer;
 };
 
-// Fills how_far, unexplained.share and the overlays of a diagnosis, and warns of what is left out of the drives.
+// Fills how_far, unexplained.share and the overlays of a diagnosis, and adds warnings about parts of the drives that
+// are left out.
 void howFar(answer::Diagnosis& diagnosis, const select::Calibration& car, const Stages& stages);
 
 }  // namespace tread::diagnose::explain

@@ -11,11 +11,13 @@ using model::Disturbed;
 using model::Sizes;
 using model::Uncertainty;
 
-constexpr double kReading = 15;       // times the usual size: with these the force is read off
-constexpr double kClear = 4;          // times the mean square by chance: two standard deviations
-constexpr double kUninformed = 0.05;  // squares of usual sizes: a drive that says less says nothing
+constexpr double kReading = 15;  // assumed size of the disturbances from which the force is estimated, in usual sizes
+constexpr double kClear = 4;     // times the mean square by chance: two standard deviations
+// squared usual sizes, added to the variance by chance so that a drive without information does not count
+constexpr double kUninformed = 0.05;
 
-// Steering is no force: what it would explain shows as lateral force and yaw moment of the front axle.
+// Steering is excluded because it is not a force on the car: its effect appears as lateral force and yaw moment of the
+// front axle.
 Sizes readingSizes(const Uncertainty& uncertainty) {
     Sizes sizes = uncertainty.sizes;
     for (double& size : sizes) size *= kReading;
@@ -23,10 +25,9 @@ Sizes readingSizes(const Uncertainty& uncertainty) {
     return sizes;
 }
 
-// The side force that a lateral force and a yaw moment, as heights of hats in usual sizes, amount to at one end of the
-// car.
+// Side force at one axle that is equivalent, together with one at the other axle, to a lateral force and a yaw moment.
 struct AxleArm {
-    double force, moment;  // N of the axle per usual size
+    double force, moment;  // N at the axle per usual size of lateral force and yaw moment
 
     static AxleArm front(const VehicleParams& car) { return of(car, car.wheelbase - car.front_axle_distance, 1); }
     static AxleArm rear(const VehicleParams& car) { return of(car, car.front_axle_distance, -1); }
@@ -42,8 +43,8 @@ struct AxleArm {
     }
 };
 
-// Per hat: the force of a drive in usual sizes, the squares of side force at the axles, N2; and what chance alone would
-// show of these in the mean.
+// Estimate for one drive, per hat: the force in usual sizes, the squared side force at the axles, N2, and the mean
+// square that chance alone gives to each.
 struct Reading {
     Eigen::VectorXd force, by_chance;
     struct AtAxle {
@@ -51,13 +52,13 @@ struct Reading {
     } front, rear;
 };
 
-// Heights of the hats that solved directions of a drive amount to, the speed at the start left out.
+// Heights of the hats for a solution in the directions of a drive, without the start speed.
 Eigen::VectorXd heightsOf(const model::Disturbances& disturbing, const Eigen::VectorXd& sizes,
                           const Eigen::VectorXd& solved) {
     return disturbing.heights(sizes.cwiseProduct(solved).head(solved.size() - 1));
 }
 
-// The posterior mean of disturbances of the given sizes (D47), and its variance by chance (D48).
+// Posterior mean of disturbances of the given sizes (D47), and its variance by chance (D48).
 Reading reading(const Calibration& car, std::size_t drive, const Sizes& sizes) {
     const Uncertainty& uncertainty = car.uncertainty;
     const model::Disturbances& disturbing = uncertainty.disturbing[drive];
@@ -75,8 +76,8 @@ Reading reading(const Calibration& car, std::size_t drive, const Sizes& sizes) {
     result.by_chance = Eigen::VectorXd::Zero(result.force.size());
     result.front.squares = front.squares(result.force), result.rear.squares = rear.squares(result.force);
     result.front.by_chance = result.rear.by_chance = Eigen::VectorXd::Zero(result.front.squares.size());
-    // Chance is white noise, whose products with the directions vary as these do with each other, usual pushes, and
-    // what tolerances do.
+    // Covariance of the projections by chance: white noise gives D'D in the metric of the directions; usual
+    // disturbances and tolerances add their own.
     const Eigen::MatrixXd pushed = scaled.transpose() * directions * usual.asDiagonal();
     const Eigen::MatrixXd tolerated = scaled.transpose() * car.about.columns[drive];
     const Eigen::MatrixXd spread = factor.solve(
@@ -92,7 +93,7 @@ Reading reading(const Calibration& car, std::size_t drive, const Sizes& sizes) {
     return result;
 }
 
-// Squares of the side force at both axles, as long as one of them is more than chance.
+// Squared side force at both axles, over all hats at which either is clearly more than chance.
 struct AxleSquares {
     double front = 0, rear = 0;
 
@@ -112,7 +113,7 @@ struct AxleSquares {
     }
 };
 
-// The kinds of force by how clearly they act, and the moment that shows most.
+// Clarity of each kind of force over all drives, and the moment at which one is largest.
 struct Clarity {
     Sizes shown{};
     double most = -kInfinity;
@@ -122,7 +123,7 @@ struct Clarity {
         const bool followed = drive.recording->speed == recording::SpeedReplay::followed;
         for (Eigen::Index i = 0; i < reading.force.size(); ++i) {
             const Disturbed kind = disturbing.kinds[i];
-            // A driver who follows the measured speed makes what is missing along the car his own.
+            // In a drive that follows the measured speed the controller supplies any missing longitudinal force.
             if (followed && kind == Disturbed::longitudinal) continue;
             const double square = reading.force(i) * reading.force(i), chance = reading.by_chance(i) + kUninformed;
             shown[model::placeOf(kind)] += std::max(0.0, std::log(square / chance));

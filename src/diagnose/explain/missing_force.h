@@ -1,4 +1,4 @@
-// The force that the nominal car lacks, read off the measured motion.
+// Estimate of the force that the nominal car lacks, from the measured motion.
 #pragma once
 
 #include <map>
@@ -12,13 +12,14 @@ namespace tread::diagnose::explain {
 using select::Calibration;
 
 struct MissingForce {
-    std::map<std::string, double> shares;  // of each kind, sum 1; by how often and how clearly it acts
-    std::map<std::string, double> axles;   // of the squared side force at `front` and `rear` that would do the same
-    answer::Moment when;                   // it acts most
+    std::map<std::string, double> shares;  // by kind, sum 1: how often and how clearly it acts
+    // `front` and `rear`: shares of the squared side force at the axles that would have the same effect
+    std::map<std::string, double> axles;
+    answer::Moment when;  // moment at which it acts most
 };
 
-// By the posterior of disturbances so large that they, and not the parameters, explain what the nominal car does not.
-// What noise, usual disturbances and tolerances would show by chance does not count.
+// Uses the posterior of disturbances that are taken to be so large that they, and not the parameters, explain the gap
+// of the nominal car. Values that noise, usual disturbances and tolerances could produce by chance do not count.
 MissingForce missingForce(const Calibration& car);
 
 }  // namespace tread::diagnose::explain

@@ -19,10 +19,10 @@ using recording::RecordedDrive;
 using select::Calibration;
 using select::Fit;
 
-constexpr int kMostSimulations = 150;  // beyond, no further manoeuvre is looked at closely
-constexpr double kLoggedRate = 100;    // Hz
+constexpr int kMostSimulations = 150;  // simulations after which no further manoeuvre is studied in detail
+constexpr double kLoggedRate = 100;    // Hz, sampling rate of imagined recordings
 
-// What the nominal car's instruments would show of a manoeuvre, driven as its file says; no channels when it cannot be.
+// Log of a manoeuvre driven by the nominal car as its scenario says; without channels when it cannot be driven.
 Log imagined(const recording::Replayer& replayer, const Scenario& told, const std::vector<ObservedChannel>& channels) {
     Scenario scenario = told;
     scenario.log.rate = kLoggedRate;
@@ -40,9 +40,9 @@ Log imagined(const recording::Replayer& replayer, const Scenario& told, const st
     return log;
 }
 
-// Manoeuvres that could be driven, as if the nominal car had been recorded in them.
+// The possible manoeuvres as if they had been recorded with the nominal car.
 struct Rehearsal {
-    std::deque<recording::Recording> recordings;  // to which the drives point
+    std::deque<recording::Recording> recordings;  // the drives point to these; a deque keeps their addresses
     std::vector<RecordedDrive> drives;
 };
 
@@ -64,7 +64,7 @@ Rehearsal rehearsed(const Problem& problem, const std::vector<PossibleDrive>& po
     return rehearsal;
 }
 
-// Noise of the rows of a rehearsed drive: per channel as in the recordings.
+// Noise of the rows of a rehearsed drive: for each channel the mean over the recordings.
 RowNoise noiseOf(const RecordedDrive& drive, const Calibration& car) {
     RowNoise noise{.deviation = Eigen::VectorXd::Ones(drive.rows()), .ends = {}};
     for (const ObservedChannel& channel : drive.channels) {
@@ -81,13 +81,14 @@ RowNoise noiseOf(const RecordedDrive& drive, const Calibration& car) {
     return noise;
 }
 
-// One manoeuvre: what disturbs it, and by how much the two cars of each question differ there, over the noise.
+// First look at a manoeuvre: its noise and disturbances, and the whitened difference between the two cars of each
+// question.
 struct Look {
     RowNoise noise;
     Eigen::MatrixXd directions;
     Eigen::VectorXd sizes;
-    std::vector<Eigen::VectorXd> differences;  // per question; empty when one of the cars cannot be driven so
-    std::vector<double> most;                  // nats per question if nothing of the car were uncertain
+    std::vector<Eigen::VectorXd> differences;  // per question; empty when one of the cars cannot drive it
+    std::vector<double> most;                  // per question: nats if no parameter of the car were uncertain
 };
 
 Look lookAt(const RecordedDrive& drive, const Calibration& car, const std::vector<Question>& questions) {
@@ -121,11 +122,11 @@ Look lookAt(const RecordedDrive& drive, const Calibration& car, const std::vecto
     return look;
 }
 
-// How a drive answers to everything that may still move: all tolerances, and the knobs of those questions.
+// Sensitivities of a drive to everything that is still uncertain: all tolerances, and the knobs of the open questions.
 struct Answers {
     std::vector<Eigen::Index> parameters;  // tolerances, then knobs
-    Eigen::Index nuisances;                // how many tolerances
-    Eigen::MatrixXd columns;               // over the noise
+    Eigen::Index nuisances;                // number of tolerances
+    Eigen::MatrixXd columns;               // whitened
 };
 
 Answers answersOf(const RecordedDrive& drive, const Look& look, const Problem& problem,
@@ -144,10 +145,10 @@ Answers answersOf(const RecordedDrive& drive, const Look& look, const Problem& p
     return answers;
 }
 
-// Of the parameters that may still move with a fit: their columns, each as uncertain as one unit.
+// Columns of the parameters that are uncertain in a fit, times the Cholesky factor of their covariance.
 Eigen::MatrixXd uncertainColumns(const Answers& answers, const Fit& fit) {
     std::vector<Eigen::Index> places;  // tolerances, and the knobs of this fit
-    std::vector<Eigen::Index> known;   // their places in the fit; -1: as uncertain as before
+    std::vector<Eigen::Index> known;   // their places in the fit; -1: not in the fit, so the prior holds
     for (Eigen::Index i = 0; i < std::ssize(answers.parameters); ++i) {
         const auto place = std::find(fit.free.begin(), fit.free.end(), answers.parameters[i]);
         if (place == fit.free.end() && i >= answers.nuisances) continue;
@@ -163,8 +164,8 @@ Eigen::MatrixXd uncertainColumns(const Answers& answers, const Fit& fit) {
     return answers.columns(Eigen::all, places) * Eigen::MatrixXd(covariance.llt().matrixL());
 }
 
-// Nats that are left of a difference when a car's uncertain numbers, as well as the recordings have determined them,
-// imitate it (D51).
+// Nats of a difference that remain when the uncertain numbers of the car imitate it, as far as the recordings leave
+// them free (D51).
 double natsOf(const Look& look, const Answers& answers, const Fit& fit, const Eigen::VectorXd& difference) {
     const Eigen::MatrixXd uncertain = uncertainColumns(answers, fit);
     const Eigen::Index n = uncertain.cols();
@@ -174,8 +175,8 @@ double natsOf(const Look& look, const Answers& answers, const Fit& fit, const Ei
     return 0.5 * inference::withoutFirst(sum, n).products(0, 0);
 }
 
-// The manoeuvres while they are looked at: the most promising first; what one really tells bounds what is worth another
-// look.
+// Chooses manoeuvres. The most promising one is studied first; the nats it reaches exclude all manoeuvres whose upper
+// bound is lower.
 class Chooser {
 public:
     Chooser(const Calibration& car, const Rehearsal& rehearsal, const std::vector<Question>& questions, int before)
@@ -189,7 +190,7 @@ public:
                    [&](std::size_t d) { looks_[d] = lookAt(rehearsal.drives[d], car, questions); });
     }
 
-    // For one question; without a scenario when none would tell.
+    // Best manoeuvre for one question; without a scenario when none reaches the threshold.
     answer::NextDrive best(std::size_t q) {
         const Question& question = questions_[q];
         std::vector<std::size_t> order(looks_.size());
@@ -209,7 +210,8 @@ public:
     }
 
 private:
-    // Whether a manoeuvre is looked at closely: one always, others as long as that is not too much work.
+    // Studies a manoeuvre in detail unless this was done or the simulations are used up; false in the last case. One
+    // manoeuvre is always studied.
     bool looked(std::size_t d) {
         if (answers_[d]) return true;
         const bool first = std::none_of(answers_.begin(), answers_.end(), [](const auto& a) { return a.has_value(); });
@@ -221,7 +223,7 @@ private:
     const Problem& problem_;
     const Rehearsal& rehearsal_;
     const std::vector<Question>& questions_;
-    int before_;  // simulations, when the rehearsal began
+    int before_;  // simulations at the start of the rehearsal
     std::vector<Look> looks_;
     std::vector<std::optional<Answers>> answers_;
 };

@@ -1,5 +1,5 @@
-// What to drive next: the manoeuvre that would best tell apart what the recordings leave open, or show what they
-// could not show.
+// What to drive next: the manoeuvre that best separates the answers that the recordings leave open, or that shows
+// effects which these recordings could not show.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace tread::diagnose::explain {
 
-// Manoeuvres for the questions that a diagnosis leaves open, each with the evidence to expect from it: nats between the
-// two answers, whichever is true, after all that is uncertain in car and drive was used to imitate the one by the
-// other. None where nothing is open, or where no manoeuvre would tell.
+// For each open question the best manoeuvre and its expected evidence, in nats, between the two answers, whichever is
+// true. All that is uncertain in car and drive is first used to make one answer look like the other. Empty when nothing
+// is open or no manoeuvre would help.
 std::vector<answer::NextDrive> nextDrives(const answer::Diagnosis& diagnosis, const select::Calibration& car,
                                           const select::Search& found, const std::vector<PossibleDrive>& possible);
 

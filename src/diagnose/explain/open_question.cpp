@@ -13,9 +13,9 @@ using select::Candidate;
 using select::Search;
 
 constexpr std::size_t kMostRivals = 2, kMostHidden = 4;
-constexpr double kClose = 12;  // nats behind the answer, up to which a rival is worth telling apart
+constexpr double kClose = 12;  // nats behind the answer, up to which a rival is worth separating
 
-// The answer and those that come close to it.
+// The answer against each fitted set of as many effects that is close to it.
 std::vector<Question> rivals(const Diagnosis& diagnosis, const Problem& problem, const Search& found) {
     std::vector<Question> questions;
     const Candidate* answer = nullptr;
@@ -44,7 +44,7 @@ model::Deviation withEffect(const Problem& problem, const std::string& name) {
     return point;
 }
 
-// The effects that could not be seen, the likeliest first.
+// Effects that these drives could not show, the most probable first.
 std::vector<Question> hidden(const Diagnosis& diagnosis, const Problem& problem, const Search& found) {
     std::vector<Question> questions;
     for (const answer::RankedEffect& ranked : diagnosis.effects) {

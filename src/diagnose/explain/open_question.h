@@ -1,4 +1,4 @@
-// What a diagnosis leaves open.
+// Questions that a diagnosis leaves open.
 #pragma once
 
 #include <string>
@@ -9,15 +9,17 @@
 
 namespace tread::diagnose::explain {
 
-// Two cars that the recordings leave open, and the fits whose free parameters may still move to make one car look like
-// the other: whichever of them is true, the manoeuvre must tell.
+// Two cars that the recordings cannot tell apart, and the fits whose free parameters may make one look like the other.
+// A manoeuvre must separate them whichever is true.
 struct Question {
-    std::vector<std::string> causes_of_one, causes_of_other;  // without those of the other: the first from none
+    // causes of each car; `other` empty: `one` against no cause
+    std::vector<std::string> causes_of_one, causes_of_other;
     model::Deviation one, other;
     std::vector<const select::Fit*> fits;
 };
 
-// The answer against those that come close to it; without an answer, the effects that could not be seen against none.
+// The answer against its close rivals; without an answer, the effects that these drives could not show against no
+// effect.
 std::vector<Question> openQuestions(const answer::Diagnosis& diagnosis, const model::Problem& problem,
                                     const select::Search& found);
 

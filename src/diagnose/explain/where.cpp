@@ -14,15 +14,16 @@ using answer::Shares;
 using recording::kBlock;
 using recording::RecordedDrive;
 
-// What a driver does when.
-constexpr double kBrakes = 0.02, kAccelerates = 0.1;  // pedals, over that at the start
-constexpr double kTurns = 0.3;                        // rad/s, of the steering wheel
-constexpr double kJustAfter = 0.4;                    // s
-constexpr double kHolds = 0.1;                        // rad, steering wheel
-constexpr double kGentle = 2, kBrisk = 4;             // m/s2, lateral
-constexpr double kLongitudinal = 1.5;                 // m/s2
+// Thresholds that separate the phases and regimes of a drive.
+// pedal positions, 0 to 1: braking above this; accelerating above the throttle at the start plus this
+constexpr double kBrakes = 0.02, kAccelerates = 0.1;
+constexpr double kTurns = 0.3;             // rad/s, of the steering wheel
+constexpr double kJustAfter = 0.4;         // s after the last movement of the steering wheel
+constexpr double kHolds = 0.1;             // rad, steering wheel
+constexpr double kGentle = 2, kBrisk = 4;  // m/s2, lateral
+constexpr double kLongitudinal = 1.5;      // m/s2
 
-// One channel of the log at the times of the blocks; 0 when it was not logged.
+// A channel of the log at the given times; 0 where it was not logged or is not finite.
 std::vector<double> at(const RecordedDrive& drive, const char* channel, const std::vector<double>& times) {
     const Channel* found = drive.log.find(channel);
     std::vector<double> values(times.size(), 0);
@@ -38,7 +39,7 @@ std::vector<std::string> phases(const RecordedDrive& drive, const std::vector<do
     const auto steering = at(drive, "driver.steering_wheel_angle", times);
     const auto throttle = at(drive, "driver.throttle", times), brake = at(drive, "driver.brake", times);
     std::vector<std::string> names;
-    double turned = -kInfinity;  // s, when the steering wheel last moved
+    double turned = -kInfinity;  // s, last time at which the steering wheel moved
     for (std::size_t i = 0; i < times.size(); ++i) {
         const double rate = i > 0 ? (steering[i] - steering[i - 1]) / kBlock : 0;
         if (std::abs(rate) > kTurns) turned = times[i];
@@ -73,7 +74,7 @@ const char* band(double frequency) {
                            : "above 3 Hz";
 }
 
-// Energy of evenly spaced values by frequency band.
+// Adds the energy of evenly spaced values to the frequency bands.
 void addBands(const Eigen::VectorXd& values, Shares& bands) {
     const Eigen::Index n = values.size();
     Eigen::FFT<double> transform;
@@ -113,7 +114,7 @@ answer::WhereItLies whereItLies(const Calibration& car, const MissingForce& miss
         for (const recording::ObservedChannel& channel : drive.channels) {
             const Eigen::VectorXd here = gap.segment(channel.first_row, channel.rows());
             const auto count = static_cast<double>(channel.rows());
-            // What a perfect model would leave is no gap.
+            // Energy that a perfect model would leave is not part of the gap.
             const double energy = std::max(0.0, here.squaredNorm() - count);
             if (energy == 0) continue;
             all += energy;

@@ -5,10 +5,10 @@
 
 namespace tread::diagnose::explain {
 
-// What each row of a drive may be off by when the model is right: noise and disturbances.
+// Standard deviation of each row of a drive when the model is right: noise and disturbances.
 Eigen::VectorXd floorOf(const model::Uncertainty& uncertainty, std::size_t drive);
 
-// Shares of the squared gap beyond what noise and disturbances leave (D46).
+// Shares of the squared gap in excess of noise and disturbances (D46).
 answer::WhereItLies whereItLies(const Calibration& car, const MissingForce& missing);
 
 }  // namespace tread::diagnose::explain
