@@ -8,10 +8,10 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index kMostChanges = 5;  // of the set of bounds that are met, per parameter
-constexpr double kNoPull = 1e-9;   // of the gradient at a bound: less does not leave it
+constexpr Index kMostChanges = 5;  // changes of the active set, per parameter: a limit against cycling
+constexpr double kNoPull = 1e-9;   // gradient at a bound, below which a parameter is not released
 
-// The parameters that are not held at a bound.
+// Indices of the parameters that are not held at a bound.
 std::vector<Index> openOf(const std::vector<bool>& held) {
     std::vector<Index> open;
     for (Index i = 0; i < std::ssize(held); ++i)
@@ -19,7 +19,7 @@ std::vector<Index> openOf(const std::vector<bool>& held) {
     return open;
 }
 
-// The bound that a further step meets first, and the share of the step until there.
+// The first bound that a further step meets, and the share of the step up to it. Parameter -1: the step meets none.
 struct Meeting {
     Index parameter = -1;
     double share = 1;
@@ -35,7 +35,7 @@ Meeting firstMeeting(const std::vector<Index>& open, const Eigen::VectorXd& furt
     return first;
 }
 
-// The held parameter that the gradient pulls off its bound most; -1: none.
+// The held parameter with the largest gradient away from its bound; -1: none.
 Index mostHindered(const std::vector<bool>& held, const Eigen::VectorXd& pull, const Eigen::VectorXd& step,
                    const Eigen::VectorXd& up) {
     double most = kNoPull;

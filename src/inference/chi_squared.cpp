@@ -6,17 +6,17 @@ namespace tread::inference {
 namespace {
 
 constexpr int kMostTerms = 500;
-constexpr double kSmall = 1e-15;  // of the sum: a term that no longer counts
-constexpr double kTiny = 1e-300;  // in place of a denominator that is zero
+constexpr double kSmall = 1e-15;  // relative size of a term or correction that ends the sum
+constexpr double kTiny = 1e-300;  // replaces a denominator of zero
 
-// P(a, z), lower.
+// P(a, z), lower, without its factor in front.
 double series(double a, double z) {
     double term = 1 / a, sum = term;
     for (int n = 1; n < kMostTerms && std::abs(term) > kSmall * std::abs(sum); ++n) sum += term *= z / (a + n);
     return sum;
 }
 
-// Q(a, z), upper.
+// Q(a, z), upper, without its factor in front.
 double continuedFraction(double a, double z) {
     double b = z + 1 - a, c = 1 / kTiny, d = 1 / b, h = d;
     for (int n = 1; n < kMostTerms; ++n) {

@@ -9,7 +9,7 @@
 namespace tread::inference {
 namespace {
 
-constexpr double kLeastInformed = 1e-12;  // squared value over its variance, in place of none at all
+constexpr double kLeastInformed = 1e-12;  // least squared value over its variance, instead of 0
 
 }  // namespace
 
@@ -20,7 +20,7 @@ Heterogeneity heterogeneity(const Eigen::MatrixXd& information, const Eigen::Vec
     for (Eigen::Index d = 0; d < gradient.size(); ++d)
         if (information(d, d) > least_share * all) informed.push_back(d);
     if (informed.size() < 2) return {};
-    // Each drive its own value, against one for all.
+    // Twice the log likelihood gained by one value per drive, and by one value for all drives.
     const Eigen::MatrixXd each = information(informed, informed);
     const Eigen::VectorXd slope = gradient(informed);
     const double apart = slope.dot(each.ldlt().solve(slope)), together = slope.sum() * slope.sum() / each.sum();
