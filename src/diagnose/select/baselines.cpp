@@ -8,7 +8,7 @@
 namespace tread::diagnose::select {
 namespace {
 
-// Each effect's part of the products of all knobs and the residual; `at`: where the columns are taken.
+// The part of each effect in the products of all knobs and the residual. `at`: point of the linearisation.
 std::vector<LinearEffect> effectsOf(const Problem& problem, const Eigen::MatrixXd& products, const Deviation& at) {
     std::vector<LinearEffect> effects;
     const Eigen::Index last = products.cols() - 1;
@@ -30,7 +30,7 @@ std::vector<LinearEffect> effectsOf(const Problem& problem, const Eigen::MatrixX
     return effects;
 }
 
-// Products of the knobs' columns and the nominal car's residual, row by row.
+// Products of the knobs' columns and the nominal car's residual, with nothing marginalised.
 Eigen::MatrixXd plainProducts(const Calibration& car) {
     const std::vector<Eigen::Index> knobs = car.problem.allKnobs();
     Eigen::MatrixXd products = Eigen::MatrixXd::Zero(std::ssize(knobs) + 1, std::ssize(knobs) + 1);
@@ -68,7 +68,7 @@ std::string largestReduction(const std::vector<LinearEffect>& effects) {
 
 std::string leastBic(const std::vector<LinearEffect>& effects, double rows) {
     std::string best = "none";
-    double least = 0;  // that of no effect, from which all are counted
+    double least = 0;  // criterion relative to that of no effect
     for (const LinearEffect& effect : effects) {
         const double bic = static_cast<double>(effect.lowest.size()) * std::log(rows) - reduction(effect);
         if (bic >= least) continue;

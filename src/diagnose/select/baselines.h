@@ -1,5 +1,4 @@
-// What simpler methods would have answered to the same question, so that a score can show what the rest of a diagnosis
-// is good for.
+// Answers of simpler methods to the same question, for comparison with the full diagnosis.
 #pragma once
 
 #include <array>
@@ -12,25 +11,26 @@
 
 namespace tread::diagnose::select {
 
-// An effect as a linear model of so many numbers sees it: scalar products of its columns and then the residual.
+// An effect in a linear model: scalar products of its columns, then the residual.
 struct LinearEffect {
     std::string name;
     Eigen::MatrixXd products;
-    Eigen::VectorXd lowest, highest;  // of its numbers
+    Eigen::VectorXd lowest, highest;  // bounds of its parameters, relative to the point of the linearisation
 };
 
-// Twice the misfit that the best numbers within their bounds take away.
+// Reduction of the squared residual by the best parameters, cut at their bounds.
 double reduction(const LinearEffect& effect);
 
-// The effect that takes away most; "none" when that is not more than the count of its numbers.
+// The effect with the largest reduction; "none" when that is not larger than its number of parameters.
 std::string largestReduction(const std::vector<LinearEffect>& effects);
 
-// The effect of the least Bayesian information criterion (G. Schwarz, Annals of Statistics 6, 1978) for so many rows,
-// or "none" (D53).
+// The effect with the least Bayesian information criterion (G. Schwarz, Annals of Statistics 6, 1978) for this number
+// of rows, or "none" (D53).
 std::string leastBic(const std::vector<LinearEffect>& effects, double rows);
 
-// Of the nominal car's gap with nothing else free; and of the gap of the car with its tolerances free. The rows are
-// taken as if nothing disturbed the drives: what is slow in their residuals counts row by row.
+// The largest reduction is that of the nominal car's gap with nothing else free. The criterion is that of the
+// calibrated car's gap with the tolerances free. Both ignore disturbances, so slow residuals count as if their rows
+// were independent.
 answer::Baselines baselines(const Calibration& car);
 
 }  // namespace tread::diagnose::select

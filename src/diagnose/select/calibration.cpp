@@ -8,10 +8,11 @@
 namespace tread::diagnose::select {
 namespace {
 
+// fits after a new linearisation; each costs up to one replay per drive and relevant nuisance
 constexpr int kMostRounds = 2;
-constexpr double kSettled = 15;  // nats: a fit that gained less needs no new linearisation
+constexpr double kSettled = 15;  // nats; the linearisation is not renewed after a fit that gained less
 
-// Sizes of disturbances: their logarithms about those of the usual ones.
+// Coordinate search over the logarithms of the sizes, in usual sizes.
 constexpr int kSweeps = 6;
 constexpr double kFirstStep = 0.6;
 
@@ -21,8 +22,8 @@ Fit fitOf(const Problem& problem, const Uncertainty& uncertainty, const Linearis
     return std::move(*found);
 }
 
-// The point of the calibration with the columns of all knobs besides those of the nuisances. Knobs that move nothing
-// but uncertain numbers are mixtures of the nuisances' columns and are not driven.
+// The linearisation of the calibration with the columns of all knobs added. Knobs that move uncertain numbers only are
+// mixtures of the nuisances' columns and need no replay.
 model::Sensitivities withKnobs(const Calibration& car, const std::function<void(double)>& progress) {
     const Problem& problem = car.problem;
     std::vector<Eigen::Index> own, mixed;
@@ -47,7 +48,7 @@ Sizes exponentialOf(const Sizes& logs) {
     return sizes;
 }
 
-// The sizes are of disturbances as such: what references add to noise and disturbances is taken back.
+// The sizes describe the disturbances themselves, so the inflation for references is taken out.
 std::vector<DriveProducts> withoutInflation(Drives drives, std::vector<DriveProducts> products) {
     for (std::size_t d = 0; d < products.size(); ++d) {
         const double inflation = model::referenceInflation(drives[d]);

@@ -9,19 +9,20 @@
 namespace tread::diagnose::select {
 namespace {
 
+// trial steps of a fit, and trials after which the columns of the knobs are computed again at the latest
 constexpr int kMostTrials = 14, kTrialsBeforeRenewal = 6;
-constexpr double kEnough = 0.05;     // nats: a step that promises less is not taken
-constexpr double kFirstDamping = 1;  // of a step that did not help, as so many times the prior's information
-constexpr double kDamped = 5, kEased = 0.2;
-constexpr double kTooShort = 1e-6;  // squared units, of a step from which nothing is learnt
+constexpr double kEnough = 0.05;     // nats; the fit has converged when the next step promises less
+constexpr double kFirstDamping = 1;  // damping after a failed undamped step, in units of the prior's information
+constexpr double kDamped = 5, kEased = 0.2;  // factors on the damping after a failed and after a successful step
+constexpr double kTooShort = 1e-6;  // squared units; a shorter step would amplify rounding errors in Broyden's update
 
-// What is fitted, and its parts that do not depend on the point.
+// The problem of one fit, apart from the point.
 struct Fitter {
     const Replays& replays;
     Drives drives;
     const Uncertainty& uncertainty;
     std::vector<Eigen::Index> knobs, free;
-    Eigen::VectorXd lowest, highest;  // of `free`
+    Eigen::VectorXd lowest, highest;  // bounds of `free`
 
     std::vector<DriveProducts> products(const Rows& rows, const std::vector<Eigen::MatrixXd>& columns) const {
         std::vector<DriveProducts> all(rows.size());
@@ -34,7 +35,7 @@ struct Fitter {
         return all;
     }
 
-    // Minus the log posterior, but for constants (D20).
+    // Negative log posterior, up to constants (D20).
     double misfit(const Rows& rows, const Deviation& at) const {
         const Eigen::VectorXd x = at(free);
         double sum = x.squaredNorm();
@@ -43,7 +44,7 @@ struct Fitter {
         return 0.5 * sum;
     }
 
-    // The knobs' columns anew, by differences.
+    // Computes the columns of the knobs again by finite differences.
     void renewKnobs(std::vector<Eigen::MatrixXd>& columns, const Deviation& at) const {
         const model::Sensitivities here =
             model::sensitivities(replays, drives, at, {.parameters = knobs, .step = model::kEffectStep});
@@ -53,7 +54,7 @@ struct Fitter {
         }
     }
 
-    // What a step really changed corrects the columns along it (D19).
+    // Broyden's update: corrects the columns along a step by the change of rows that it caused (D19).
     void learn(std::vector<Eigen::MatrixXd>& columns, const Rows& before, const Rows& after,
                const Eigen::VectorXd& step) const {
         if (step.squaredNorm() < kTooShort) return;
@@ -76,7 +77,7 @@ Fitter fitterOf(const Replays& replays, Drives drives, const Uncertainty& uncert
     return fitter;
 }
 
-// From the start to the largest posterior: point, rows, columns and products of the fit.
+// Moves the fit from its start to the maximum of the posterior: updates point, rows, columns and products.
 void climb(Fit& fit, const Fitter& fitter) {
     double misfit = fitter.misfit(fit.rows, fit.at), damping = 0;
     const double at_start = misfit;

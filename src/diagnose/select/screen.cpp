@@ -10,10 +10,11 @@
 namespace tread::diagnose::select {
 namespace {
 
-constexpr double kAlike = 0.5;  // cosine: pairs below are hard to tell apart because one of them hardly shows
+// least cosine of a pair that is named; below it a pair is hard to tell apart only because one effect hardly shows
+constexpr double kAlike = 0.5;
 constexpr std::size_t kMostConfusable = 30;
 
-// Linear evidence of knobs with these products, as far as their bounds let them (D25).
+// Evidence that an effect gains in the linear model with these products, its knobs within their bounds (D25).
 double gain(const Problem& problem, const Eigen::MatrixXd& products, std::size_t effect, const Deviation& at) {
     const std::vector<Eigen::Index> places = placesOf(problem, effect);
     const Eigen::Index n = std::ssize(places), last = products.cols() - 1;
@@ -28,7 +29,8 @@ double gain(const Problem& problem, const Eigen::MatrixXd& products, std::size_t
     return inference::logEvidence(knobs, inference::boundedStep(knobs, 0, lowest, highest));
 }
 
-// A point with the knobs of an effect at their typical size; nothing when none of them is bounded on one side.
+// The point with the knobs of an effect at their typical size; nothing unless at least one knob is bounded at its
+// nominal value.
 std::optional<Deviation> withOneSided(const Problem& problem, std::size_t effect, Deviation at) {
     bool one_sided = false;
     for (const Eigen::Index k : problem.knobs[effect]) {
@@ -44,7 +46,7 @@ bool isFree(const Fit& fit, const std::vector<Eigen::Index>& knobs) {
     return std::find_first_of(fit.knobs.begin(), fit.knobs.end(), knobs.begin(), knobs.end()) != fit.knobs.end();
 }
 
-// The recording with the largest part of what the first effect leaves of the second.
+// The recording with the largest part of the second effect's signature that the first cannot imitate.
 std::string mostTelling(const Calibration& car, const Screen& screen, std::size_t a, std::size_t b) {
     const Eigen::Index i = placesOf(car.problem, a).front(), j = placesOf(car.problem, b).front();
     const double slope = screen.products(i, j) / screen.products(i, i);
@@ -114,7 +116,7 @@ Eigen::MatrixXd productsBeside(const Calibration& car, const Fit& fit, const std
         products.push_back(inference::extended(free, fit.columns[d], directions, further[d]));
     }
     model::NormalEquations sum = model::normalEquations(car.uncertainty, products, sizes);
-    // The prior pulls the fitted parameters back: that is a gradient, too.
+    // The prior pulls the fitted parameters back to their nominal values and is part of the gradient.
     const Eigen::Index free = std::ssize(fit.free);
     sum.products.topRightCorner(free, 1) -= fit.at(fit.free);
     sum.products.bottomLeftCorner(1, free) = sum.products.topRightCorner(free, 1).transpose();

@@ -1,5 +1,5 @@
-// What each effect could explain, from the linearisation alone: before the data (can it be seen in these drives at all,
-// and told from the others?) and with them.
+// Screen of all effects in the linearisation alone. Before a fit: can each effect be seen in these drives and told from
+// the others? With the data: how much evidence would it gain?
 #pragma once
 
 #include <string>
@@ -12,34 +12,34 @@ namespace tread::diagnose::select {
 
 struct Screen {
     std::vector<double> expected_evidence;  // nats at typical size, per effect
-    std::vector<double> gain;               // nats of linear evidence over none, per effect
+    std::vector<double> gain;               // nats over the model without effects, in the linear model, per effect
     Eigen::MatrixXd products;               // of all knobs, then the residual; nuisances and disturbances marginalised
 };
 // Expected evidence (D43), linear gains (D25) and products about the calibrated car.
 Screen screen(const Calibration& car);
 
-// The expected evidence without what was promised of effects that act on one side of a limit only (controllers, play,
-// stops), where the car as it is found does not pass that limit.
+// Expected evidence corrected for effects that act beyond a limit only (controllers, play, stops): it is lowered to
+// what a replay shows at typical size, since the car as found may never pass that limit.
 std::vector<double> expectedEvidenceAt(const Calibration& car, const Fit& found, const Screen& screen);
 
-// Places of an effect's knobs among all knobs.
+// Indices of an effect's knobs in the list of all knobs.
 std::vector<Eigen::Index> placesOf(const Problem& problem, std::size_t effect);
 
-// Products of further columns of each drive, beside a fit: what the fit has free and disturbances of these sizes are
-// marginalised. The last of them are the fit's residuals.
+// Products of further columns of each drive, with the free parameters of a fit and disturbances of these sizes
+// marginalised. The last of the columns must be the residual of the fit.
 Eigen::MatrixXd productsBeside(const Calibration& car, const Fit& fit, const std::vector<Eigen::MatrixXd>& further,
                                const Sizes& sizes);
 
-// The same of all knobs and then the residual, from the columns about a linearisation.
+// The same for all knobs, then the residual, with the columns of a linearisation.
 Eigen::MatrixXd productsOfKnobs(const Calibration& car, const Linearisation& about, const Fit& fit, const Sizes& sizes);
 
-// Linear evidence that each effect would add to a fit that has some already, from the columns about a linearisation.
+// Evidence that each effect would add to a fit, in the linear model with the columns of a linearisation.
 std::vector<double> gainsOver(const Calibration& car, const Linearisation& about, const Fit& fit);
 
-// Largest cosine between two effects' signatures in such products.
+// Largest cosine between columns of two effects in such products.
 double cosine(const Problem& problem, const Eigen::MatrixXd& products, std::size_t a, std::size_t b);
 
-// Pairs that look alike and that these drives would leave confused if one of them were true, worst first (D40).
+// Pairs with similar signatures that these drives would leave confused if one of them were true, worst first (D40).
 std::vector<answer::ConfusablePair> confusablePairs(const Calibration& car, const Screen& screen,
                                                     const std::vector<double>& expected_evidence);
 

@@ -10,15 +10,18 @@ namespace tread::diagnose::select {
 namespace {
 
 constexpr std::size_t kFewestRefits = 4, kMostRefits = 8;
-constexpr double kHopeless = 25;           // nats behind the best of the screen: not refitted beyond the fewest
-constexpr double kUncertain = 3;           // nats that a new linearisation can add
-constexpr double kBehind = 15;             // nats behind the best single: it will not come first
-constexpr int kMostRounds = 3;             // of linearising anew about one of them
-constexpr double kSettled = 8;             // nats: a fit that gained less needs no new linearisation
-constexpr std::size_t kRelinearised = 2;   // best singles about which the nuisances are linearised anew
+// nats behind the best; effects further behind in the screen are fitted only among the first kFewestRefits
+constexpr double kHopeless = 25;
+// nats that a new linearisation may add: singles this far below the threshold are still linearised
+constexpr double kUncertain = 3;
+// nats behind the best single, from which a new linearisation will not make an effect the best
+constexpr double kBehind = 15;
+constexpr int kMostRounds = 3;             // renewals of the linearisation about one candidate
+constexpr double kSettled = 8;             // nats; the linearisation is not renewed after a fit that gained less
+constexpr std::size_t kRelinearised = 2;   // best singles about which the nuisances are linearised again
 constexpr std::size_t kFurtherRefits = 3;  // effects tried beside each of these
-constexpr std::size_t kMostEffects = 3;
-constexpr double kStuck = 0.02;  // units: a knob that the fit left where it was
+constexpr std::size_t kMostEffects = 3;    // of a set: the prior gives larger sets no probability
+constexpr double kStuck = 0.02;            // units; a knob that moved less counts as stuck at its limit
 
 using Effects = std::vector<std::size_t>;
 
@@ -54,7 +57,8 @@ bool tried(const std::vector<Candidate>& candidates, Effects effects) {
     });
 }
 
-// Where fits of these knobs start: where the point has them, and, where a knob may only grow, also from well inside.
+// Start points for a fit of these knobs: the given point and, if a knob at 0 is bounded to one side, a second one with
+// that knob at its typical size. At a limit the sensitivity may be 0 although the effect is not.
 std::vector<Deviation> starts(const Problem& problem, const std::vector<Eigen::Index>& knobs, const Deviation& from) {
     std::vector<Deviation> points{from};
     Deviation inside = from;
@@ -69,7 +73,7 @@ std::vector<Deviation> starts(const Problem& problem, const std::vector<Eigen::I
     return points;
 }
 
-// The search while it goes on.
+// State of the search.
 class Searcher {
 public:
     Searcher(const Calibration& car, const Progress& progress)
@@ -91,7 +95,8 @@ public:
     }
 
 private:
-    // Every effect as the linearisation sees it, the most promising refitted.
+    // One candidate per effect; the most promising of the screen are fitted, the others keep the evidence of the
+    // screen.
     std::vector<Candidate> refittedSingles(const Screen& screen) const {
         std::vector<Candidate> singles;
         const Effects order = bestFirst(screen.gain);
@@ -109,7 +114,7 @@ private:
         return singles;
     }
 
-    // The best singles again, nuisances linearised where they are; then what could be beside them.
+    // Fits the best singles again with the nuisances linearised at each, then adds effects to them.
     std::vector<Candidate> growFrom(std::vector<Candidate>& singles) {
         std::vector<Candidate> grown;
         for (std::size_t i = 0; i < singles.size() && i < kRelinearised; ++i) {
@@ -127,7 +132,8 @@ private:
         return grown;
     }
 
-    // The car without effects, from the linearisation about the best effect, where that finds a better fit.
+    // Fits the model without effects with the linearisation about the best effect, and keeps the result if it is
+    // better.
     void refitNone(const Linearisation& about) {
         std::optional<Fit> again = fitted(problem_.replays, problem_.drives, car_.uncertainty, about, {}, none_.at);
         if (again && again->log_evidence > none_.log_evidence) none_ = std::move(*again);
@@ -137,7 +143,7 @@ private:
         std::optional<Candidate> best;
         const std::vector<Eigen::Index> knobs = knobsOf(problem_, effects);
         for (const Deviation& start : starts(problem_, knobs, handedOver(knobs, from))) {
-            // A second start is for knobs that did not get off their limit.
+            // The second start is needed only when a knob did not leave its limit.
             if (best && (best->fit.at(knobs) - from(knobs)).cwiseAbs().minCoeff() > kStuck) break;
             std::optional<Fit> fit = fitted(problem_.replays, problem_.drives, car_.uncertainty, about, knobs, start);
             if (!fit || (best && fit->log_evidence <= best->fit.log_evidence)) continue;
@@ -146,7 +152,7 @@ private:
         return best;
     }
 
-    // What the nuisances did in place of these knobs is given to them: the same car, by the likelier way (D17).
+    // Moves to these knobs what the nuisances did in their place: the same car at a larger prior density (D17).
     Deviation handedOver(const std::vector<Eigen::Index>& knobs, Deviation at) const {
         for (const Eigen::Index k : knobs) {
             if (at(k) != 0) continue;
@@ -163,8 +169,8 @@ private:
         return at;
     }
 
-    // The fit of a candidate again and again, each time with the nuisances linearised where it is, until it gains
-    // little. Gives the last linearisation; the knobs keep the columns of the calibrated car.
+    // Fits a candidate repeatedly, each time with the nuisances linearised at its point, until it gains little. Returns
+    // the last linearisation; the columns of the knobs stay those of the calibrated car.
     Linearisation settle(Candidate& candidate) const {
         Linearisation here;
         for (int round = 0; round < kMostRounds; ++round) {
@@ -179,7 +185,7 @@ private:
         return here;
     }
 
-    // Adds effects to a candidate as long as they gain enough, each about the point where those before it are.
+    // Adds effects to a candidate as long as each gains enough, linearised about the fit of those before.
     void grow(Linearisation about, Candidate from, std::vector<Candidate>& found) const {
         while (from.effects.size() < kMostEffects) {
             const double enough =
@@ -194,7 +200,7 @@ private:
         }
     }
 
-    // One more effect beside a candidate: the best of the most promising, all of which are kept.
+    // The best fit with one more effect. The most promising effects are fitted, and all these fits are kept in `found`.
     std::optional<Candidate> bestBeside(const Candidate& from, const Linearisation& about, double enough,
                                         std::vector<Candidate>& found) const {
         const std::vector<double> gains = gainsOver(car_, about, from.fit);
@@ -214,7 +220,8 @@ private:
         return best;
     }
 
-    // The best three effects without one of them: the first may have been found for what the two others do together.
+    // Fits the best set of three without each of its effects: the first may have been found only because it imitates
+    // the other two together.
     void prune(std::vector<Candidate>& found) const {
         sort(found);
         if (found.empty() || found.front().effects.size() < kMostEffects) return;

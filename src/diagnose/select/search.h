@@ -1,4 +1,4 @@
-// Which effects explain the recordings: fits of the most promising ones, alone and together.
+// Search for the sets of effects that explain the recordings: fits of the most promising ones, alone and combined.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,15 @@
 namespace tread::diagnose::select {
 
 struct Candidate {
-    std::vector<std::size_t> effects;  // none: only nuisances
-    double log_evidence = 0;           // nats over none
-    Fit fit;                           // empty when it was judged by the linearisation alone
+    std::vector<std::size_t> effects;  // indices of effects; empty: only nuisances
+    double log_evidence = 0;           // nats over the model without effects
+    Fit fit;                           // empty unless `fitted`: then the evidence is that of the linear model
     bool fitted = false;
 };
 
 struct Search {
-    std::vector<Candidate> candidates;  // best first; with and without effects
+    // best first, with and without effects; fitted ones before those that were only screened
+    std::vector<Candidate> candidates;
     const Candidate& best() const { return candidates.front(); }
     const Candidate& none() const;
 };

@@ -15,7 +15,8 @@ using answer::Verdict;
 
 constexpr double kNinety = 1.645;  // standard deviations of a 90 % interval
 
-// Of a number that a parameter moves by `units` of it, with a standard deviation of so many units (D42).
+// Estimate of a number from the parameter that moves it; `units` and `sd` are the fitted value of the parameter and its
+// standard deviation (D42).
 Estimate estimateOf(const Parameter& parameter, const Parameter::Move& move, double units, double sd) {
     constexpr double kNear = 1e-6;
     Estimate one{.value = move.nominal + units * move.by,
@@ -63,7 +64,7 @@ void rankEffects(Diagnosis& diagnosis, const Calibration& car, const Search& fou
     });
 }
 
-// The fewest hypotheses that hold 90 % of what is left of them.
+// Names of the effects in the fewest hypotheses that together have the probability kSettings.sure.
 std::set<std::string> credible(const Problem& problem, const Posterior& posterior) {
     std::set<std::string> names;
     double held = 0;
@@ -78,7 +79,7 @@ std::set<std::string> credible(const Problem& problem, const Posterior& posterio
     return names;
 }
 
-// The model of which every effect gains enough (D41).
+// The model of largest merit: each of its effects must gain the threshold (D41).
 const Candidate& chosenOf(const Problem& problem, const Search& found, double birge_ratio) {
     const auto merit = [&](const Candidate& one) {
         const std::size_t count = one.effects.size();
@@ -91,7 +92,7 @@ const Candidate& chosenOf(const Problem& problem, const Search& found, double bi
     return *chosen;
 }
 
-// Names the causes, and what they cannot be told from.
+// Names the causes and their alternatives, and decides between explained and ambiguous.
 void blame(Diagnosis& diagnosis, const Problem& problem, const Search& found, const Posterior& posterior) {
     const Candidate& chosen = chosenOf(problem, found, posterior.birge_ratio);
     diagnosis.causes = problem.namesOf(chosen.effects);

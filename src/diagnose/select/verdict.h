@@ -1,4 +1,4 @@
-// From probabilities to a verdict: what may be said.
+// From probabilities to a verdict.
 #pragma once
 
 #include "diagnose/select/posterior.h"
