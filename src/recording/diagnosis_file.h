@@ -1,4 +1,4 @@
-// What a diagnosis is asked: diagnosis.yaml.
+// The task of a diagnosis: diagnosis.yaml.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@
 
 namespace tread::recording {
 
-// One measured channel: under which name the log has it, and how noisy it is.
+// One measured channel: its name in the log and its noise.
 struct MeasuredChannel {
     std::string channel;
     std::string column = {};
@@ -32,7 +32,7 @@ struct MeasuredChannel {
 };
 static_assert(describesEveryMember<MeasuredChannel>());
 
-// How the car's speed is brought about in the replay.
+// How the speed is controlled in the replay.
 enum class SpeedReplay { pedals, followed };
 constexpr auto enumNames(SpeedReplay) {
     return std::array<std::string_view, 2>{"pedals", "followed"};
@@ -74,7 +74,7 @@ struct Recording {
 };
 static_assert(describesEveryMember<Recording>());
 
-// How well a number of the car is known, in place of the tolerance in its description.
+// How well a number is known, in place of the tolerance in its description.
 struct KnownWithin {
     std::string path;
     double relative = 0;
@@ -129,22 +129,22 @@ struct DiagnosisFile {
 };
 static_assert(describesEveryMember<DiagnosisFile>());
 
-// Throws LoadError. File names in it are made relative to its folder; those of the logs to `data`, when it is given.
+// Throws LoadError. File names are resolved relative to the file's folder, those of logs relative to `data` if given.
 DiagnosisFile loadDiagnosis(const std::filesystem::path& file, const std::filesystem::path& data = {});
 
-// The same, without looking whether the logs are there.
+// The same without checking that the logs exist.
 DiagnosisFile checkedDiagnosis(const std::filesystem::path& file);
 
-// ---- What it names, read; each throws LoadError with every fault ----
+// ---- Files that it names. Each function throws LoadError that lists every fault. ----
 
 // The nominal car with its settings, and the instruments.
 Subject nominalSubject(const DiagnosisFile& file);
 
-// The recordings in their order: channels under tread's names in SI units, cut to the window, time from 0. `notes` say
-// what was changed or guessed, one sentence each.
+// The recordings in the order of the file: channels under tread's names in SI units, cut to the window, time from 0.
+// `notes`: what was changed or guessed, one sentence each.
 struct Recorded {
     std::vector<Log> logs;
-    std::vector<Log> references = {};  // as many as logs, or none; one without channels where a recording has none
+    std::vector<Log> references = {};  // as many as logs, or none; an empty log where a recording has no reference
     std::vector<std::string> notes = {};
 };
 Recorded readRecordings(const DiagnosisFile& file);

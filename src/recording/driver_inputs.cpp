@@ -11,12 +11,14 @@
 namespace tread::recording {
 namespace {
 
-constexpr std::array<std::size_t, 5> kReaches{50, 25, 12, 6, 3};  // samples to either side, the widest that fits
-constexpr double kLikeNoise = 1.3;                                // times the noise, that a parabola may leave
+// Samples on either side of the middle; the widest that fits is used.
+constexpr std::array<std::size_t, 5> kReaches{50, 25, 12, 6, 3};
+constexpr double kLikeNoise = 1.3;  // residual of a parabola over the noise; raising this rounds off fast inputs
 
-constexpr double kLongestGap = 0.25;  // s, over which a driver does not do much
+constexpr double kLongestGap = 0.25;  // s; a straight line is taken to represent the driver over shorter gaps
 
-// The middle of a parabola through evenly spaced values; nothing when they lie farther from it than noise does.
+// Value in the middle of a least-squares parabola through evenly spaced values; nothing when the residuals exceed the
+// noise.
 std::optional<double> middleOf(std::span<const double> values, double noise) {
     const auto reach = static_cast<double>(values.size() / 2);
     double n = 0, xx = 0, xxxx = 0, y = 0, xy = 0, xxy = 0;

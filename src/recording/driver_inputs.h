@@ -1,4 +1,4 @@
-// What the driver did, from what the instruments showed of it.
+// The driver's inputs, reconstructed from the readings of their instruments.
 #pragma once
 
 #include <optional>
@@ -11,18 +11,19 @@
 
 namespace tread::recording {
 
-// The channels of the driver, and the speed that he may follow, without their instruments' noise: a car that is driven
-// with it trembles, and a play in the steering would seem to calm it. What is quick, a turn or a kick, stays as it was.
+// Channels of the driver, and the speed that may be followed, with the instruments' noise removed. Replaying the noise
+// would shake the car, and play in the steering would then seem to suppress the shaking. Fast inputs such as a step
+// steer are kept.
 Log quietInputs(const Log& log);
 
-// Evenly spaced values without their noise: each lies on the parabola through those around it, as far as that leaves no
-// more than noise.
+// Evenly spaced values with their noise removed: each is replaced by the middle of the widest parabola through its
+// neighbours that leaves no more than noise.
 std::vector<double> quietened(const std::vector<double>& values);
 
-// The first gap in what the replay of a drive needs; shorter ones are bridged by straight lines.
+// The first gap in the inputs that a replay needs; shorter gaps are bridged by straight lines.
 std::optional<InputGap> firstGap(const RecordedDrive& drive);
 
-// The input that a channel recorded, over the time of the drive; empty without that channel (D5).
+// The input behind a recorded channel, over the time of the drive; empty without that channel (D5).
 Curve driverInput(const RecordedDrive& drive, const std::string& channel, const Instrument& instrument,
                   const Limits& limits);
 

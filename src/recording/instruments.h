@@ -1,11 +1,11 @@
-// The instruments of a measured car: how each group of channels was observed.
+// Instruments of a measured car, one per group of channels.
 #pragma once
 
 #include "tread/describe.h"
 
 namespace tread::recording {
 
-// How one channel reads: delayed, then reading = gain value + bias.
+// Model of one channel: delayed by `delay`, then reading = gain * value + bias.
 struct Instrument {
     double gain = 1;
     double bias = 0;
@@ -19,7 +19,7 @@ struct Instrument {
 };
 static_assert(describesEveryMember<Instrument>());
 
-// Where the inertial unit sits and how it leans.
+// Position and misalignment of the inertial unit.
 struct InertialUnit {
     double x = 0, y = 0, z = 0;
     double roll = 0, pitch = 0;
@@ -37,7 +37,7 @@ static_assert(describesEveryMember<InertialUnit>());
 struct Instruments {
     InertialUnit inertial_unit;
     Instrument ax, ay, yaw_rate, roll_rate, roll, speed, sideslip, wheel_speed;
-    Instrument steering_wheel_angle;  // how the input was recorded
+    Instrument steering_wheel_angle;  // used in reverse: the replayed input is computed from the recorded one
     Instrument throttle, brake;
 
     static constexpr void describe(auto& self, auto&& field) {

@@ -19,7 +19,7 @@ std::string beside(const Path& folder, const std::string& name) {
     return name.empty() ? name : (folder / name).lexically_normal().string();
 }
 
-// What only others can judge: paths of numbers, names of channels and effects, files that are there.
+// Faults that cannot be seen in the file alone: paths of numbers, names of channels and effects, missing files.
 struct Faults {
     const Path& file;
     std::vector<Problem> problems = {};
@@ -77,7 +77,7 @@ void judgeNames(Faults& faults, const DiagnosisFile& diagnosis, bool with_logs) 
         faults.add("recordings", "found hold_out at every recording, expected at least one from which to learn");
 }
 
-// The names of the recordings tell them apart in the report.
+// Gives every recording a name of its own, by which the report tells them apart.
 void nameRecordings(DiagnosisFile& diagnosis) {
     std::vector<std::string> taken;
     for (Recording& recording : diagnosis.recordings) {

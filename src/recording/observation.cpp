@@ -10,7 +10,7 @@
 namespace tread::recording {
 namespace {
 
-// Value of evenly spaced rows at a time, held beyond both ends.
+// Linear interpolation in evenly spaced rows; constant beyond both ends.
 double at(std::span<const double> values, double rows_per_second, double t) {
     const double row = std::clamp(t * rows_per_second, 0.0, static_cast<double>(values.size() - 1));
     const auto below = static_cast<std::size_t>(row);
@@ -33,7 +33,8 @@ const std::vector<double>& column(const Log& motion, const std::string& name) {
     throw std::logic_error("the model's motion has no " + name);
 }
 
-// Accelerations away from the centre of gravity, and gravity on a leaning unit (level axes, small angles) (D3).
+// Acceleration at the position of the inertial unit, with the gravity that a tilted unit reads (level axes, small
+// angles) (D3).
 std::vector<double> acceleration(const Log& motion, const InertialUnit& unit, bool lateral, double rows_per_second) {
     std::vector<double> values = column(motion, lateral ? "chassis.ay" : "chassis.ax");
     const double lean = lateral ? unit.roll : -unit.pitch;
@@ -88,7 +89,7 @@ std::vector<double> readings(const Log& motion, const Instruments& instruments, 
     std::vector<double> result(times.size());
     for (std::size_t i = 0; i < times.size(); ++i)
         result[i] = instrument.gain * at(shown, rows_per_second, times[i] - instrument.delay) + instrument.bias;
-    // The instrument shows the angle; the velocity follows from it.
+    // The bias is that of the sideslip angle, so lateral velocity has bias * vx instead of the bias added above.
     if (quantity.channel == "chassis.vy" && instrument.bias != 0) {
         const std::vector<double>& vx = column(motion, "chassis.vx");
         for (std::size_t i = 0; i < times.size(); ++i)

@@ -14,7 +14,7 @@
 namespace tread::recording {
 namespace {
 
-constexpr double kShortest = 1;  // s, of a recording that can tell anything
+constexpr double kShortest = 1;  // s; a shorter recording cannot tell causes apart
 
 bool isTreadLog(const std::string& file) {
     std::string text = readBytes(file);
@@ -22,7 +22,7 @@ bool isTreadLog(const std::string& file) {
     return text.starts_with("time [s]");
 }
 
-// The column that a channel is to be read from, under its own name and in its unit.
+// Reads a channel from the column that the file names, and gives it the channel's name and unit.
 void takeColumn(Log& log, const MeasuredChannel& wanted, const std::string& file) {
     if (wanted.column.empty() || wanted.column == wanted.channel) return;
     const Channel* column = log.find(wanted.column);
@@ -40,7 +40,8 @@ void takeColumn(Log& log, const MeasuredChannel& wanted, const std::string& file
     log.channels.push_back(std::move(taken));
 }
 
-// What the mapping asked for is no news; what the file needed is. Doubts are those of the data checks.
+// Changes that the mapping asked for are not reported, only repairs that the data needed. Doubtful data is left to the
+// data checks.
 bool concernsTheData(const Change& change) {
     static constexpr std::string_view kKinds[] = {"duplicates", "backwards", "gaps",     "jump",
                                                   "uneven",     "spikes",    "wild_time"};
@@ -81,7 +82,8 @@ Log readLogOf(const Recording& recording, const DiagnosisFile& file, std::vector
     return imported.logs.front();
 }
 
-// Samples that are missing at the ends of a channel (an imported delay) are no part of the recording.
+// The recording within its window, time from 0. Samples missing at the ends of a channel (an imported delay) are not
+// part of it.
 Log windowed(const Log& log, const Recording& recording) {
     const std::vector<double>& time = log.channels.front().values;
     const auto first = std::lower_bound(time.begin(), time.end(), recording.from) - time.begin();

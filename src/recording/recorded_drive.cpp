@@ -12,11 +12,11 @@
 namespace tread::recording {
 namespace {
 
-constexpr double kStartFit = 0.5;       // s, over which the speed at the start is fitted by a line
-constexpr double kTimeRounding = 1e-9;  // s
-constexpr double kAlikeSpeed = 0.03;    // by which repeats of a drive may differ at the start, as a share
+constexpr double kStartFit = 0.5;  // s at the start, over which a line is fitted to the speed
+constexpr double kTimeRounding = 1e-9;  // s, tolerance for times that should fall on the boundary of a block
+constexpr double kAlikeSpeed = 0.03;  // relative difference in start speed up to which two drives count as repeats
 
-// Value at t = 0 of the line through the first half second.
+// Value at t = 0 of a line through the first half second.
 double atStart(const std::vector<double>& time, const std::vector<double>& values) {
     double n = 0, t = 0, v = 0, tt = 0, tv = 0;
     for (std::size_t i = 0; i < time.size() && time[i] <= kStartFit; ++i) {
@@ -35,7 +35,7 @@ double startSpeed(const Log& log, const std::vector<double>& time, const std::st
         "recording {}: found no speed in its first half second, expected chassis.vx: the replay starts at it", name));
 }
 
-// Standard deviation of a block's mean as the file tells it; 0: not told.
+// Standard deviation of a block's mean from the noise that the file states; 0: not stated.
 double toldNoise(const DiagnosisFile& file, const std::string& channel, double sample_interval) {
     for (const MeasuredChannel& told : file.channels) {
         if (told.channel == channel) return told.noise / std::sqrt(std::max(1.0, kBlock / sample_interval));
@@ -43,8 +43,8 @@ double toldNoise(const DiagnosisFile& file, const std::string& channel, double s
     return 0;
 }
 
-// A driver who follows the measured speed makes it, and the acceleration along the car, his own: what is left there is
-// his error, not the car's.
+// With the speed followed, the controller determines speed and longitudinal acceleration, so their gaps describe the
+// controller and not the car.
 bool isOfTheDriver(const Recording& recording, const std::string& channel) {
     return recording.speed == SpeedReplay::followed && (channel == "chassis.vx" || channel == "chassis.ax");
 }

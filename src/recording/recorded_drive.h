@@ -1,4 +1,4 @@
-// A recording made ready to be repeated by the model: what was measured, as block means, and what the driver did.
+// A recording prepared for replay: block means of the measured channels, and the driver's inputs.
 #pragma once
 
 #include <Eigen/Dense>
@@ -14,18 +14,19 @@
 
 namespace tread::recording {
 
-// One channel of a drive. Its rows are means over blocks of 50 ms: that keeps what a car does, and takes out vibration.
+// One channel of a drive. Its rows are means over blocks of 50 ms, which keep the motion of the car and suppress
+// vibration.
 struct ObservedChannel {
     std::string name;
-    std::vector<double> measured;  // every sample
-    double noise = 0;              // standard deviation of a block's mean
+    std::vector<double> measured;  // at every sample
+    double noise = 0;              // standard deviation of a block's mean, in the unit of the channel
     Eigen::Index first_row = 0;
-    std::vector<double> times;  // s, of its blocks: those in which something was measured
+    std::vector<double> times;  // s, middle of each block that contains a measured value
 
     Eigen::Index rows() const { return std::ssize(times); }
 };
 
-// Where an input of the driver is missing for so long that the drive cannot be repeated from there on.
+// A gap in an input of the driver, too long to repeat the drive beyond it.
 struct InputGap {
     std::string channel;
     double from = 0, to = 0;  // s
@@ -35,15 +36,15 @@ struct RecordedDrive {
     std::string name;
     const Recording* recording = nullptr;
     Log log;
-    Log inputs;                // of the driver, without noise
+    Log inputs;                // of the driver, with the noise removed
     std::vector<double> time;  // s, of the samples
     std::vector<ObservedChannel> channels;
     Eigen::VectorXd measured;            // all rows
-    double speed = 0;                    // m/s, at the start, as measured
-    std::optional<InputGap> gap = {};    // the first
-    double until = kInfinity;            // s: what comes later says nothing about the car
-    double until_reference = kInfinity;  // s: the same, of its reference; `until` is not later
-    int runs = 1;  // of a car, whose noise and disturbances the rows hold: 2 when a reference is taken off
+    double speed = 0;                    // m/s, measured speed at the start
+    std::optional<InputGap> gap = {};    // the first one
+    double until = kInfinity;            // s; later rows carry no information about the car
+    double until_reference = kInfinity;  // s; the same for its reference. `until` is not later.
+    int runs = 1;  // number of runs whose noise and disturbances the rows contain: 2 when a reference is subtracted
 
     Eigen::Index rows() const { return measured.size(); }
     double duration() const { return time.back(); }
@@ -51,21 +52,23 @@ struct RecordedDrive {
 };
 using Drives = std::span<const RecordedDrive>;
 
-// Whether every drive has a reference.
+// True when every drive has a reference.
 bool compared(Drives drives);
 
-// The first drive of which this is a repeat: the model answers to both alike.
+// Index of the first drive that this one repeats, so that the model's sensitivities are the same; its own index if
+// none.
 std::size_t firstLike(Drives drives, std::size_t drive);
 
-inline constexpr double kBlock = 0.05;  // s
+inline constexpr double kBlock = 0.05;  // s, length of a block
 
-// Whether a file that names its channels names this one.
+// True when the file names this channel, or names no channels at all.
 bool wanted(const DiagnosisFile& file, const std::string& channel);
 
-// Channels that a diagnosis can use, of those that the log has.
+// Prepares a recording with all channels of the log that a diagnosis can use. Throws std::invalid_argument when there
+// are fewer than two samples, no start speed or no such channel.
 RecordedDrive recordedDrive(const Recording& recording, const Log& log, const DiagnosisFile& file);
 
-// Readings over the samples of a drive -> rows of one channel (D1).
+// Block means of one channel from readings at the samples of a drive (D1).
 Eigen::VectorXd blockMeans(const ObservedChannel& channel, const std::vector<double>& time,
                            const std::vector<double>& readings);
 

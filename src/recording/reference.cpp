@@ -16,10 +16,12 @@
 namespace tread::recording {
 namespace {
 
-constexpr double kAnotherDrive = 0.25;  // of what an input does, that differs from the reference's
-constexpr double kStill = 0.05;         // rad, or share of a pedal: little enough for a hand or foot that corrects
-constexpr double kShorter = 0.2;        // s
-constexpr double kAnotherSpeed = 0.1;   // share, at the start: a speedometer may have changed
+// Root mean square of the difference of an input, relative to that of the input, above which a reference is a different
+// drive.
+constexpr double kAnotherDrive = 0.25;
+constexpr double kStill = 0.05;        // rad or share of a pedal, always allowed: small corrections by the driver
+constexpr double kShorter = 0.2;       // s by which a reference may be shorter
+constexpr double kAnotherSpeed = 0.1;  // relative difference in start speed; allows for a speedometer that was changed
 
 double rms(std::span<const double> values) {
     double sum = 0, count = 0;
@@ -28,7 +30,7 @@ double rms(std::span<const double> values) {
     return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
-// Throws unless the driver does the same in both.
+// Throws std::invalid_argument unless the driver does the same in both.
 void expectSameDrive(const RecordedDrive& drive, const RecordedDrive& reference) {
     const auto another = [&](const std::string& found) {
         throw std::invalid_argument(
@@ -42,7 +44,7 @@ void expectSameDrive(const RecordedDrive& drive, const RecordedDrive& reference)
         another(fmt::format("takes {:.2f} s, its reference {:.2f} s", drive.duration(), reference.duration()));
     const bool followed = drive.recording->speed == SpeedReplay::followed;
     for (const std::string name : {"driver.steering_wheel_angle", "driver.throttle", "driver.brake"}) {
-        if (followed && name != "driver.steering_wheel_angle") continue;  // those of a replay are the model's own
+        if (followed && name != "driver.steering_wheel_angle") continue;  // the pedals are not replayed
         const Channel *here = drive.inputs.find(name), *there = reference.inputs.find(name);
         if (!here || !there) continue;
         const std::vector<double> then = resample(reference.time, there->values, drive.time);
@@ -55,7 +57,7 @@ void expectSameDrive(const RecordedDrive& drive, const RecordedDrive& reference)
     }
 }
 
-// Takes off the drive's rows what the nominal car lacks in its reference (D45).
+// Subtracts from the drive's rows the gap of the nominal car in its reference (D45).
 void lessReference(RecordedDrive& drive, const RecordedDrive& reference, const Replayer& replayer) {
     expectSameDrive(drive, reference);
     Eigen::VectorXd model;
@@ -124,7 +126,7 @@ std::vector<RecordedDrive> recordedDrives(const DiagnosisFile& file, const Recor
                                           const Replayer& replayer, int threads) {
     std::vector<RecordedDrive> drives, references;
     std::vector<Recording> before;
-    before.reserve(file.recordings.size());  // drives point at their recordings
+    before.reserve(file.recordings.size());  // drives point to their recordings, which must not move
     for (std::size_t i = 0; i < file.recordings.size(); ++i) {
         const Recording& recording = file.recordings[i];
         if (recording.hold_out != held_out) continue;

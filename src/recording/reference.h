@@ -1,24 +1,24 @@
-// Recordings of the car as it was before something changed. The structure of a model is never that of a car: what it
-// lacked already, in the same drive, is no news, and is taken off what it lacks now.
+// References: recordings of the same car before something on it was changed. The structure of a model always differs
+// from that of the car. The gap that the reference already shows in the same drive is therefore subtracted from the gap
+// after the change.
 #pragma once
 
 #include "recording/replay.h"
 
 namespace tread::recording {
 
-// The recording that a reference is, under a name that tells so.
+// The reference of a recording as a recording of its own, with a name that says so.
 Recording referenceOf(const Recording& recording);
 
-// Leaves of a diagnosis the car as it was before: references in place of the recordings, and only those that have one.
-// False, and nothing is changed, where there is none.
+// Reduces a diagnosis to the car before the change: keeps only recordings with a reference, and replaces them by it.
+// Returns false and changes nothing when no recording has one.
 bool beforeTheChange(DiagnosisFile& file, Recorded& recorded);
 
-// A log without those measured channels that the reference has not.
+// The log without those measured channels that the reference lacks.
 Log withChannelsOf(const Log& log, const Log& reference);
 
-// The recordings from which to learn, or those held out, each less what the nominal car lacks in its reference where it
-// has one. Throws std::invalid_argument when a reference is another drive, or cannot be driven. `threads`: 0: one per
-// core.
+// The drives to fit (or those held out). Where a drive has a reference, the gap of the nominal car to it is subtracted.
+// Throws std::invalid_argument when a reference is a different drive or cannot be driven. `threads`: 0: one per core.
 std::vector<RecordedDrive> recordedDrives(const DiagnosisFile& file, const Recorded& recorded, bool held_out,
                                           const Replayer& replayer, int threads);
 

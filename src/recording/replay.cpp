@@ -12,11 +12,12 @@
 namespace tread::recording {
 namespace {
 
-constexpr double kStanding = 0.3;  // m/s
-constexpr double kParked = 0.3;    // brake pedal of a standing car whose log has none
+constexpr double kStanding = 0.3;  // m/s; a drive that starts slower starts at standstill
+constexpr double kParked = 0.3;    // brake pedal of a standing car when the log has no brake; keeps it from rolling
+// Gains of the controller that follows the measured speed.
 constexpr HoldSpeed kFollow{.proportional = 0.8, .integral = 0.5, .brake = 0.5};
 
-// What is changed on the subject against the nominal one, done to a road or wind that is known for this drive.
+// A road or wind known for this drive, changed by the differences between subject and nominal subject.
 template <class T>
 T changed(T known, const T& subject, const T& nominal) {
     T now = subject, before = nominal;
@@ -30,7 +31,7 @@ T changed(T known, const T& subject, const T& nominal) {
     return known;
 }
 
-// How fast the car is when its instrument shows this.
+// Speed of the car at which its instrument shows this.
 double speedBehind(double shown, const Instrument& instrument) {
     return std::max(0.0, (shown - instrument.bias) / instrument.gain);
 }
@@ -57,7 +58,7 @@ Phase driven(const RecordedDrive& drive, const Instruments& instruments) {
     return phase;
 }
 
-// The gear that a drive holds, as the only one: the model must not shift at another time.
+// If the drive stays in one gear, makes it the only gear, so that the model cannot shift at another time.
 void holdGear(VehicleParams& vehicle, const RecordedDrive& drive) {
     const Channel* gear = drive.log.find("driveline.gear");
     auto& gearbox = vehicle.driveline.gearbox;

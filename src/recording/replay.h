@@ -1,4 +1,4 @@
-// The model repeats a recorded drive, and is observed as the real car was.
+// Replay of a recorded drive by the model, read through the instruments of the real car.
 #pragma once
 
 #include <functional>
@@ -8,24 +8,24 @@
 
 namespace tread::recording {
 
-// Drives a car; replaced in tests by models of two lines.
+// Simulates a car; tests replace it by models of a few lines.
 using Simulate = std::function<void(const VehicleParams&, const Scenario&, const Recorder&, const Pushing&)>;
 
-// The nominal car, and the simulator that repeats drives with it and with cars that differ from it.
+// The nominal car, and the simulator that repeats drives with it and with variants of it.
 struct Replayer {
     Subject nominal;
     double step = 0.002;  // s
     Simulate simulate;
 };
 
-// The scenario in which the subject does what the drive's driver did.
+// The scenario in which the driver's inputs of the drive act on the subject.
 Scenario replayOf(const RecordedDrive& drive, const Subject& subject, const Replayer& replayer);
 
-// What the model does, at every step: the channels that instruments observe, time from 0 at the drive's beginning.
-// `pushing`, when there is one, acts on the car in the time of the drive. Throws SimulationError.
+// Motion of the model at every time step: the channels that instruments observe, time from 0 at the start of the drive.
+// `pushing`, if given, adds external forces over the time of the drive. Throws SimulationError.
 Log replayed(const RecordedDrive& drive, const Subject& subject, const Replayer& replayer, const Pushing& pushing = {});
 
-// What the instruments would have shown: all rows of the drive.
+// Readings of the instruments for a motion: all rows of the drive.
 Eigen::VectorXd readings(const RecordedDrive& drive, const Log& motion, const Instruments& instruments);
 
 }  // namespace tread::recording

@@ -6,9 +6,11 @@
 namespace tread::recording {
 namespace {
 
-constexpr double kSlideApart = 0.08;  // rad in the window: as much as a car slips in all that still grips
+// Angle, rad, within the window: about the sideslip angle of a car that still grips. Raising this compares more of a
+// slide.
+constexpr double kSlideApart = 0.08;
 constexpr double kSlideWindow = 1.5;  // s
-constexpr double kSlowestSlide = 5;   // m/s, at which an angle of the velocity means much
+constexpr double kSlowestSlide = 5;   // m/s; least speed by which lateral acceleration is divided
 
 }  // namespace
 

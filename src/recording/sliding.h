@@ -1,5 +1,5 @@
-// Where a drive stops telling anything about the car: once the car slides and its model does not, or the other way
-// round, what they do differs by more than any small cause explains; and once an input of the driver is missing.
+// The end of the usable part of a drive. Once the car slides and its model does not, or the other way round, their
+// difference is larger than any small cause explains.
 #pragma once
 
 #include <Eigen/Dense>
@@ -8,9 +8,9 @@
 
 namespace tread::recording {
 
-// When they begin to, s; infinity when they do not. `model` are the rows of a model in the drive. The sideslip angle is
-// seen to change from lateral acceleration, yaw rate and speed; nothing can be said without one of these, or with gaps.
-// (D6).
+// Time, s, at which car and model start to slide apart; infinity if they do not. `model`: rows of a model in the drive.
+// The change of the sideslip angle follows from lateral acceleration, yaw rate and speed; infinity when one of them is
+// missing or has gaps (D6).
 double slideApart(const RecordedDrive& drive, const Eigen::VectorXd& model);
 
 }  // namespace tread::recording

@@ -1,5 +1,5 @@
-// What a diagnosis may change: the car, the road and the air around it, and the instruments that observed it. One
-// struct, so that every number has one path ("mass", "road.grade", "wind.speed", "instruments.yaw_rate.delay").
+// Everything that a diagnosis may change: car, road, wind, and the instruments that recorded the car. One struct, so
+// that each number has one path ("mass", "road.grade", "wind.speed", "instruments.yaw_rate.delay").
 #pragma once
 
 #include <string_view>
@@ -18,7 +18,7 @@ struct Subject {
     WindParams wind;
     Instruments instruments;
 
-    // The car's numbers keep the paths that they have everywhere.
+    // The numbers of the car keep the paths of the vehicle file.
     static constexpr void describe(auto& self, auto&& field) {
         VehicleParams::describe(self.vehicle, field);
         field(TREAD_FIELD(road), About{"", "road"});
@@ -27,7 +27,7 @@ struct Subject {
     }
 };
 
-// The number at a path; nullptr when there is none. Valid as long as the subject is neither moved nor resized.
+// The number at a path; nullptr when there is none. The pointer is valid until the subject is moved or resized.
 double* numberAt(Subject& subject, std::string_view path);
 
 }  // namespace tread::recording

@@ -11,7 +11,7 @@
 namespace tread::recording {
 namespace {
 
-// Numbers have a unit; a curve has one, too, but is empty or a list of points.
+// Rows that are numbers: they have a unit and are neither a list nor a curve, whose default is empty.
 const std::map<std::string, ReferenceRow, std::less<>>& rows() {
     static const auto all = [] {
         std::map<std::string, ReferenceRow, std::less<>> numbers;
@@ -24,7 +24,7 @@ const std::map<std::string, ReferenceRow, std::less<>>& rows() {
     return all;
 }
 
-// "gears.3" as "gears.0", which stands for all elements.
+// "gears.3" as "gears.0", the entry that describes all elements.
 std::string firstOfList(std::string_view path) {
     std::string out;
     while (!path.empty()) {

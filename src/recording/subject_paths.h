@@ -1,4 +1,4 @@
-// The paths of all numbers that some subject has, whatever parts a car is made of.
+// Paths of all numbers that a subject can have, whatever parts its car is made of.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace tread::recording {
 
-// The row of the number at a path (an element of a list stands for all of them); nullptr when no subject has one there.
+// Description of the number at a path; any index into a list is accepted. nullptr when no subject has such a number.
 const ReferenceRow* subjectNumber(std::string_view path);
 
-// What is wrong with a path or a pattern with *, empty when some subject has a number there.
+// Error text for a path, or for a pattern with *; empty when some subject has a number there.
 std::string pathFault(std::string_view path);
 
-// Neither road nor wind nor instruments.
+// True for numbers of the car itself; false for those of road, wind and instruments.
 bool isOfTheCar(std::string_view path);
 
 }  // namespace tread::recording

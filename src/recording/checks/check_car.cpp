@@ -13,9 +13,10 @@ void checkCar(const LogChecks& checks) {
     const std::vector<double>* yaw_rate = checks.values("chassis.yaw_rate");
     const std::vector<double>* steer = checks.values("driver.steering_wheel_angle");
     if (!vx || !yaw_rate || !steer) return;
-    constexpr double kLeastUndersteer = -0.001, kMostUndersteer = 0.008;  // rad s2/m, of any road car
-    constexpr double kUncertain = 1.35;                                   // of ratio and wheelbase
-    constexpr double kSettling = 0.5, kHeld = 0.05;  // s, rad: yaw follows the steering wheel by then
+    constexpr double kLeastUndersteer = -0.001, kMostUndersteer = 0.008;  // rad s2/m, range of road cars
+    constexpr double kUncertain = 1.35;  // factor by which steering ratio and wheelbase together may be wrong
+    // s and rad: the steering wheel must have stayed within kHeld for kSettling, so that the yaw rate has settled.
+    constexpr double kSettling = 0.5, kHeld = 0.05;
     const VehicleParams& car = checks.nominal.vehicle;
     const auto gain = [&](double understeer) {
         std::vector<double> out(vx->size());

@@ -1,4 +1,4 @@
-// Each channel of a recording by itself, and its time base.
+// Checks of each channel by itself, and of the time base.
 
 #include <fmt/format.h>
 
@@ -11,20 +11,21 @@
 namespace tread::recording::checks {
 namespace {
 
-constexpr double kSlowest = 20;        // samples per second: the diagnosis looks at 20 Hz
-constexpr double kUneven = 0.5;        // of the usual step between samples
-constexpr double kSpikeLimit = 12;     // robust standard deviations, as tread import takes
-constexpr double kSaturated = 0.15;    // s at one and the same largest value
-constexpr double kStuckShare = 0.3;    // of the recording, at one value, while the car moves
-constexpr double kBeyondShare = 0.01;  // of the samples: fewer are spikes
-constexpr double kHeldShare = 0.6;     // of the samples repeat the one before: a slower source, held
+constexpr double kSlowest = 20;  // samples per second: rows of a diagnosis are 20 Hz
+constexpr double kUneven = 0.5;  // deviation of a step in time, relative to the median step
+constexpr double kSpikeLimit = 12;  // robust standard deviations, the limit of tread import
+constexpr double kSaturated = 0.15;  // s at exactly the largest or smallest value
+constexpr double kStuckShare = 0.3;  // share of the recording during which a channel may keep one value
+constexpr double kBeyondShare = 0.01;  // share of samples; fewer beyond the plausible range are spikes
+// Share of samples that repeat the previous one, above which the channel is a slower source that was held.
+constexpr double kHeldShare = 0.6;
 
 bool isMeasured(const Channel& channel) {
     const auto begins = [&](std::string_view beginning) { return channel.name.starts_with(beginning); };
     return begins("chassis.") || begins("wheel.") || begins("driver.");
 }
 
-// A pedal may rest at its end, a gear does not change: that says nothing.
+// Inputs may stay constant: a pedal rests at its end and a gear does not change.
 bool mayRest(const Channel& channel) {
     return channel.name.starts_with("driver.");
 }
@@ -45,7 +46,7 @@ void checkGaps(const LogChecks& checks, const Channel& channel) {
 
 struct Runs {
     std::size_t longest = 0, begin = 0;  // of equal values
-    std::size_t repeated = 0;            // samples equal to the one before
+    std::size_t repeated = 0;  // samples equal to the one before
 };
 Runs runsOf(const std::vector<double>& values) {
     Runs runs;
@@ -107,7 +108,7 @@ void checkSpikes(const LogChecks& checks, const Channel& channel) {
         "One wrong value weighs as much as seconds of driving", "Let tread import take out the spikes");
 }
 
-// More than any car or driver does, and what it then looks like.
+// Largest plausible value, and the unit that a larger one suggests.
 struct Largest {
     std::string_view channel;
     double value;

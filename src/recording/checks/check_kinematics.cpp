@@ -1,4 +1,4 @@
-// Channels of a recording against each other: what a car must do tells wrong signs, units, swapped channels and delays.
+// Checks of channels against each other. Kinematic relations reveal wrong signs and units, swapped channels and delays.
 
 #include <fmt/format.h>
 
@@ -13,29 +13,29 @@
 namespace tread::recording::checks {
 namespace {
 
-constexpr double kLongestDelay = 0.2;     // s, that is searched for
-constexpr double kDelay = 0.025;          // s, worth a word
-constexpr double kDelayOfSideslip = 0.1;  // s, that sideslip can make of lateral acceleration
-constexpr double kMuchLikelier = 3;       // by which a delay must explain what is left
-constexpr double kUnlike = 0.02;          // share of the variance, and is worth a word
+constexpr double kLongestDelay = 0.2;     // s, range of the search
+constexpr double kDelay = 0.025;          // s; shorter delays are not reported
+constexpr double kDelayOfSideslip = 0.1;  // s; sideslip can make lateral acceleration look late by this much
+constexpr double kMuchLikelier = 3;       // factor by which a reported delay reduces the unexplained variance
+constexpr double kUnlike = 0.02;          // least share of the variance that must be unexplained without the delay
 constexpr double kBraking = 1.5;          // m/s2
-constexpr double kFactor = 0.25;          // relative difference that no slip of a wheel explains
-constexpr double kMuch = 1.5;             // and that no car explains
+constexpr double kFactor = 0.25;          // relative difference that wheel slip cannot explain
+constexpr double kMuch = 1.5;             // relative difference that no car can explain
 
 using Values = std::vector<double>;
 
 struct Pair {
-    std::string channel;  // that the warning is about
+    std::string channel;  // channel that a warning names
     std::string says;     // what it is compared with
     const Values* measured;
     Values expected;
-    double least;              // spread of the expected values below which nothing can be said
-    double tolerance = kMuch;  // relative difference in size that says nothing; 0: any
-    double delay = 0;          // s, that says nothing; 0: any
+    double least;              // least standard deviation of the expected values for a conclusion
+    double tolerance = kMuch;  // relative difference in size that is not reported; 0: size is not checked
+    double delay = 0;          // s, delay that is not reported; 0: delay is not checked
 };
 
 Values derivative(const Values& time, const Values& values) {
-    constexpr std::size_t kReach = 5;  // samples to either side: noise
+    constexpr std::size_t kReach = 5;  // samples on either side, to suppress noise
     Values rates(values.size(), 0);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const std::size_t a = i > kReach ? i - kReach : 0, b = std::min(i + kReach, values.size() - 1);
@@ -60,7 +60,7 @@ std::string lookOf(double factor) {
     return "";
 }
 
-// Share of the measured variance that the expected values do not explain when they are `later` samples behind.
+// Share of the measured variance that the expected values leave unexplained when delayed by `later` samples.
 double unlikeness(const Pair& pair, std::ptrdiff_t later) {
     const Values &x = pair.expected, &y = *pair.measured;
     const auto size = static_cast<std::ptrdiff_t>(x.size());
@@ -74,7 +74,7 @@ double unlikeness(const Pair& pair, std::ptrdiff_t later) {
 }
 
 void checkDelay(const LogChecks& checks, Pair pair) {
-    // Under brakes sideslip adds to vx times yaw rate what looks like a delay.
+    // Under braking sideslip adds to vx times yaw rate, which looks like a delay, so these samples are set to 0.
     Values measured_values = *pair.measured;
     if (pair.channel == "chassis.ay") {
         const Values rates = derivative(checks.time(), *checks.values("chassis.vx"));
@@ -163,7 +163,7 @@ std::vector<Pair> pairsOf(const LogChecks& checks) {
     return pairs;
 }
 
-// In a turn the outer wheel is the faster one.
+// Checks that the outer wheel is the faster one in a turn.
 void checkSwappedWheels(const LogChecks& checks) {
     const Values* yaw_rate = checks.values("chassis.yaw_rate");
     for (const char* axle : {"front", "rear"}) {
@@ -183,7 +183,7 @@ void checkSwappedWheels(const LogChecks& checks) {
     }
 }
 
-// Longitudinal and lateral acceleration exchanged.
+// Checks whether longitudinal and lateral acceleration are exchanged.
 void checkSwappedAccelerations(const LogChecks& checks) {
     const Values *vx = checks.values("chassis.vx"), *ax = checks.values("chassis.ax"),
                  *ay = checks.values("chassis.ay"), *yaw_rate = checks.values("chassis.yaw_rate");

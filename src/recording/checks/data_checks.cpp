@@ -14,9 +14,9 @@
 namespace tread::recording::checks {
 namespace {
 
-constexpr double kLateral = 1;    // m/s2: less says little about tyres and steering
-constexpr double kSpeeds = 3;     // m/s, between the slowest and the fastest moment
-constexpr double kAlike = 0.995;  // correlation of the steering wheel in two recordings
+constexpr double kLateral = 1;    // m/s2; less shows little of tyres and steering
+constexpr double kSpeeds = 3;     // m/s, least difference between lowest and highest speed
+constexpr double kAlike = 0.995;  // correlation of the steering-wheel angle in recordings of the same manoeuvre
 
 bool has(const Log& log, std::string_view name) {
     const Channel* channel = log.find(name);
@@ -56,7 +56,7 @@ void checkInputs(const LogChecks& checks) {
                     "Record the gear, or choose a window in one gear");
 }
 
-// What was not measured before the change is of no use after it.
+// Channels that the reference lacks cannot be used after the change either.
 void checkReference(const LogChecks& checks, const DiagnosisFile& file, const Log& after) {
     std::vector<std::string> missing;
     for (const ObservedQuantity& one : observedQuantities()) {
@@ -81,7 +81,7 @@ void checkNamed(std::vector<DataWarning>& found, const DiagnosisFile& file, cons
                      "Say from which column they are to be read, or leave them out"});
 }
 
-// Which verdicts are still possible.
+// Warns about missing channels that exclude whole groups of causes.
 void checkResponses(std::vector<DataWarning>& found, const std::vector<Log>& logs) {
     const auto none = [&](std::initializer_list<const char*> channels) {
         return std::none_of(logs.begin(), logs.end(), [&](const Log& log) {

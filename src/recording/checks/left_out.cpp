@@ -7,7 +7,7 @@
 namespace tread::recording::checks {
 namespace {
 
-constexpr double kWorthSliding = 1;  // s: who slides before has not driven at all
+constexpr double kWorthSliding = 1;  // s; an earlier end points to a wrong model, unit or sign, not to sliding
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// What is left out of the drives, and why.
+// Report of the parts of drives that are left out, with the reason.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace tread::recording::checks {
 
-// Of each drive what comes after `until`, s: a sentence or two each.
+// For each drive that ends at a finite `until`, s: a sentence or two.
 std::vector<std::string> leftOut(Drives drives, const std::vector<double>& until);
 
 }  // namespace tread::recording::checks

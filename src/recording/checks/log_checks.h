@@ -1,4 +1,4 @@
-// The parts of the data checks that look at one recording.
+// Data checks of a single recording.
 #pragma once
 
 #include <functional>
@@ -9,15 +9,15 @@
 
 namespace tread::recording::checks {
 
-// Where the warnings about one recording go.
+// A recording, what it is checked against, and the list that receives the warnings.
 struct LogChecks {
     const Recording& recording;
     const Log& log;
     const Subject& nominal;
     std::vector<DataWarning>& found;
 
-    static constexpr double kMoving = 3;   // m/s: below, a car can do anything
-    static constexpr double kSliding = 4;  // m/s2: beyond, wheels and yaw rate do as they like
+    static constexpr double kMoving = 3;   // m/s; below this the relations between channels do not hold
+    static constexpr double kSliding = 4;  // m/s2; beyond this the geometry of the car does not determine its motion
 
     const std::vector<double>& time() const { return log.channels.front().values; }
     const std::vector<double>* values(const std::string& channel) const;
@@ -25,25 +25,26 @@ struct LogChecks {
     void warn(const std::string& channel, std::string what, std::string why, std::string advice) const;
 };
 
-// Each channel by itself: gaps, stuck, held, saturated, spikes; and the time base.
+// Each channel by itself: gaps, stuck, held or saturated values, spikes; and the time base.
 void checkChannels(const LogChecks& checks);
 
-// Channels against each other: signs, units, swapped ones, delays.
+// Channels against each other: signs, units, swapped channels, delays.
 void checkKinematics(const LogChecks& checks);
 
-// The car that the file names. Gentle cornering follows its geometry: yaw rate = vx steer / (ratio (l + K vx^2)).
+// Checks that the named car fits the recording. In gentle cornering yaw rate = vx steer / (ratio (l + K vx^2)).
 void checkCar(const LogChecks& checks);
 
-// Least squares of y over x through the means, over the samples where both are numbers and `use` says so.
+// Linear relation of y to x over the samples at which both are finite and `use` is true; the slope is that of the
+// least-squares line.
 struct Relation {
     double correlation = 0;
     double slope = 0;
-    double factor = 0;  // of y over x, through the origin
+    double factor = 0;  // y over x, of the least-squares line through the origin
     double spread = 0;  // standard deviation of x
     int samples = 0;
 
-    static constexpr int kFewest = 50;          // samples from which it says something
-    static constexpr double kCorrelated = 0.8;  // from here both show the same thing
+    static constexpr int kFewest = 50;          // least number of samples for a conclusion
+    static constexpr double kCorrelated = 0.8;  // correlation from which two channels show the same quantity
 };
 Relation relation(
     const std::vector<double>& x, const std::vector<double>& y,
