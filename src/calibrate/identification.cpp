@@ -30,9 +30,9 @@ using model::Rows;
 using recording::Subject;
 using select::Fit;
 
-constexpr int kRounds = 6;             // of fitting and linearising at the fit
-constexpr double kSettled = 0.1;       // prior standard deviations that a round moved the numbers
-constexpr double kUndetermined = 0.9;  // of the prior's standard deviation that the drives leave
+constexpr int kRounds = 6;             // largest number of rounds of linearisation and fit
+constexpr double kSettled = 0.1;       // prior standard deviations; the rounds end when no chosen number moves further
+constexpr double kUndetermined = 0.9;  // posterior over prior standard deviation, from which a number is not determined
 constexpr double kNearBound = 1e-6;    // units
 const std::string kChosen = "fitted numbers";
 
@@ -40,7 +40,7 @@ bool isChosen(const recording::DiagnosisFile& file, const std::string& path) {
     return std::any_of(file.fit.begin(), file.fit.end(), [&](const std::string& one) { return matches(one, path); });
 }
 
-// What is asked for and cannot be fitted.
+// Throws LoadError for requested numbers that cannot be fitted.
 void judgeChoice(const recording::DiagnosisFile& file, const Subject& nominal,
                  const std::vector<Parameter>& uncertain) {
     std::vector<tread::Problem> problems;
@@ -64,7 +64,7 @@ void judgeChoice(const recording::DiagnosisFile& file, const Subject& nominal,
     throwIfAny(std::move(problems));
 }
 
-// The chosen numbers are the knobs of the only effect; all other tolerances are nuisances.
+// The chosen numbers become the knobs of a single effect; all other tolerances are nuisances.
 model::Differences differencesOf(const recording::DiagnosisFile& file, const Subject& nominal) {
     model::Differences all;
     all.parameters = model::nuisances(nominal, file.tolerances);
@@ -76,18 +76,18 @@ model::Differences differencesOf(const recording::DiagnosisFile& file, const Sub
     return all;
 }
 
-// A fit, and what it was made with. So that a model that cannot be right is not forced onto what it cannot explain, all
-// that is uncertain in the recordings is taken as larger by as much as it leaves; while the car is still far off, that
-// keeps the fit near what is known before.
+// A fit with its linearisation. Noise and disturbances are multiplied by the Birge ratio, so that a model with
+// structural errors is not forced onto what it cannot explain. While the car is still far off, this keeps the fit near
+// the prior.
 struct Round {
-    model::Uncertainty uncertainty;            // of the recordings about the point
-    model::Uncertainty larger;                 // times the Birge ratio: with this it is fitted
-    model::Linearisation about, about_larger;  // with the one and with the other
+    model::Uncertainty uncertainty;            // about the point of the linearisation
+    model::Uncertainty larger;                 // the same with noise times the Birge ratio, used in the fit
+    model::Linearisation about, about_larger;  // whitened with `uncertainty` and with `larger`
     double birge_ratio = 1;
     Fit fit;
 };
 
-// All but the fit; `relevant`: nuisances; none: those that are found here.
+// Everything except the fit. `relevant`: nuisances to use; null: they are selected here.
 Round roundAt(const Problem& problem, model::Sensitivities about, std::vector<double> until,
               const std::vector<Eigen::Index>* relevant) {
     Round round;
@@ -105,14 +105,14 @@ Round roundAt(const Problem& problem, model::Sensitivities about, std::vector<do
     return round;
 }
 
-// The last round, and what the first one found.
+// The last round, and the nominal car of the first.
 struct Settled {
     Round round;
-    Rows nominal;  // what the nominal car does
+    Rows nominal;  // rows of the nominal car
     bool settled = false;
 };
 
-// Fits, and takes all sensitivities anew about the fit, until it moves little.
+// Alternates fits and linearisations about them until the chosen numbers hardly move.
 std::optional<Settled> settled(const Problem& problem, const diagnose::Progress& progress) {
     const std::vector<Eigen::Index>& knobs = problem.knobs[0];
     std::vector<Eigen::Index> wanted = model::joined(problem.nuisances, knobs), relevant;
@@ -168,7 +168,7 @@ void tellNumbers(Identification& found, const Problem& problem, const Fit& fit) 
     }
 }
 
-// How the numbers hang together (D52).
+// Correlations, condition and least determined mixture of the numbers (D52).
 void tellShape(Identification& found, const Round& round) {
     const Fit& fit = round.fit;
     const Eigen::Index knobs = std::ssize(found.numbers), nuisances = fit.nuisances();
@@ -186,7 +186,7 @@ void tellShape(Identification& found, const Round& round) {
     for (Eigen::Index i = 0; i < knobs; ++i) found.weakest[found.numbers[i].path] = shape.eigenvectors()(i, 0);
 }
 
-// The stages of the gap: the nominal car, the chosen numbers alone, and all that was fitted.
+// Stages of the gap: the nominal car, the chosen numbers alone, and all fitted numbers.
 void tellGap(Identification& found, const Problem& problem, Settled settled) {
     Round& round = settled.round;
     Deviation alone = problem.replays.origin();
