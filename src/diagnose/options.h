@@ -27,8 +27,7 @@ struct Options {
     };
     int threads = 0;                // number of threads; 0: one per core
     std::filesystem::path cache{};  // folder in which the sensitivities of the nominal car are kept; empty: none
-    // manoeuvres to choose the next drive from; empty: no next drive is proposed
-    std::vector<PossibleDrive> possible_next{};
+    std::vector<PossibleDrive> possible_next{};  // manoeuvres to choose from; empty: no next drive is proposed
     Progress progress = [](double, const std::string&) {};
 };
 

@@ -11,8 +11,7 @@ struct Heterogeneity {
     double q = 0;
     double degrees_of_freedom = 0;
     double p = 1;  // probability that chance alone gives such a Q or a larger one
-    // root of Q per degree of freedom, in standard deviations of the common value and relative to it; chance is not
-    // subtracted
+    // Root of Q per degree of freedom times the relative standard error of the common value; chance is not subtracted.
     double spread = 0;
 };
 

@@ -52,8 +52,7 @@ using Shares = std::map<std::string, double>;  // share by name, sum 1
 struct WhereItLies {
     Shares channels, recordings, phases, bands, regimes, generalised_force;
     Shares axle_force;  // front and rear: shares of the side force that would close the gap
-    // share by recording and channel; all of them together sum to 1
-    std::map<std::string, Shares> channels_of_recording;
+    std::map<std::string, Shares> channels_of_recording;  // by recording and channel; all of them together sum to 1
 };
 
 // Root mean square of the gap in units of the noise. `floor` is the level that a perfect model would leave.
@@ -63,9 +62,8 @@ struct GapLevels {
 
 struct HowFar {
     GapLevels training, held_out;
-    // share of the nominal car's gap to the true car that is closed
-    double closure = 0, closure_low = 0, closure_high = 0;
-    bool in_sample = false;  // true when no recording was held out
+    double closure = 0, closure_low = 0, closure_high = 0;  // share of the nominal car's gap to the true car
+    bool in_sample = false;                                 // true when no recording was held out
 };
 
 struct NuisanceEstimate {
@@ -81,8 +79,7 @@ struct ConfusablePair {
 
 struct NextDrive {
     std::string scenario;
-    // two sets of causes that it tells apart; empty `other`: `one` against no cause
-    std::vector<std::string> one, other;
+    std::vector<std::string> one, other;  // sets of causes that it separates; empty `other`: no cause
     double nats = 0;
 };
 

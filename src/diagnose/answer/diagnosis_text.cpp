@@ -11,8 +11,7 @@ namespace tread::diagnose::answer {
 namespace {
 
 constexpr double kWorthNaming = 0.05;  // share of the gap, or probability of an effect
-// share of lateral force and yaw moment in the missing force from which the axle is named
-constexpr double kMostly = 0.5;
+constexpr double kMostly = 0.5;        // share of side forces in the missing force from which the axle is named
 constexpr std::size_t kMostShares = 3, kMostEffects = 5;
 
 // "yaw rate 62 %, lateral acceleration 30 %"

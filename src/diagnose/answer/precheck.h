@@ -12,9 +12,8 @@ namespace tread::diagnose::answer {
 
 struct Precheck {
     std::map<std::string, double> expected_evidence;  // nats, of each effect at its typical size
-    // pairs that the drives could not tell apart if one of them were true, worst first
-    std::vector<ConfusablePair> confusable;
-    std::vector<std::string> warnings;  // about parts of the drives that are left out
+    std::vector<ConfusablePair> confusable;           // the drives could not tell which is true; worst first
+    std::vector<std::string> warnings;                // about parts of the drives that are left out
     int simulations = 0;
 };
 

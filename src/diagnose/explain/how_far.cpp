@@ -24,11 +24,10 @@ using model::Uncertainty;
 using recording::ObservedChannel;
 using recording::RecordedDrive;
 
-constexpr int kDraws = 12;       // draws from the posterior, each one a replay of all drives
-constexpr int kResamples = 400;  // bootstrap samples of the drives, shared out among the draws
-// m/s, standard deviation of a start speed taken from a line through the first half second
-constexpr double kStartError = 0.03;
-constexpr double kSignificant = 2;  // standard deviations by which a gap must exceed its floor
+constexpr int kDraws = 12;            // draws from the posterior, each one a replay of all drives
+constexpr int kResamples = 400;       // bootstrap samples of the drives, shared out among the draws
+constexpr double kStartError = 0.03;  // m/s, standard deviation of a start speed from a line through the first 0.5 s
+constexpr double kSignificant = 2;    // standard deviations by which a gap must exceed its floor
 constexpr double kLow = 0.05, kHigh = 0.95;
 
 // Rows of a model in each drive, and the squared residual that they leave. A drive that cannot be driven has no rows.

@@ -13,7 +13,7 @@ using model::Uncertainty;
 
 constexpr double kReading = 15;  // assumed size of the disturbances from which the force is estimated, in usual sizes
 constexpr double kClear = 4;     // times the mean square by chance: two standard deviations
-// squared usual sizes, added to the variance by chance so that a drive without information does not count
+// Squared usual sizes, added to the variance by chance so that a drive without information does not count.
 constexpr double kUninformed = 0.05;
 
 // Steering is excluded because it is not a force on the car: its effect appears as lateral force and yaw moment of the

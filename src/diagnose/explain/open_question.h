@@ -12,8 +12,7 @@ namespace tread::diagnose::explain {
 // Two cars that the recordings cannot tell apart, and the fits whose free parameters may make one look like the other.
 // A manoeuvre must separate them whichever is true.
 struct Question {
-    // causes of each car; `other` empty: `one` against no cause
-    std::vector<std::string> causes_of_one, causes_of_other;
+    std::vector<std::string> causes_of_one, causes_of_other;  // causes of each car; empty: the car without a cause
     model::Deviation one, other;
     std::vector<const select::Fit*> fits;
 };

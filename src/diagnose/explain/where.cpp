@@ -15,7 +15,7 @@ using recording::kBlock;
 using recording::RecordedDrive;
 
 // Thresholds that separate the phases and regimes of a drive.
-// pedal positions, 0 to 1: braking above this; accelerating above the throttle at the start plus this
+// Pedal positions, 0 to 1: braking above kBrakes; accelerating above the throttle at the start plus kAccelerates.
 constexpr double kBrakes = 0.02, kAccelerates = 0.1;
 constexpr double kTurns = 0.3;             // rad/s, of the steering wheel
 constexpr double kJustAfter = 0.4;         // s after the last movement of the steering wheel

@@ -17,11 +17,11 @@ constexpr double kHat = kSettings.correlation_time / 2;  // s, distance of hats
 // it has lost. Each more costs one more replay per kind and drive.
 constexpr Eigen::Index kApart = 12;
 constexpr double kLeastSlope = 0.1;  // least share of the front tyres' cornering stiffness, left at the limit of grip
-// least share of a change of start speed that must be left to infer lost speed from it; less would be numerical noise
+// Least share of a change of start speed that must be left to infer lost speed from it; less is numerical noise.
 constexpr double kLeastKept = 0.02;
-// lateral slip velocity over forward speed at which the cornering stiffness is taken, within the linear range
+// Lateral slip velocity over forward speed at which the cornering stiffness is taken, within the linear range.
 constexpr double kSlipVelocity = 0.005;
-// least denominator of the axle's slope with compliance steer: limits the slope to 20 times that of the tyres
+// Least denominator of the axle's slope with compliance steer: limits the slope to 20 times that of the tyres.
 constexpr double kLightest = 0.05;
 
 double hat(double t, double peak) {

@@ -54,8 +54,7 @@ std::map<std::string, Seen> seenIn(Drives drives, const Rows& model) {
 double deviationOf(const RecordedDrive& drive, const recording::ObservedChannel& channel, const Seen& seen) {
     const double told = std::sqrt(drive.runs) * channel.noise;
     const double deviation = std::max({told, median(seen.band), kSettings.model_error * seen.size});
-    // a channel that is zero throughout carries no information, whatever its noise
-    return deviation > 0 ? deviation : 1;
+    return deviation > 0 ? deviation : 1;  // a channel that is always zero carries no information
 }
 
 }  // namespace

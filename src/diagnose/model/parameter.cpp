@@ -10,8 +10,7 @@
 namespace tread::diagnose::model {
 namespace {
 
-// share of the nominal value, or of the unit if larger, that a number keeps from an open limit
-constexpr double kOpenLimit = 1e-3;
+constexpr double kOpenLimit = 1e-3;    // distance to an open limit, as a share of the nominal value or unit
 constexpr double kKneeDistance = 0.3;  // units; a number whose limits leave it less room than this is not a parameter
 
 // Tolerances of numbers whose description cannot state one as a fraction, because the nominal value is 0 or because a

@@ -8,8 +8,7 @@
 namespace tread::diagnose::select {
 namespace {
 
-// fits after a new linearisation; each costs up to one replay per drive and relevant nuisance
-constexpr int kMostRounds = 2;
+constexpr int kMostRounds = 2;   // fits after a new linearisation, which costs up to a replay per drive and nuisance
 constexpr double kSettled = 15;  // nats; the linearisation is not renewed after a fit that gained less
 
 // Coordinate search over the logarithms of the sizes, in usual sizes.

@@ -9,10 +9,10 @@
 namespace tread::diagnose::select {
 namespace {
 
-// trial steps of a fit, and trials after which the columns of the knobs are computed again at the latest
+// Trial steps of a fit, and those after which the columns of the knobs are computed again at the latest.
 constexpr int kMostTrials = 14, kTrialsBeforeRenewal = 6;
-constexpr double kEnough = 0.05;     // nats; the fit has converged when the next step promises less
-constexpr double kFirstDamping = 1;  // damping after a failed undamped step, in units of the prior's information
+constexpr double kEnough = 0.05;             // nats; the fit has converged when the next step promises less
+constexpr double kFirstDamping = 1;          // least damping after a failed step, in units of the prior's information
 constexpr double kDamped = 5, kEased = 0.2;  // factors on the damping after a failed and after a successful step
 constexpr double kTooShort = 1e-6;  // squared units; a shorter step would amplify rounding errors in Broyden's update
 

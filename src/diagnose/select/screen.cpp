@@ -10,7 +10,7 @@
 namespace tread::diagnose::select {
 namespace {
 
-// least cosine of a pair that is named; below it a pair is hard to tell apart only because one effect hardly shows
+// Least cosine of a pair that is named. Below it a pair is hard to tell apart only because one effect hardly shows.
 constexpr double kAlike = 0.5;
 constexpr std::size_t kMostConfusable = 30;
 

@@ -10,12 +10,10 @@ namespace tread::diagnose::select {
 namespace {
 
 constexpr std::size_t kFewestRefits = 4, kMostRefits = 8;
-// nats behind the best; effects further behind in the screen are fitted only among the first kFewestRefits
+// Nats behind the best of the screen; effects further behind are fitted only if among the first kFewestRefits.
 constexpr double kHopeless = 25;
-// nats that a new linearisation may add: singles this far below the threshold are still linearised
-constexpr double kUncertain = 3;
-// nats behind the best single, from which a new linearisation will not make an effect the best
-constexpr double kBehind = 15;
+constexpr double kUncertain = 3;           // nats that a new linearisation may add to a single below the threshold
+constexpr double kBehind = 15;             // nats behind the best single, too many for a new linearisation to make up
 constexpr int kMostRounds = 3;             // renewals of the linearisation about one candidate
 constexpr double kSettled = 8;             // nats; the linearisation is not renewed after a fit that gained less
 constexpr std::size_t kRelinearised = 2;   // best singles about which the nuisances are linearised again

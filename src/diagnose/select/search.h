@@ -15,8 +15,7 @@ struct Candidate {
 };
 
 struct Search {
-    // best first, with and without effects; fitted ones before those that were only screened
-    std::vector<Candidate> candidates;
+    std::vector<Candidate> candidates;  // best first; fitted ones before those that were only screened
     const Candidate& best() const { return candidates.front(); }
     const Candidate& none() const;
 };
