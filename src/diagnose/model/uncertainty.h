@@ -1,4 +1,4 @@
-// What all models of the drives share: how noisy the rows are, and what disturbs the drives.
+// What all fits to the drives share: the noise of the rows and the disturbances.
 #pragma once
 
 #include "diagnose/model/disturbance.h"
@@ -11,30 +11,30 @@ using inference::DriveProducts;
 using inference::NormalEquations;
 
 struct Uncertainty {
-    std::vector<double> until;                // s, per drive: what comes later says nothing about the car
+    std::vector<double> until;                // s, per drive: later rows carry no information about the car
     std::vector<RowNoise> noise;              // per drive
     std::vector<Disturbances> disturbing;     // per drive
-    std::vector<Eigen::MatrixXd> directions;  // per drive: disturbances, then the speed at the start; over the noise
+    std::vector<Eigen::MatrixXd> directions;  // per drive, whitened: columns of disturbances, then start speed
     std::vector<DriveProducts> bare;          // per drive: products of the directions alone
     Sizes sizes{};                            // of the disturbances
 
-    // Standard deviation of each direction of a drive, with disturbances of other sizes.
+    // Standard deviation of each direction of a drive, for disturbances of the given sizes.
     Eigen::VectorXd sizesOf(std::size_t drive, const Sizes& with) const;
 };
 
-// Of the drives about a point, where the model does `rows`; with disturbances of the usual sizes. `until` as the drives
-// or an earlier look have it: a drive ends earlier where the car and the model slide apart (D12).
+// Noise and disturbances about a point at which the model has `rows`. `until`: ends of the drives as known so far, s; a
+// drive ends earlier where car and model slide apart. Disturbances have the usual sizes (D12).
 Uncertainty uncertaintyAt(const Replays& replays, Drives drives, const Deviation& at, const Rows& rows,
                           std::vector<double> until);
 std::vector<double> endsOf(Drives drives);
 
-// Residual of a drive over its noise.
+// Whitened residual of a drive.
 Eigen::VectorXd residual(Drives drives, const Uncertainty& uncertainty, const Rows& rows, std::size_t drive);
 
-// Products of further columns of a drive, over the noise, in place of any others.
+// Products of the given whitened columns of a drive with each other and with its directions.
 DriveProducts productsOf(const Uncertainty& uncertainty, std::size_t drive, const Eigen::MatrixXd& columns);
 
-// Sum of squares of what is off in a drive, over its noise, once the disturbances are marginalised.
+// Squared residual of a drive after marginalising the disturbances. `off`: whitened residual.
 double squaresOf(const Uncertainty& uncertainty, std::size_t drive, const Eigen::VectorXd& off);
 
 // Normal equations of one drive, and of all drives, with disturbances of these sizes.
@@ -43,9 +43,9 @@ NormalEquations normalEquations(const Uncertainty& uncertainty, std::size_t driv
 NormalEquations normalEquations(const Uncertainty& uncertainty, const std::vector<DriveProducts>& products,
                                 const Sizes& sizes);
 
-// The root of Birge's ratio (R. T. Birge, The calculation of errors by the method of least squares, Physical Review 40,
-// 1932), not below 1: how many times the noise the rows of a model leave. A model whose structure is not that of the
-// car leaves more, and what it says of anything is that much less certain (D27).
+// Birge ratio, at least 1: root of the squared residual over that expected of noise (R. T. Birge, The calculation of
+// errors by the method of least squares, Physical Review 40, 1932). A model whose structure differs from that of the
+// car leaves more than noise, and its conclusions are less certain by this factor (D27).
 double birgeRatio(Drives drives, const Uncertainty& uncertainty, const Rows& rows);
 
 }  // namespace tread::diagnose::model

@@ -11,19 +11,19 @@
 namespace tread::diagnose::select {
 namespace {
 
-constexpr double kSwingDamping = 0.1;  // of its critical one
+constexpr double kSwingDamping = 0.1;  // damping ratio of the swinging mass
 
 using model::Disturbed;
 using recording::RecordedDrive;
-using Signal = std::vector<double>;  // a value for each sample of a drive
+using Signal = std::vector<double>;  // one value per sample of a drive
 
 struct Law {
     std::string follows, unit;
     std::vector<Disturbed> kinds;
-    std::function<Signal(const RecordedDrive&)> signal;  // empty when the drive does not show it
+    std::function<Signal(const RecordedDrive&)> signal;  // from the measured channels; empty when one is missing
 };
 
-// Sample by sample, of what is measured; what is missing is as if nothing happened.
+// Signal computed sample by sample from measured channels; missing samples count as 0.
 template <class F>
 auto of(std::vector<std::string> channels, F&& f) {
     return [=](const RecordedDrive& drive) {
@@ -41,7 +41,7 @@ auto of(std::vector<std::string> channels, F&& f) {
     };
 }
 
-// What a mass on a spring across the car hands back to it, per kg.
+// Force per kg, m/s2, that a mass on a spring across the car exerts on the car.
 Signal swing(const RecordedDrive& drive, double frequency) {
     Signal pull = of({"chassis.ay"}, [](const auto& v) { return v[0]; })(drive);
     const double omega = 2 * std::numbers::pi * frequency;
@@ -88,7 +88,7 @@ const std::vector<Law>& laws() {
     return all;
 }
 
-// Means about the peaks of the hats, weighted by these.
+// Means of a signal about the peaks of the hats, weighted by the hats.
 Eigen::VectorXd atHats(const Signal& signal, const std::vector<double>& time, const model::Disturbances& disturbing) {
     const Eigen::Index hats = disturbing.hats();
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(hats), weights = sums;
@@ -106,8 +106,8 @@ Eigen::VectorXd atHats(const Signal& signal, const std::vector<double>& time, co
     return (weights.array() > 0).select(sums.array() / weights.array(), 0);
 }
 
-// The histories of a law over the hats of each drive, and what one unit of them is: forces whose root mean square over
-// all drives is the usual one. No unit where nothing happens.
+// Histories of a law at the hats of each drive, and its unit: the factor that gives the force a root mean square of
+// kSettings.law_force usual sizes over all drives. Unit 0 when the signal is 0 everywhere.
 struct History {
     std::vector<Eigen::VectorXd> of_drive;
     double unit = 0;
@@ -124,14 +124,14 @@ History historyOf(const Law& law, const Calibration& car) {
     return history;
 }
 
-// Of one drive, over the noise: the columns of every law, each of its kinds of force, then the residual of a fit (D34).
+// Whitened columns of one drive: each kind of force of every law, then the residual of a fit (D34).
 Eigen::MatrixXd columnsOf(const std::vector<History>& histories, const Calibration& car, const Fit& fit,
                           std::size_t drive) {
     const model::Disturbances& disturbing = car.uncertainty.disturbing[drive];
     const Eigen::Index hats = disturbing.hats();
     std::vector<Eigen::VectorXd> columns;
     for (std::size_t l = 0; l < laws().size(); ++l) {
-        // Impulses that build up these heights.
+        // Impulses that give these heights of the hats.
         const double unit = histories[l].unit / model::disturbanceScale(car.drives()[drive]);
         const Eigen::VectorXd impulses =
             disturbing.correlation_factor.triangularView<Eigen::Lower>().solve(unit * histories[l].of_drive[drive]);
@@ -145,7 +145,7 @@ Eigen::MatrixXd columnsOf(const std::vector<History>& histories, const Calibrati
     return all;
 }
 
-// A law with its coefficients, of which each is so many units.
+// The law with its coefficients; `units` are these in multiples of `unit`.
 answer::ForceLaw lawOf(const Law& law, const Eigen::VectorXd& units, double unit, double gain,
                        const VehicleParams& car) {
     answer::ForceLaw found{.follows = law.follows, .unit = law.unit, .coefficients = {}, .gain = gain};

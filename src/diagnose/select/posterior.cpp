@@ -10,17 +10,17 @@
 namespace tread::diagnose::select {
 namespace {
 
-constexpr std::size_t kMost = 4;  // effects of a candidate, none included
+constexpr std::size_t kMost = 4;  // numbers of effects in a candidate, from none to three
 
-// Prior probabilities of none, one, two and three causes of the catalogue, each split evenly over its members.
+// Prior probabilities of none, one, two and three causes of the catalogue, each spread evenly over its sets.
 constexpr std::array<double, kMost> kPrior{kSettings.none, kSettings.one_cause, kSettings.two_causes,
                                            kSettings.three_causes};
-// Of the unknown causes, those that look like so many effects of the catalogue, and that neither larger disturbances
-// nor a law of forces give away.
+// Shares of the unknown causes that resemble this many effects and are revealed neither by larger disturbances nor by a
+// force law.
 constexpr std::array<double, kMost> kLookAlike{0, kSettings.one_look_alike, kSettings.two_look_alike,
                                                kSettings.three_look_alike};
 
-// Ways to choose so many of n effects.
+// Number of sets of this many out of n effects.
 double choices(double n, std::size_t effects) {
     double ways = 1;
     for (std::size_t i = 0; i < effects; ++i)
@@ -41,7 +41,7 @@ double sumOf(const std::vector<Hypothesis>& hypotheses, Of&& of) {
     return sum;
 }
 
-// Probabilities from the logarithms of prior times evidence; then the most probable first.
+// Turns logarithms of prior times evidence into probabilities, and sorts by them.
 void normalise(std::vector<Hypothesis>& hypotheses, std::vector<double> logs) {
     const double most = *std::max_element(logs.begin(), logs.end());
     double sum = 0;

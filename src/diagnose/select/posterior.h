@@ -1,4 +1,4 @@
-// From evidence to probabilities: what can be the case, and how probable each is.
+// From evidence to probabilities of the hypotheses.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace tread::diagnose::select {
 
-// These effects (or none) are the cause; or something else is, that merely looks like them; or, without a candidate,
-// something that looks like no effect.
+// The effects of the candidate, or none, are the cause. With `look_alike`: an unknown cause that resembles these
+// effects. Without a candidate: an unknown cause that resembles no effect.
 struct Hypothesis {
     const Candidate* candidate = nullptr;
     bool look_alike = false;
@@ -19,21 +19,21 @@ struct Hypothesis {
 };
 
 struct Posterior {
-    std::vector<Hypothesis> hypotheses;                   // the most probable first
+    std::vector<Hypothesis> hypotheses;                   // most probable first
     std::vector<inference::Heterogeneity> heterogeneity;  // of each candidate of the search
-    double birge_ratio = 1;  // of the best model, squared: evidence is divided and variances are multiplied by it
+    double birge_ratio = 1;  // squared Birge ratio of the best model: divides evidence and multiplies variances
 
     double ofUnknown() const;
     double of(std::size_t effect) const;  // that it is one of the causes
-    // Is so much evidence enough to blame an effect?
+    // True when this evidence is enough to name an effect as a cause.
     bool shows(double log_evidence) const;
-    // That no effect is the cause, or one that has not shown. One of which enough evidence was to be expected and that
-    // has not shown is smaller than typical: at its typical size it is expected 6.6 standard deviations from none or
-    // more, and was found within 3.7 or so.
+    // Probability of all sets below that threshold, the empty set included. An effect with enough expected evidence
+    // that stays below it is smaller than typical: at its typical size its expected signature is at least 6.6 standard
+    // deviations from zero, and it was found within about 3.7.
     double ofNothingThatShows() const;
 };
 
-// `unknown_gain`: nats that something which is not in the catalogue gains over the best model (D28) to (D32).
+// `unknown_gain`: nats of an unknown cause over the best model (D28) to (D32).
 Posterior posterior(const Calibration& car, const Search& found, double unknown_gain);
 
 }  // namespace tread::diagnose::select

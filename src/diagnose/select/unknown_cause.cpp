@@ -10,9 +10,9 @@
 namespace tread::diagnose::select {
 namespace {
 
-constexpr std::array<double, 6> kAllLarger{1.6, 2.5, 4, 8, 16, 50};
-constexpr std::array<double, 3> kOneLarger{4, 15, 50};
-constexpr double kLeastShare = 0.02;  // of the information, that a drive must carry to have a say
+constexpr std::array<double, 6> kAllLarger{1.6, 2.5, 4, 8, 16, 50};  // factors on all sizes of disturbances at once
+constexpr std::array<double, 3> kOneLarger{4, 15, 50};               // factors on the size of a single kind
+constexpr double kLeastShare = 0.02;  // least share of the information in a drive that is used
 // Nats that larger disturbances gain on top of a model (D33).
 double gainOfLargerDisturbances(const Calibration& car, const Fit& fit) {
     const Sizes& usual = car.uncertainty.sizes;
@@ -36,7 +36,8 @@ double gainOfLargerDisturbances(const Calibration& car, const Fit& fit) {
     return best;
 }
 
-// The equations of a fit with its knobs replaced by one value per drive along `direction`: nuisances, values, residual.
+// Normal equations of a fit whose knobs are replaced by one value per drive along `direction`: nuisances, values,
+// residual.
 Eigen::MatrixXd oneValuePerDrive(const Calibration& car, const Fit& fit, const Eigen::VectorXd& direction) {
     const Eigen::Index n = std::ssize(fit.free), nuisances = fit.nuisances(), drives = std::ssize(fit.products);
     const Eigen::Index last = nuisances + drives;
@@ -54,7 +55,7 @@ Eigen::MatrixXd oneValuePerDrive(const Calibration& car, const Fit& fit, const E
         places[nuisances] = nuisances + d;
         products(places, places) += (pick.transpose() * one * pick).eval();
     }
-    // The prior pulls the nuisances back.
+    // The prior pulls the nuisances back and is part of the gradient.
     for (Eigen::Index i = 0; i < nuisances; ++i) {
         products(i, last) -= fit.at(fit.free[i]);
         products(last, i) = products(i, last);
@@ -66,7 +67,7 @@ Eigen::MatrixXd oneValuePerDrive(const Calibration& car, const Fit& fit, const E
 
 UnknownCause unknownCause(const Calibration& car, const Search& found) {
     const Candidate& best = found.best();
-    // No law is trusted in more detail than one more effect would be.
+    // A law is allowed for like one more effect, since it too is known only approximately.
     const double allowance = kSettings.structureAllowance(2, best.log_evidence, car.problem.compared());
     answer::ForceLaw law = forceLaw(car, found.none().fit);
     law.gain -= best.log_evidence + allowance;
@@ -74,7 +75,7 @@ UnknownCause unknownCause(const Calibration& car, const Search& found) {
     if (law.gain <= kSettings.clear) {
         law = forceLaw(car, best.fit);
         law.gain -= allowance;
-        law.generalised_force.clear();  // of what the effects leave only
+        law.generalised_force.clear();  // empty, because the law describes only what the effects leave
     }
     if (law.gain < std::max(larger, kSettings.clear)) law = {.gain = law.gain};
     return {.gain = gain, .law = std::move(law)};

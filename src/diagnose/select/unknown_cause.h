@@ -1,4 +1,4 @@
-// Does something act that no effect of the catalogue explains?
+// Evidence for a cause that is not in the catalogue.
 #pragma once
 
 #include "diagnose/select/force_law.h"
@@ -7,21 +7,23 @@
 
 namespace tread::diagnose::select {
 
-// What speaks for a cause that is not in the catalogue: larger disturbances than the best model has, or forces that
-// follow a law in place of its effects.
+// Evidence for larger disturbances than the best model has, or for forces that follow a law in place of its effects.
 struct UnknownCause {
-    double gain = 0;       // nats over the best model, of what speaks most for an unknown cause
-    answer::ForceLaw law;  // in place of its effects if that is clear, else beside them; named if likelier than those
+    double gain = 0;  // nats over the best model, of the stronger of the two
+    // In place of the effects if that is clear, else beside them. Empty unless clear and likelier than larger
+    // disturbances.
+    answer::ForceLaw law;
 };
 // For the best model of the search (D36).
 UnknownCause unknownCause(const Calibration& car, const Search& found);
 
-// Is one value of the model's effects right for all drives?
+// Tests whether one value of the fitted effects suits all drives.
 inference::Heterogeneity heterogeneity(const Calibration& car, const Fit& fit);
 
-// Nats that a cause of no catalogue gains over a model's effects when it merely looks like them: it need not keep to
-// their typical sizes, nor to one value in all drives. Where recordings are `compared` with references, somebody
-// changed the car by as much as he liked, and a model of another structure finds a value that varies a little (D39).
+// Nats that an unknown cause gains over a model's effects if it merely resembles them: it need not have their typical
+// sizes, nor one value in all drives. When recordings are `compared` with references, the size gains nothing, because
+// the change to the car may have any size, and a true effect may vary more, because the model's structure differs from
+// the car's (D39).
 double lookAlikeGain(const Candidate& candidate, const inference::Heterogeneity& same, bool compared);
 
 }  // namespace tread::diagnose::select
