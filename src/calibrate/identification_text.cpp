@@ -25,11 +25,11 @@ using Json = nlohmann::ordered_json;
 constexpr double kNotJustNoise = 1.2;  // ratio to the noise floor above which the model lacks something
 constexpr double kMost = 0.5;          // share of the closed part of the squared gap that counts as most of it
 constexpr double kMoved = 1;           // prior standard deviations from which a number counts as moved
-constexpr std::size_t kNamed = 3;
-constexpr double kAlike = 0.9;   // correlation from which two numbers are reported as determined only together
-constexpr double kFarMoved = 2;  // prior standard deviations from which a fitted number is flagged
-constexpr double kBadly = 1e4;   // condition number from which the least determined mixture is reported
-constexpr double kPartOf = 0.3;  // share in that mixture from which a number is named
+constexpr std::size_t kNamed = 3;      // other numbers that are named
+constexpr double kAlike = 0.9;         // correlation from which two numbers are reported as determined only together
+constexpr double kFarMoved = 2;        // prior standard deviations from which a fitted number is flagged
+constexpr double kBadly = 1e4;         // condition number from which the least determined mixture is reported
+constexpr double kPartOf = 0.3;        // share in that mixture from which a number is named
 
 std::string names(const std::vector<FittedNumber>& numbers, bool FittedNumber::*which, bool value) {
     std::string list;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kWorthNaming = 0.05;  // share of the gap, or probability of an effect
 constexpr double kMostly = 0.5;        // share of side forces in the missing force from which the axle is named
-constexpr std::size_t kMostShares = 3, kMostEffects = 5;
+constexpr std::size_t kMostShares = 3, kMostEffects = 5;  // entries printed
 
 // "yaw rate 62 %, lateral acceleration 30 %"
 std::string largest(const Shares& shares, bool channels = false) {

@@ -28,7 +28,7 @@ constexpr int kDraws = 12;            // draws from the posterior, each one a re
 constexpr int kResamples = 400;       // bootstrap samples of the drives, shared out among the draws
 constexpr double kStartError = 0.03;  // m/s, standard deviation of a start speed from a line through the first 0.5 s
 constexpr double kSignificant = 2;    // standard deviations by which a gap must exceed its floor
-constexpr double kLow = 0.05, kHigh = 0.95;
+constexpr double kLow = 0.05, kHigh = 0.95;  // quantiles of the 90 % interval
 
 // Rows of a model in each drive, and the squared residual that they leave. A drive that cannot be driven has no rows.
 struct Stage {

@@ -12,7 +12,7 @@ namespace {
 
 // Least cosine of a pair that is named. Below it a pair is hard to tell apart only because one effect hardly shows.
 constexpr double kAlike = 0.5;
-constexpr std::size_t kMostConfusable = 30;
+constexpr std::size_t kMostConfusable = 30;  // pairs listed
 
 // Evidence that an effect gains in the linear model with these products, its knobs within their bounds (D25).
 double gain(const Problem& problem, const Eigen::MatrixXd& products, std::size_t effect, const Deviation& at) {

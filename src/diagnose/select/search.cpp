@@ -9,7 +9,7 @@
 namespace tread::diagnose::select {
 namespace {
 
-constexpr std::size_t kFewestRefits = 4, kMostRefits = 8;
+constexpr std::size_t kFewestRefits = 4, kMostRefits = 8;  // effects of the screen that are fitted: at least, at most
 // Nats behind the best of the screen; effects further behind are fitted only if among the first kFewestRefits.
 constexpr double kHopeless = 25;
 constexpr double kUncertain = 3;           // nats that a new linearisation may add to a single below the threshold

@@ -18,7 +18,7 @@ constexpr double kNinety = 1.645;  // standard deviations of a 90 % interval
 // Estimate of a number from the parameter that moves it; `units` and `sd` are the fitted value of the parameter and its
 // standard deviation (D42).
 Estimate estimateOf(const Parameter& parameter, const Parameter::Move& move, double units, double sd) {
-    constexpr double kNear = 1e-6;
+    constexpr double kNear = 1e-6;  // units
     Estimate one{.value = move.nominal + units * move.by,
                  .sd = sd * std::abs(move.by),
                  .neutral = move.nominal,

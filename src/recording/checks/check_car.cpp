@@ -15,7 +15,7 @@ void checkCar(const LogChecks& checks) {
     if (!vx || !yaw_rate || !steer) return;
     constexpr double kLeastUndersteer = -0.001, kMostUndersteer = 0.008;  // rad s2/m, range of road cars
     constexpr double kUncertain = 1.35;  // factor by which steering ratio and wheelbase together may be wrong
-    // s and rad: the steering wheel must have stayed within kHeld for kSettling, so that the yaw rate has settled.
+    // The steering wheel must have stayed within kHeld, rad, for kSettling, s, so that the yaw rate has settled.
     constexpr double kSettling = 0.5, kHeld = 0.05;
     const VehicleParams& car = checks.nominal.vehicle;
     const auto gain = [&](double understeer) {
