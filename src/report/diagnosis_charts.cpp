@@ -16,11 +16,11 @@ namespace {
 using diagnose::answer::Diagnosis;
 using diagnose::answer::Overlay;
 
-constexpr std::size_t kChannels = 3;    // those with the largest shares of the gap
-constexpr std::size_t kRecordings = 4;  // held-out ones first
-constexpr double kDeviations = 2;       // half width of what the tolerances allow, in standard deviations
+constexpr std::size_t kChannels = 3;    // channels shown: those with the largest shares of the gap
+constexpr std::size_t kRecordings = 4;  // recordings shown, held-out ones first
+constexpr double kDeviations = 2;       // half width of the tolerance band, in standard deviations
 
-// The channels that hold most of the gap, of those that were recorded in some drive.
+// Channels with the largest shares of the gap among those recorded in some drive.
 std::vector<std::string> worstChannels(const Diagnosis& diagnosis) {
     std::vector<std::pair<double, std::string>> order;
     for (const auto& [name, share] : diagnosis.where.channels) order.push_back({share, name});
@@ -30,7 +30,7 @@ std::vector<std::string> worstChannels(const Diagnosis& diagnosis) {
     return names;
 }
 
-// Held-out drives first: they judge; then those with most of the gap.
+// Held-out drives first, because they test the model; then those with the largest shares of the gap.
 std::vector<const Overlay*> shownOverlays(const Diagnosis& diagnosis) {
     std::vector<const Overlay*> order;
     for (const Overlay& overlay : diagnosis.overlays) order.push_back(&overlay);
@@ -46,7 +46,7 @@ std::vector<const Overlay*> shownOverlays(const Diagnosis& diagnosis) {
 }
 
 struct Look {
-    const char* name;  // nullptr: told by who asks
+    const char* name;  // nullptr: given by the caller
     const Log Overlay::*log;
     Colour colour;
     bool dashed;
@@ -57,7 +57,7 @@ constexpr Look kLooks[] = {{"measured", &Overlay::measured, Colour::grey, false,
                            {"calibrated", &Overlay::calibrated, Colour::amber, false, 1.5},
                            {nullptr, &Overlay::extended, Colour::blue, false, 2}};
 
-// Values of a channel of another log at the times of the measured one; kept as long as the page is made.
+// Values of a channel of another log at the times of the measured one. They stay valid while the page is built.
 class Curves {
 public:
     const std::vector<double>* on(const std::vector<double>& time, const Log& log, const std::string& channel) {
@@ -76,7 +76,7 @@ private:
     std::deque<std::vector<double>> kept_;
 };
 
-// What the nominal car could do with its numbers elsewhere within their tolerances.
+// Band of the nominal car for numbers elsewhere within their tolerances.
 std::optional<TimeChart::Envelope> allowedOf(const Overlay& overlay, const std::string& channel, double scale,
                                              Curves& curves) {
     const std::vector<double>& time = overlay.measured.channels.front().values;

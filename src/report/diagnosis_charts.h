@@ -1,4 +1,4 @@
-// Measured, nominal, calibrated and with the effect, over time.
+// Time histories: measured, nominal, calibrated and with the effect.
 #pragma once
 
 #include "diagnose/answer/diagnosis.h"
@@ -6,7 +6,7 @@
 
 namespace tread {
 
-// `extended`: what the last stage of the model is called.
+// `extended`: name of the last stage of the model.
 void addOverlays(HtmlPage& page, const diagnose::answer::Diagnosis& diagnosis,
                  const char* extended = "with the effect");
 

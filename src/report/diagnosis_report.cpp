@@ -48,7 +48,7 @@ std::string percentNumber(double share) {
     return fmt::format("{:.0f}", 100 * share);
 }
 
-// The largest of some shares, "yaw_rate 62 %".
+// The largest share, such as "yaw_rate 62 %".
 std::string largest(const Shares& shares) {
     const auto most = std::max_element(shares.begin(), shares.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });

@@ -1,4 +1,4 @@
-// The report of a diagnosis: the answer in words first, then what it rests on.
+// Report of a diagnosis: first the answer in words, then the figures that support it.
 #pragma once
 
 #include <string>

@@ -37,8 +37,8 @@ using diagnose::catalogue::effectCatalogue;
 using recording::subjectNumber;
 
 constexpr std::size_t kShown = 8;   // effects in the table; the others are only counted
-constexpr std::size_t kPairs = 10;  // pairs that cannot be told apart
-constexpr double kNoteworthy = 1;   // standard deviations of its tolerance that a number was moved
+constexpr std::size_t kPairs = 10;  // pairs shown that are hard to tell apart
+constexpr double kNoteworthy = 1;   // least change of a number that is shown, in standard deviations of its tolerance
 
 std::string percent(double share) {
     return fmt::format("{:.0f} %", 100 * share);
@@ -71,7 +71,7 @@ Value valueOf(const std::map<std::string, Value>& map, const std::string& key, V
     return found == map.end() ? otherwise : found->second;
 }
 
-// Numbers that move together by one change are told once, the others counted.
+// All fitted parameters of an effect, separated by semicolons.
 std::string parametersText(const RankedEffect& effect) {
     std::vector<std::string> lines;
     for (const auto& [path, estimate] : effect.parameters) lines.push_back(parameterText(path, estimate));

@@ -1,4 +1,4 @@
-// The tables of a diagnosis.
+// Tables of a diagnosis.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace tread {
 
-// Names as people write them: "tyre relaxation", "yaw rate".
+// Names in readable form: "tyre relaxation", "yaw rate".
 std::string shownName(std::string_view name);
 std::vector<std::string> shownNames(const std::vector<std::string>& names);
 
 void addEffects(HtmlPage& page, const diagnose::answer::Diagnosis& diagnosis);
-// `extended`: what the last stage of the model is called.
+// `extended`: name of the last stage of the model.
 void addLevels(HtmlPage& page, const diagnose::answer::HowFar& how_far, const char* extended = "with the effect");
 void addWhere(HtmlPage& page, const diagnose::answer::WhereItLies& where);
 void addLimits(HtmlPage& page, const diagnose::answer::Diagnosis& diagnosis);

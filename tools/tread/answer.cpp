@@ -9,9 +9,9 @@
 namespace tread::program {
 namespace {
 
-constexpr std::size_t kPhrases = 3;  // more are not read
+constexpr std::size_t kPhrases = 3;  // longest list in an answer; further entries are not listed
 
-// Rounded, without zeros at the end and without a sign of zero.
+// Rounded, without trailing zeros and without the sign of a negative zero.
 std::string shortNumber(double value, int decimals) {
     std::string text = fmt::format("{:.{}f}", value, decimals);
     if (decimals > 0) {

@@ -73,7 +73,7 @@ int blindMake(const BlindMakeOptions& options) {
 }
 
 int blindScore(const BlindScoreOptions& options) {
-    // The hash is of the key as it lies there; its words are read when all is answered.
+    // The hash is that of the key file as it is; its contents are parsed only when all cases are answered.
     const std::string sealed = readBytes(options.key);
     const References references = options.no_references ? References::left_out : References::used;
     const Path output = options.no_references ? Path(options.output) / "without_references" : Path(options.output);

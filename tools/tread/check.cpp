@@ -22,7 +22,7 @@ namespace {
 
 struct CheckedFile {
     std::string name;
-    std::string kind;  // empty: cannot be told
+    std::string kind;  // empty: not recognised
     std::vector<Problem> problems;
     std::vector<std::string> notes;
 };
@@ -35,7 +35,7 @@ std::vector<std::string> keysOf(const YamlDocument& document) {
     return keys;
 }
 
-// How many keys the description knows; one that is only mistyped counts half.
+// Number of keys that the description has; a key that is only mistyped counts half.
 std::size_t score(const Describable& kind, const std::vector<std::string>& keys) {
     const std::vector<TopField> top = kind.top();
     std::vector<std::string_view> names;
@@ -48,7 +48,7 @@ std::size_t score(const Describable& kind, const std::vector<std::string>& keys)
     return points;
 }
 
-// The kind of file whose description knows most of the keys; nullptr when that is none or several.
+// The kind of file whose description has most of the keys; nullptr when none fits or several fit equally.
 const Describable* bestMatch(const std::vector<std::string>& keys) {
     const Describable* best = nullptr;
     std::size_t most = 0;
@@ -84,7 +84,7 @@ void checkYaml(CheckedFile& checked, std::string_view text) {
     checked.notes = kind->read(checked.name);
 }
 
-// A height field begins with x and y, a log with the time.
+// A height field starts with x and y, a log with the time.
 bool looksLikeHeightField(std::string_view text) {
     while (text.starts_with('#')) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
     return text.substr(0, text.find_first_of(",\n")).find("x\\y") != std::string_view::npos;
@@ -131,7 +131,7 @@ std::string count(std::size_t number, std::string_view what) {
     return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
 }
 
-// All faults, a fault of a file that others include only once.
+// All faults; a fault of a file that several others include is listed once.
 std::vector<Problem> allFaults(const std::vector<CheckedFile>& files) {
     std::vector<Problem> faults;
     std::set<std::tuple<std::string, int, int, std::string>> seen;
@@ -183,7 +183,7 @@ int check(const CheckOptions& options) {
     for (const std::string& name : options.files) files.push_back(checkFile(name));
     for (const CheckedFile& file : files) {
         for (const std::string& note : file.notes) {
-            // What concerns the file itself begins with its name already.
+            // Notes on the file itself already start with its name.
             const bool named = note.starts_with(file.name + ": ");
             const std::size_t begin = named ? file.name.size() + 2 : 0;
             std::fprintf(stderr, "%s: note: %s\n", file.name.c_str(), note.c_str() + begin);

@@ -13,7 +13,7 @@ namespace tread::program {
 namespace {
 
 void addSettings(CLI::App& app, std::vector<std::string>& settings, const std::string& meaning) {
-    // One value each, or files that follow would be taken for settings.
+    // One value each; otherwise files that follow would be read as settings.
     app.add_option("--set", settings, meaning)->allow_extra_args(false);
 }
 

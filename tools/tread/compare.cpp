@@ -16,9 +16,9 @@
 namespace tread::program {
 namespace {
 
-constexpr std::size_t kRows = 10;  // in the table, unless more channels differ
+constexpr std::size_t kRows = 10;  // rows of the table, unless more channels differ
 
-// Names of files, without their folders unless two would be alike.
+// File names without folders, unless two of them are equal.
 std::vector<std::string> shortNames(const std::vector<std::string>& files) {
     std::vector<std::string> names;
     for (const std::string& file : files) {
@@ -29,13 +29,13 @@ std::vector<std::string> shortNames(const std::vector<std::string>& files) {
     return names;
 }
 
-// What `tread run` left beside its log; nothing beside a log from elsewhere.
+// The record that `tread run` saved beside its log; nothing beside a log of other origin.
 std::optional<RunRecord> recordBeside(const std::string& log) {
     const Path file = Path(log).parent_path() / "run.yaml";
     if (Path(log).filename() != "log.csv" || !std::filesystem::exists(file)) return std::nullopt;
     try {
         return readYaml<RunRecord>(file);
-    } catch (const LoadError&) {  // of another version, perhaps: then the replay shows a medium car on level ground
+    } catch (const LoadError&) {  // perhaps of another version: the replay shows a medium car on level ground
         return std::nullopt;
     }
 }

@@ -57,7 +57,7 @@ std::vector<TopField> topOf() {
 
 std::vector<ReferenceRow> logRows() {
     std::vector<ReferenceRow> rows = referenceTable<LogColumns>();
-    for (ReferenceRow& row : rows) row.default_text.clear();  // a column is there or not
+    for (ReferenceRow& row : rows) row.default_text.clear();  // columns have no default
     return rows;
 }
 
@@ -86,7 +86,7 @@ std::vector<TopField> effectFields() {
     return fields;
 }
 
-// What the knob does to a number, as typically as it happens.
+// Change of a number by a knob at its typical size, in words.
 std::string movement(const Knob& knob, std::size_t path, const ReferenceRow& number) {
     const double share = knob.shares.empty() ? 1 : knob.shares[path];
     const std::string_view sign = knob.direction == Direction::either                ? (share < 0 ? "-/+" : "+/-")
@@ -120,7 +120,7 @@ std::vector<std::string> readOwnEffectsFile(const Path& file) {
     return {};
 }
 
-// Logs may lie in a folder that only the diagnosis is told; whether they are there is not asked.
+// The logs may be in a folder that is given only to the diagnosis, so their existence is not checked.
 std::vector<std::string> readDiagnosisFile(const Path& file) {
     effectsToConsider(checkedDiagnosis(file));
     return {};

@@ -19,7 +19,7 @@ std::string_view groupOf(const ReferenceRow& row) {
     return takeName(path);
 }
 
-// Cells of a row, in the order in which a reader looks for them: the long sentence last, where it may wrap.
+// Cells of a row in reading order; the long description comes last, where it may wrap.
 constexpr std::size_t kCells = 5;
 std::array<std::string, kCells> cellsOf(const ReferenceRow& row) {
     std::string meaning = row.meaning;
@@ -32,7 +32,7 @@ void widen(Widths& widths, std::span<const std::string> cells) {
     for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], cells[i].size());
 }
 
-// Columns in which no row of the table has anything are left out.
+// Columns that are empty in the whole table are left out.
 std::string line(const Widths& widths, std::span<const std::string> cells) {
     std::string out = " ";
     for (std::size_t i = 0; i < widths.size(); ++i) {
@@ -53,7 +53,7 @@ std::string table(std::span<const ReferenceRow> rows) {
     return out;
 }
 
-// First what stands alone, then a table for each field that holds others.
+// Single fields first, then a table for each field that contains others.
 std::string text(const Describable& what) {
     const std::vector<ReferenceRow> rows = what.rows();
     const auto required =

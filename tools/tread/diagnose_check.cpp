@@ -51,7 +51,7 @@ using tread::recording::checks::DataWarning;
 using tread::recording::checks::dataWarnings;
 
 struct Checked {
-    std::vector<std::string> warnings;  // of the data, and of drives that the nominal car cannot repeat
+    std::vector<std::string> warnings;  // about the data, and about drives that the nominal car cannot repeat
     Precheck precheck;
     Visibility groups;
 };
@@ -99,7 +99,7 @@ std::vector<std::string> effectsWithoutNumbers(const DiagnosisInputs& inputs) {
     return names;
 }
 
-// Gives faults of what the file asks their place in it.
+// Adds the position in the file to faults of its entries.
 void locate(const Path& file, const std::function<void()>& judge) {
     try {
         judge();

@@ -38,11 +38,11 @@ std::vector<std::string> logsOf(const Path& folder) {
     return names;
 }
 
-// What a log tells about how it can be repeated.
+// Contents of a log that decide how it can be replayed.
 struct Recognised {
     std::vector<std::string> channels;
     bool pedals = false;
-    std::string fault;  // why it cannot be read
+    std::string fault;  // reason why it cannot be read; empty if it can
 };
 Recognised recognise(const Path& folder, const std::string& name) {
     DiagnosisFile file;

@@ -20,7 +20,7 @@
 namespace tread::program {
 namespace {
 
-constexpr int kSignalStatus = 128;  // what shells add to the signal that ended a program
+constexpr int kSignalStatus = 128;  // shells add this to the number of the signal that ended a program
 
 volatile std::sig_atomic_t stopped_by = 0;
 
@@ -29,7 +29,7 @@ extern "C" void stopRun(int signal) {
     std::signal(signal, SIG_DFL);
 }
 
-// Runs into the log file and into memory. A run that fails leaves a writer with the rows so far.
+// Runs the simulation and records it in the log file and in memory. If the run fails, `writer` keeps the rows so far.
 Log drive(const RunRecord& record, const Path& file, std::optional<LogWriter>& writer, const Tell& tell) {
     Log log;
     const Recorder memory = recorderInto(log);

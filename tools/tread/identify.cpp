@@ -38,7 +38,7 @@ void judgePaths(const std::vector<std::string>& paths) {
     throwIfAny(std::move(problems));
 }
 
-// Yes when the car became better and the drives tell something of every number.
+// Yes when the fit has converged, the car has become better and the drives determine every number.
 int statusOf(const Identification& found) {
     const bool all =
         std::all_of(found.numbers.begin(), found.numbers.end(), [](const FittedNumber& one) { return one.determined; });

@@ -43,7 +43,7 @@ int importTyre(const ImportOptions& options) {
     return kYes;
 }
 
-// A fault of the mapping, where the mapping says it.
+// A fault of the mapping, with its position in the mapping file.
 Problem placed(Problem problem, const ImportOptions& options) {
     if (!problem.file.empty()) return problem;
     if (options.map.empty()) {
@@ -69,7 +69,7 @@ Imported imported(const ForeignTable& table, const ImportMap& map, const ImportO
     }
 }
 
-// log.csv; log_1.csv, log_2.csv when there are several.
+// log.csv, or log_1.csv, log_2.csv and so on for several logs.
 std::vector<std::string> writeLogs(const std::vector<Log>& logs, const std::string& output) {
     std::vector<std::string> files;
     for (std::size_t i = 0; i < logs.size(); ++i) {

@@ -20,7 +20,7 @@ Log readChecked(const std::string& file) {
     return log;
 }
 
-// The defaults by the name of their standard, or a file.
+// The default parameters when `given` is the name of the standard; otherwise those of the file `given`.
 template <class T>
 T parameters(const std::string& given, std::string_view standard, const char* option) {
     if (given == standard) return {};

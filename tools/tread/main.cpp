@@ -1,4 +1,5 @@
-// The program `tread`: reads the command line, calls one command, turns every failure into one message and a status.
+// The program `tread`: reads the command line, runs one command, and turns every failure into one message and an exit
+// status.
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -19,7 +20,7 @@
 namespace tread::program {
 namespace {
 
-// ---- What a command line that cannot be read is answered ----
+// ---- Messages for an invalid command line ----
 
 std::vector<std::string_view> commandNames(const CLI::App& app) {
     std::vector<std::string_view> names;
@@ -27,7 +28,7 @@ std::vector<std::string_view> commandNames(const CLI::App& app) {
     return names;
 }
 
-// CLI11 2.1 says of a mistyped command only that one is required.
+// For a mistyped command CLI11 2.1 only reports that a command is required.
 bool isCommand(const CLI::App& app, std::string_view word) {
     for (const std::string_view name : commandNames(app)) {
         if (name == word) return true;
@@ -40,7 +41,7 @@ std::string unknownCommand(const CLI::App& app, std::string_view word) {
     return "there is no command " + quote(word) + ", only " + listed(names) + didYouMean(word, names);
 }
 
-// The first option that the command does not have, with a suggestion; empty when it has them all.
+// The first option that the command does not have, with a suggestion; empty when it has all of them.
 std::string unknownOption(const CLI::App& command) {
     std::vector<std::string> options;
     for (const CLI::Option* option : command.get_options()) {
@@ -100,7 +101,7 @@ int dispatch(int argc, char** argv) {
 }  // namespace tread::program
 
 int main(int argc, char** argv) {
-    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told by the write that fails
+    std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then reported by the write that fails
     try {
         return tread::program::dispatch(argc, argv);
     } catch (const tread::LoadError& error) {

@@ -42,7 +42,8 @@ void OutputFile::write(std::string_view text) {
 void OutputFile::finish() {
     if (std::fflush(file_) != 0) fail(errno);
     if (file_ == stdout) return;
-    // The content must be on the disk before the name is: some file systems report a full disk only here or on closing.
+    // The content must be on disk before the file is renamed: some file systems report a full disk only here or on
+    // closing.
     if (!part_.empty() && fsync(fileno(file_)) != 0) fail(errno);
     int fault = std::fclose(std::exchange(file_, nullptr)) == 0 ? 0 : errno;
     if (part_.empty() && fault == 0) return;
@@ -76,7 +77,7 @@ void printJson(const nlohmann::json& value) {
     print(jsonText(value));
 }
 
-// Names in a foreign file may be in any encoding; JSON is UTF-8.
+// Names in a foreign file may have any encoding; JSON is UTF-8.
 std::string jsonText(const nlohmann::json& value) {
     return value.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

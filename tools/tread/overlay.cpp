@@ -11,14 +11,14 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-// A heading that is logged between -pi and pi jumps by a whole turn.
+// True for a heading logged between -pi and pi that jumps by a whole turn.
 bool wraps(const Channel& channel) {
     const auto jumps = [](double before, double after) { return std::abs(after - before) > std::numbers::pi; };
     return channel.unit == "rad" &&
            std::adjacent_find(channel.values.begin(), channel.values.end(), jumps) != channel.values.end();
 }
 
-// Drawn, and read between samples, a heading must go on.
+// A heading without jumps, so that it can be drawn and interpolated.
 std::vector<double> unwrapped(std::vector<double> angles) {
     double turns = 0;
     for (std::size_t i = 1; i < angles.size(); ++i) {
@@ -29,7 +29,8 @@ std::vector<double> unwrapped(std::vector<double> angles) {
     return angles;
 }
 
-// Whole turns between two curves are no difference; nearest at the first sample where both have a value.
+// Shifts the candidate by whole turns, so that it is nearest to the reference at the first sample where both have a
+// value.
 void bringNear(std::vector<double>& candidate, const std::vector<double>& reference) {
     for (std::size_t i = 0; i < candidate.size(); ++i) {
         const double turns = kTurn * std::round((candidate[i] - reference[i]) / kTurn);
@@ -41,7 +42,7 @@ void bringNear(std::vector<double>& candidate, const std::vector<double>& refere
     }
 }
 
-// The channel of a further run at the moments of the overlay; empty when it has none in that unit.
+// The channel of a further run at the times of the overlay; empty when the run has none in that unit.
 std::vector<double> drawnBeside(const Log& log, const ChannelComparison& channel, bool wrapped,
                                 const ChannelOverlay& overlay) {
     const Channel* found = log.find(channel.channel);

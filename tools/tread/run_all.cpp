@@ -35,14 +35,14 @@ std::vector<Path> scenariosIn(const Path& folder) {
     return files;
 }
 
-// One scenario of the folder: what it drives, or the fault of its file.
+// One scenario of the folder: its run, or the fault of its file.
 struct Planned {
     std::string name;
     RunRecord record;
     std::string fault;  // empty: none
 };
 
-// All faults of a file in one sentence: the first, and how many there are.
+// All faults of a file in one sentence: the first one, and the number of the others.
 std::string sentenceOf(const LoadError& error) {
     const std::size_t more = error.problems().size() - 1;
     const std::string first = toText(error.problems().front());
@@ -50,8 +50,8 @@ std::string sentenceOf(const LoadError& error) {
     return fmt::format("{} (and {} more {}; `tread check` lists all)", first, more, more == 1 ? "fault" : "faults");
 }
 
-// All inputs are read before anything is driven. A faulty scenario does not stop the others; where none can be driven,
-// the fault is likely that of the car or of a setting: throws what was wrong with the first.
+// All inputs are read before anything is driven. A faulty scenario does not stop the others. If none can be driven, the
+// fault is probably in the car or in a setting, so the error of the first scenario is thrown.
 std::vector<Planned> planned(const RunOptions& options) {
     std::vector<Planned> all;
     std::optional<LoadError> first;
@@ -72,7 +72,7 @@ std::vector<Planned> planned(const RunOptions& options) {
     return all;
 }
 
-// The row of one scenario on the overview page, and what the command says of it.
+// Row of one scenario on the overview page, and its part of the command's answer.
 struct Outcome {
     Overview::Entry entry;
     nlohmann::json json;

@@ -19,7 +19,7 @@
 namespace tread::program {
 namespace {
 
-// All that --set reaches: the fields of the car by their own names, those of the scenario behind "scenario.".
+// All fields that --set can change: those of the car under their own names, those of the scenario under "scenario.".
 struct Settable {
     VehicleParams vehicle;
     Scenario scenario;
@@ -41,7 +41,7 @@ struct Fault {
     std::string text;
 };
 
-// What only the layers above a scenario can judge: names of manoeuvres and of channels.
+// Names that the scenario itself cannot check: manoeuvres and channels.
 std::vector<Fault> unknownNames(const Scenario& scenario) {
     std::vector<Fault> faults;
     std::vector<std::string_view> known;
@@ -88,7 +88,7 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
     return faults;
 }
 
-// A file of another kind has dozens of faults: the first of them tell.
+// A file of another kind has dozens of faults; the first of them are enough.
 [[noreturn]] void refuse(std::vector<Problem> problems) {
     constexpr std::size_t kMost = 20;
     if (problems.size() > kMost) {
@@ -113,7 +113,7 @@ Scenario readScenario(const std::string& file) {
 }
 
 RunRecord readRunInputs(const RunOptions& options) {
-    // Both files are read before anything is complained about.
+    // Both files are read before any fault is reported.
     Settable inputs;
     std::vector<Problem> problems;
     const auto collect = [&](const auto& read) {
@@ -129,7 +129,7 @@ RunRecord readRunInputs(const RunOptions& options) {
 
     if (!options.log.empty()) inputs.scenario.drive = options.log;
     constexpr const char* kSource = "--set";
-    // The scenario's settings of the car, as they are after --set; then --set has the last word.
+    // The car settings of the scenario are applied as --set leaves them; --set itself is applied last.
     Settable asked = inputs;
     applySettings(asked, options.settings, kSource, listingOf);
     applySettings(inputs.vehicle, asked.scenario.car_settings, options.scenario + ": car_settings", listingOf);

@@ -42,7 +42,7 @@ std::string answerOf(const RunRecord& record, const SeriesResult& series) {
     return fmt::format("{}, {}: {}", record.scenario.title, record.vehicle.name, words);
 }
 
-// The metrics that any run has; the runs that failed have none.
+// The metrics of the series. Failed runs have none, so the first run with metrics decides.
 std::vector<Metric> columnsOf(const SeriesResult& series) {
     for (const SeriesRun& run : series.runs) {
         if (!run.metrics.empty()) return run.metrics;
@@ -83,7 +83,7 @@ RunRecord tunedRecord(RunRecord record) {
     if (record.scenario.series.tune.empty()) return record;
     record.scenario =
         tuned(record.scenario, [&](const Scenario& scenario) { return measure(record.vehicle, scenario); });
-    record.scenario.series.tune.clear();  // found: what is saved repeats the run
+    record.scenario.series.tune.clear();  // the value is found: the saved scenario repeats this run
     return record;
 }
 

@@ -20,7 +20,7 @@ struct Shipped {
     std::vector<std::string> settings = {};  // of the scenario
 };
 
-// Open loop, up to half a minute each; some at another speed or size.
+// Open-loop scenarios of at most half a minute each, some with another speed or amplitude.
 const std::vector<Shipped>& shipped() {
     static const std::vector<Shipped> list{
         {"step_steer_80.yaml"},
@@ -40,7 +40,7 @@ const std::vector<Shipped>& shipped() {
     return list;
 }
 
-// The folder of the scenarios as seen from here, or else from the program; empty when there is none.
+// The folder of the scenarios, relative to the current folder or to the program; empty when there is none.
 Path scenariosFolder() {
     if (std::filesystem::exists(Path("scenarios") / shipped().front().file)) return "scenarios";
     std::error_code none;

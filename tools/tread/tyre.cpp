@@ -1,4 +1,4 @@
-// The command `tread tyre`: a tyre's forces at given points, its transients, its curves, or what it is at a glance.
+// The command `tread tyre`: forces of a tyre at given points, its transients, its curves, and an overview.
 
 #include <fmt/format.h>
 
@@ -41,7 +41,7 @@ std::string counted(std::size_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-// What was done, in words and for programs.
+// Answer of the command as text and as JSON.
 struct TyreAnswer {
     std::string text;
     nlohmann::json json;
@@ -100,7 +100,7 @@ int tyre(const TyreOptions& given) {
     if (!options.plot.empty()) writePage(outcome, params, options, axes);
     if (!table && options.plot.empty()) describeTyre(outcome, params);
 
-    // Standard output belongs to the table when it went there.
+    // Standard output is reserved for the table if that was written there.
     outcome.json["tyre"] = params.name;
     outcome.json["notes"] = params.notes;
     const std::string answer = options.json ? jsonText(outcome.json) : outcome.text;

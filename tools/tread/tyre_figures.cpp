@@ -16,10 +16,10 @@ constexpr double kPercent = 0.01;
 constexpr double kWidestSlip = 50;                              // %
 constexpr double kWidestAngle = 15;                             // deg
 constexpr double kWidestCamber = 6;                             // deg
-constexpr int kPoints = 401;                                    // of a curve
-constexpr std::array kLoadShares = {0.25, 0.5, 1.0, 1.5, 2.0};  // of the nominal load
+constexpr int kPoints = 401;                                    // per curve
+constexpr std::array kLoadShares = {0.25, 0.5, 1.0, 1.5, 2.0};  // shares of the nominal load
 
-// A point of operation, in the units of the figures; the slip angle is the same number in both axis systems.
+// A point of operation in the units of the figures. The slip angle has the same value in both axis systems.
 struct Point {
     double load;        // N
     double slip = 0;    // %
@@ -35,7 +35,7 @@ TyreSteadyState at(const TyreView& view, const Point& point) {
                                    .Vsy = -std::tan(point.angle * kDegree) * kCurveSpeed});
 }
 
-// Forces in kN, in the axes of the view.
+// Forces, kN, in the axes of the view.
 double longitudinal(const TyreView& view, const Point& point) {
     return view.sign("Fx") * at(view, point).Fx / 1000;
 }
@@ -54,7 +54,7 @@ std::string loadName(double load) {
     return formatNumber(load / 1000, 3) + " kN";
 }
 
-// A curve over the range from `low` to `high`.
+// A curve from `low` to `high`.
 template <class Function>
 Series curve(std::string name, double low, double high, Function function) {
     Series series{.name = std::move(name), .x = {}, .y = {}};
@@ -65,7 +65,7 @@ Series curve(std::string name, double low, double high, Function function) {
     return series;
 }
 
-// A chart with one curve for each load.
+// A chart with one curve per load.
 template <class Function>
 Chart overLoads(const TyreView& view, std::string title, ChartAxis x, ChartAxis y, double widest, Function function) {
     Chart chart{.title = std::move(title), .x = std::move(x), .y = std::move(y), .series = {}};
@@ -86,7 +86,7 @@ ChartAxis forceAxis(std::string label) {
     return {std::move(label), "kN"};
 }
 
-// Lateral over longitudinal force while one slip is held and the other swept.
+// Lateral over longitudinal force, with one slip held and the other swept.
 Series ellipse(const TyreView& view, const std::vector<Point>& points) {
     Series series{.name = {}, .x = {}, .y = {}};
     for (const Point& point : points) {
@@ -107,7 +107,7 @@ Chart frictionEllipse(const TyreView& view) {
         for (const double side : {1.0, -1.0}) {
             std::vector<Point> sweep;
             for (double x = -1; x <= 1.0005; x += 0.005) {
-                sweep.push_back({nominalLoad(view), 100 * x * x * x, side * angles[i]});  // closer where it bends
+                sweep.push_back({nominalLoad(view), 100 * x * x * x, side * angles[i]});  // denser near zero slip
             }
             Series series = ellipse(view, sweep);
             if (side > 0) series.name = fmt::format("±{:g} deg", angles[i]);

@@ -1,4 +1,4 @@
-// Step responses of the contact patch, and the page of all curves.
+// Step responses of the contact patch, and the page with all curves.
 
 #include <fmt/format.h>
 
@@ -18,8 +18,8 @@ constexpr std::array kSpeeds = {20.0, 40.0, 80.0, 160.0};  // km/h
 constexpr double kStepAngle = 1;                           // deg
 constexpr double kStepSlip = 1;                            // %
 constexpr double kTimeStep = 0.5e-3;                       // s
-constexpr double kShownLengths = 5;     // relaxation lengths travelled by the slowest wheel, as long as is shown
-constexpr double kSettledLengths = 20;  // travelled before the step, until the wheel rolls in equilibrium
+constexpr double kShownLengths = 5;                        // relaxation lengths shown, travelled by the slowest wheel
+constexpr double kSettledLengths = 20;  // relaxation lengths before the step, for the wheel to reach equilibrium
 
 TyreMotion rolling(const TyreView& view, double speed, double kappa, double alpha) {
     const TyreCoefficients& p = view.tyre.parameters;
@@ -32,7 +32,7 @@ struct Response {
     std::vector<TyreForces> forces;
 };
 
-// A wheel that rolls straight ahead and is then given the slip.
+// Response of a wheel that rolls straight ahead and then gets a step of slip.
 Response respond(const TyreView& view, double speed, double kappa, double alpha, double length, double duration) {
     TyreState state;
     const TyreMotion before = rolling(view, speed, 0, 0), after = rolling(view, speed, kappa, alpha);
@@ -54,7 +54,7 @@ Response respond(const TyreView& view, double speed, double kappa, double alpha,
 }  // namespace
 
 std::vector<Chart> stepResponseFigures(const TyreView& view) {
-    // A force to the positive side in either axis system.
+    // The sign gives a force to the positive side in either axis system.
     const double angle = view.sign("Fy") * kStepAngle;
     const double alpha = std::tan(angle * std::numbers::pi / 180), kappa = kStepSlip / 100;
     const TyreCoefficients& p = view.tyre.parameters;

@@ -18,7 +18,7 @@
 namespace tread::program {
 namespace {
 
-constexpr std::size_t kMostProblems = 20;  // more faults than a person reads at once
+constexpr std::size_t kMostProblems = 20;  // faults reported at most
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t");
@@ -26,7 +26,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-// "Vx [km/h]" taken apart.
+// "Vx [km/h]" split into its parts.
 struct NameAndUnit {
     std::string_view name;
     std::optional<std::string_view> unit;

@@ -15,7 +15,7 @@
 namespace tread::program {
 namespace {
 
-// Two intervals of a table count as equal when they differ by less than this part.
+// Relative difference up to which two intervals of a table count as equal.
 constexpr double kEqualSampling = 1e-6;
 
 TransientRow rowOf(const TyreState& state, const TyreForces& forces) {
@@ -30,7 +30,7 @@ TransientRow rowOf(const TyreState& state, const TyreForces& forces) {
             .Mz = forces.Mz};
 }
 
-// The interval between rows, which must be the same everywhere.
+// Interval between the rows, which must be constant.
 double samplingInterval(const InputTable& table) {
     const auto time_column = std::find_if(table.columns.begin(), table.columns.end(),
                                           [](const TableColumn& column) { return column.kind == 0; });
@@ -55,7 +55,7 @@ double samplingInterval(const InputTable& table) {
     return (time(table.rows() - 1) - time(0)) / static_cast<double>(table.rows() - 1);
 }
 
-// Carries the contact patch from one row to the next.
+// Advances the contact patch from one row to the next.
 class Interval {
 public:
     Interval(const TyreParams& tyre, const TransientOptions& options, double length)
