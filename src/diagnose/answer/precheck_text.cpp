@@ -8,7 +8,7 @@
 namespace tread::diagnose::answer {
 namespace {
 
-constexpr std::size_t kMostPairs = 12, kWidth = 116, kIndent = 10;  // kWidth, kIndent: characters
+constexpr std::size_t kMostPairs = 12, kWidth = 116, kIndent = 10;  // pairs listed; characters
 
 // A headline followed by words, wrapped, with the lines below indented.
 std::string paragraph(const char* headline, const std::vector<std::string>& words) {

@@ -13,9 +13,8 @@ using select::Calibration;
 
 struct MissingForce {
     std::map<std::string, double> shares;  // by kind, sum 1: how often and how clearly it acts
-    // `front` and `rear`: shares of the squared side force at the axles that would have the same effect
-    std::map<std::string, double> axles;
-    answer::Moment when;  // moment at which it acts most
+    std::map<std::string, double> axles;   // by axle: shares of the squared side force that has the same effect
+    answer::Moment when;                   // moment at which it acts most
 };
 
 // Uses the posterior of disturbances that are taken to be so large that they, and not the parameters, explain the gap

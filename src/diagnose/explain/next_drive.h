@@ -1,4 +1,4 @@
-// What to drive next: the manoeuvre that best separates the answers that the recordings leave open, or that shows
+// Choice of the next drive: the manoeuvre that best separates the answers that the recordings leave open, or that shows
 // effects which these recordings could not show.
 #pragma once
 

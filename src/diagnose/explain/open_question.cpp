@@ -12,7 +12,7 @@ using model::Problem;
 using select::Candidate;
 using select::Search;
 
-constexpr std::size_t kMostRivals = 2, kMostHidden = 4;  // questions asked
+constexpr std::size_t kMostRivals = 2, kMostHidden = 4;  // questions asked at most
 constexpr double kClose = 12;  // nats behind the answer, up to which a rival is worth separating
 
 // The answer against each fitted set of as many effects that is close to it.

@@ -33,11 +33,10 @@ constexpr std::string_view nameOf(Disturbed kind) {
 double usualSize(Disturbed kind, const VehicleParams& car);
 
 struct Disturbances {
-    Eigen::MatrixXd columns;       // rows x impulses: change of the rows by each impulse at its usual size
-    std::vector<Disturbed> kinds;  // kind of each column
-    std::vector<double> times;     // s, time of each column's hat
-    // Cholesky factor of the hats' correlation for one kind: heights of hats x impulses
-    Eigen::MatrixXd correlation_factor;
+    Eigen::MatrixXd columns;              // rows x impulses: change of the rows by each impulse at its usual size
+    std::vector<Disturbed> kinds;         // kind of each column
+    std::vector<double> times;            // s, time of each column's hat
+    Eigen::MatrixXd correlation_factor;   // of one kind: heights of the hats x impulses
     Eigen::VectorXd by_start_speed = {};  // change of the rows per m/s of start speed
 
     Eigen::Index hats() const { return correlation_factor.rows(); }  // of one kind

@@ -1,4 +1,4 @@
-// What all fits to the drives share: the noise of the rows and the disturbances.
+// Noise of the rows and disturbances of the drives; the same in all fits.
 #pragma once
 
 #include "diagnose/model/disturbance.h"
