@@ -31,7 +31,7 @@ Sensitivities sensitivities(
     const Replays& replays, Drives drives, const Deviation& at, const Wanted& wanted,
     const std::function<void(double)>& progress = [](double) {});
 
-// Change of the rows of a drive with the start speed, per m/s; the unit of a column is that of the row times s/m.
+// Change of the rows of a drive per m/s of start speed.
 Eigen::VectorXd startSpeedColumn(const Replays& replays, const RecordedDrive& drive, const Subject& subject,
                                  const Eigen::VectorXd& rows);
 

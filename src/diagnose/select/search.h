@@ -10,7 +10,7 @@ namespace tread::diagnose::select {
 struct Candidate {
     std::vector<std::size_t> effects;  // indices of effects; empty: only nuisances
     double log_evidence = 0;           // nats over the model without effects
-    Fit fit;                           // empty unless `fitted`: then the evidence is that of the linear model
+    Fit fit;                           // empty if not `fitted`; log_evidence is then that of the linear model
     bool fitted = false;
 };
 
