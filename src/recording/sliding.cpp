@@ -6,11 +6,7 @@
 namespace tread::recording {
 namespace {
 
-// Angle, rad, within the window: about the sideslip angle of a car that still grips. Raising this compares more of a
-// slide.
-constexpr double kSlideApart = 0.08;
-constexpr double kSlideWindow = 1.5;  // s
-constexpr double kSlowestSlide = 5;   // m/s; least speed by which lateral acceleration is divided
+constexpr double kSlowestSlide = 5;  // m/s; least speed by which lateral acceleration is divided
 
 }  // namespace
 
@@ -34,7 +30,7 @@ double slideApart(const RecordedDrive& drive, const Eigen::VectorXd& model) {
     for (Eigen::Index i = 1; i < ay->rows(); ++i) {
         apart[i] = apart[i - 1] + (rate(drive.measured, i) - rate(model, i)) * (times[i] - times[i - 1]);
         const Eigen::Index before = std::max<Eigen::Index>(i - window, 0);
-        if (std::abs(apart[i] - apart[before]) > kSlideApart) return times[before];
+        if (std::abs(apart[i] - apart[before]) > kSlideAngle) return times[before];
     }
     return kInfinity;
 }

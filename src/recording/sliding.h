@@ -8,6 +8,11 @@
 
 namespace tread::recording {
 
+// rad, by which the sideslip angles of car and model part within the window: about the sideslip angle of a car that
+// still grips. Raising it compares more of a slide.
+inline constexpr double kSlideAngle = 0.08;
+inline constexpr double kSlideWindow = 1.5;  // s
+
 // Time, s, at which car and model start to slide apart; infinity if they do not. `model`: rows of a model in the drive.
 // The change of the sideslip angle follows from lateral acceleration, yaw rate and speed; infinity when one of them is
 // missing or has gaps (D6).

@@ -20,6 +20,7 @@ namespace {
 using diagnose::answer::separatesInWords;
 
 using diagnose::kSettings;
+using diagnose::kTestable;
 
 using diagnose::answer::channelInWords;
 using diagnose::answer::ConfusablePair;
@@ -177,7 +178,7 @@ void addLimits(HtmlPage& page, const Diagnosis& diagnosis) {
     }
     std::vector<std::string> hidden;
     for (const auto& [effect, nats] : diagnosis.expected_evidence) {
-        if (nats < kSettings.testable) hidden.push_back(shownName(effect));
+        if (nats < kTestable) hidden.push_back(shownName(effect));
     }
     page.text(hidden.empty()
                   ? std::string("Every effect that was considered would show in these drives at its typical size.")

@@ -15,6 +15,7 @@ namespace tread {
 namespace {
 
 using diagnose::kSettings;
+using diagnose::kTestable;
 using diagnose::model::Problem;
 using diagnose::select::Calibration;
 using diagnose::select::Candidate;
@@ -83,7 +84,7 @@ TEST(Posterior, OfNothingThatShowsCountsWhatHasNotGainedEnough) {
 
 TEST(Thresholds, WhatIsTestableAndDoesNotShowIsSmallerThanTypical) {
     // Standard deviations between what is expected to gain so many nats, and what gains no more than `effect`.
-    for (const double expected : {kSettings.testable, 10 * kSettings.testable, 1000 * kSettings.testable}) {
+    for (const double expected : {kTestable, 10 * kTestable, 1000 * kTestable}) {
         const double freedom = 0.5 * std::log(1 + 2 * expected);
         EXPECT_GT(std::sqrt(2 * expected) - std::sqrt(2 * (kSettings.effect + freedom)), 2.5) << expected;
     }
@@ -91,7 +92,7 @@ TEST(Thresholds, WhatIsTestableAndDoesNotShowIsSmallerThanTypical) {
 
 TEST(Thresholds, WhatIsTestableIsFoundNineteenTimesInTwenty) {
     // A gain that is measured with a standard deviation of one: its square over two, less what its freedom costs.
-    const double size = std::sqrt(2 * kSettings.testable), freedom = 0.5 * std::log(1 + 2 * kSettings.testable);
+    const double size = std::sqrt(2 * kTestable), freedom = 0.5 * std::log(1 + 2 * kTestable);
     Random random(1);
     constexpr int kMany = 100000;
     int found = 0;

@@ -15,6 +15,7 @@ namespace tread {
 namespace {
 
 using diagnose::kSettings;
+using diagnose::kTestable;
 
 using diagnose::answer::ConfusablePair;
 using diagnose::answer::Diagnosis;
@@ -41,7 +42,7 @@ TEST(Precheck, WhatNoDriveExcitesIsNotSeenAndWhatTheyDoIs) {
     const simple_car::Case made = simple_car::recorded(kNominalRatio, dragArea(), 3);
     const Precheck seen =
         checked(made, {effect("ratio", "steering.ratio"), effect("brakes", "brakes.full_pedal_torque")});
-    EXPECT_GT(seen.expected_evidence.at("ratio"), kSettings.testable);
+    EXPECT_GT(seen.expected_evidence.at("ratio"), kTestable);
     EXPECT_EQ(seen.expected_evidence.at("brakes"), 0) << "this car has none";
     const std::string text = precheckText(seen);
     const std::size_t hidden = text.find("NOT SEEN");

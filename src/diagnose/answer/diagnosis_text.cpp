@@ -77,7 +77,7 @@ std::string howFarOf(const Diagnosis& d) {
 std::string hiddenOf(const Diagnosis& d) {
     std::string list;
     for (const auto& [name, nats] : d.expected_evidence)
-        if (nats < kSettings.testable) list += (list.empty() ? "" : ", ") + name;
+        if (nats < kTestable) list += (list.empty() ? "" : ", ") + name;
     return list.empty() ? "" : "NOT SEEN  too little in these drives to see " + list + "\n";
 }
 

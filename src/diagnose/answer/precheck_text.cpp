@@ -48,7 +48,7 @@ std::string pairsText(const std::vector<ConfusablePair>& pairs) {
 Visibility visibility(const std::map<std::string, double>& expected_evidence) {
     Visibility groups;
     for (const auto& one : expected_evidence) {
-        if (one.second >= kSettings.testable) groups.found.push_back(one);
+        if (one.second >= kTestable) groups.found.push_back(one);
         else (one.second >= kSettings.clear ? groups.perhaps : groups.hidden).push_back(one);
     }
     for (Visibility::Group* group : {&groups.found, &groups.perhaps, &groups.hidden})

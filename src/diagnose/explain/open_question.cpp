@@ -49,7 +49,7 @@ std::vector<Question> hidden(const Diagnosis& diagnosis, const Problem& problem,
     std::vector<Question> questions;
     for (const answer::RankedEffect& ranked : diagnosis.effects) {
         if (questions.size() == kMostHidden) break;
-        if (diagnosis.expected_evidence.at(ranked.name) >= kSettings.testable) continue;
+        if (diagnosis.expected_evidence.at(ranked.name) >= kTestable) continue;
         questions.push_back(
             {{ranked.name}, {}, withEffect(problem, ranked.name), problem.replays.origin(), {&found.none().fit}});
     }

@@ -87,7 +87,7 @@ std::vector<RowNoise> rowNoise(Drives drives, const Rows& model, const std::vect
             deviation.setConstant(inflation * deviationOf(drive, channel, channels.at(channel.name)));
             if (drive.compared()) {
                 const Eigen::VectorXd gap = (drive.measured - model[d]).segment(channel.first_row, rows);
-                deviation += kSettings.answers_otherwise * inflation * localSize(gap);
+                deviation += kSettings.signature_error * inflation * localSize(gap);
             }
             const auto silent = std::upper_bound(channel.times.begin(), channel.times.end(), until[d]);
             const Eigen::Index told = silent - channel.times.begin();

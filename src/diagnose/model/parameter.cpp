@@ -5,7 +5,6 @@
 
 #include "base/numbers.h"
 #include "base/pattern.h"
-#include "diagnose/settings.h"
 
 namespace tread::diagnose::model {
 namespace {
@@ -135,7 +134,7 @@ std::vector<Parameter> knobsOf(const Effect& effect, const Subject& nominal) {
     for (const catalogue::Knob& knob : effect.knobs) {
         Parameter parameter;
         parameter.instruments_only = true;
-        parameter.lowest = -kSettings.largest_effect, parameter.highest = kSettings.largest_effect;
+        parameter.lowest = -kLargestEffect, parameter.highest = kLargestEffect;
         for (std::size_t i = 0; i < knob.paths.size(); ++i) {
             const std::string& path = knob.paths[i];
             const auto number = std::find_if(all.begin(), all.end(), [&](const Number& n) { return n.path == path; });

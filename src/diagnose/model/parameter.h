@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "diagnose/catalogue/effect.h"
-#include "diagnose/settings.h"
 #include "recording/diagnosis_file.h"
 #include "recording/subject.h"
 
@@ -17,6 +16,10 @@ using catalogue::Effect;
 using recording::KnownWithin;
 using recording::Subject;
 
+// Bounds that keep the replayed car one that can be driven, in standard deviations of a nuisance parameter and in typical
+// sizes of an effect. They decide no verdict: 100 in place of either changes none of the development cases.
+inline constexpr double kLargestTolerance = 4, kLargestEffect = 8;
+
 struct Parameter {
     struct Move {
         std::string path;
@@ -24,9 +27,9 @@ struct Parameter {
         double by;  // change of the number per unit of the parameter
     };
     std::vector<Move> moves;
-    // Bounds in units: physical limits of the numbers, and a largest number of standard deviations.
-    double lowest = -kSettings.largest_tolerance;
-    double highest = kSettings.largest_tolerance;
+    // Bounds in units: physical limits of the numbers, and kLargestTolerance or kLargestEffect.
+    double lowest = -kLargestTolerance;
+    double highest = kLargestTolerance;
     bool instruments_only = false;  // changes the readings only, not the motion
 
     const std::string& name() const { return moves.front().path; }

@@ -9,8 +9,6 @@
 namespace tread::diagnose::model {
 namespace {
 
-constexpr double kSpeedStep = 0.1;  // m/s, step of the start speed
-
 // One column of one drive.
 struct Column {
     std::size_t drive;
@@ -101,9 +99,9 @@ Sensitivities sensitivities(const Replays& replays, Drives drives, const Deviati
 
 Eigen::VectorXd startSpeedColumn(const Replays& replays, const RecordedDrive& drive, const Subject& subject,
                                  const Eigen::VectorXd& rows) {
-    const std::optional<Log> faster = motionAt(replays, drive, subject, {.faster = kSpeedStep});
+    const std::optional<Log> faster = motionAt(replays, drive, subject, {.faster = kStartSpeedStep});
     if (!faster) return Eigen::VectorXd::Zero(drive.rows());
-    return (recording::readings(drive, *faster, subject.instruments) - rows) / kSpeedStep;
+    return (recording::readings(drive, *faster, subject.instruments) - rows) / kStartSpeedStep;
 }
 
 }  // namespace tread::diagnose::model

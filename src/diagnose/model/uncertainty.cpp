@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "diagnose/settings.h"
+#include "diagnose/model/sensitivities.h"
 #include "recording/sliding.h"
 
 namespace tread::diagnose::model {
@@ -12,7 +12,7 @@ Eigen::VectorXd Uncertainty::sizesOf(std::size_t drive, const Sizes& with) const
     const std::vector<Disturbed>& kinds = disturbing[drive].kinds;
     Eigen::VectorXd all(std::ssize(kinds) + 1);
     for (std::size_t i = 0; i < kinds.size(); ++i) all(i) = with[placeOf(kinds[i])];
-    all(all.size() - 1) = kSettings.start_speed;
+    all(all.size() - 1) = kStartSpeedStep;
     return all;
 }
 

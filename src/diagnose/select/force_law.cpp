@@ -107,7 +107,7 @@ Eigen::VectorXd atHats(const Signal& signal, const std::vector<double>& time, co
 }
 
 // Histories of a law at the hats of each drive, and its unit: the factor that gives the force a root mean square of
-// kSettings.law_force usual sizes over all drives. Unit 0 when the signal is 0 everywhere.
+// one usual size over all drives. Unit 0 when the signal is 0 everywhere.
 struct History {
     std::vector<Eigen::VectorXd> of_drive;
     double unit = 0;
@@ -120,7 +120,7 @@ History historyOf(const Law& law, const Calibration& car) {
         history.of_drive.push_back(atHats(law.signal(drive), drive.time, car.uncertainty.disturbing[d]));
         squares += history.of_drive.back().squaredNorm(), hats += static_cast<double>(history.of_drive.back().size());
     }
-    history.unit = squares > 0 ? kSettings.law_force / std::sqrt(squares / hats) : 0;
+    history.unit = squares > 0 ? 1 / std::sqrt(squares / hats) : 0;
     return history;
 }
 

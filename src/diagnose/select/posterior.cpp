@@ -13,11 +13,11 @@ namespace {
 constexpr std::size_t kMost = 4;  // numbers of effects in a candidate, from none to three
 
 // Prior probabilities of none, one, two and three causes of the catalogue, each spread evenly over its sets.
-constexpr std::array<double, kMost> kPrior{kSettings.none, kSettings.one_cause, kSettings.two_causes,
-                                           kSettings.three_causes};
+constexpr std::array<double, kMost> kPrior{kSettings.none, kSettings.oneCause(), kSettings.oneCause() * kSettings.rarer,
+                                           kSettings.oneCause() * kSettings.rarer * kSettings.rarer};
 // Shares of the unknown causes that resemble this many effects and are revealed neither by larger disturbances nor by a
 // force law.
-constexpr std::array<double, kMost> kLookAlike{0, kSettings.one_look_alike, kSettings.two_look_alike,
+constexpr std::array<double, kMost> kLookAlike{0, kSettings.look_alike, kSettings.look_alike,
                                                kSettings.three_look_alike};
 
 // Number of sets of this many out of n effects.
@@ -91,7 +91,7 @@ Posterior posterior(const Calibration& car, const Search& found, double unknown_
         result.heterogeneity.push_back(one.fitted ? heterogeneity(car, one.fit) : inference::Heterogeneity{});
         if (count > 0 && one.fitted)
             add(&one, true, kSettings.unknown_cause * kLookAlike[count] / ways,
-                evidence + lookAlikeGain(one, result.heterogeneity.back(), compared));
+                evidence + lookAlikeGain(result.heterogeneity.back(), compared));
     }
     add(nullptr, false, kSettings.unknown_cause, strongest + unknown_gain - kSettings.clear);
     normalise(result.hypotheses, std::move(logs));

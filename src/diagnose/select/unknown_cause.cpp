@@ -94,17 +94,9 @@ inference::Heterogeneity heterogeneity(const Calibration& car, const Fit& fit) {
                                     fit.at(fit.knobs).squaredNorm(), kLeastShare);
 }
 
-double lookAlikeGain(const Candidate& candidate, const inference::Heterogeneity& same, bool compared) {
-    double gain = 0;
-    if (!compared) {
-        for (const Eigen::Index k : candidate.fit.knobs) {
-            const double size = candidate.fit.at(k);
-            gain += 0.5 * size * size * (1 - 1 / (kSettings.wider * kSettings.wider)) - std::log(kSettings.wider);
-        }
-    }
-    const double one_value = compared ? kSettings.structure : kSettings.same;
-    const double varied = inference::logBayesFactorOfSpread(same, kSettings.varied, one_value);
-    return gain + (varied > 0 ? std::max(0.0, varied - kSettings.jumps * candidate.log_evidence) : varied);
+double lookAlikeGain(const inference::Heterogeneity& same, bool compared) {
+    return inference::logBayesFactorOfSpread(same, kSettings.varied,
+                                             compared ? kSettings.structure : kSettings.signature_error);
 }
 
 }  // namespace tread::diagnose::select
