@@ -157,7 +157,7 @@ TEST(Hypotheses, AreAsProbableAsTheirPriorsAndEvidenceSay) {
     ASSERT_GT(birge, 1.2);
     for (const double unknown : {-3.0, 5.0, 20.0}) {
         const Posterior found = posterior(three.car, three.found, unknown);
-        EXPECT_NEAR(found.birge_ratio, birge, 1e-12);
+        EXPECT_NEAR(found.variance_factor, birge, 1e-12);
         const Probabilities expected = enumerated(three, birge, 0.002 * 14.5, unknown, false);
         expectSame(told(found), expected);
         EXPECT_NEAR(found.of(0), expected.at("0") + expected.at("01") + expected.at("012"), 1e-12);

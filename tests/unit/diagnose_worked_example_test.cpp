@@ -172,7 +172,7 @@ TEST(WorkedExample, PosteriorOfACatalogueOfThisEffect) {
     EXPECT_NEAR(found.best().fit.at(1), 106 / 81.0, kExact);
     EXPECT_NEAR(diagnose::select::heterogeneity(example.car, found.best().fit).q, 1.5, kExact);
     const Posterior result = posterior(example.car, found, -0.656231);
-    EXPECT_EQ(result.birge_ratio, 1);
+    EXPECT_EQ(result.variance_factor, 1);
     const auto probability = [&](const Candidate* candidate, bool look_alike) {
         for (const Hypothesis& one : result.hypotheses)
             if (one.candidate == candidate && one.look_alike == look_alike) return one.probability;

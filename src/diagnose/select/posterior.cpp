@@ -62,7 +62,7 @@ double Posterior::of(std::size_t effect) const {
 }
 
 bool Posterior::shows(double log_evidence) const {
-    return log_evidence >= kSettings.effect * birge_ratio;
+    return log_evidence >= kSettings.effect * variance_factor;
 }
 
 double Posterior::ofNothingThatShows() const {
@@ -74,11 +74,11 @@ Posterior posterior(const Calibration& car, const Search& found, double unknown_
     const bool compared = car.problem.compared();
     const auto n = static_cast<double>(car.problem.effects.size());
     Posterior result;
-    result.birge_ratio = std::pow(model::birgeRatio(car.drives(), car.uncertainty, found.best().fit.rows), 2);
+    result.variance_factor = std::pow(model::birgeRatio(car.drives(), car.uncertainty, found.best().fit.rows), 2);
     std::vector<double> logs;
     const auto add = [&](const Candidate* candidate, bool look_alike, double prior, double evidence) {
         result.hypotheses.push_back({candidate, look_alike});
-        logs.push_back(std::log(prior) + evidence / result.birge_ratio);
+        logs.push_back(std::log(prior) + evidence / result.variance_factor);
     };
     double strongest = -kInfinity;
     for (const Candidate& one : found.candidates) {

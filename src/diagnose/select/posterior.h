@@ -21,7 +21,7 @@ struct Hypothesis {
 struct Posterior {
     std::vector<Hypothesis> hypotheses;                   // most probable first
     std::vector<inference::Heterogeneity> heterogeneity;  // of each candidate of the search
-    double birge_ratio = 1;  // squared Birge ratio of the best model: divides evidence and multiplies variances
+    double variance_factor = 1;  // squared Birge ratio of the best model: divides evidence and multiplies variances
 
     double ofUnknown() const;
     double of(std::size_t effect) const;  // that it is one of the causes

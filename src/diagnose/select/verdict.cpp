@@ -30,14 +30,14 @@ Estimate estimateOf(const Parameter& parameter, const Parameter::Move& move, dou
 }
 
 std::map<std::string, Estimate> estimates(const Calibration& car, const Fit& fit,
-                                          const std::vector<Eigen::Index>& knobs, double birge_ratio) {
+                                          const std::vector<Eigen::Index>& knobs, double variance_factor) {
     std::map<std::string, Estimate> result;
     for (Eigen::Index i = 0; i < std::ssize(fit.free); ++i) {
         const Eigen::Index p = fit.free[i];
         if (std::find(knobs.begin(), knobs.end(), p) == knobs.end()) continue;
         const Parameter& parameter = car.problem.replays.parameters[p];
         const double units = fit.at(p), structure = car.problem.compared() ? kSettings.structure * units : 0;
-        const double sd = std::sqrt(birge_ratio * fit.covariance(i, i) + structure * structure);
+        const double sd = std::sqrt(variance_factor * fit.covariance(i, i) + structure * structure);
         for (const Parameter::Move& move : parameter.moves) result[move.path] = estimateOf(parameter, move, units, sd);
     }
     return result;
@@ -53,7 +53,7 @@ void rankEffects(Diagnosis& diagnosis, const Calibration& car, const Search& fou
             if (one.effects == std::vector<std::size_t>{e}) ranked.log_evidence = one.log_evidence;
         }
         if (best && best->fitted) {
-            ranked.parameters = estimates(car, best->fit, problem.knobs[e], posterior.birge_ratio);
+            ranked.parameters = estimates(car, best->fit, problem.knobs[e], posterior.variance_factor);
             const inference::Heterogeneity& same = posterior.heterogeneity[best - found.candidates.data()];
             if (same.degrees_of_freedom > 0) diagnosis.constancy[ranked.name] = same.p;
         }
@@ -80,11 +80,11 @@ std::set<std::string> credible(const Problem& problem, const Posterior& posterio
 }
 
 // The model of largest merit: each of its effects must gain the threshold (D41).
-const Candidate& chosenOf(const Problem& problem, const Search& found, double birge_ratio) {
+const Candidate& chosenOf(const Problem& problem, const Search& found, double variance_factor) {
     const auto merit = [&](const Candidate& one) {
         const std::size_t count = one.effects.size();
         return one.log_evidence - kSettings.structureAllowance(count, found.best().log_evidence, problem.compared()) -
-               birge_ratio * kSettings.effect * static_cast<double>(count);
+               variance_factor * kSettings.effect * static_cast<double>(count);
     };
     const Candidate* chosen = &found.best();
     for (const Candidate& one : found.candidates)
@@ -94,7 +94,7 @@ const Candidate& chosenOf(const Problem& problem, const Search& found, double bi
 
 // Names the causes and their alternatives, and decides between explained and ambiguous.
 void blame(Diagnosis& diagnosis, const Problem& problem, const Search& found, const Posterior& posterior) {
-    const Candidate& chosen = chosenOf(problem, found, posterior.birge_ratio);
+    const Candidate& chosen = chosenOf(problem, found, posterior.variance_factor);
     diagnosis.causes = problem.namesOf(chosen.effects);
     double own = 0, rivals = 0;
     std::set<std::vector<std::string>> alternatives;
