@@ -3,12 +3,19 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "blind/score_tables.h"
+#include "blind/score/score_tables.h"
 #include "report/html.h"
 #include "report/text.h"
 
 namespace tread {
 namespace {
+
+using blind::score::BlindScore;
+using blind::score::Figure;
+using blind::score::ReliabilityBin;
+using blind::score::scoreInWords;
+using blind::score::ScoreTable;
+using blind::score::scoreTables;
 
 std::string wholePercent(double share) {
     return fmt::format("{:.0f} %", 100 * share);
@@ -34,7 +41,7 @@ std::vector<std::vector<Cell>> rowsOf(const ScoreTable& table) {
     return rows;
 }
 
-// What was asked for and no case could answer.
+// Names the targets that no case concerns.
 std::string untried(const BlindScore& score) {
     std::vector<std::string> names;
     for (const Figure& figure : score.figures)

@@ -1,17 +1,17 @@
-// The page of a blind check: how good the diagnosis is on cars whose fault was sealed.
+// HTML report of a blind check.
 #pragma once
 
 #include <string>
 
-#include "blind/score.h"
+#include "blind/score/score.h"
 
 namespace tread {
 
 struct BlindReport {
-    std::string made_of;     // cases, seed and car, in words
-    std::string key_sha256;  // of the key that was opened
+    std::string made_of;     // number of cases, seed and car, in words
+    std::string key_sha256;  // of the key file
     std::string version;     // of the program
-    BlindScore score;
+    blind::score::BlindScore score;
 };
 
 std::string blindReport(const BlindReport& report);

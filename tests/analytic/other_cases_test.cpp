@@ -1,16 +1,16 @@
-// Cases from the other simulator: what is planted under tread's paths, and how it is measured.
+// Cases from the other simulator: planting of effects by tread's paths, and measurement.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
-#include "blind/gauges.h"
+#include "blind/other_detectability.h"
 #include "blind/other_draw.h"
 #include "blind/other_match.h"
 #include "blind/other_measure.h"
 #include "blind/other_outsiders.h"
-#include "blind/other_shows.h"
+#include "blind/world/instruments.h"
 #include "diagnose/catalogue/effect.h"
 #include "recording/subject.h"
 #include "run/simulate.h"
@@ -20,14 +20,24 @@
 namespace other_car {
 namespace {
 
+using tread::blind::drives::caseDrives;
+using tread::blind::drives::Drive;
+using tread::blind::faults::Outsider;
+using tread::blind::faults::outsiders;
+using tread::blind::key::CaseKind;
+using tread::blind::key::Detectability;
+using tread::blind::world::InstrumentSheet;
+using tread::blind::world::instrumentSheets;
+using tread::blind::world::measuresDriver;
+
 Truth known() {
     Truth truth;
     truth.car = compact();
     return truth;
 }
 
-tread::Drive driveNamed(const std::string& name) {
-    for (const tread::Drive& drive : tread::blindDrives())
+Drive driveNamed(const std::string& name) {
+    for (const Drive& drive : caseDrives())
         if (drive.name == name) return drive;
     throw std::out_of_range(name);
 }
@@ -36,7 +46,7 @@ tread::recording::Subject nominal() {
     return asInFile(reference::compact());
 }
 
-Drawn drawnOf(tread::CaseKind kind, std::uint64_t seed) {
+Drawn drawnOf(CaseKind kind, std::uint64_t seed) {
     tread::Random random(seed);
     return draw(known(), nominal(), plantable(tread::diagnose::catalogue::effectCatalogue(), nominal()), true, kind,
                 random);
@@ -45,23 +55,23 @@ Drawn drawnOf(tread::CaseKind kind, std::uint64_t seed) {
 // The largest difference of two logs, in units of the instruments' noise.
 double apart(const tread::Log& a, const tread::Log& b) {
     double most = 0;
-    for (const tread::Gauge& gauge : tread::gauges()) {
-        const auto &x = a.find(gauge.channel)->values, &y = b.find(gauge.channel)->values;
+    for (const InstrumentSheet& sheet : instrumentSheets()) {
+        const auto &x = a.find(sheet.channel)->values, &y = b.find(sheet.channel)->values;
         EXPECT_EQ(x.size(), y.size());
-        for (std::size_t i = 0; i < x.size(); ++i) most = std::max(most, std::abs(x[i] - y[i]) / gauge.noise);
+        for (std::size_t i = 0; i < x.size(); ++i) most = std::max(most, std::abs(x[i] - y[i]) / sheet.noise);
     }
     return most;
 }
 
-// Sum of squares of what the readings differ by, over the noise of means of 50 ms. Effects are drawn when theirs is 200
-// and more.
+// Sum of squared differences of the readings over their noise, in means of 50 ms. Only effects with at least 200 are
+// drawn.
 constexpr double kSeen = 200;
 double squares(const tread::Log& a, const tread::Log& b) {
     double sum = 0;
-    for (const tread::Gauge& gauge : tread::gauges()) {
-        if (tread::isOfTheDriver(gauge)) continue;
-        const std::vector<double> x = means(a, gauge.channel), y = means(b, gauge.channel);
-        for (std::size_t i = 0; i < x.size(); ++i) sum += std::pow((x[i] - y[i]) / noiseOfMeans(gauge), 2);
+    for (const InstrumentSheet& sheet : instrumentSheets()) {
+        if (measuresDriver(sheet)) continue;
+        const std::vector<double> x = means(a, sheet.channel), y = means(b, sheet.channel);
+        for (std::size_t i = 0; i < x.size(); ++i) sum += std::pow((x[i] - y[i]) / noiseOfMeans(sheet), 2);
     }
     return sum;
 }
@@ -80,10 +90,10 @@ TEST(OtherCases, ManyEffectsOfTheCatalogueCanBePlanted) {
         EXPECT_TRUE(std::any_of(effects.begin(), effects.end(), [&](const auto& e) { return e.name == name; })) << name;
 }
 
-// Of each shared number the car has as much more, or the same factor, as the key says of tread's.
+// Each shared number differs from the nominal one by the difference, or the factor, that the key states.
 TEST(OtherCases, PlantedNumbersOfTheKeyAreThoseOfTheDrivenCar) {
     for (std::uint64_t seed = 1; seed < 40; ++seed) {
-        const Drawn drawn = drawnOf(tread::CaseKind::two, seed);
+        const Drawn drawn = drawnOf(CaseKind::two, seed);
         ASSERT_EQ(drawn.key.effects.size(), 2u);
         EXPECT_FALSE(drawn.key.numbers.empty());
         Truth driven = drivenCar(drawn), begin = known();
@@ -103,7 +113,7 @@ TEST(OtherCases, PlantedNumbersOfTheKeyAreThoseOfTheDrivenCar) {
 }
 
 TEST(OtherCases, KindsHaveWhatTheirNamesSay) {
-    using enum tread::CaseKind;
+    using enum CaseKind;
     for (const auto& [kind, effects, outsider] : {std::tuple{one, 1u, false},
                                                   {two, 2u, false},
                                                   {none, 0u, false},
@@ -113,14 +123,14 @@ TEST(OtherCases, KindsHaveWhatTheirNamesSay) {
         const Drawn drawn = drawnOf(kind, 5);
         EXPECT_EQ(drawn.key.effects.size(), effects);
         EXPECT_EQ(!drawn.key.outsider.empty(), outsider);
-        EXPECT_EQ(wrongThings(drawn).size(), effects + (outsider ? 1 : 0));
+        EXPECT_EQ(faultNames(drawn).size(), effects + (outsider ? 1 : 0));
     }
     for (const auto& [path, number] : drawnOf(small, 5).key.numbers) EXPECT_LE(std::abs(number.change), 0.15) << path;
 }
 
 TEST(OtherCases, NumbersErrALittleAndNoneOfThemWildly) {
     for (std::uint64_t seed = 1; seed < 30; ++seed) {
-        const Drawn none = drawnOf(tread::CaseKind::none, seed);
+        const Drawn none = drawnOf(CaseKind::none, seed);
         const Truth driven = drivenCar(none);
         EXPECT_NE(driven.car.mass, 1350);
         EXPECT_NEAR(driven.car.mass, 1350, 4.01 * 0.006 * 1350);
@@ -130,11 +140,11 @@ TEST(OtherCases, NumbersErrALittleAndNoneOfThemWildly) {
     }
 }
 
-// Same car, other days: without noise and surroundings only what a day changes is between the logs.
+// The same car on other days: without noise and surroundings, logs differ only by circumstances of the day.
 TEST(OtherCases, WithoutAFaultTheReferenceDiffersByTheDayOnly) {
-    const tread::Drive drive = driveNamed("step_steer_80");
-    const Drawn none = drawnOf(tread::CaseKind::none, 7);
-    EXPECT_EQ(apart(replay(drivenCar(none), drive).log, replay(drivenCar(none, wrongThings(none)), drive).log), 0);
+    const Drive drive = driveNamed("step_steer_80");
+    const Drawn none = drawnOf(CaseKind::none, 7);
+    EXPECT_EQ(apart(replay(drivenCar(none), drive).log, replay(drivenCar(none, faultNames(none)), drive).log), 0);
     const Day today{1, 2}, same_day{1, 3}, other_day{4, 5};
     const auto on = [&](const Day& day) { return replay(drivenCar(none, {}, &day), drive).log; };
     const double within = apart(on(today), on(same_day)), between = apart(on(today), on(other_day));
@@ -144,11 +154,11 @@ TEST(OtherCases, WithoutAFaultTheReferenceDiffersByTheDayOnly) {
     EXPECT_LT(between, 30);
 }
 
-// The logs of all drives; none when one of them cannot be driven.
+// Logs of all drives; empty when one of them cannot be driven.
 std::vector<tread::Log> drivenThrough(const Truth& truth) {
     std::vector<tread::Log> logs;
     try {
-        for (const tread::Drive& drive : tread::blindDrives()) logs.push_back(replay(truth, drive).log);
+        for (const Drive& drive : caseDrives()) logs.push_back(replay(truth, drive).log);
     } catch (const tread::SimulationError&) {
         return {};
     }
@@ -157,8 +167,8 @@ std::vector<tread::Log> drivenThrough(const Truth& truth) {
 
 // Large bent axles and soft rear tyres make the car spin; such cases are drawn anew.
 TEST(OtherCases, EachOutsiderDrivesAllDrivesAndIsSeen) {
-    const std::vector<tread::Log> sound = drivenThrough(known());
-    for (const tread::Outsider& outsider : tread::outsiders()) {
+    const std::vector<tread::Log> healthy = drivenThrough(known());
+    for (const Outsider& outsider : outsiders()) {
         std::vector<tread::Log> logs;
         Truth truth;
         for (std::uint64_t seed = 1; logs.empty() && seed <= 4; ++seed) {
@@ -167,14 +177,14 @@ TEST(OtherCases, EachOutsiderDrivesAllDrivesAndIsSeen) {
             plant(outsider, nominal(), truth, random);
             logs = drivenThrough(truth);
         }
-        ASSERT_EQ(logs.size(), sound.size()) << outsider.name;
+        ASSERT_EQ(logs.size(), healthy.size()) << outsider.name;
         double sum = 0;
         for (std::size_t i = 0; i < logs.size(); ++i) {
             EXPECT_TRUE(finite(logs[i])) << outsider.name;
-            sum += squares(logs[i], sound[i]);
+            sum += squares(logs[i], healthy[i]);
         }
         EXPECT_GT(sum, kSeen) << outsider.name;
-        EXPECT_EQ(apart(logs.front(), replay(truth, tread::blindDrives().front()).log), 0) << outsider.name;
+        EXPECT_EQ(apart(logs.front(), replay(truth, caseDrives().front()).log), 0) << outsider.name;
     }
 }
 
@@ -183,7 +193,7 @@ TEST(OtherCases, EachStructureDrivesAllDrivesAndIsSeen) {
         Truth truth = known();
         truth.car.structure.*choice.on = true;
         double sum = 0;
-        for (const tread::Drive& drive : tread::blindDrives()) {
+        for (const Drive& drive : caseDrives()) {
             const tread::Log log = replay(truth, drive).log;
             EXPECT_TRUE(finite(log)) << choice.name << " " << drive.name;
             EXPECT_EQ(apart(log, replay(truth, drive).log), 0) << choice.name;
@@ -204,19 +214,19 @@ TEST(OtherCases, TwoOrThreeStructuresAreDrawnAndKeepTheirNames) {
     }
 }
 
-// The same inputs as recorded make the same drive again, also with a driver's instruments that are wrong.
+// Recorded inputs reproduce the drive, also when the instruments of the driver's inputs have errors.
 TEST(OtherCases, ReplayedInputsMakeTheSameDrive) {
     Truth truth = known();
     truth.instruments.steering_wheel_angle = {.gain = 1.02, .bias = 0.03};
     for (const char* name : {"slow_ramp_80", "braking_in_turn_90"}) {
-        const tread::Drive drive = driveNamed(name);
+        const Drive drive = driveNamed(name);
         const Replayed first = replay(truth, drive);
         EXPECT_LT(apart(first.log, replay(truth, drive, {.recorded = &first.recorded}).log), 1e-6) << name;
     }
 }
 
 TEST(OtherCases, InstrumentsReadWhatTheirNumbersSay) {
-    const tread::Drive drive = driveNamed("step_steer_80");
+    const Drive drive = driveNamed("step_steer_80");
     Truth read = known();
     read.instruments.yaw_rate = {.gain = 1.1, .bias = 0.01, .delay = 0.05};
     const tread::Log plain = replay(known(), drive).log, other = replay(read, drive).log;
@@ -226,7 +236,7 @@ TEST(OtherCases, InstrumentsReadWhatTheirNumbersSay) {
 
 TEST(OtherCases, AccelerationElsewhereFollowsFromYawing) {
     // In a steady turn a unit x ahead of the centre reads r^2 x less along the car.
-    const tread::Drive drive = driveNamed("step_steer_80");
+    const Drive drive = driveNamed("step_steer_80");
     Truth ahead = known();
     ahead.instruments.inertial_unit.x = 1;
     const tread::Log plain = replay(known(), drive).log, other = replay(ahead, drive).log;
@@ -236,7 +246,7 @@ TEST(OtherCases, AccelerationElsewhereFollowsFromYawing) {
 }
 
 TEST(OtherCases, LateSteeringIsTheSameDriveLater) {
-    const tread::Drive drive = driveNamed("step_steer_80");
+    const Drive drive = driveNamed("step_steer_80");
     Truth late = known();
     late.steering_delay = 0.05;
     const tread::Log plain = replay(known(), drive).log, other = replay(late, drive).log;
@@ -246,7 +256,7 @@ TEST(OtherCases, LateSteeringIsTheSameDriveLater) {
 }
 
 TEST(OtherCases, HeadwindAndGradeHoldTheCarBack) {
-    const tread::Drive drive = driveNamed("coast_down_120");
+    const Drive drive = driveNamed("coast_down_120");
     Truth wind = known(), grade = known();
     wind.car.wind_x = -5;
     grade.car.grade = 0.02;
@@ -267,21 +277,20 @@ TEST(OtherCases, CarThatSpinsIsNotDrivenOn) {
 }
 
 TEST(OtherCases, SameSeedDrawsTheSameCaseAndAnotherOneAnother) {
-    using enum tread::CaseKind;
+    using enum CaseKind;
     EXPECT_EQ(drawnOf(mixed, 3).key, drawnOf(mixed, 3).key);
     EXPECT_NE(drawnOf(mixed, 3).key, drawnOf(mixed, 4).key);
     EXPECT_EQ(drivenCar(drawnOf(mixed, 3)).car.mass, drivenCar(drawnOf(mixed, 3)).car.mass);
 }
 
-// Half the squared signal over noise: four times as much of twice the fault. With references a gain is no longer open,
-// and shows more.
+// Evidence is proportional to the squared size. With references the gain is not uncertain, so detectability is higher.
 TEST(OtherCases, EvidenceGrowsWithTheSquareOfTheSizeAndReferencesAddToIt) {
     std::vector<tread::diagnose::catalogue::Effect> effects;
     for (const tread::diagnose::catalogue::Effect& one :
          plantable(tread::diagnose::catalogue::effectCatalogue(), nominal())) {
         if (one.name == "gyro_scale" || one.name == "gyro_bias" || one.name == "mass") effects.push_back(one);
     }
-    const std::vector<tread::Drive> drives{driveNamed("step_steer_80")};
+    const std::vector<Drive> drives{driveNamed("step_steer_80")};
     const Directions directions = directionsOf(nominal(), effects);
     const std::vector<Pushed> pushed = pushedDrives(known(), drives);
     tread::Random random(4);
@@ -295,7 +304,8 @@ TEST(OtherCases, EvidenceGrowsWithTheSquareOfTheSizeAndReferencesAddToIt) {
         return shown(pushed, directions, drawn, ground);
     };
     const Shown once = shownOf(0.02), twice = shownOf(0.04);
-    const tread::Shows with = once.with_references.at("gyro_scale"), without = once.without_references.at("gyro_scale");
+    const Detectability with = once.with_references.at("gyro_scale"),
+                        without = once.without_references.at("gyro_scale");
     EXPECT_GT(without.nats, 0.1);
     EXPECT_GT(with.nats, without.nats);
     EXPECT_LE(with.separation, with.nats);
@@ -305,7 +315,7 @@ TEST(OtherCases, EvidenceGrowsWithTheSquareOfTheSizeAndReferencesAddToIt) {
 }
 
 TEST(OtherCases, RepeatsAndNoiseDifferAndTheSameSeedIsTheSame) {
-    const tread::Drive drive = driveNamed("step_steer_80");
+    const Drive drive = driveNamed("step_steer_80");
     tread::Random random(1);
     const ProvingGround ground = drawnGround(reference::compact(), random);
     const auto ay = [&](std::uint64_t seed) {

@@ -1,21 +1,20 @@
-// Blind cases from a simulator that shares no vehicle code with tread (tests/shared/other_car): the diagnosis must
-// stand its ground where the structure of its model is not that of the car.
+// Blind cases from a simulator that shares no vehicle code with tread (tests/shared/other_car): a check of the
+// diagnosis on cars whose structure differs from that of its model.
 //
 //   other_cases make --vehicle vehicles/compact.yaml --cases 20 --seed 1 --reference -o cases
 //   tread blind score cases cases.key.json -o score
 //   tread blind score cases cases.without_references.key.json --no-references -o score_without
 //
-// `make` writes a folder for each case, as `tread blind make` does, and with --reference the same drives of the car
-// before anything was wrong. The car before and after is the same but for what differs from day to day
-// (other_errors.h). Two keys are written, of the same cases: in one detectability is that of a diagnosis with
-// references, in the other that of one without. Without --reference there is only the latter, as cases.key.json.
-// --frozen draws outsiders of both families. --kinds sets the kinds of the cases, repeated in an order that the seed
-// shuffles; otherwise they are those of a check.
+// `make` writes a folder for each case, as `tread blind make` does; with --reference also the same drives of the car
+// before the fault, on another day (other_errors.h). Two keys are written for the same cases: detectability for a
+// diagnosis with references and for one without. Without --reference there is only the latter, as cases.key.json.
+// --frozen draws outsiders of both families. --kinds sets the kinds of the cases, which are repeated and shuffled by
+// the seed; by default they are those of a check.
 //
 //   other_cases gap --vehicle vehicles/compact.yaml --structure brush_tyre turbo_lag
 //
-// says how far the car that errs in nothing is from tread's: root mean square over each drive in units of the
-// instruments' noise, over means of 50 ms. `other_cases structures` lists the structural choices.
+// prints how far the matched car without errors is from tread's: root mean square difference in each drive over the
+// noise of the instruments, both of means over 50 ms. `other_cases structures` lists the structural choices.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -23,9 +22,9 @@
 #include <cstdio>
 #include <fstream>
 
-#include "blind/gauges.h"
 #include "blind/other_make.h"
 #include "blind/other_measure.h"
+#include "blind/world/instruments.h"
 #include "shared/other_car/compact.h"
 #include "store/sha256.h"
 #include "tread/load.h"
@@ -33,6 +32,14 @@
 
 namespace other_car {
 namespace {
+
+using tread::blind::drives::caseDrives;
+using tread::blind::drives::Drive;
+using tread::blind::key::caseKindNamed;
+using tread::blind::key::keyText;
+using tread::blind::key::SealedKey;
+using tread::blind::world::InstrumentSheet;
+using tread::blind::world::instrumentSheets;
 
 struct Options {
     Order order;
@@ -46,26 +53,26 @@ void gap(const Options& options) {
     begin.car = compact();
     const Truth truth = matched(matchingOf(begin, vehicle), structureOf(options.structure));
     fmt::print("{:<22}", "");
-    for (const tread::Gauge& gauge : tread::gauges()) {
-        const std::string name(gauge.channel);
+    for (const InstrumentSheet& sheet : instrumentSheets()) {
+        const std::string name(sheet.channel);
         if (!name.starts_with("driver.")) fmt::print("{:>10}", name.substr(name.find('.') + 1, 9));
     }
-    for (const tread::Drive& drive : tread::blindDrives()) {
+    for (const Drive& drive : caseDrives()) {
         const tread::Log other = replay(truth, drive).log, own = drivenByTread(vehicle, drive);
         fmt::print("\n{:<22}", drive.name);
-        for (const tread::Gauge& gauge : tread::gauges()) {
-            if (gauge.channel.starts_with("driver.")) continue;
-            const std::vector<double> x = means(other, gauge.channel), y = means(own, gauge.channel);
+        for (const InstrumentSheet& sheet : instrumentSheets()) {
+            if (sheet.channel.starts_with("driver.")) continue;
+            const std::vector<double> x = means(other, sheet.channel), y = means(own, sheet.channel);
             double squares = 0;
             for (std::size_t i = 0; i < x.size(); ++i) squares += (x[i] - y[i]) * (x[i] - y[i]);
-            fmt::print("{:>10.2f}", std::sqrt(squares / static_cast<double>(x.size())) / noiseOfMeans(gauge));
+            fmt::print("{:>10.2f}", std::sqrt(squares / static_cast<double>(x.size())) / noiseOfMeans(sheet));
         }
     }
     fmt::print("\n");
 }
 
-void seal(const tread::BlindKey& key, const std::string& file) {
-    const std::string sealed = tread::keyText(key);
+void seal(const SealedKey& key, const std::string& file) {
+    const std::string sealed = keyText(key);
     std::ofstream out(file, std::ios::binary);
     out << sealed;
     out.close();
@@ -75,7 +82,7 @@ void seal(const tread::BlindKey& key, const std::string& file) {
 
 void make(const Options& options) {
     Order order = options.order;
-    for (const std::string& kind : options.kinds) order.kinds.push_back(tread::caseKind(kind));
+    for (const std::string& kind : options.kinds) order.kinds.push_back(caseKindNamed(kind));
     const Keys keys = makeCases(order, tread::loadVehicle(order.vehicle), options.output,
                                 [&](int cases) { fmt::print(stderr, "\r{} of {} cases", cases, order.cases); });
     fmt::print(stderr, "\n");
@@ -94,15 +101,16 @@ int main(int argc, char** argv) {
     CLI::App app{"blind cases from another simulator"};
     other_car::Options options;
     CLI::App* make = app.add_subcommand("make", "cases, as `tread blind make` makes them");
-    CLI::App* gap = app.add_subcommand("gap", "how far a car of tread is from the one that errs in nothing");
-    CLI::App* structures = app.add_subcommand("structures", "in what the cars are modelled otherwise");
+    CLI::App* gap = app.add_subcommand("gap", "difference between a car of tread and the matched car without errors");
+    CLI::App* structures = app.add_subcommand("structures", "lists the structural choices of the cars");
     for (CLI::App* one : {make, gap})
         one->add_option("--vehicle", options.order.vehicle, "nominal car (YAML)")->required();
     make->add_option("-o,--output", options.output, "folder")->required();
     make->add_option("--cases", options.order.cases, "number of cases")->required();
-    make->add_option("--seed", options.order.seed, "another number, other cases")->required();
-    make->add_flag("--reference", options.order.references, "with the same drives of the car before");
-    make->add_flag("--frozen", options.order.frozen, "outsiders of both families: only to check what stays as it is");
+    make->add_option("--seed", options.order.seed, "seed of all draws")->required();
+    make->add_flag("--reference", options.order.references, "also drive the car before the fault");
+    make->add_flag("--frozen", options.order.frozen,
+                   "draw outsiders of both families: only when the diagnosis is frozen");
     make->add_option("--kinds", options.kinds, "one, two, none, outside, mixed, small");
     gap->add_option("--structure", options.structure, "names of structural choices");
     app.require_subcommand(1);

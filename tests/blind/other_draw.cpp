@@ -3,35 +3,43 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "blind/faults/drawn_case.h"
 #include "blind/other_errors.h"
 #include "blind/other_outsiders.h"
+#include "blind/world/draws.h"
 #include "diagnose/catalogue/effect.h"
 #include "recording/subject.h"
 
 namespace other_car {
 namespace {
 
-using tread::CaseKind;
 using tread::Random;
+using tread::blind::faults::Outsider;
+using tread::blind::faults::sharePaths;
+using tread::blind::key::CaseKind;
+using tread::blind::key::Family;
+using tread::blind::world::between;
+using tread::blind::world::betweenFactors;
+using tread::blind::world::eitherSign;
 using tread::diagnose::catalogue::Direction;
 using tread::diagnose::catalogue::Effect;
 using tread::diagnose::catalogue::Knob;
 using tread::recording::Subject;
 
 constexpr double kSmallest = 0.4, kLargest = 2.5;           // of the typical size
-constexpr double kFaintest = 0.05, kStrongestFaint = 0.15;  // of a small one
+constexpr double kFaintest = 0.05, kStrongestFaint = 0.15;  // of a small effect, over its typical size
 
 std::size_t anyOf(std::size_t count, Random& random) {
     return static_cast<std::size_t>(random.uniform() * static_cast<double>(count));
 }
 
-// Which effects, none of which moves a number of another one.
+// Effects that move no common number.
 std::vector<Effect> drawEffects(std::vector<Effect> choice, int count, Random& random) {
     std::vector<Effect> drawn;
     for (int i = 0; i < count; ++i) {
         if (choice.empty()) throw std::invalid_argument("the other car can show too few of these effects");
         drawn.push_back(choice[anyOf(choice.size(), random)]);
-        std::erase_if(choice, [&](const Effect& other) { return tread::sharePaths(other, drawn.back()); });
+        std::erase_if(choice, [&](const Effect& other) { return sharePaths(other, drawn.back()); });
     }
     return drawn;
 }
@@ -39,7 +47,7 @@ std::vector<Effect> drawEffects(std::vector<Effect> choice, int count, Random& r
 Drawn::Planted sized(const Effect& effect, double size, Random& random) {
     Drawn::Planted planted{effect, {}};
     for (const Knob& knob : effect.knobs) {
-        const double either = tread::eitherSign(random);
+        const double either = eitherSign(random);
         const double sign = knob.direction == Direction::either ? either : knob.direction == Direction::up ? 1 : -1;
         planted.changes.push_back(sign * size * knob.typical);
     }
@@ -107,20 +115,20 @@ Structure structureOf(const std::vector<std::string>& names) {
 Drawn draw(const Truth& known, const Subject& nominal, const std::vector<Effect>& effects, bool frozen, CaseKind kind,
            Random& random) {
     Drawn drawn{.known = known, .nominal = nominal, .erring = nominal, .planted = {}, .key = {}};
-    other_car::err(drawn.erring, random);
+    other_car::drawErrors(drawn.erring, random);
     drawn.key.kind = kind;
     drawn.key.structure = namesOf(known.car.structure);
     const int count = kind == CaseKind::two ? 2 : kind == CaseKind::none || kind == CaseKind::outside ? 0 : 1;
     for (const Effect& effect : drawEffects(effects, count, random)) {
-        const double size = kind == CaseKind::small ? tread::between(random, kFaintest, kStrongestFaint)
-                                                    : tread::betweenFactors(random, kSmallest, kLargest);
+        const double size = kind == CaseKind::small ? between(random, kFaintest, kStrongestFaint)
+                                                    : betweenFactors(random, kSmallest, kLargest);
         drawn.planted.push_back(sized(effect, size, random));
         drawn.key.effects.push_back(effect.name);
     }
     writeNumbers(drawn);
     if (kind != CaseKind::outside && kind != CaseKind::mixed) return drawn;
-    const auto family = random.uniform() < 0.5 && frozen ? tread::Family::second : tread::Family::first;
-    const std::vector<const tread::Outsider*> outsiders = tread::outsiders(family);
+    const auto family = random.uniform() < 0.5 && frozen ? Family::second : Family::first;
+    const std::vector<const Outsider*> outsiders = tread::blind::faults::outsiders(family);
     drawn.outsider = outsiders[anyOf(outsiders.size(), random)];
     drawn.outsider_seed = static_cast<std::uint64_t>(0x1p52 * random.uniform());
     drawn.key.outsider = drawn.outsider->name;
@@ -140,7 +148,7 @@ Truth drivenCar(const Drawn& drawn, const std::set<std::string>& without, const 
     return truth;
 }
 
-std::set<std::string> wrongThings(const Drawn& drawn) {
+std::set<std::string> faultNames(const Drawn& drawn) {
     std::set<std::string> names(drawn.key.effects.begin(), drawn.key.effects.end());
     if (drawn.outsider) names.insert(drawn.outsider->name);
     return names;

@@ -7,7 +7,7 @@
 
 #include "base/numbers.h"
 #include "base/pattern.h"
-#include "blind/draws.h"
+#include "blind/world/draws.h"
 #include "recording/instruments.h"
 #include "recording/subject.h"
 
@@ -15,9 +15,10 @@ namespace other_car {
 namespace {
 
 using tread::Random;
+using tread::blind::world::heavyTailed;
 using tread::recording::Subject;
 
-constexpr double kOpenLimit = 1e-3;  // of the nominal value: how near to an open limit a number may come
+constexpr double kOpenLimit = 1e-3;  // of the nominal value, least distance from an open limit
 
 constexpr std::array kSpreads{
     Spread{"mass", 0.006, 0, "load", "wheel scales, load guessed to 10 kg"},
@@ -74,7 +75,7 @@ constexpr std::array kSpreads{
     Spread{"instruments.inertial_unit.*", 0, 0.015, "survey", "tape; x, y, z"},
 };
 
-// Something put into the car: m behind the front axle, m above the road.
+// Adds a mass `behind` the front axle and `above` the road (m).
 void carry(Subject& car, double mass, double behind, double above) {
     tread::VehicleParams& v = car.vehicle;
     const double before = v.mass, along = behind - v.front_axle_distance, up = above - v.centre_of_gravity_height;
@@ -87,7 +88,7 @@ void carry(Subject& car, double mass, double behind, double above) {
     v.inertia.roll += reduced * up * up;
 }
 
-// K warmer than in the file.
+// `by`: K above the temperature of the file.
 void warm(Subject& car, double by) {
     for (tread::AxleParams* axle : {&car.vehicle.front, &car.vehicle.rear}) {
         axle->tyre.lambda.Ky *= 1 - 0.003 * by;
@@ -97,7 +98,7 @@ void warm(Subject& car, double by) {
         axle->suspension.damper.rebound *= 1 - 0.003 * by;
     }
     car.vehicle.aero.air_density *= 1 - by / 293;                // ideal gas
-    car.vehicle.driveline.engine->torque_scale *= 1 - by / 586;  // with the root of the density
+    car.vehicle.driveline.engine->torque_scale *= 1 - by / 586;  // square root of the density of air
 }
 
 void late(Subject& car, double by) {
@@ -169,15 +170,15 @@ double spreadOf(std::string_view path, double value) {
     return spread ? spread->relative * std::abs(value) + spread->absolute : 0;
 }
 
-void err(Subject& car, Random& random) {
+void drawErrors(Subject& car, Random& random) {
     std::map<std::string_view, double> common;
     for (const Spread& spread : kSpreads) {
-        if (!spread.group.empty() && !common.contains(spread.group)) common[spread.group] = tread::heavyTailed(random);
+        if (!spread.group.empty() && !common.contains(spread.group)) common[spread.group] = heavyTailed(random);
     }
     for (const tread::Number& number : tread::numbers(car)) {
         const Spread* spread = spreadAt(number.path);
         if (!spread) continue;
-        const double own = tread::heavyTailed(random);
+        const double own = heavyTailed(random);
         const double units = spread->group.empty() ? own : (common[spread->group] + own) / std::sqrt(2.0);
         const double sd = spreadOf(number.path, *number.value);
         *number.value = limited(number.about.limits, *number.value + sd * (spread->one_sided ? std::abs(units) : units),

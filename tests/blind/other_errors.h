@@ -1,5 +1,5 @@
-// How far the numbers of the other cars are off from their file, and what differs from day to day and from drive to
-// drive. A source of its own: neither what the diagnosis assumes nor what tread's own cars are drawn from.
+// Errors of the numbers of the other cars against their file, and differences from day to day and from drive to drive.
+// Independent of the assumptions of the diagnosis and of the errors of tread's own cars (src/blind/world).
 #pragma once
 
 #include <span>
@@ -11,20 +11,20 @@
 
 namespace other_car {
 
-// Of all numbers whose paths match: standard deviation, as a fraction of the number and in its SI unit.
+// Error of all numbers whose paths match: standard deviation relative * |number| + absolute (SI unit).
 struct Spread {
     std::string_view paths;
     double relative, absolute;
-    std::string_view group;  // errors of one group have half of their variance in common
+    std::string_view group;  // errors of one group share half of their variance
     std::string_view source;
     bool one_sided = false;  // a delay is never early
 };
 std::span<const Spread> spreads();
 
-// Errors with heavy tails (blind/draws.h).
-void err(tread::recording::Subject& car, tread::Random& random);
+// Draws heavy-tailed errors of all numbers (blind/world/draws.h).
+void drawErrors(tread::recording::Subject& car, tread::Random& random);
 
-// Something that is not the same from day to day or from drive to drive, in a unit of its own.
+// A condition that changes from day to day or from drive to drive. Unit: see `source`.
 struct Circumstance {
     std::string_view name;
     double usual;                 // mean
@@ -35,10 +35,10 @@ struct Circumstance {
 };
 std::span<const Circumstance> circumstances();
 
-// Standard deviation of the error of a number; 0 when it has none.
+// Standard deviation of the error of a number; 0 for an exact one.
 double spreadOf(std::string_view path, double value);
 
-// Applies what the drive `drive` of a day meets; the same seed, the same day.
+// Applies the circumstances of one drive on one day. Deterministic in the seeds.
 void meet(tread::recording::Subject& car, std::uint64_t day_seed, std::uint64_t drive_seed);
 
 }  // namespace other_car

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "blind/make.h"
+#include "blind/key/program_hash.h"
+#include "blind/make/make_cases.h"
+#include "blind/other_detectability.h"
 #include "blind/other_measure.h"
-#include "blind/other_shows.h"
-#include "blind/program_hash.h"
+#include "blind/world/draws.h"
 #include "diagnose/catalogue/effect.h"
 #include "recording/subject.h"
 #include "run/simulate.h"
@@ -14,9 +15,17 @@
 namespace other_car {
 namespace {
 
-using tread::CaseKind;
 using tread::Random;
-using tread::seedOf;
+using tread::blind::drives::caseDrives;
+using tread::blind::drives::Drive;
+using tread::blind::key::CaseKey;
+using tread::blind::key::CaseKind;
+using tread::blind::key::programHash;
+using tread::blind::make::CaseRecording;
+using tread::blind::make::Driven;
+using tread::blind::make::recordingsOf;
+using tread::blind::make::writeCase;
+using tread::blind::world::seedOf;
 
 constexpr int kMostDraws = 20;
 enum Stream : std::uint64_t {
@@ -29,29 +38,28 @@ enum Stream : std::uint64_t {
 };
 
 void drive(const Drawn& drawn, const ProvingGround& ground, std::uint64_t seed, bool references,
-           const std::vector<tread::BlindRecording>& recordings, const std::filesystem::path& place) {
-    const auto driven = [&](const tread::BlindRecording& one) {
+           const std::vector<CaseRecording>& recordings, const std::filesystem::path& place) {
+    const auto driven = [&](const CaseRecording& one) {
         const Day day = dayOf(seed, false, one.seed);
         return measure(drivenCar(drawn, {}, &day), ground, *one.drive, one.seed);
     };
-    const auto before = [&](const tread::BlindRecording& one) {
-        const std::uint64_t own = seedOf(one.seed, before_stream);  // other noise, other surroundings
+    const auto before = [&](const CaseRecording& one) {
+        const std::uint64_t own = seedOf(one.seed, before_stream);  // independent noise and surroundings
         const Day day = dayOf(seed, true, own);
-        return measure(drivenCar(drawn, wrongThings(drawn), &day), ground, *one.drive, own);
+        return measure(drivenCar(drawn, faultNames(drawn), &day), ground, *one.drive, own);
     };
-    tread::writeCase(place, drawn.nominal.vehicle, recordings, driven,
-                     references ? tread::Driven(before) : tread::Driven());
+    writeCase(place, drawn.nominal.vehicle, recordings, driven, references ? Driven(before) : Driven());
 }
 
 std::vector<CaseKind> kindsOf(const Order& order) {
-    tread::BlindOrder proportions;
+    tread::blind::make::Order proportions;
     proportions.cases = order.cases, proportions.seed = order.seed, proportions.kinds = order.kinds;
-    return tread::kindsOf(proportions);
+    return tread::blind::make::kindsOf(proportions);
 }
 
 Keys emptyKeys(const Order& order) {
     Keys keys;
-    keys.without_references.program = tread::programHash();
+    keys.without_references.program = programHash();
     keys.without_references.seed = order.seed;
     keys.without_references.vehicle = order.vehicle;
     keys.without_references.generator = "a double-track model";
@@ -61,7 +69,7 @@ Keys emptyKeys(const Order& order) {
     return keys;
 }
 
-void append(Keys& keys, const tread::CaseKey& key, const Shown& nats) {
+void append(Keys& keys, const CaseKey& key, const Shown& nats) {
     keys.with_references.cases.push_back(key);
     keys.with_references.cases.back().shows = nats.with_references;
     keys.without_references.cases.push_back(key);
@@ -100,12 +108,12 @@ Keys makeCases(const Order& order, const tread::VehicleParams& nominal, const st
     begin.car = compact();
     const Matching matching = matchingOf(begin, nominal);
     const tread::recording::Subject in_file = asInFile(nominal);
-    const std::vector<tread::Drive> drives = tread::blindDrives();
+    const std::vector<Drive> drives = caseDrives();
     const Directions directions =
         directionsOf(in_file, plantable(tread::diagnose::catalogue::effectCatalogue(), in_file));
     const std::vector<Pushed> pushed = pushedDrives(plainCar(matching), drives);
     const std::vector<tread::diagnose::catalogue::Effect> effects =
-        shownEffects(plainCar(matching), in_file, directions, drives);
+        detectableEffects(plainCar(matching), in_file, directions, drives);
     const std::vector<CaseKind> kinds = kindsOf(order);
     Keys keys = emptyKeys(order);
     for (int i = 0; i < order.cases; ++i) {
@@ -116,11 +124,11 @@ Keys makeCases(const Order& order, const tread::VehicleParams& nominal, const st
             const Drawn drawn =
                 drawnCase(order, i, kinds[static_cast<std::size_t>(i)], known, nominal, effects, draw_number);
             try {
-                drive(drawn, ground, caseSeed(order.seed, i), order.references,
-                      tread::recordingsOf(drives, order.seed, i), folder / drawn.key.name);
+                drive(drawn, ground, caseSeed(order.seed, i), order.references, recordingsOf(drives, order.seed, i),
+                      folder / drawn.key.name);
                 append(keys, drawn.key, shown(pushed, directions, drawn, ground));
                 break;
-            } catch (const tread::SimulationError&) {  // a car that nobody would drive
+            } catch (const tread::SimulationError&) {  // undrivable, for instance it spins
                 if (draw_number == kMostDraws) throw;
             }
         }

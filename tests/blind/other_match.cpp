@@ -5,20 +5,26 @@
 #include <optional>
 
 #include "base/parallel.h"
-#include "blind/measure.h"
+#include "blind/drives/measure.h"
 #include "blind/other_measure.h"
 #include "run/simulate.h"
 
 namespace other_car {
 namespace {
 
-constexpr std::size_t kMean = 5;     // rows
-constexpr int kRounds = 5;           // at most, with the same columns
-constexpr int kNewColumns = 2;       // how often they are taken anew
-constexpr double kSettled = 0.005;   // of the sum of squares, by which a round must improve it
-constexpr double kDifference = 0.1;  // of the differences, in standard deviations of the prior
+using tread::blind::drives::caseDrives;
+using tread::blind::drives::Drive;
+using tread::blind::drives::kIdeal;
+using tread::blind::world::InstrumentSheet;
+using tread::blind::world::instrumentSheets;
 
-// What may move, and how far: a fraction of itself, or so much.
+constexpr std::size_t kMean = 5;     // rows
+constexpr int kRounds = 5;           // most steps with the same derivatives
+constexpr int kNewColumns = 2;       // how often derivatives are computed anew
+constexpr double kSettled = 0.005;   // a step that improves the sum of squares by less than this share is the last one
+constexpr double kDifference = 0.1;  // finite difference, in standard deviations of the prior
+
+// A free number and the standard deviation of its prior.
 struct Free {
     double* value;
     double by;
@@ -46,23 +52,23 @@ std::vector<Free> freeNumbers(Truth& truth) {
     return free;
 }
 
-// All readings of the drives from which one learns, over their noise.
+// All readings of the training drives over their noise.
 template <class Measure>
 Eigen::VectorXd readings(const Measure& measured) {
     std::vector<double> all;
-    for (const tread::Drive& drive : tread::blindDrives()) {
+    for (const Drive& drive : caseDrives()) {
         if (drive.hold_out) continue;
         const tread::Log log = measured(drive);
-        for (const tread::Gauge& gauge : tread::gauges()) {
-            if (gauge.channel.starts_with("driver.")) continue;
-            for (const double mean : means(log, gauge.channel)) all.push_back(mean / noiseOfMeans(gauge));
+        for (const InstrumentSheet& sheet : instrumentSheets()) {
+            if (sheet.channel.starts_with("driver.")) continue;
+            for (const double mean : means(log, sheet.channel)) all.push_back(mean / noiseOfMeans(sheet));
         }
     }
     return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
 }
 
 Eigen::VectorXd readingsOf(const Truth& truth) {
-    return readings([&](const tread::Drive& drive) { return replay(truth, drive).log; });
+    return readings([&](const Drive& drive) { return replay(truth, drive).log; });
 }
 
 Truth moved(const Truth& begin, const Structure& structure, const Eigen::VectorXd& at) {
@@ -84,7 +90,7 @@ Eigen::MatrixXd columnsAt(const Truth& begin, const Structure& structure, const 
     return columns;
 }
 
-// What the readings miss; nothing for a car that cannot be driven.
+// Residuals of the readings; empty for a car that cannot be driven.
 std::optional<Eigen::VectorXd> missing(const Matching& matching, const Structure& structure,
                                        const Eigen::VectorXd& at) {
     try {
@@ -94,7 +100,7 @@ std::optional<Eigen::VectorXd> missing(const Matching& matching, const Structure
     }
 }
 
-// Steps with the same columns as long as they lead nearer; a step that leads too far is halved.
+// Gauss-Newton steps with fixed derivatives while they improve the fit; a step that does not is halved.
 void approach(Matching& matching, const Structure& structure) {
     const Eigen::MatrixXd& columns = matching.columns;
     const Eigen::Index n = columns.cols();
@@ -118,12 +124,12 @@ void approach(Matching& matching, const Structure& structure) {
 
 }  // namespace
 
-tread::Log drivenByTread(const tread::VehicleParams& vehicle, const tread::Drive& drive) {
-    tread::Truth car;
+tread::Log drivenByTread(const tread::VehicleParams& vehicle, const Drive& drive) {
+    tread::blind::world::Truth car;
     car.car.vehicle = vehicle;
     std::vector<double>& ratios = car.car.vehicle.driveline.gearbox.ratios;
     ratios = {ratios.back()};
-    return tread::measure(car, drive, 1, tread::kIdeal);
+    return tread::blind::drives::measure(car, drive, 1, kIdeal);
 }
 
 std::vector<double> means(const tread::Log& log, std::string_view channel) {
@@ -137,8 +143,8 @@ std::vector<double> means(const tread::Log& log, std::string_view channel) {
     return result;
 }
 
-double noiseOfMeans(const tread::Gauge& gauge) {
-    return gauge.noise / std::sqrt(static_cast<double>(kMean));
+double noiseOfMeans(const InstrumentSheet& sheet) {
+    return sheet.noise / std::sqrt(static_cast<double>(kMean));
 }
 
 Matching matchingOf(const Truth& begin, const tread::VehicleParams& vehicle) {

@@ -1,37 +1,37 @@
-// The other car made to drive like one of tread's, as far as its structure allows.
+// Fits the other car to a car of tread, as far as its structure allows.
 #pragma once
 
 #include <Eigen/Dense>
 #include <string_view>
 #include <vector>
 
-#include "blind/drives.h"
-#include "blind/gauges.h"
+#include "blind/drives/drives.h"
 #include "blind/other_truth.h"
+#include "blind/world/instruments.h"
 #include "log/log.h"
 #include "tread/vehicle.h"
 
 namespace other_car {
 
-// The drives of a blind check by a car of tread in the gear of the other one, without noise and disturbances.
-tread::Log drivenByTread(const tread::VehicleParams& vehicle, const tread::Drive& drive);
+// A drive by a car of tread in the gear of the other car, without noise and disturbances.
+tread::Log drivenByTread(const tread::VehicleParams& vehicle, const tread::blind::drives::Drive& drive);
 
-// Readings of one channel in means of 50 ms, and the deviation of the instrument's noise in these.
+// Means of a channel over 50 ms, and the standard deviation of their noise.
 std::vector<double> means(const tread::Log& log, std::string_view channel);
-double noiseOfMeans(const tread::Gauge& gauge);
+double noiseOfMeans(const tread::blind::world::InstrumentSheet& sheet);
 
-// The plain car of the other simulator as near to a car of tread as it comes on the drives that are not held out: least
-// squares over all readings, with a prior on each number about its beginning, by Gauss-Newton steps.
+// Fit of the plain car (without structural choices) to a car of tread on the training drives: least squares over all
+// readings with a Gaussian prior on each number about its initial value, by Gauss-Newton steps.
 struct Matching {
     Truth begin;
-    Eigen::VectorXd wanted;   // readings over their noise
-    Eigen::VectorXd at;       // of the free numbers, in deviations of their priors
-    Eigen::MatrixXd columns;  // of the readings by these, near there
+    Eigen::VectorXd wanted;   // readings of tread's car over their noise
+    Eigen::VectorXd at;       // free numbers, in standard deviations of their priors
+    Eigen::MatrixXd columns;  // derivatives of the readings with respect to `at`
 };
 Matching matchingOf(const Truth& begin, const tread::VehicleParams& vehicle);
 Truth plainCar(const Matching& matching);
 
-// The same for a car of another structure, from there on.
+// The fit for a car of another structure, starting from the plain one.
 Truth matched(const Matching& matching, const Structure& structure);
 
 }  // namespace other_car

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <string_view>
 
-#include "blind/draws.h"
-#include "blind/gauges.h"
-#include "blind/measure.h"
+#include "blind/drives/measure.h"
+#include "blind/world/draws.h"
+#include "blind/world/instruments.h"
 #include "log/log_columns.h"
 #include "recording/diagnosis_file.h"
 #include "recording/instruments.h"
@@ -17,21 +17,31 @@
 namespace other_car {
 namespace {
 
-using tread::Drive;
 using tread::Phase;
+using tread::blind::drives::Drive;
+using tread::blind::drives::kSpeedScatter;
+using tread::blind::world::addNoise;
+using tread::blind::world::drawnNoise;
+using tread::blind::world::drawnSurroundings;
+using tread::blind::world::enginePhase;
+using tread::blind::world::InstrumentSheet;
+using tread::blind::world::instrumentSheets;
+using tread::blind::world::pushingOf;
+using tread::blind::world::PushSource;
+using tread::blind::world::seedOf;
 using tread::recording::Instrument;
 
-constexpr double kGear = 5;  // that of its ratio
+constexpr double kGear = 5;  // the gear of Params::drive_ratio
 enum Stream : std::uint64_t { start_stream, noise_stream, surroundings_stream, misreading_stream };
 
-// The foot and hand of a drive, phase by phase.
+// Driver inputs of a drive, phase by phase.
 class Hands {
 public:
     Hands(const Drive& drive, double throttle) : phases_(drive.scenario.phases), held_{.throttle = throttle} {}
 
     bool done() const { return phase_ == phases_.size(); }
 
-    // At the end of the next step.
+    // Inputs at the end of the next step.
     Input next(double speed) {
         const Phase& phase = phases_[phase_];
         if (elapsed_ == 0) start_speed_ = speed, missing_way_ = 0;
@@ -54,10 +64,10 @@ private:
     const std::vector<Phase>& phases_;
     std::size_t phase_ = 0;
     double elapsed_ = 0, start_speed_ = 0, missing_way_ = 0;
-    Input held_;  // at the start of the phase
+    Input held_;  // inputs at the start of the phase
 };
 
-// What each step shows, a row of these.
+// Quantities that are recorded in each step.
 enum Seen {
     kHand,
     kThrottle,
@@ -108,7 +118,7 @@ void observe(Motion& motion, const Car& car, const Input& driver) {
     motion[kEngine].push_back(car.engineSpeed());
 }
 
-// Accelerations where the unit sits, with what gravity adds when it leans.
+// Accelerations at the position of the inertial unit, with gravity by its misalignment.
 void mount(Motion& motion, const tread::recording::InertialUnit& unit) {
     for (std::size_t i = 0; i < motion[kAx].size(); ++i) {
         const double turning = motion[kTurning][i] * motion[kTurning][i], yaw = motion[kYawing][i];
@@ -124,11 +134,11 @@ double at(const Series& values, double step) {
     return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
 }
 
-double latency(const Instrument& instrument) {  // in steps; a reading is never early
+double latency(const Instrument& instrument) {  // in steps, never negative
     return std::max(instrument.delay, 0.0) / kStep;
 }
 
-// What an instrument shows of the first-order low pass of a value.
+// Reading of an instrument with a first-order low pass.
 Series read(const Series& values, const Instrument& instrument, double low_pass) {
     Series shown = values;
     const double taken = low_pass > 0 ? -std::expm1(-2 * std::numbers::pi * low_pass * kStep) : 1;
@@ -139,7 +149,7 @@ Series read(const Series& values, const Instrument& instrument, double low_pass)
     return shown;
 }
 
-// What a driver did of whom this is recorded.
+// True input of the driver from its reading.
 Series unread(const Series& shown, const Instrument& instrument) {
     Series values;
     for (std::size_t i = 0; i < shown.size(); ++i)
@@ -159,7 +169,7 @@ std::vector<Input> driverOf(const Recorded& recorded, const tread::recording::In
     return driver;
 }
 
-// The input as it was a while ago, never before the start.
+// Delays an input; before the start it is constant.
 class Late {
 public:
     double operator()(double value, double delay) {
@@ -171,7 +181,7 @@ private:
     Series past_;
 };
 
-// As tread shows a car, for those who push by what they see.
+// Output of the car as tread has it: forces of outsiders depend on it.
 tread::VehicleOutput seen(const Car& car, const Params& params, const Input& acting) {
     const Vector& s = car.state();
     const Forces& f = car.lastForces();
@@ -195,14 +205,14 @@ tread::VehicleOutput seen(const Car& car, const Params& params, const Input& act
     return out;
 }
 
-// What drives: hands and feet of the drive, or those of a recording.
+// Initial speed, external forces, and recorded inputs, if these replace those of the drive.
 struct Driving {
     double start_speed;
     tread::Pushing push;
     const std::vector<Input>* inputs = nullptr;
 };
 
-// The model is one of a car that rolls forward; nobody would go on with a drive in which it does not.
+// The model is valid while the car rolls forward.
 bool drivable(const Vector& s) {
     constexpr double kSlowest = 1;  // m/s
     return s[kVx] > kSlowest && std::abs(s[kVy]) < s[kVx];
@@ -237,7 +247,7 @@ Motion driven(const Truth& truth, const Drive& drive, Driving driving) {
     return motion;
 }
 
-// All that pushes, at once.
+// Sum of all pushes.
 tread::Pushing together(std::vector<tread::Pushing> pushes) {
     std::erase_if(pushes, [](const tread::Pushing& one) { return !one; });
     if (pushes.empty()) return {};
@@ -271,10 +281,10 @@ Replayed readings(const Truth& truth, Motion motion) {
     for (std::size_t i = 0; i < rows; ++i)
         all.log.channels[0].values.push_back(static_cast<double>(i * kRowSteps) * kStep);
     all.log.channels.push_back({"driveline.gear", "-", Series(rows, kGear)});
-    for (const tread::Gauge& gauge : tread::gauges()) {
-        const std::string name(gauge.channel);
+    for (const InstrumentSheet& sheet : instrumentSheets()) {
+        const std::string name(sheet.channel);
         const auto slow = truth.low_pass.find(name);
-        const Series shown = read(seriesOf(motion, name), truth.instruments.*gauge.instrument,
+        const Series shown = read(seriesOf(motion, name), truth.instruments.*sheet.instrument,
                                   slow == truth.low_pass.end() ? 0 : slow->second);
         all.log.channels.push_back({name, std::string(*tread::logUnit(name)), rowsOf(shown)});
         double Input::*input = name == kChannels[kHand]       ? &Input::steering_wheel
@@ -289,8 +299,8 @@ Replayed readings(const Truth& truth, Motion motion) {
 }  // namespace
 
 ProvingGround drawnGround(const tread::VehicleParams& nominal, tread::Random& random) {
-    std::vector<tread::PushSource> surroundings = tread::drawnSurroundings(nominal, random);
-    return {std::move(surroundings), tread::drawnNoise(random)};
+    std::vector<PushSource> surroundings = drawnSurroundings(nominal, random);
+    return {std::move(surroundings), drawnNoise(random)};
 }
 
 Replayed replay(const Truth& truth, const Drive& drive, const Replay& how) {
@@ -305,14 +315,14 @@ Replayed replay(const Truth& truth, const Drive& drive, const Replay& how) {
 }
 
 tread::Log measure(const Truth& truth, const ProvingGround& ground, const Drive& drive, std::uint64_t seed) {
-    tread::Random start(tread::seedOf(seed, start_stream));
+    tread::Random start(seedOf(seed, start_stream));
     Replay how;
-    how.push = tread::pushingOf(ground.surroundings, tread::seedOf(seed, surroundings_stream));
-    how.faster = tread::kSpeedScatter * start.normal();
-    how.misreading = tread::seedOf(seed, misreading_stream);
+    how.push = pushingOf(ground.surroundings, seedOf(seed, surroundings_stream));
+    how.faster = kSpeedScatter * start.normal();
+    how.misreading = seedOf(seed, misreading_stream);
     Replayed all = replay(truth, drive, how);
-    const std::vector<double> phase = tread::enginePhase(all.log.channels.front().values, all.engine_speed);
-    tread::addNoise(all.log, ground.noise, phase, tread::seedOf(seed, noise_stream));
+    const std::vector<double> phase = enginePhase(all.log.channels.front().values, all.engine_speed);
+    addNoise(all.log, ground.noise, phase, seedOf(seed, noise_stream));
     return all.log;
 }
 

@@ -7,22 +7,23 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "blind/draws.h"
+#include "blind/world/draws.h"
 #include "recording/subject.h"
 
 namespace other_car {
 namespace {
 
-using tread::between;
-using tread::eitherSign;
+using tread::blind::faults::Outsider;
+using tread::blind::world::between;
+using tread::blind::world::eitherSign;
 
-// A torque of its own against one front wheel.
+// A drag torque on one front wheel.
 void stickCaliper(Params& car, tread::Random& random) {
     const double torque = between(random, 60, 150);  // N m
     car.wheels[eitherSign(random) < 0 ? 0 : 1].drag_torque = torque;
 }
 
-// One tyre with little air: softer to the side, and smaller.
+// One tyre with low pressure: less cornering stiffness, smaller radii.
 void softenTyre(Params& car, tread::Random& random) {
     const std::size_t wheel = (eitherSign(random) < 0 ? 0u : 2u) + (eitherSign(random) < 0 ? 0u : 1u);
     car.wheels[wheel].stiffness = between(random, 0.55, 0.7);
@@ -30,11 +31,11 @@ void softenTyre(Params& car, tread::Random& random) {
 }
 
 void curveRatio(Params& car, tread::Random& random) {
-    constexpr double kAngle = std::numbers::pi / 2;  // rad, at which the ratio has changed by
+    constexpr double kAngle = std::numbers::pi / 2;  // rad, at which the ratio has changed by the share below
     car.ratio_curvature = eitherSign(random) * between(random, 0.12, 0.25) / (kAngle * kAngle);
 }
 
-// Those that change the car itself.
+// Outsiders that change numbers of the car.
 struct Own {
     std::string_view name;
     void (*plant)(Params&, tread::Random&);
@@ -44,11 +45,10 @@ constexpr std::array kOwn{Own{"stuck_caliper", stickCaliper}, Own{"soft_tyre", s
 
 }  // namespace
 
-void plant(const tread::Outsider& outsider, const tread::recording::Subject& nominal, Truth& truth,
-           tread::Random& random) {
+void plant(const Outsider& outsider, const tread::recording::Subject& nominal, Truth& truth, tread::Random& random) {
     const auto own = std::find_if(kOwn.begin(), kOwn.end(), [&](const Own& one) { return one.name == outsider.name; });
     if (own != kOwn.end()) return own->plant(truth.car, random);
-    tread::Truth as_tread;
+    tread::blind::world::Truth as_tread;
     as_tread.car = nominal;
     outsider.plant(as_tread, random);
     if (!as_tread.push && !as_tread.misread && as_tread.low_pass.empty())

@@ -22,7 +22,7 @@ void addAxle(std::vector<SharedNumber>& all, const std::string& axle, Axle& a) {
     same(".suspension.spring", a.spring);
     same(".suspension.anti_roll_bar", a.anti_roll_bar);
     for (const char* path : {".suspension.damper.bump", ".suspension.damper.rebound"})
-        all.push_back({axle + path, &a.damping, false, 0.5});  // the mean of both
+        all.push_back({axle + path, &a.damping, false, 0.5});  // follows the mean of both
     same(".suspension.side_view_slope_braking", a.brake_support);
     same(".suspension.roll_centre_height", a.roll_axis);
     same(".suspension.toe_by_travel", a.toe_by_travel);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "blind/answer.h"
-#include "blind/key.h"
+#include "blind/answers/answer.h"
+#include "blind/key/key.h"
 #include "cli/program.h"
 #include "diagnose/answer/diagnosis.h"
 #include "places/places.h"
@@ -15,6 +15,14 @@
 namespace tread {
 namespace {
 
+using blind::answers::answerText;
+using blind::answers::CaseAnswer;
+using blind::key::CaseKey;
+using blind::key::CaseKind;
+using blind::key::keyText;
+using blind::key::parseKey;
+using blind::key::programHash;
+using blind::key::SealedKey;
 using diagnose::answer::Verdict;
 
 std::vector<std::string> make(const Scratch& scratch, std::vector<std::string> more = {}) {
@@ -103,14 +111,14 @@ TEST(BlindCommand, FewDrivesAreMadeAndNamedInTheKey) {
 TEST(BlindCommand, KeyRecordsTheProgramThatMadeTheCases) {
     const Scratch scratch;
     ASSERT_EQ(runProgram(make(scratch, {"--kinds", "none"})).status, 0);
-    const BlindKey key = parseKey(contentOf(scratch.path("cases.key.json")), "key");
+    const SealedKey key = parseKey(contentOf(scratch.path("cases.key.json")), "key");
     EXPECT_EQ(key.program, programHash());
 }
 
 // A check of one case whose answer is there already: nothing has to be diagnosed.
 struct AnsweredCheck {
     Scratch scratch;
-    BlindKey key;
+    SealedKey key;
     CaseAnswer answer;
 
     AnsweredCheck() {

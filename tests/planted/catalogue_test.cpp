@@ -9,8 +9,8 @@
 #include <string>
 
 #include "base/random.h"
-#include "blind/gauges.h"
-#include "blind/measure.h"
+#include "blind/drives/measure.h"
+#include "blind/world/instruments.h"
 #include "diagnose/answer/diagnosis.h"
 #include "diagnose/catalogue/effect.h"
 #include "diagnose/diagnose.h"
@@ -24,6 +24,13 @@
 namespace tread {
 namespace {
 
+using blind::drives::caseDrives;
+using blind::drives::Drive;
+using blind::drives::kIdeal;
+using blind::drives::measure;
+using blind::world::InstrumentSheet;
+using blind::world::instrumentSheets;
+using blind::world::Truth;
 using diagnose::kSettings;
 using diagnose::answer::Diagnosis;
 using diagnose::answer::Verdict;
@@ -70,10 +77,10 @@ std::vector<std::size_t> telling(const Truth& truth, const Truth& nominal, const
     for (const Drive& drive : drives) {
         const Log with = measure(truth, drive, 1, kIdeal), without = measure(nominal, drive, 1, kIdeal);
         double sum = 0;
-        for (const Gauge& gauge : gauges()) {
-            const auto &x = with.find(gauge.channel)->values, &y = without.find(gauge.channel)->values;
+        for (const InstrumentSheet& sheet : instrumentSheets()) {
+            const auto &x = with.find(sheet.channel)->values, &y = without.find(sheet.channel)->values;
             for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i)
-                sum += (x[i] - y[i]) * (x[i] - y[i]) / (gauge.noise * gauge.noise);
+                sum += (x[i] - y[i]) * (x[i] - y[i]) / (sheet.noise * sheet.noise);
         }
         changes.push_back(sum);
     }
@@ -86,13 +93,13 @@ std::vector<std::size_t> telling(const Truth& truth, const Truth& nominal, const
 
 Diagnosis diagnosed(const Truth& truth, const VehicleParams& car, const std::vector<Effect>& effects,
                     const std::vector<std::size_t>& chosen) {
-    const std::vector<Drive> drives = blindDrives();
+    const std::vector<Drive> drives = caseDrives();
     DiagnosisFile file;
     file.vehicle = "car";
-    for (const Gauge& gauge : gauges()) {
+    for (const InstrumentSheet& sheet : instrumentSheets()) {
         MeasuredChannel channel;
-        channel.channel = gauge.channel;
-        channel.noise = gauge.noise;
+        channel.channel = sheet.channel;
+        channel.noise = sheet.noise;
         file.channels.push_back(channel);
     }
     std::vector<Log> logs;
@@ -123,7 +130,7 @@ TEST_P(CatalogueRow, IsNamedWhereItsDrivesShowItAndNothingIsBlamedWhereTheyDoNot
     const std::size_t first = GetParam() > kRivals ? GetParam() - kRivals : 0;
     const std::size_t last = std::min(all.size(), GetParam() + kRivals + 1);
     const std::vector<Effect> considered(all.begin() + static_cast<long>(first), all.begin() + static_cast<long>(last));
-    const Diagnosis d = diagnosed(truth, car, considered, telling(truth, nominal, blindDrives()));
+    const Diagnosis d = diagnosed(truth, car, considered, telling(truth, nominal, caseDrives()));
     ASSERT_FALSE(d.effects.empty());
     const double expected = d.expected_evidence.at(effect.name);
     if (kHidden.contains(effect.name)) {
@@ -165,7 +172,7 @@ TEST_P(PlantedNothing, IsBlamedOnNoEffect) {
     Random random(GetParam());
     for (const char* uncertain : kUncertain)
         *numberAt(truth.car, uncertain) *= 1 + kTolerance * (2 * random.uniform() - 1);
-    const std::vector<Drive> drives = blindDrives();
+    const std::vector<Drive> drives = caseDrives();
     std::vector<std::size_t> chosen;
     for (std::size_t d = 0; d < drives.size(); ++d)
         if (drives[d].name == "step_steer_80" || drives[d].name == "braking_in_turn_90") chosen.push_back(d);

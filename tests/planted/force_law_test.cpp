@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "blind/gauges.h"
-#include "blind/measure.h"
+#include "blind/drives/measure.h"
+#include "blind/world/instruments.h"
 #include "diagnose/answer/diagnosis.h"
 #include "diagnose/catalogue/effect.h"
 #include "diagnose/diagnose.h"
@@ -15,6 +15,13 @@
 namespace tread {
 namespace {
 
+using blind::drives::caseDrives;
+using blind::drives::Drive;
+using blind::drives::DriveSet;
+using blind::drives::measure;
+using blind::world::InstrumentSheet;
+using blind::world::instrumentSheets;
+using blind::world::Truth;
 using diagnose::answer::Diagnosis;
 using diagnose::answer::ForceLaw;
 using diagnose::answer::Verdict;
@@ -33,12 +40,12 @@ Diagnosis diagnosed(const std::function<Pushing()>& push) {
     truth.push = push;
     DiagnosisFile file;
     file.vehicle = "car";
-    for (const Gauge& gauge : gauges()) {
+    for (const InstrumentSheet& sheet : instrumentSheets()) {
         MeasuredChannel& channel = file.channels.emplace_back();
-        channel.channel = gauge.channel, channel.noise = gauge.noise;
+        channel.channel = sheet.channel, channel.noise = sheet.noise;
     }
     std::vector<Log> logs;
-    for (const Drive& drive : blindDrives(DriveSet::step_steers)) {
+    for (const Drive& drive : caseDrives(DriveSet::step_steers)) {
         if (drive.hold_out) continue;
         Recording& recording = file.recordings.emplace_back();
         recording.log = recording.name = drive.name;

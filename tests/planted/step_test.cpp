@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "blind/drives.h"
-#include "blind/measure.h"
+#include "blind/drives/drives.h"
+#include "blind/drives/measure.h"
 #include "diagnose/catalogue/effect.h"
 #include "diagnose/model/problem.h"
 #include "diagnose/model/replays.h"
@@ -16,6 +16,11 @@
 namespace tread {
 namespace {
 
+using blind::drives::caseDrives;
+using blind::drives::Drive;
+using blind::drives::DriveSet;
+using blind::drives::measure;
+using blind::world::Truth;
 using diagnose::catalogue::effectCatalogue;
 using diagnose::model::Deviation;
 using diagnose::model::endsOf;
@@ -39,7 +44,7 @@ TEST(Step, OfReplaysLooksLikeNoEffectWhateverTheCarHas) {
     nominal.vehicle = planted::nominalCar();
     DiagnosisFile file;
     Recorded recorded;
-    for (const Drive& drive : blindDrives(DriveSet::all)) {
+    for (const Drive& drive : caseDrives(DriveSet::all)) {
         const bool wanted = drive.name.starts_with("step_steer_80") || drive.name.starts_with("braking_in_turn") ||
                             drive.name.starts_with("acceleration") || drive.name.starts_with("slow_ramp");
         if (!wanted) continue;

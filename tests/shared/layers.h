@@ -25,6 +25,7 @@ inline const std::vector<std::string> kOrder{"base",     "inference", "road",   
 inline const std::map<std::string, std::vector<std::string>> kRooms{
     {"recording", {"", "checks"}},
     {"diagnose", {"ground", "answer", "catalogue", "model", "select", "explain", ""}},
+    {"blind", {"world", "drives", "key", "faults", "detectability", "make", "answers", "score"}},
 };
 inline const std::vector<Path> kGroundFloor{"diagnose/settings", "diagnose/options"};
 

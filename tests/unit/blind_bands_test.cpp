@@ -1,5 +1,5 @@
-// What the drives of a blind case show, in bands: closed forms and the edges.
-#include "blind/bands.h"
+// Bands of detectability: closed forms and limits.
+#include "blind/score/bands.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,19 @@
 namespace tread {
 namespace {
 
-CaseKey keyWith(std::vector<std::string> effects, std::map<std::string, Shows> shows) {
+using blind::key::CaseKey;
+using blind::key::Detectability;
+using blind::score::anyDetectable;
+using blind::score::Band;
+using blind::score::bandOf;
+using blind::score::chanceToGain;
+using blind::score::kDetectable;
+using blind::score::kTestable;
+using blind::score::strongest;
+using blind::score::toldApart;
+using blind::score::weakest;
+
+CaseKey keyWith(std::vector<std::string> effects, std::map<std::string, Detectability> shows) {
     CaseKey key;
     key.name = "case_001";
     key.effects = std::move(effects);
@@ -31,10 +43,10 @@ TEST(BlindBands, LowerEndBelongsToTheBand) {
 }
 
 TEST(BlindBands, ChanceToGainIsThatOfDrawnSignals) {
-    // Of nothing expected, what is gained is half a chi-square of one degree of freedom: P(chi^2 > 3.841) = 0.05.
+    // With 0 nats expected, the gain is half a chi-square variable of one degree of freedom: P(chi^2 > 3.841) = 0.05.
     EXPECT_NEAR(chanceToGain(3.841458820694124 / 2, 0), 0.05, 1e-9);
-    // The lines that bands.h states.
-    EXPECT_NEAR(chanceToGain(5, kShows), 0.619, 0.001);
+    // The figures that bands.h states.
+    EXPECT_NEAR(chanceToGain(5, kDetectable), 0.619, 0.001);
     EXPECT_NEAR(chanceToGain(5, kTestable), 0.9997, 0.0001);
     // A signal of ten readings in white noise of one, fitted by its size.
     Random random(5);
@@ -58,16 +70,16 @@ TEST(BlindBands, WeakerAndStrongerAreThoseOfTheKey) {
     EXPECT_EQ(strongest(key, key.effects), 130);
     EXPECT_TRUE(toldApart(key, {"drag"}));
     EXPECT_FALSE(toldApart(key, key.effects));
-    EXPECT_TRUE(anythingShows(key));
+    EXPECT_TRUE(anyDetectable(key));
 }
 
 TEST(BlindBands, NothingShowsBelowSixNats) {
-    EXPECT_TRUE(anythingShows(keyWith({"drag"}, {{"drag", {.nats = 6, .rival = "", .separation = 0}}})));
-    EXPECT_FALSE(anythingShows(keyWith({"drag"}, {{"drag", {.nats = 5.99, .rival = "", .separation = 5}}})));
-    EXPECT_FALSE(anythingShows(keyWith({}, {})));
+    EXPECT_TRUE(anyDetectable(keyWith({"drag"}, {{"drag", {.nats = 6, .rival = "", .separation = 0}}})));
+    EXPECT_FALSE(anyDetectable(keyWith({"drag"}, {{"drag", {.nats = 5.99, .rival = "", .separation = 5}}})));
+    EXPECT_FALSE(anyDetectable(keyWith({}, {})));
     CaseKey outside = keyWith({}, {{"flutter", {.nats = 9, .rival = "", .separation = 9}}});
     outside.outsider = "flutter";
-    EXPECT_TRUE(anythingShows(outside));
+    EXPECT_TRUE(anyDetectable(outside));
 }
 
 TEST(BlindBands, KeyThatDoesNotSayWhatShowsIsRefusedByName) {

@@ -1,5 +1,5 @@
-// Whether a blind check is called frozen, and of which sources a program knows that it is built.
-#include "blind/frozen.h"
+// When a blind check is frozen, and which sources the hashes of the program cover.
+#include "blind/score/frozen.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,12 @@
 
 namespace tread {
 namespace {
+
+using blind::answers::CaseAnswer;
+using blind::key::Program;
+using blind::key::programHash;
+using blind::score::frozen;
+using blind::score::Frozen;
 
 const Program kOwn{.diagnosis = std::string(64, 'a'), .scoring = std::string(64, 'b')};
 
@@ -67,7 +73,7 @@ TEST(BlindFrozen, OtherScoringAloneLeavesItFrozenAndIsSaid) {
         << changed.words;
 }
 
-// ---- The hash, by other means than those of the build ----
+// ---- The hash, computed independently of the build ----
 
 namespace fs = std::filesystem;
 
@@ -78,7 +84,7 @@ void addFiles(std::vector<std::string>& paths, const std::string& folder, const 
     }
 }
 
-// As `sha256sum` prints them, hashed.
+// SHA-256 of the output of `sha256sum`.
 std::string hashOf(std::vector<std::string> paths) {
     std::sort(paths.begin(), paths.end());
     std::string sums;
@@ -91,12 +97,8 @@ TEST(ProgramHash, IsThatOfTheSourcesThatItNames) {
     for (const char* folder : {"include", "src"}) addFiles(all, folder, {".cpp", ".h"});
     for (const char* folder : {"src/report", "tools/tread"})
         addFiles(scoring, folder, {".cpp", ".h", ".cmake", ".css", ".js"});
-    for (const auto& entry : fs::directory_iterator(sourceFile("src/blind"))) {
-        const std::string name = entry.path().filename().string();
-        for (const char* part : {"bands.", "claims.", "figures.", "frozen.", "groups.", "outcomes.", "program_hash.",
-                                 "questions.", "reliability.", "score.", "score_"})
-            if (name.starts_with(part)) scoring.push_back("src/blind/" + name);
-    }
+    addFiles(scoring, "src/blind/score", {".cpp", ".h"});
+    scoring.insert(scoring.end(), {"src/blind/key/program_hash.cmake", "src/blind/key/program_hash.h"});
     std::erase_if(all,
                   [&](const auto& path) { return std::find(scoring.begin(), scoring.end(), path) != scoring.end(); });
     EXPECT_GT(all.size(), 200u);
@@ -106,13 +108,14 @@ TEST(ProgramHash, IsThatOfTheSourcesThatItNames) {
 
 TEST(ProgramHash, EditedSourceChangesTheHashThatItBelongsTo) {
     const Scratch scratch;
-    for (const char* name : {"src/vehicle/car.cpp", "src/blind/score.cpp", "include/tread/car.h", "CMakeLists.txt"}) {
+    for (const char* name :
+         {"src/vehicle/car.cpp", "src/blind/score/score.cpp", "include/tread/car.h", "CMakeLists.txt"}) {
         fs::create_directories(fs::path(scratch.path(name)).parent_path());
         scratch.file(name, "first");
     }
     const auto generated = [&] {
         const std::string line = "cmake -DROOT=" + scratch.folder() + " -DOUTPUT=" + scratch.path("hash.cpp") + " -P " +
-                                 sourceFile("src/blind/program_hash.cmake");
+                                 sourceFile("src/blind/key/program_hash.cmake");
         EXPECT_EQ(std::system(line.c_str()), 0);
         const std::string text = contentOf(scratch.path("hash.cpp"));
         const auto after = [&](const char* mark) {
@@ -124,7 +127,7 @@ TEST(ProgramHash, EditedSourceChangesTheHashThatItBelongsTo) {
     const auto written = fs::last_write_time(scratch.path("hash.cpp"));
     EXPECT_EQ(generated(), first);
     EXPECT_EQ(fs::last_write_time(scratch.path("hash.cpp")), written) << "nothing to compile where nothing changed";
-    scratch.file("src/blind/score.cpp", "second");
+    scratch.file("src/blind/score/score.cpp", "second");
     const Program scored = generated();
     EXPECT_EQ(scored.diagnosis, first.diagnosis);
     EXPECT_NE(scored.scoring, first.scoring);

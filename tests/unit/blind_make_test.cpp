@@ -1,4 +1,4 @@
-// The cases of a blind check: what is drawn, what is driven, what is sealed.
+// Making the cases of a blind check: draws, drives, key.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,10 +7,10 @@
 #include <tuple>
 
 #include "base/numbers.h"
-#include "blind/gauges.h"
-#include "blind/make.h"
-#include "blind/outsiders.h"
-#include "blind/shown.h"
+#include "blind/detectability/detectable_effects.h"
+#include "blind/faults/outsiders.h"
+#include "blind/make/make_cases.h"
+#include "blind/world/instruments.h"
 #include "diagnose/catalogue/effect.h"
 #include "recording/subject.h"
 #include "shared/scratch.h"
@@ -21,6 +21,34 @@
 namespace tread {
 namespace {
 
+using blind::detectability::detectableEffects;
+using blind::drives::caseDrives;
+using blind::drives::Drive;
+using blind::drives::DriveSet;
+using blind::drives::driveSetNamed;
+using blind::drives::kIdeal;
+using blind::drives::measure;
+using blind::faults::drawCase;
+using blind::faults::Drawing;
+using blind::faults::DrawnCase;
+using blind::faults::Outsider;
+using blind::faults::outsiders;
+using blind::key::CaseKey;
+using blind::key::CaseKind;
+using blind::key::caseKindNamed;
+using blind::key::Family;
+using blind::key::keyText;
+using blind::key::parseKey;
+using blind::key::SealedKey;
+using blind::make::CaseRecording;
+using blind::make::drawnCase;
+using blind::make::makeCases;
+using blind::make::Order;
+using blind::make::recordingsOf;
+using blind::world::InstrumentSheet;
+using blind::world::instrumentSheets;
+using blind::world::Truth;
+using blind::world::World;
 using diagnose::catalogue::Direction;
 using diagnose::catalogue::Effect;
 using recording::numberAt;
@@ -46,11 +74,11 @@ double largestDifference(const Log& a, const Log& b, std::string_view channel) {
     return largest;
 }
 
-// Of one channel, in units of its noise.
-double squaredChange(const Log& a, const Log& b, const Gauge& gauge) {
-    const auto &x = a.find(gauge.channel)->values, &y = b.find(gauge.channel)->values;
+// Sum of squared differences of one channel over its noise.
+double squaredChange(const Log& a, const Log& b, const InstrumentSheet& sheet) {
+    const auto &x = a.find(sheet.channel)->values, &y = b.find(sheet.channel)->values;
     double sum = 0;
-    for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) sum += std::pow((x[i] - y[i]) / gauge.noise, 2);
+    for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) sum += std::pow((x[i] - y[i]) / sheet.noise, 2);
     return sum;
 }
 
@@ -139,8 +167,7 @@ TEST(BlindMake, CaseWithoutOneOfItsFaultsIsTheSameBesides) {
     EXPECT_EQ(mixed.without.size(), 2u);
 }
 
-// Sums of all numbers of a car, and of its readings in one drive at one time, as they were before there was another
-// world than the assumed one.
+// Checksums over all numbers of a car and over its readings at one instant: cases of World::assumed stay reproducible.
 TEST(BlindMake, AssumedCasesAreThoseOfBefore) {
     struct Before {
         CaseKind kind;
@@ -154,8 +181,8 @@ TEST(BlindMake, AssumedCasesAreThoseOfBefore) {
         {CaseKind::outside, "wheel_speed_lag", 530.22748494146219, 432.25802011407404},
         {CaseKind::small, "late_gyro", 530.24260490792858, 432.11581708070196},
     };
-    const std::vector<Drive> drives = blindDrives();
-    const std::vector<BlindRecording> recordings = recordingsOf(drives, 7, 2);
+    const std::vector<Drive> drives = caseDrives();
+    const std::vector<CaseRecording> recordings = recordingsOf(drives, 7, 2);
     for (const Before& before : list) {
         DrawnCase now = drawnCase(7, 2, before.kind, reference::compact(), kEffects, 0, kAssumed);
         std::string planted = now.key.outsider;
@@ -169,7 +196,7 @@ TEST(BlindMake, AssumedCasesAreThoseOfBefore) {
         }
         const Log log = measure(now.truth, *recordings[3].drive, recordings[3].seed);
         for (const Channel& channel : log.channels) readings += channel.values[300];
-        // Compilers round differently, which the drive carries on.
+        // Compilers round differently, and the drive propagates it.
         EXPECT_NEAR(sum, before.numbers, 1e-9);
         EXPECT_NEAR(readings, before.readings, 1e-6);
     }
@@ -183,7 +210,7 @@ TEST(BlindMake, PlantedNumberIsThatOfTheCarThatIsDriven) {
 TEST(BlindMake, EveryDriveHoldsItsGearAndEndsInTime) {
     const DrawnCase none = drawn(CaseKind::none, 1);
     int training = 0, held_out = 0;
-    for (const Drive& drive : blindDrives()) {
+    for (const Drive& drive : caseDrives()) {
         const Log log = measure(none.truth, drive, 7);
         const std::vector<double>& gear = log.find("driveline.gear")->values;
         EXPECT_EQ(*std::min_element(gear.begin(), gear.end()), *std::max_element(gear.begin(), gear.end()))
@@ -200,7 +227,7 @@ TEST(BlindMake, EveryDriveHoldsItsGearAndEndsInTime) {
 TEST(BlindMake, SmallSetsOfDrivesAreTwoToLearnFromAndTheSameToJudge) {
     const auto names = [](DriveSet set, bool held_out) {
         std::vector<std::string> found;
-        for (const Drive& drive : blindDrives(set)) {
+        for (const Drive& drive : caseDrives(set)) {
             if (drive.hold_out != held_out) continue;
             found.push_back(drive.name);
             EXPECT_TRUE(set == DriveSet::all || drive.repeats == 1) << drive.name;
@@ -212,34 +239,34 @@ TEST(BlindMake, SmallSetsOfDrivesAreTwoToLearnFromAndTheSameToJudge) {
     EXPECT_EQ(names(DriveSet::coast_and_accelerate, false), (Names{"coast_down_120", "acceleration_50"}));
     for (const DriveSet set : {DriveSet::step_steers, DriveSet::coast_and_accelerate})
         EXPECT_EQ(names(set, true), names(DriveSet::all, true));
-    EXPECT_THROW(driveSet("step_stear"), LoadError);
+    EXPECT_THROW(driveSetNamed("step_stear"), LoadError);
 }
 
 TEST(BlindMake, EveryOutsiderDrivesAllDrivesAndShows) {
     const DrawnCase none = drawn(CaseKind::none, 1);
-    const std::vector<Drive> drives = blindDrives();
+    const std::vector<Drive> drives = caseDrives();
     std::vector<Log> without;
     for (const Drive& drive : drives) without.push_back(measure(none.truth, drive, 1, kIdeal));
     for (const Outsider& outsider : outsiders()) {
         Truth truth = none.truth;
         Random random(4);
         outsider.plant(truth, random);
-        double squares = 0;  // of all changes, in standard deviations of the noise
+        double squares = 0;  // sum of squared changes over the noise
         for (std::size_t i = 0; i < drives.size(); ++i) {
             const Log with = measure(truth, drives[i], 1, kIdeal);
             for (const Channel& channel : with.channels)
                 for (const double value : channel.values)
                     ASSERT_TRUE(std::isfinite(value)) << outsider.name << ' ' << drives[i].name << ' ' << channel.name;
-            for (const Gauge& gauge : gauges()) squares += squaredChange(with, without[i], gauge);
+            for (const InstrumentSheet& sheet : instrumentSheets()) squares += squaredChange(with, without[i], sheet);
         }
-        // Plain to see: noise alone would hide what is of the order of 10.
+        // Clearly visible: noise alone hides changes of the order of 10.
         EXPECT_GT(std::sqrt(squares), 60) << outsider.name;
     }
 }
 
 TEST(BlindMake, OutsidersAreDeterministic) {
     const DrawnCase none = drawn(CaseKind::none, 1);
-    const Drive drive = blindDrives()[4];  // brakes in a turn
+    const Drive drive = caseDrives()[4];  // brakes in a turn
     for (const Outsider& outsider : outsiders()) {
         const auto driven = [&](std::uint64_t seed) {
             Truth truth = none.truth;
@@ -256,12 +283,12 @@ TEST(BlindMake, OutsidersAreDeterministic) {
 TEST(BlindMake, SameSeedMakesTheSameFilesAndAnotherOneOthers) {
     const Scratch scratch;
     const auto make = [&](const std::string& folder, std::uint64_t seed) {
-        BlindOrder order;
+        Order order;
         order.cases = 1;
         order.seed = seed;
         order.kinds = {CaseKind::one};
         order.drives = DriveSet::coast_and_accelerate;
-        const BlindKey key = makeCases(order, reference::compact(), kEffects, scratch.path(folder));
+        const SealedKey key = makeCases(order, reference::compact(), kEffects, scratch.path(folder));
         return keyText(key) + contentOf(scratch.path(folder + "/case_001/coast_down_120.csv"));
     };
     EXPECT_EQ(make("a", 1), make("b", 1));
@@ -270,25 +297,25 @@ TEST(BlindMake, SameSeedMakesTheSameFilesAndAnotherOneOthers) {
 
 TEST(BlindMake, CaseIsDrawnAgainFromItsSeedAndKind) {
     const Scratch scratch;
-    BlindOrder order;
+    Order order;
     order.cases = 3;
     order.seed = 9;
     order.kinds = {CaseKind::none, CaseKind::one, CaseKind::mixed};
     order.drives = DriveSet::coast_and_accelerate;
-    const BlindKey key = makeCases(order, reference::compact(), kEffects, scratch.path("cases"));
-    const std::vector<Effect> shown = shownEffects(reference::compact(), kEffects, blindDrives(order.drives));
+    const SealedKey key = makeCases(order, reference::compact(), kEffects, scratch.path("cases"));
+    const std::vector<Effect> shown = detectableEffects(reference::compact(), kEffects, caseDrives(order.drives));
     for (int i = 0; i < order.cases; ++i) {
         const CaseKey& made = key.cases[static_cast<std::size_t>(i)];
         CaseKey again = drawnCase(9, i, made.kind, reference::compact(), shown).key;
         EXPECT_EQ(made.shows.size(), made.effects.size() + (made.outsider.empty() ? 0 : 1));
-        again.shows = made.shows;  // found, not drawn
+        again.shows = made.shows;  // computed, not drawn
         EXPECT_EQ(again, made);
     }
 }
 
 TEST(BlindMake, RepeatsAreNotAlike) {
     const DrawnCase none = drawn(CaseKind::none, 1);
-    const std::vector<Drive> drives = blindDrives();
+    const std::vector<Drive> drives = caseDrives();
     const auto recordings = recordingsOf(drives, 1, 0);
     ASSERT_EQ(recordings[0].drive, recordings[1].drive);
     const Log first = measure(none.truth, *recordings[0].drive, recordings[0].seed);
@@ -297,7 +324,7 @@ TEST(BlindMake, RepeatsAreNotAlike) {
 }
 
 TEST(BlindMake, KeyReadsBack) {
-    BlindKey key;
+    SealedKey key;
     key.tread_version = "0.1";
     key.seed = 42;
     key.vehicle = "car.yaml";
@@ -307,7 +334,7 @@ TEST(BlindMake, KeyReadsBack) {
     key.cases.push_back(drawn(CaseKind::outside, 1).key);
     EXPECT_EQ(keyText(parseKey(keyText(key), "key.json")), keyText(key));
     EXPECT_THROW(parseKey("{\"seed\": 1}", "key.json"), LoadError);
-    EXPECT_THROW(caseKind("three"), LoadError);
+    EXPECT_THROW(caseKindNamed("three"), LoadError);
 }
 
 }  // namespace

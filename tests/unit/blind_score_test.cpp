@@ -6,20 +6,44 @@
 #include <sstream>
 
 #include "base/random.h"
-#include "blind/bands.h"
-#include "blind/claims.h"
-#include "blind/score.h"
+#include "blind/score/bands.h"
+#include "blind/score/claims.h"
+#include "blind/score/score.h"
 #include "diagnose/answer/diagnosis.h"
 #include "tread/problem.h"
 
 namespace tread {
 namespace {
 
+using blind::answers::answerText;
+using blind::answers::CaseAnswer;
+using blind::answers::obtainedClosure;
+using blind::answers::parseAnswer;
+using blind::key::CaseKey;
+using blind::key::CaseKind;
+using blind::key::Family;
+using blind::key::SealedKey;
+using blind::score::bandsInWords;
+using blind::score::BlindScore;
+using blind::score::calibrationError;
+using blind::score::Claim;
+using blind::score::claimsOf;
+using blind::score::Count;
+using blind::score::Figure;
+using blind::score::Interval;
+using blind::score::Outcome;
+using blind::score::outcomeOf;
+using blind::score::reliability;
+using blind::score::score;
+using blind::score::scoreJson;
+using blind::score::scoreText;
+using blind::score::wilson;
+using blind::score::wordsOf;
 using diagnose::answer::Overlay;
 using diagnose::answer::RankedEffect;
 using diagnose::answer::Verdict;
 
-// Each effect shows with 50 nats, and is told apart.
+// Each effect has a detectability and separation of `nats`.
 CaseKey keyOf(const std::string& name, CaseKind kind, std::vector<std::string> effects = {}, double nats = 50) {
     CaseKey key;
     key.name = name;
@@ -29,7 +53,7 @@ CaseKey keyOf(const std::string& name, CaseKind kind, std::vector<std::string> e
     return key;
 }
 
-// Beside the effects, if there are any.
+// An outsider, beside the effects if there are any.
 CaseKey outsideOf(const std::string& name, std::vector<std::string> effects = {}, Family family = Family::first) {
     CaseKey key = keyOf(name, effects.empty() ? CaseKind::outside : CaseKind::mixed, effects);
     key.outsider = "flutter";
@@ -56,7 +80,7 @@ CaseAnswer answerOf(const std::string& name, Verdict verdict, std::vector<std::s
 }
 
 BlindScore scoreOf(std::vector<CaseKey> keys, const std::vector<CaseAnswer>& answers) {
-    BlindKey key;
+    SealedKey key;
     key.cases = std::move(keys);
     return score(key, answers);
 }
@@ -268,8 +292,8 @@ TEST(BlindScore, RowsOfOutcomesHoldEveryCaseOnce) {
         scoreOf(keys, {answerOf("a", Verdict::explained, {"drag"}), answerOf("b", Verdict::nothing),
                        answerOf("c", Verdict::nothing), answerOf("d", Verdict::nothing)});
     ASSERT_EQ(result.outcomes.size(), 3u);
-    EXPECT_EQ(result.outcomes[0].shows, "6 to 22");
-    EXPECT_EQ(result.outcomes[1].shows, "22 to 100");
+    EXPECT_EQ(result.outcomes[0].bands, "6 to 22");
+    EXPECT_EQ(result.outcomes[1].bands, "22 to 100");
     EXPECT_EQ(result.outcomes[1].counts, (std::array<int, 6>{1, 0, 1, 0, 0, 0}));
     EXPECT_EQ(result.outcomes[2].kind, CaseKind::none);
 }
@@ -460,7 +484,7 @@ TEST(BlindScore, KeyWithoutWhatItsDrivesShowIsRefused) {
 }
 
 TEST(BlindScore, AnswersWithAndWithoutReferencesNeedTheKeyThatSaysWhatThoseShow) {
-    BlindKey key;
+    SealedKey key;
     key.cases = {keyOf("a", CaseKind::none)};
     CaseAnswer compared = answerOf("a", Verdict::nothing);
     compared.compared = true;
@@ -502,7 +526,7 @@ TEST(BlindScore, TextSaysTheAnswerFirstAndFitsItsWidth) {
 }
 
 TEST(BlindScore, TextAndJsonSayWhetherTheCheckIsFrozen) {
-    BlindKey key;
+    SealedKey key;
     key.cases = {keyOf("a", CaseKind::none)};
     key.program = {.diagnosis = std::string(64, '1'), .scoring = std::string(64, '2')};
     CaseAnswer answer = answerOf("a", Verdict::nothing);

@@ -1,4 +1,4 @@
-// Errors, surroundings and noise of the examiner's own: their spreads, their processes, their tables.
+// Errors, surroundings and noise of World::own: spreads, random processes, tables.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,10 +8,10 @@
 
 #include "base/numbers.h"
 #include "base/pattern.h"
-#include "blind/draws.h"
-#include "blind/errors.h"
-#include "blind/gauges.h"
-#include "blind/surroundings.h"
+#include "blind/world/draws.h"
+#include "blind/world/errors.h"
+#include "blind/world/instruments.h"
+#include "blind/world/surroundings.h"
 #include "recording/subject.h"
 #include "recording/subject_paths.h"
 #include "shared/vehicles.h"
@@ -19,6 +19,34 @@
 namespace tread {
 namespace {
 
+using blind::world::addNoise;
+using blind::world::apply;
+using blind::world::autocovariance;
+using blind::world::between;
+using blind::world::dailyNumbers;
+using blind::world::differenceSpread;
+using blind::world::drawErrors;
+using blind::world::drawnDifference;
+using blind::world::drawnGround;
+using blind::world::drawnNoise;
+using blind::world::drawnSurroundings;
+using blind::world::DriveDifference;
+using blind::world::enginePhase;
+using blind::world::errorTable;
+using blind::world::heavyTailed;
+using blind::world::InstrumentSheet;
+using blind::world::instrumentSheets;
+using blind::world::kMostLatency;
+using blind::world::kMostWind;
+using blind::world::kSourceSpeed;
+using blind::world::measuresDriver;
+using blind::world::NumberError;
+using blind::world::OpenNumber;
+using blind::world::openNumbers;
+using blind::world::pushingOf;
+using blind::world::PushSource;
+using blind::world::ReadingNoise;
+using blind::world::seedOf;
 using recording::pathFault;
 using recording::Subject;
 
@@ -34,7 +62,7 @@ std::map<std::string, std::vector<double>> errorsOfCars(int cars) {
     for (int i = 0; i < cars; ++i) {
         Subject car = nominal;
         Random random(seedOf(1, static_cast<std::uint64_t>(i)));
-        err(car, random);
+        drawErrors(car, random);
         const std::vector<Number> real = numbers(car);
         for (std::size_t n = 0; n < real.size(); ++n)
             if (std::isfinite(*right[n].value)) errors[real[n].path].push_back(*real[n].value - *right[n].value);
@@ -77,7 +105,7 @@ TEST(BlindErrors, SpreadsAreOfTheOrderOfTheToleranceOfTheFile) {
         const double sd = number.about.tolerance * std::abs(*number.value) / std::sqrt(3.0);
         if (!(sd > 0) || !std::isfinite(sd)) continue;
         EXPECT_LT(deviation(errors.at(number.path)), 2 * sd) << number.path;
-        const bool meant = std::any_of(numberErrors().begin(), numberErrors().end(),
+        const bool meant = std::any_of(errorTable().begin(), errorTable().end(),
                                        [&](const NumberError& row) { return matches(row.pattern, number.path); });
         if (!meant) continue;
         EXPECT_GT(deviation(errors.at(number.path)), 0.3 * sd) << number.path;
@@ -87,7 +115,7 @@ TEST(BlindErrors, SpreadsAreOfTheOrderOfTheToleranceOfTheFile) {
 }
 
 TEST(BlindErrors, EveryRowIsOfANumberAndSaysItsSource) {
-    for (const NumberError& row : numberErrors()) {
+    for (const NumberError& row : errorTable()) {
         EXPECT_EQ(pathFault(row.pattern), "") << row.pattern;
         EXPECT_FALSE(row.source.empty()) << row.pattern;
     }
@@ -109,7 +137,7 @@ TEST(BlindErrors, ErrorsStayWithinTheLimitsOfTheirNumbers) {
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
         Subject car = known();
         Random random(seed);
-        err(car, random);
+        drawErrors(car, random);
         for (const Number& number : numbers(car))
             if (std::isfinite(*number.value)) {
                 EXPECT_TRUE(number.about.limits.allow(*number.value)) << number.path << ' ' << *number.value;
@@ -152,8 +180,7 @@ TEST(BlindErrors, LatencyIsOnceThatOfEveryInstrumentOfTheCar) {
     EXPECT_EQ(car.instruments.steering_wheel_angle.delay, 0);
 }
 
-// ---- Surroundings
-// ----------------------------------------------------------------------------------------------------
+// ---- Surroundings --------------------------------------------------------------------------------------------------
 
 TEST(BlindSurroundings, SourcesVaryAsTheirAutocovarianceSays) {
     Random random(1);
@@ -203,14 +230,13 @@ TEST(BlindSurroundings, AirPushesBySpeedAndRoadsByWay) {
     }
 }
 
-// ---- Instruments
-// -----------------------------------------------------------------------------------------------------
+// ---- Instruments ---------------------------------------------------------------------------------------------------
 
 Log still(std::size_t count) {
     Log log{{{"time", "s", {}}}};
     for (std::size_t i = 0; i < count; ++i) log.channels[0].values.push_back(0.01 * static_cast<double>(i));
-    for (const Gauge& gauge : gauges())
-        log.channels.push_back({std::string(gauge.channel), "", std::vector<double>(count, 1.0)});
+    for (const InstrumentSheet& sheet : instrumentSheets())
+        log.channels.push_back({std::string(sheet.channel), "", std::vector<double>(count, 1.0)});
     return log;
 }
 
@@ -218,8 +244,8 @@ TEST(BlindGauges, NoiseHasItsLevelColourAndSteps) {
     Random random(4);
     std::vector<ReadingNoise> noises = drawnNoise(random);
     for (std::size_t i = 0; i < noises.size(); ++i) {
-        EXPECT_GE(noises[i].level, 0.5 * gauges()[i].noise);
-        EXPECT_LE(noises[i].level, 2 * gauges()[i].noise);
+        EXPECT_GE(noises[i].level, 0.5 * instrumentSheets()[i].noise);
+        EXPECT_LE(noises[i].level, 2 * instrumentSheets()[i].noise);
         noises[i].shaking = noises[i].engine = noises[i].spikes = 0;
         // Steps hide what is smaller: then the error depends on where between two steps the reading lies.
         noises[i].resolution = std::min(noises[i].resolution, noises[i].level);
@@ -228,16 +254,16 @@ TEST(BlindGauges, NoiseHasItsLevelColourAndSteps) {
     Log log = still(kCount);
     addNoise(log, noises, {}, 5);
     for (std::size_t i = 0; i < noises.size(); ++i) {
-        const std::vector<double>& values = log.find(gauges()[i].channel)->values;
+        const std::vector<double>& values = log.find(instrumentSheets()[i].channel)->values;
         double squares = 0, next = 0;
         for (std::size_t n = 1; n < kCount; ++n) {
             squares += std::pow(values[n] - 1, 2), next += (values[n] - 1) * (values[n - 1] - 1);
             const double steps = values[n] / noises[i].resolution;
-            ASSERT_NEAR(steps, std::round(steps), 1e-6) << gauges()[i].channel;
+            ASSERT_NEAR(steps, std::round(steps), 1e-6) << instrumentSheets()[i].channel;
         }
         const double variance = noises[i].level * noises[i].level + std::pow(noises[i].resolution, 2) / 12;
-        EXPECT_NEAR(squares / kCount, variance, 0.08 * variance) << gauges()[i].channel;
-        EXPECT_NEAR(next / squares, noises[i].kept, 0.1) << gauges()[i].channel;
+        EXPECT_NEAR(squares / kCount, variance, 0.08 * variance) << instrumentSheets()[i].channel;
+        EXPECT_NEAR(next / squares, noises[i].correlation, 0.1) << instrumentSheets()[i].channel;
     }
 }
 
@@ -249,11 +275,11 @@ TEST(BlindGauges, SpikesAreRareAndNotOnTheDriversInputs) {
     addNoise(log, noises, {}, 6);
     for (std::size_t i = 0; i < noises.size(); ++i) {
         const double far = 10 * noises[i].level + noises[i].shaking + noises[i].engine + noises[i].resolution;
-        const std::vector<double>& values = log.find(gauges()[i].channel)->values;
+        const std::vector<double>& values = log.find(instrumentSheets()[i].channel)->values;
         const auto spikes =
             std::count_if(values.begin(), values.end(), [&](double v) { return std::abs(v - 1) > far; });
-        if (isOfTheDriver(gauges()[i])) EXPECT_EQ(spikes, 0);
-        else EXPECT_NEAR(static_cast<double>(spikes), 8, 8) << gauges()[i].channel;
+        if (measuresDriver(instrumentSheets()[i])) EXPECT_EQ(spikes, 0);
+        else EXPECT_NEAR(static_cast<double>(spikes), 8, 8) << instrumentSheets()[i].channel;
     }
 }
 

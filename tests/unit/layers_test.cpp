@@ -116,6 +116,19 @@ TEST(Layers, RoomsOfADiagnosisUseOnlyThoseBeforeThem) {
     }
 }
 
+TEST(Layers, RoomsOfABlindCheckUseOnlyThoseBeforeThem) {
+    const std::vector<std::string> rooms{"world",         "drives", "key",     "faults",
+                                         "detectability", "make",   "answers", "score"};
+    for (std::size_t here = 0; here < rooms.size(); ++here) {
+        const std::string file = "src/blind/" + rooms[here] + "/a.cpp";
+        for (std::size_t there = 0; there < rooms.size(); ++there) {
+            const std::string include = "#include \"blind/" + rooms[there] + "/b.h\"";
+            EXPECT_EQ(faults(file.c_str(), include.c_str()).empty(), there <= here) << file << " " << include;
+        }
+    }
+    EXPECT_NE(faults("src/blind/a.cpp", ""), "") << "every file has a room";
+}
+
 TEST(Layers, WhatComputesAnAnswerDoesNotPutItIntoWords) {
     for (const std::string room : {"catalogue", "model", "select", "explain"}) {
         const std::string file = "src/diagnose/" + room + "/a.cpp";

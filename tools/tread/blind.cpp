@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "blind/diagnose_case.h"
-#include "blind/judge.h"
-#include "blind/make.h"
-#include "blind/score.h"
+#include "blind/answers/collect.h"
+#include "blind/answers/diagnose_case.h"
+#include "blind/make/make_cases.h"
+#include "blind/score/score.h"
 #include "commands.h"
 #include "diagnose/catalogue/effect.h"
 #include "log/csv.h"
@@ -20,6 +20,24 @@
 namespace tread::program {
 namespace {
 
+using blind::answers::addObtainedClosure;
+using blind::answers::CaseAnswer;
+using blind::answers::collectAnswers;
+using blind::answers::CollectOptions;
+using blind::answers::diagnosedCase;
+using blind::answers::References;
+using blind::drives::driveSetNamed;
+using blind::key::caseKindNamed;
+using blind::key::keyText;
+using blind::key::parseKey;
+using blind::key::SealedKey;
+using blind::make::makeCases;
+using blind::make::Order;
+using blind::score::BlindScore;
+using blind::score::score;
+using blind::score::scoreJson;
+using blind::score::scoreText;
+using blind::world::worldNamed;
 using diagnose::catalogue::effectCatalogue;
 
 [[noreturn]] void refuse(const std::string& file, const std::string& text) {
@@ -31,7 +49,7 @@ std::string withoutSlash(std::string folder) {
     return folder;
 }
 
-std::string madeOf(const BlindKey& key) {
+std::string madeOf(const SealedKey& key) {
     const std::string by = key.generator.empty() ? "" : ", driven by " + key.generator;
     return fmt::format("{} cases of seed {}, world {}, {}{}", key.cases.size(), key.seed,
                        enumNames(key.world)[static_cast<std::size_t>(key.world)], key.vehicle, by);
@@ -48,16 +66,16 @@ int blindMake(const BlindMakeOptions& options) {
     if (std::filesystem::exists(key_file))
         refuse(key_file.string(), "found a key, expected none: it may be sealed; name another file with --key");
 
-    BlindOrder order;
+    Order order;
     order.cases = options.cases;
     order.seed = options.seed;
-    for (const std::string& kind : options.kinds) order.kinds.push_back(caseKind(kind));
-    order.drives = driveSet(options.drives);
-    order.drawing = {.world = world(options.world), .frozen = options.frozen};
+    for (const std::string& kind : options.kinds) order.kinds.push_back(caseKindNamed(kind));
+    order.drives = driveSetNamed(options.drives);
+    order.drawing = {.world = worldNamed(options.world), .frozen = options.frozen};
     order.vehicle = options.vehicle;
     order.tread_version = TREAD_VERSION;
     Progress progress(options.cases, "cases");
-    const BlindKey key =
+    const SealedKey key =
         makeCases(order, loadVehicle(options.vehicle), effectCatalogue(), folder, [&](int done) { progress.at(done); });
     const std::string sealed = keyText(key), hash = sha256(sealed);
     writeFile(key_file, sealed);
@@ -79,16 +97,16 @@ int blindScore(const BlindScoreOptions& options) {
     const Path output = options.no_references ? Path(options.output) / "without_references" : Path(options.output);
     const Path answers_folder = output / "answers";
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    JudgeOptions judging;
+    CollectOptions judging;
     judging.jobs = options.jobs > 0 ? options.jobs : cores;
     judging.threads = std::max(1, cores / judging.jobs);
     Progress progress(0, "cases");
     judging.progress = [&](int done, int) { progress.at(done); };
     const auto diagnose = [&](const Path& file, int threads) { return diagnosedCase(file, references, threads); };
-    std::vector<CaseAnswer> answers = judge(options.cases, answers_folder, diagnose, judging);
+    std::vector<CaseAnswer> answers = collectAnswers(options.cases, answers_folder, diagnose, judging);
 
-    const BlindKey key = parseKey(sealed, options.key);
-    lookUp(answers, key, options.cases, answers_folder, effectCatalogue());
+    const SealedKey key = parseKey(sealed, options.key);
+    addObtainedClosure(answers, key, options.cases, answers_folder, effectCatalogue());
     const BlindScore scored = score(key, answers);
     const std::string json = scoreJson(scored), made_of = madeOf(key), hash = sha256(sealed);
     writeFile(output / "score.json", json);

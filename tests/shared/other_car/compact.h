@@ -1,5 +1,4 @@
-// The compact hatchback of the vehicles, as a car of the other simulator: the numbers of its file, where this one has
-// them.
+// vehicles/compact.yaml as a car of the other simulator: the numbers of that file, as far as this model has them.
 #pragma once
 
 #include <numbers>

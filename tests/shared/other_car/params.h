@@ -12,22 +12,22 @@ namespace other_car {
 struct Axle {
     Tyre tyre;
     double track = 1.5;
-    double spring = 0, anti_roll_bar = 0;  // N/m, at the wheel; of the difference of both wheels' travel
+    double spring = 0, anti_roll_bar = 0;  // N/m, at the wheel; per difference of the wheel travels
     double damping = 0;                    // N s/m, at the wheel
-    double brake_support = 0;              // force along the links over the braking force (anti-dive, anti-lift)
-    double roll_axis = 0.08;               // m, height
-    double unsprung_mass = 0;              // kg, of each wheel; does not roll
-    double wheel_inertia = 1;              // kg m2, of each
-    double compliance_steer = 0;           // rad/N of a wheel's side force
+    double brake_support = 0;              // vertical force of the links over the braking force (anti-dive, anti-lift)
+    double roll_axis = 0.08;               // m, height above the road
+    double unsprung_mass = 0;              // kg, per wheel
+    double wheel_inertia = 1;              // kg m2, per wheel
+    double compliance_steer = 0;           // rad/N, per lateral force of the wheel
     double toe_by_travel = 0;              // rad/m, toe-in
-    double camber_by_travel = 0;           // rad/m, positive when the top leans outwards
+    double camber_by_travel = 0;           // rad/m, positive: top outwards
     double lift_area = 0;                  // m2
 
     double rollStiffness() const {  // N m/rad, of suspension and tyres in series
         const double wheel = spring + 2 * anti_roll_bar;
         return 0.5 * track * track * wheel * tyre.radial_stiffness / (wheel + tyre.radial_stiffness);
     }
-    // Travel of the right wheel over the roll angle, m.
+    // Travel of the right wheel per roll angle, m/rad.
     double travelByRoll() const {
         return 0.5 * track * tyre.radial_stiffness / (spring + 2 * anti_roll_bar + tyre.radial_stiffness);
     }
@@ -38,20 +38,20 @@ struct Axle {
         const double suspension = tyre.radial_stiffness / (spring + tyre.radial_stiffness);
         return 2 * damping * suspension * suspension;
     }
-    double rollDamping() const {  // N m s/rad; the tyres take their part of the roll
+    double rollDamping() const {  // N m s/rad, of the share of the roll angle that the suspension takes
         const double suspension = tyre.radial_stiffness / (spring + 2 * anti_roll_bar + tyre.radial_stiffness);
         return 0.5 * track * track * damping * suspension * suspension;
     }
 };
 
-// What is wrong with one wheel: neutral by default.
+// Faults of one wheel; neutral by default.
 struct WheelFault {
-    double stiffness = 1, friction = 1;  // factors of its tyre's
-    double smaller = 0;                  // m, of its radii
-    double drag_torque = 0;              // N m, of a brake that does not let go
+    double stiffness = 1, friction = 1;  // factors of the values of the tyre
+    double smaller = 0;                  // m, reduction of its radii
+    double drag_torque = 0;              // N m, of a dragging brake
 };
 
-using Line = std::vector<std::array<double, 2>>;  // of straight pieces
+using Line = std::vector<std::array<double, 2>>;  // piecewise linear, {x, y}
 
 struct Params {
     double mass = 1350, yaw_inertia = 1950, roll_inertia = 480, pitch_inertia = 1750;
@@ -60,7 +60,7 @@ struct Params {
     Structure structure;
     std::array<WheelFault, 4> wheels;
     double steering_ratio = 16.5;
-    double ratio_curvature = 0;  // 1/rad2: relative change of the ratio over the square of the steering-wheel angle
+    double ratio_curvature = 0;  // 1/rad2, relative change of the ratio per squared steering-wheel angle
     double steering_lag = 0;     // s
     double brake_torque = 5000, brake_front_share = 0.82;
     double brake_lag = 0;              // s
@@ -70,8 +70,8 @@ struct Params {
     double drive_scale = 1, drag_scale = 1;
     double drive_efficiency = 0.94;
     double drag_area = 0.66, air_density = 1.2041;
-    double side_area = 0, yaw_volume = 0;  // m2/rad, m3/rad of the air's sideslip
-    double wind_x = 0, wind_y = 0;         // m/s, to where it blows
+    double side_area = 0, yaw_volume = 0;  // m2/rad, m3/rad, per sideslip angle of the air
+    double wind_x = 0, wind_y = 0;         // m/s, velocity of the air
     double grade = 0, bank = 0;            // rise over run along x and y
     double road_friction = 1;
 };

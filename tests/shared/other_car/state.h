@@ -1,4 +1,4 @@
-// What the driver of the other car does, and what the car does.
+// Inputs and states of the other car.
 #pragma once
 
 #include <array>
@@ -9,9 +9,9 @@ struct Input {
     double steering_wheel = 0, throttle = 0, brake = 0;
 };
 
-// x, y, yaw, vx, vy, yaw rate, roll, roll rate; spins; lateral and longitudinal slips as relaxed; steering and brakes
-// as they lag; pitch, pitch rate. Only of some structures: swinging column, rear brake circuit, boost, roll of the rear
-// of the body.
+// Position, velocity and attitude of the body; spin, relaxed lateral and longitudinal slip of four wheels; lagged
+// steering wheel and brake pedal; pitch. In some structures only: steering column, rear brake circuit, boost, roll of
+// the rear part of the body. SI units.
 enum State {
     kX,
     kY,

@@ -1,5 +1,5 @@
-// Choices of how the other car is built and modelled, each of them one that real cars show and that tread's model does
-// not have, or has otherwise. A car keeps them for life. Without any, the car is the plain double-track model.
+// Optional differences in structure of the other car: properties of real cars that tread's model lacks or models in
+// another way. They do not change during a case. Without any, the car is the plain double-track model.
 #pragma once
 
 #include <array>
@@ -65,14 +65,14 @@ inline constexpr std::array kStructuralChoices{
                      &Structure::viscous_differential},
 };
 
-// How much of each. Guesses of the middle of what cars have.
-inline constexpr double kRollingSpeed = 45;       // m/s, at which the rolling resistance has grown by half
+// Magnitude of each: guesses of typical values of cars.
+inline constexpr double kRollingSpeed = 45;       // m/s, at which the rolling resistance is 1.5 times that at rest
 inline constexpr double kToeCurve = 0.05;         // m of travel, at which the curve doubles the line
 inline constexpr double kBushForce = 8000;        // N of side force, at which a bush gives half of what it would
 inline constexpr double kBarAngle = 0.08;         // rad of roll, at which a bar's moment has doubled
-inline constexpr double kRollAxisAngle = 0.15;    // rad of roll, by which the roll axis would lie on the road
+inline constexpr double kRollAxisAngle = 0.15;    // rad of roll, at which the roll axis would reach the road
 inline constexpr double kTwistStiffness = 1.7e5;  // N m/rad, 3 kN m/deg: an open car
-inline constexpr double kTwistDamping = 0.05;     // of critical, of the rear body on the twisting front
+inline constexpr double kTwistDamping = 0.05;     // of critical, of the rear part against the front part
 inline constexpr double kColumnFrequency = 2 * std::numbers::pi * 8;  // rad/s
 inline constexpr double kColumnDamping = 0.3;                         // of critical
 inline constexpr double kRearBrakeLag = 0.12;                         // s

@@ -1,6 +1,6 @@
 // The tyre of the other car: the similarity method (H.B. Pacejka, Tyre and Vehicle Dynamics, 2nd ed. 2006, chapter 4).
-// One magic formula for the slip as a vector, camber as a shift of the slip angle, the trail of the brush model. Its
-// shape and how it combines both slips may be others (structure.h).
+// One Magic Formula for the vector of both slips, camber as a shift of the slip angle, pneumatic trail of the brush
+// model. structure.h has alternatives for its shape and for combined slip.
 #pragma once
 
 #include <algorithm>
@@ -42,24 +42,24 @@ inline double corneringStiffness(const Tyre& tyre, double load) {
     return tyre.stiffness * std::sin(2 * std::atan(load / tyre.stiffness_load));
 }
 
-// Share of the friction that is used; `slip` as the force of a tyre that never slides, over its friction.
+// Force over friction force. `slip`: linear force (stiffness times slip) over friction force.
 inline double usedShare(const Tyre& tyre, const Structure& structure, double slip) {
     if (structure.hyperbolic_tyre) return std::tanh(slip);
     if (structure.brush_tyre) {
-        const double s = std::clamp(slip / 3, -1.0, 1.0);  // of the slip at which all of the contact slides
+        const double s = std::clamp(slip / 3, -1.0, 1.0);  // over the slip at which the whole contact slides
         return s * (3 - 3 * std::abs(s) + s * s);
     }
     const double x = slip / tyre.shape;
     return std::sin(tyre.shape * std::atan(x - tyre.curvature * (x - std::atan(x))));
 }
 
-// Brush model: the trail that is left when a share of the friction is used.
+// Brush model: trail over its value without slip. `used`: force over friction force.
 inline double trailShare(double used) {
     const double stuck = std::cbrt(std::max(0.0, 1 - std::abs(used))), slid = 1 - stuck;
     return stuck * stuck * stuck / (1 - slid + slid * slid / 3);
 }
 
-// Lateral slip positive for a force to the left, camber for a top that leans to the right.
+// `alpha` is positive for a force to the left, `camber` for a top that leans to the right.
 inline TyreForce force(const Tyre& tyre, const Structure& structure, double load, double road_friction, double kappa,
                        double alpha, double camber) {
     if (load <= 0) return {0, 0, 0};

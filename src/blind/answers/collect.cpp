@@ -1,0 +1,179 @@
+#include "blind/answers/collect.h"
+
+#include <algorithm>
+#include <atomic>
+#include <fstream>
+#include <mutex>
+#include <thread>
+
+#include "blind/detectability/detectable_effects.h"
+#include "blind/make/make_cases.h"
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/catalogue/effect.h"
+#include "log/csv.h"
+#include "tread/load.h"
+
+namespace tread::blind::answers {
+namespace {
+
+using detectability::detectableEffects;
+using diagnose::answer::Diagnosis;
+using diagnose::answer::Overlay;
+using diagnose::catalogue::Effect;
+using drives::caseDrives;
+using drives::Conditions;
+using drives::Drive;
+using drives::kIdeal;
+using drives::measure;
+using faults::DrawnCase;
+using key::CaseKey;
+using key::CaseKind;
+using key::programHash;
+using key::SealedKey;
+using make::CaseRecording;
+using make::drawnCase;
+using make::recordingsOf;
+using world::Truth;
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> caseNames(const fs::path& cases) {
+    std::vector<std::string> names;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(cases, error)) {
+        if (fs::exists(entry.path() / "diagnosis.yaml")) names.push_back(entry.path().filename().string());
+    }
+    if (names.empty()) {
+        throw LoadError({{cases.string(), 0, 0, "",
+                          "found no case in this folder, expected folders with a diagnosis.yaml each, as `tread blind "
+                          "make` writes them"}});
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+fs::path answerFile(const fs::path& answers, const std::string& name) {
+    return answers / name / "answer.json";
+}
+
+fs::path driveFile(const fs::path& answers, const std::string& name, const std::string& recording, const char* kind) {
+    return answers / name / (recording + "." + kind + ".csv");
+}
+
+// The answer is written last and renamed into place: an existing answer is complete.
+void keep(const fs::path& answers, const CaseAnswer& answer, const std::vector<Overlay>& overlays) {
+    fs::create_directories(answers / answer.name);
+    for (const Overlay& overlay : overlays) {
+        if (!overlay.hold_out) continue;
+        writeLog(driveFile(answers, answer.name, overlay.recording, "nominal"), overlay.nominal);
+        writeLog(driveFile(answers, answer.name, overlay.recording, "extended"), overlay.extended);
+    }
+    const fs::path file = answerFile(answers, answer.name), part = file.string() + ".part";
+    std::ofstream out(part, std::ios::binary);
+    out << answerText(answer);
+    out.close();
+    if (!out) throw FileError("cannot write " + part.string());
+    fs::rename(part, file);
+}
+
+CaseAnswer answered(const fs::path& cases, const fs::path& answers, const std::string& name, const Diagnoser& diagnose,
+                    int threads) {
+    const fs::path file = answerFile(answers, name);
+    if (fs::exists(file)) return parseAnswer(readBytes(file), file.string());
+    CaseAnswer answer;
+    std::vector<Overlay> overlays;
+    try {
+        Diagnosis diagnosis = diagnose(cases / name / "diagnosis.yaml", threads);
+        answer = answerOf(name, diagnosis);
+        overlays = std::move(diagnosis.overlays);
+    } catch (const std::exception& error) {
+        answer.name = name;
+        answer.program = programHash();
+        answer.failure = error.what();
+    }
+    keep(answers, answer, overlays);
+    return answer;
+}
+
+// Held-out drives of a case without disturbance and noise, from the same initial speed.
+std::map<std::string, Log> cleanDrives(const Truth& truth, const std::vector<Drive>& drives, std::uint64_t seed,
+                                       int index) {
+    Conditions conditions = kIdeal;
+    conditions.speed_scatter = Conditions{}.speed_scatter;
+    std::map<std::string, Log> clean;
+    for (const CaseRecording& one : recordingsOf(drives, seed, index)) {
+        if (one.drive->hold_out) clean[one.name] = measure(truth, *one.drive, one.seed, conditions);
+    }
+    return clean;
+}
+
+std::vector<Overlay> keptOverlays(const fs::path& answers, const std::string& name,
+                                  const std::map<std::string, Log>& clean) {
+    std::vector<Overlay> overlays;
+    for (const auto& [recording, log] : clean) {
+        const fs::path nominal = driveFile(answers, name, recording, "nominal");
+        if (!fs::exists(nominal)) continue;
+        Overlay overlay;
+        overlay.recording = recording;
+        overlay.hold_out = true;
+        overlay.nominal = readLog(nominal);
+        overlay.extended = readLog(driveFile(answers, name, recording, "extended"));
+        overlays.push_back(std::move(overlay));
+    }
+    return overlays;
+}
+
+}  // namespace
+
+std::vector<CaseAnswer> collectAnswers(const fs::path& cases, const fs::path& answers, const Diagnoser& diagnose,
+                                       const CollectOptions& options) {
+    const std::vector<std::string> names = caseNames(cases);
+    std::vector<CaseAnswer> found(names.size());
+    std::atomic<std::size_t> next = 0;
+    std::mutex mutex;
+    int done = 0;
+    std::exception_ptr failure;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < names.size(); i = next++) {
+            try {
+                found[i] = answered(cases, answers, names[i], diagnose, options.threads);
+            } catch (...) {
+                const std::lock_guard lock(mutex);
+                failure = std::current_exception();
+                next = names.size();
+                return;
+            }
+            const std::lock_guard lock(mutex);
+            options.progress(++done, static_cast<int>(names.size()));
+        }
+    };
+    std::vector<std::jthread> workers;
+    for (int i = 1; i < options.jobs; ++i) workers.emplace_back(work);
+    work();
+    workers.clear();
+    if (failure) std::rethrow_exception(failure);
+    return found;
+}
+
+void addObtainedClosure(std::vector<CaseAnswer>& found, const SealedKey& key, const fs::path& cases,
+                        const fs::path& answers, const std::vector<Effect>& effects) {
+    if (key.cases.empty() || !key.generator.empty()) return;
+    const VehicleParams nominal = loadVehicle(cases / key.cases.front().name / "vehicle.yaml");
+    const std::vector<Drive> drives = caseDrives(key.drives);
+    const std::vector<Effect> shown = detectableEffects(nominal, effects, drives);
+    for (std::size_t i = 0; i < key.cases.size(); ++i) {
+        const CaseKey& made = key.cases[i];
+        const auto answer =
+            std::find_if(found.begin(), found.end(), [&](const CaseAnswer& a) { return a.name == made.name; });
+        if (answer == found.end() || made.kind != CaseKind::one) continue;
+        const int index = static_cast<int>(i);
+        DrawnCase drawn = drawnCase(key.seed, index, made.kind, nominal, shown, made.draw,
+                                    {.world = key.world, .frozen = key.frozen});
+        drawn.key.shows = made.shows;  // computed, not drawn
+        if (drawn.key != made) continue;
+        const std::map<std::string, Log> clean = cleanDrives(drawn.truth, drives, key.seed, index);
+        answer->closure_obtained = obtainedClosure(keptOverlays(answers, made.name, clean), clean);
+    }
+}
+
+}  // namespace tread::blind::answers
