@@ -145,16 +145,16 @@ TEST_F(DiagnoseCommand, CheckSaysWhatOneRecordingAloneCannotTell) {
     recorded("a.csv", slalom());
     diagnosis();
     const Result result = checked();
-    expectWarned(result, "only one recording is there to learn from");
+    expectWarned(result, "only one recording is used for fitting");
     expectWarned(result, "no recording is held out");
 }
 
 TEST_F(DiagnoseCommand, CheckFindsTheFileOfAnotherCar) {
     recorded("a.csv", slalom());
     diagnosis();
-    EXPECT_EQ(checked().out.find("With the file of another car"), std::string::npos);
+    EXPECT_EQ(checked().out.find("With the file of a different car"), std::string::npos);
     diagnosis("vehicle_settings: [steering.ratio=5]\neffects: [steering_ratio]\n");
-    expectWarned(checked(), "With the file of another car every effect would be fitted to that");
+    expectWarned(checked(), "With the file of a different car, every effect would be fitted to that difference");
 }
 
 TEST_F(DiagnoseCommand, CheckFindsGaps) {

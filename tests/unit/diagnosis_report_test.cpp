@@ -45,7 +45,7 @@ TEST(DiagnosisPage, SaysTheAnswerFirstAndWhatItRestsOn) {
           "front.tyre.parameters.cFy = 105000 ± 6000 N/m (90 %: 95100 to 114900; nominal 141800)",
           "92 % of what can be closed is closed with the effect (90 %: 88 % to 95 %)", "Held-out drives",
           "(held out): yaw rate", "sine_sweep", "scenarios/straight_braking_100.yaml", "brake fade, brake gain",
-          "a slower source, held", "2310 simulations in 41 s"})
+          "a slower signal, held", "2310 simulations in 41 s"})
         EXPECT_TRUE(contains(html, said)) << said;
     EXPECT_LT(html.find("The gap is caused by"), html.find("Which effect"));
 }

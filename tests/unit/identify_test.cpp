@@ -131,10 +131,10 @@ TEST(Identification, SaysWhatItLeavesOutOfTheDrives) {
     const Identification found = identified(made);
     const std::vector<std::string>& said = found.gap.data_warnings;
     ASSERT_EQ(said.size(), 2u) << "one of a fitted drive, one of the drive held out";
-    EXPECT_TRUE(said[0].starts_with("drive 2: from 1.")) << said[0];
-    EXPECT_TRUE(said[1].starts_with("drive 3: from 1.")) << said[1];
+    EXPECT_TRUE(said[0].starts_with("drive 2: not compared after 1.")) << said[0];
+    EXPECT_TRUE(said[1].starts_with("drive 3: not compared after 1.")) << said[1];
     EXPECT_EQ(identificationJson(found)["data_warnings"].size(), 2u);
-    EXPECT_NE(identificationReport("car", "0", found).find("drive 2: from 1."), std::string::npos);
+    EXPECT_NE(identificationReport("car", "0", found).find("drive 2: not compared after 1."), std::string::npos);
 }
 
 // The car was changed from its references on; one of three drives has no reference.
