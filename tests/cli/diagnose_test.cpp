@@ -227,7 +227,7 @@ TEST_F(DiagnoseCommand, IdentifyRefusesANumberOfWhichNothingSaysHowWellItIsKnown
     recorded("a.csv", slalom());
     diagnosis();
     expectRefused(runProgram({"identify", scratch.path("diagnosis.yaml"), "--fit", "steering.delay"}),
-                  "say it under tolerances");
+                  "add one under tolerances");
 }
 
 }  // namespace
