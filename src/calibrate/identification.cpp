@@ -48,18 +48,20 @@ void judgeChoice(const recording::DiagnosisFile& file, const Subject& nominal,
         problems.push_back({"", 0, 0, "fit." + std::to_string(i), std::move(text)});
     };
     if (file.fit.empty())
-        problems.push_back({"", 0, 0, "fit", "found no number to fit, expected paths, e.g. front.tyre.lambda.Ky"});
+        problems.push_back(
+            {"", 0, 0, "fit",
+             "found no number to fit, expected paths such as front.tyre.lambda.Ky under fit or behind --fit"});
     Subject subject = nominal;
     const std::vector<Number> all = numbers(subject);
     for (std::size_t i = 0; i < file.fit.size(); ++i) {
         const std::string& path = file.fit[i];
         if (std::none_of(all.begin(), all.end(), [&](const Number& n) { return matches(path, n.path); }))
-            add(i, "found " + quote(path) + ", a number that this car does not have");
+            add(i, "found " + quote(path) +
+                       ", expected a number that this car has; `tread describe vehicle` lists the paths");
         else if (std::none_of(uncertain.begin(), uncertain.end(),
                               [&](const Parameter& p) { return matches(path, p.name()); }))
-            add(i, "found " + quote(path) +
-                       ", of which nothing says how well it is known; say it under tolerances: {path: " + path +
-                       ", absolute: ...}");
+            add(i, "found " + quote(path) + ", expected a number with a tolerance; add one under tolerances: {path: " +
+                       path + ", absolute: ...}");
     }
     throwIfAny(std::move(problems));
 }
@@ -209,7 +211,10 @@ Identification identificationOf(const Subject& nominal, recording::DiagnosisFile
     const Problem problem = model::problemOf(
         nominal, file, recorded, [&](bool) { return differencesOf(file, nominal); }, options);
     std::optional<Settled> result = settled(problem, diagnose::partOf(options.progress, 0, 0.9));
-    if (!result) throw SimulationError("the nominal car cannot be driven in the recordings", 0);
+    if (!result)
+        throw SimulationError(
+            "the simulation of the nominal car in the recordings fails; check the vehicle file and the recorded inputs",
+            0);
 
     found.converged = result->settled;
     found.birge_ratio = result->round.birge_ratio;

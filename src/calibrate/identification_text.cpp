@@ -55,7 +55,8 @@ std::string pairsOf(const Identification& found) {
     std::string mixture;
     for (const auto& [path, share] : found.weakest)
         if (std::abs(share) > kPartOf) mixture += fmt::format("{}{} {:+.2f}", mixture.empty() ? "" : ", ", path, share);
-    return text + fmt::format("WEAKEST   condition {:.1e}; seen least: {}\n", found.condition, mixture);
+    return text + fmt::format("WEAKEST   condition number {:.1e}; least determined combination: {}\n", found.condition,
+                              mixture);
 }
 
 }  // namespace
@@ -69,9 +70,9 @@ std::string identificationInWords(const Identification& found) {
         fmt::format("{} of {} number{} determined by these drives; gap {} {:.2f} -> {:.2f}", determined, n,
                     n == 1 ? " is" : "s are", found.gap.how_far.in_sample ? "in the same drives" : "in held-out drives",
                     level.nominal, level.calibrated);
-    text += fmt::format(" (the rest within tolerance, too: {:.2f}, noise floor {:.2f})", level.extended, level.floor);
-    if (!found.better) text += "; that is no better than the nominal car: do not use it";
-    if (!found.converged) text += "; the fit has not settled: numbers and errors are doubtful";
+    text += fmt::format(" (with all other tolerances fitted: {:.2f}, noise floor {:.2f})", level.extended, level.floor);
+    if (!found.better) text += "; not better than the nominal car, so do not use it";
+    if (!found.converged) text += "; the fit has not converged, so values and errors are unreliable";
     return text;
 }
 
@@ -89,8 +90,7 @@ std::string otherNumbersInWords(const Identification& found) {
     std::string list;
     for (std::size_t i = 0; i < std::min(moved.size(), kNamed); ++i)
         list += fmt::format("{}{} ({:+.1f})", i > 0 ? ", " : "", moved[i].first, moved[i].second.z);
-    return "most of the gap is closed by numbers that were not asked for, moved by so many standard deviations: " +
-           list;
+    return "most of the gap is closed by numbers that are not fitted here (change in standard deviations): " + list;
 }
 
 std::string identificationText(const Identification& found) {
@@ -98,15 +98,14 @@ std::string identificationText(const Identification& found) {
     for (const FittedNumber& one : found.numbers) width = std::max(width, one.path.size());
     std::string text = found.answer + "\n";
     if (found.of_references)
-        text +=
-            "BEFORE    fitted to the references: the car as it was before the change, in the drives that have one\n";
+        text += "BEFORE    fitted to the references: the car before the change, in the drives that have a reference\n";
     text += fmt::format("{:<{}}  {:>10}  {:>8}  {:>10}  {:>8}\n", "number", width, "value", "+-", "nominal", "+-");
     for (const FittedNumber& one : found.numbers) {
         const ReferenceRow* row = subjectNumber(one.path);
         text += fmt::format("{:<{}}  {:>10.5g}  {:>8.2g}  {:>10.5g}  {:>8.2g}  {}{}{}{}\n", one.path, width, one.value,
                             one.sd, one.nominal, one.prior_sd, row && row->unit != "-" ? row->unit : "",
-                            one.at_bound ? "  at its bound: known worse than was told?" : "",
-                            one.determined ? "" : "  not determined: as uncertain as before",
+                            one.at_bound ? "  at its bound: is the tolerance too small?" : "",
+                            one.determined ? "" : "  not determined: no more certain than before",
                             !one.at_bound && std::abs(one.z) > kFarMoved
                                 ? fmt::format("  {:.1f} standard deviations from nominal", one.z)
                                 : "");
@@ -115,11 +114,11 @@ std::string identificationText(const Identification& found) {
     if (const std::string others = otherNumbersInWords(found); !others.empty()) text += "OTHERS    " + others + "\n";
     if (found.birge_ratio > kNotJustNoise)
         text += fmt::format(
-            "LEFT      {:.1f} times the noise in the fitted drives: the model lacks something; errors are scaled by "
-            "it\n",
+            "LEFT      {:.1f} times the noise in the fitted drives: the model is incomplete; the errors are scaled "
+            "accordingly\n",
             found.birge_ratio);
     if (found.gap.how_far.in_sample)
-        text += "no recording is held out: the gap is judged on the drives that were fitted, too favourably\n";
+        text += "no recording is held out: the gap is judged in the fitted drives, which is too optimistic\n";
     return text;
 }
 
@@ -158,7 +157,7 @@ Json identificationJson(const Identification& found) {
 std::string calibratedVehicleYaml(const recording::Subject& nominal, const Identification& found) {
     Subject calibrated = nominal;
     std::string head = "# " + found.answer + ".\n", beside, tolerances;
-    if (found.of_references) head += "# Fitted to the references: the car as it was before the change.\n";
+    if (found.of_references) head += "# Fitted to the references: the car before the change.\n";
     for (const FittedNumber& one : found.numbers) {
         const ReferenceRow* row = subjectNumber(one.path);
         const bool car = isOfTheCar(one.path);
@@ -168,8 +167,8 @@ std::string calibratedVehicleYaml(const recording::Subject& nominal, const Ident
         if (double* number = numberAt(calibrated, one.path); number && car) *number = one.value;
         tolerances += fmt::format("#   - {{path: {}, absolute: {:.3g}}}\n", one.path, one.sd * std::sqrt(3.0));
     }
-    if (!beside.empty()) head += "# Not of the car, and therefore not in this file:\n" + beside;
-    return head + "# As well as it is known now, for the tolerances of a diagnosis:\n" + tolerances +
+    if (!beside.empty()) head += "# Not numbers of the car, and therefore not in this file:\n" + beside;
+    return head + "# Remaining uncertainties, to copy into the tolerances of a diagnosis:\n" + tolerances +
            vehicleYaml(calibrated.vehicle);
 }
 

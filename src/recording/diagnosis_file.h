@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "log/log.h"
 #include "recording/instruments.h"
 #include "recording/subject.h"
-#include "log/log.h"
 #include "scenario/wind.h"
 #include "tread/describe.h"
 #include "tread/road_params.h"
@@ -23,11 +23,12 @@ struct MeasuredChannel {
     double noise = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(channel), About{"", "name in tread, e.g. chassis.yaw_rate"});
-        field(TREAD_FIELD(column), About{"", "name in the log; empty: the same"});
-        field(TREAD_FIELD(unit), About{"", "unit in the log when its header names none; empty: as the header says"});
+        field(TREAD_FIELD(channel), About{"", "channel name in tread, e.g. chassis.yaw_rate"});
+        field(TREAD_FIELD(column), About{"", "column name in the log; empty: same as the channel"});
+        field(TREAD_FIELD(unit),
+              About{"", "unit of the column if the log header has none; empty: unit from the header"});
         field(TREAD_FIELD(noise),
-              About{"-", "standard deviation of one reading, SI; 0: estimated from the log", kNonNegative});
+              About{"-", "standard deviation of one sample, SI; 0: estimated from the log", kNonNegative});
     }
 };
 static_assert(describesEveryMember<MeasuredChannel>());
@@ -51,25 +52,26 @@ struct Recording {
     WindParams wind = {};
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(log), About{"", "log of the real car (CSV), relative to this file"});
-        field(TREAD_FIELD(name), About{"", "name in the report; empty: that of the log"});
+        field(TREAD_FIELD(log), About{"", "log of the real car (CSV, VBO or MAT), relative to this file"});
+        field(TREAD_FIELD(name), About{"", "name in the report; empty: file name of the log"});
         field(TREAD_FIELD(speed),
-              About{"", "pedals: throttle and brake are replayed; followed: a driver keeps the measured speed"});
-        field(TREAD_FIELD(from), About{"s", "beginning of the window"});
-        field(TREAD_FIELD(to), About{"s", "end of the window"});
-        field(TREAD_FIELD(repeat_group), About{"", "recordings of one manoeuvre, repeated, share a name"});
+              About{"", "pedals: replay throttle and brake; followed: a controller follows the measured speed"});
+        field(TREAD_FIELD(from), About{"s", "start of the window that is used"});
+        field(TREAD_FIELD(to), About{"s", "end of the window that is used"});
+        field(TREAD_FIELD(repeat_group), About{"", "common name of repeated recordings of one manoeuvre"});
         field(TREAD_FIELD(reference),
               About{"",
-                    "log of the same drive with the car as it was before, if there is one: what "
-                    "the model lacked already is then no part of the gap"});
-        field(TREAD_FIELD(hold_out), About{"", "not used to find the cause: judges how far the gap shrinks"});
-        field(TREAD_FIELD(road), About{"", "road as known"});
-        field(TREAD_FIELD(wind), About{"", "wind as known"});
+                    "log of the same drive before the car was changed, if there is one; the gap "
+                    "between model and reference is subtracted"});
+        field(TREAD_FIELD(hold_out), About{"", "used only to judge how far the gap shrinks, not to find the cause"});
+        field(TREAD_FIELD(road), About{"", "known properties of the road"});
+        field(TREAD_FIELD(wind), About{"", "known wind"});
     }
 
     static void check(const auto& self, auto&& complain) {
-        if (self.log.empty()) complain("log", "found no log, expected the file name of one");
-        if (!(self.from < self.to)) complain("to", "the window must end after its beginning (from < to)");
+        if (self.log.empty()) complain("log", "found no log, expected the file name of a log");
+        if (!(self.from < self.to))
+            complain("to", "found a window that does not end after its start, expected from < to");
     }
 };
 static_assert(describesEveryMember<Recording>());
@@ -81,13 +83,13 @@ struct KnownWithin {
     double absolute = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(path), About{"", "number, or several with *, e.g. front.tyre.lambda.*"});
-        field(TREAD_FIELD(relative), About{"-", "known within this fraction", kNonNegative});
-        field(TREAD_FIELD(absolute), About{"-", "known within this much, in its SI unit", kNonNegative});
+        field(TREAD_FIELD(path), About{"", "path of a number; * matches any characters, e.g. front.tyre.lambda.*"});
+        field(TREAD_FIELD(relative), About{"-", "known to within this fraction of its value", kNonNegative});
+        field(TREAD_FIELD(absolute), About{"-", "known to within this amount, in its SI unit", kNonNegative});
     }
 
     static void check(const auto& self, auto&& complain) {
-        if (self.path.empty()) complain("path", "found no path, expected that of a number, e.g. mass");
+        if (self.path.empty()) complain("path", "found no path, expected the path of a number, e.g. mass");
     }
 };
 static_assert(describesEveryMember<KnownWithin>());
@@ -106,18 +108,19 @@ struct DiagnosisFile {
     double step = 0.004;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(vehicle), About{"", "nominal car, relative to this file"});
-        field(TREAD_FIELD(vehicle_settings), About{"", "what is changed on it, each path=value"});
-        field(TREAD_FIELD(import),
-              About{"", "mapping of foreign logs (see tread import), relative to this file; none: guessed from names"});
-        field(TREAD_FIELD(channels), About{"", "measured channels; none: every channel of the logs that is known"});
+        field(TREAD_FIELD(vehicle), About{"", "file of the nominal car, relative to this file"});
+        field(TREAD_FIELD(vehicle_settings), About{"", "changes to the nominal car, each path=value"});
+        field(
+            TREAD_FIELD(import),
+            About{"", "mapping for foreign logs (see tread import), relative to this file; none: guessed from names"});
+        field(TREAD_FIELD(channels), About{"", "measured channels; none: all channels of the logs that tread knows"});
         field(TREAD_FIELD(recordings), About{"", "drives of the real car"});
-        field(TREAD_FIELD(tolerances), About{"", "how well numbers of the car are known"});
-        field(TREAD_FIELD(instruments), About{"", "instruments, as far as they are known"});
-        field(TREAD_FIELD(effects), About{"", "effects to consider, with * for any characters; none: all"});
-        field(TREAD_FIELD(own_effects), About{"", "file with further effects, relative to this file"});
+        field(TREAD_FIELD(tolerances), About{"", "how accurately numbers of the car are known"});
+        field(TREAD_FIELD(instruments), About{"", "known properties of the instruments"});
+        field(TREAD_FIELD(effects), About{"", "effects to consider; * matches any characters; none: all effects"});
+        field(TREAD_FIELD(own_effects), About{"", "file with additional effects, relative to this file"});
         field(TREAD_FIELD(fit),
-              About{"", "numbers that `tread identify` fits, with * for any characters, e.g. front.tyre.lambda.Ky"});
+              About{"", "numbers that `tread identify` fits; * matches any characters, e.g. front.tyre.lambda.Ky"});
         field(TREAD_FIELD(step), About{"s", "time step of the replay", {1e-4, 0.01}});
     }
 

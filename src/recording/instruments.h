@@ -12,9 +12,9 @@ struct Instrument {
     double delay = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(gain), About{"-", "reading over value"});
-        field(TREAD_FIELD(bias), About{"-", "reading at zero, in the SI unit of the channel"});
-        field(TREAD_FIELD(delay), About{"s", "by which its reading is late", {-1, 1}});
+        field(TREAD_FIELD(gain), About{"-", "reading divided by the true value"});
+        field(TREAD_FIELD(bias), About{"-", "reading at a true value of zero, in the SI unit of the channel"});
+        field(TREAD_FIELD(delay), About{"s", "delay of the reading", {-1, 1}});
     }
 };
 static_assert(describesEveryMember<Instrument>());
@@ -25,11 +25,11 @@ struct InertialUnit {
     double roll = 0, pitch = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(x), About{"m", "forward of the centre of gravity"});
-        field(TREAD_FIELD(y), About{"m", "left of the centre of gravity"});
-        field(TREAD_FIELD(z), About{"m", "above the centre of gravity"});
-        field(TREAD_FIELD(roll), About{"rad", "misalignment, positive with the right side down"});
-        field(TREAD_FIELD(pitch), About{"rad", "misalignment, positive with the nose down"});
+        field(TREAD_FIELD(x), About{"m", "position forward of the centre of gravity"});
+        field(TREAD_FIELD(y), About{"m", "position left of the centre of gravity"});
+        field(TREAD_FIELD(z), About{"m", "position above the centre of gravity"});
+        field(TREAD_FIELD(roll), About{"rad", "roll misalignment, positive with the right side down"});
+        field(TREAD_FIELD(pitch), About{"rad", "pitch misalignment, positive with the nose down"});
     }
 };
 static_assert(describesEveryMember<InertialUnit>());
@@ -41,18 +41,18 @@ struct Instruments {
     Instrument throttle, brake;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(inertial_unit), About{"", "place and lean of the accelerometers"});
+        field(TREAD_FIELD(inertial_unit), About{"", "position and misalignment of the accelerometers"});
         field(TREAD_FIELD(ax), About{"", "longitudinal acceleration"});
         field(TREAD_FIELD(ay), About{"", "lateral acceleration"});
         field(TREAD_FIELD(yaw_rate), About{"", "yaw rate"});
         field(TREAD_FIELD(roll_rate), About{"", "roll rate"});
         field(TREAD_FIELD(roll), About{"", "roll angle"});
-        field(TREAD_FIELD(speed), About{"", "speed over ground, forward"});
+        field(TREAD_FIELD(speed), About{"", "forward speed over ground"});
         field(TREAD_FIELD(sideslip), About{"", "sideslip angle, or lateral velocity"});
-        field(TREAD_FIELD(wheel_speed), About{"", "speeds of the four wheels"});
-        field(TREAD_FIELD(steering_wheel_angle), About{"", "steering-wheel angle, as recorded for the replay"});
-        field(TREAD_FIELD(throttle), About{"", "throttle pedal, as recorded for the replay"});
-        field(TREAD_FIELD(brake), About{"", "brake pedal, as recorded for the replay"});
+        field(TREAD_FIELD(wheel_speed), About{"", "rotational speeds of the four wheels"});
+        field(TREAD_FIELD(steering_wheel_angle), About{"", "recorded steering-wheel angle, an input of the replay"});
+        field(TREAD_FIELD(throttle), About{"", "recorded throttle pedal position, an input of the replay"});
+        field(TREAD_FIELD(brake), About{"", "recorded brake pedal position, an input of the replay"});
     }
 };
 static_assert(describesEveryMember<Instruments>());

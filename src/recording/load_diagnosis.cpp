@@ -5,9 +5,9 @@
 #include "base/read_yaml.h"
 #include "base/setting.h"
 #include "base/yaml_position.h"
+#include "log/log_columns.h"
 #include "recording/diagnosis_file.h"
 #include "recording/subject_paths.h"
-#include "log/log_columns.h"
 #include "tread/load.h"
 
 namespace tread::recording {
@@ -31,7 +31,7 @@ struct Faults {
     }
     void addUnlessThere(const std::string& path, const std::string& name) {
         if (!name.empty() && !std::filesystem::exists(name))
-            add(path, "found " + quote(name) + ", which does not exist, expected the name of a file");
+            add(path, "found " + quote(name) + ", which does not exist; expected an existing file");
     }
 };
 
@@ -42,7 +42,7 @@ std::string channelFault(const std::string& channel) {
     const std::vector<std::string_view> known(names.begin(), names.end());
     const std::string suggestion = didYouMean(channel, known);
     return "found the unknown channel " + quote(channel) + ", expected a name such as chassis.yaw_rate" +
-           (suggestion.empty() ? ";" : suggestion) + " `tread describe log` lists all";
+           (suggestion.empty() ? ";" : suggestion) + " `tread describe log` lists all channels";
 }
 
 void judgeNames(Faults& faults, const DiagnosisFile& diagnosis, bool with_logs) {
@@ -63,7 +63,7 @@ void judgeNames(Faults& faults, const DiagnosisFile& diagnosis, bool with_logs) 
         if (name == "." || name == ".." || name.find_first_of("/\\") != std::string::npos)
             faults.add(
                 at("recordings", i, "name"),
-                "found " + quote(name) + ", expected a name without slashes: a folder of the answer is called so");
+                "found " + quote(name) + ", expected a name without slashes, not . or ..: it is used as a folder name");
     }
     for (std::size_t i = 0; i < diagnosis.recordings.size() && with_logs; ++i) {
         faults.addUnlessThere(at("recordings", i, "log"), diagnosis.recordings[i].log);
@@ -74,7 +74,7 @@ void judgeNames(Faults& faults, const DiagnosisFile& diagnosis, bool with_logs) 
     }
     if (std::all_of(diagnosis.recordings.begin(), diagnosis.recordings.end(),
                     [](const Recording& recording) { return recording.hold_out; }))
-        faults.add("recordings", "found hold_out at every recording, expected at least one from which to learn");
+        faults.add("recordings", "found hold_out: true for every recording, expected at least one recording to fit");
 }
 
 // Gives every recording a name of its own, by which the report tells them apart.

@@ -64,10 +64,10 @@ const std::vector<ObservedQuantity>& observedQuantities() {
         {"chassis.roll", &Instruments::roll, "roll angle"},
         {"chassis.vy", &Instruments::sideslip, "lateral velocity"},
         {"chassis.sideslip", &Instruments::sideslip, "sideslip angle"},
-        {"wheel.front_left.spin", &Instruments::wheel_speed, "speed of the front left wheel"},
-        {"wheel.front_right.spin", &Instruments::wheel_speed, "speed of the front right wheel"},
-        {"wheel.rear_left.spin", &Instruments::wheel_speed, "speed of the rear left wheel"},
-        {"wheel.rear_right.spin", &Instruments::wheel_speed, "speed of the rear right wheel"},
+        {"wheel.front_left.spin", &Instruments::wheel_speed, "front left wheel speed"},
+        {"wheel.front_right.spin", &Instruments::wheel_speed, "front right wheel speed"},
+        {"wheel.rear_left.spin", &Instruments::wheel_speed, "rear left wheel speed"},
+        {"wheel.rear_right.spin", &Instruments::wheel_speed, "rear right wheel speed"},
     };
     return quantities;
 }

@@ -6,10 +6,10 @@
 #include "base/did_you_mean.h"
 #include "base/number_text.h"
 #include "base/read_yaml.h"
-#include "recording/reference.h"
 #include "import/import.h"
 #include "log/csv.h"
 #include "log/log_columns.h"
+#include "recording/reference.h"
 
 namespace tread::recording {
 namespace {
@@ -30,8 +30,8 @@ void takeColumn(Log& log, const MeasuredChannel& wanted, const std::string& file
         std::vector<std::string_view> names;
         for (const Channel& channel : log.channels) names.push_back(channel.name);
         throw LoadError({{file, 0, 0, wanted.column,
-                          "the log has no such column, from which " + wanted.channel + " should be read" +
-                              didYouMean(wanted.column, names)}});
+                          "found no such column in the log, expected the column from which " + wanted.channel +
+                              " is read" + didYouMean(wanted.column, names)}});
     }
     Channel taken = *column;
     taken.name = wanted.channel;
@@ -74,7 +74,7 @@ Log readLogOf(const Recording& recording, const DiagnosisFile& file, std::vector
     std::vector<std::string> guesses;
     const ImportMap map = mapOf(file, table, guesses);
     const Imported imported = importLog(table, map);
-    for (const std::string& guess : guesses) note(guess + "; give a mapping (import) to say it");
+    for (const std::string& guess : guesses) note(guess + "; name a mapping file (import) to set it explicitly");
     for (const Change& change : imported.changes) {
         if (!concernsTheData(change)) continue;
         note(change.channel.empty() ? change.text : change.channel + ": " + change.text);
@@ -91,8 +91,8 @@ Log windowed(const Log& log, const Recording& recording) {
     if (last - first < 2 || time[last - 1] - time[first] < kShortest) {
         throw LoadError(
             {{recording.log, 0, 0, "",
-              fmt::format("has {:.3g} s within the window from {} s to {}, expected at least {} s: a "
-                          "shorter drive cannot tell causes apart",
+              fmt::format("has {:.3g} s within the window from {} s to {}, expected at least {} s: a shorter drive "
+                          "cannot separate causes; widen the window (from, to) or remove the recording",
                           last > first ? time[last - 1] - time[first] : 0.0, numberText(recording.from),
                           recording.to == kInfinity ? "the end" : numberText(recording.to) + " s", kShortest)}});
     }

@@ -12,9 +12,9 @@
 namespace tread::recording {
 namespace {
 
-constexpr double kStartFit = 0.5;  // s at the start, over which a line is fitted to the speed
+constexpr double kStartFit = 0.5;       // s at the start, over which a line is fitted to the speed
 constexpr double kTimeRounding = 1e-9;  // s, tolerance for times that should fall on the boundary of a block
-constexpr double kAlikeSpeed = 0.03;  // relative difference in start speed up to which two drives count as repeats
+constexpr double kAlikeSpeed = 0.03;    // relative difference in start speed up to which two drives count as repeats
 
 // Value at t = 0 of a line through the first half second.
 double atStart(const std::vector<double>& time, const std::vector<double>& values) {
@@ -32,7 +32,9 @@ double startSpeed(const Log& log, const std::vector<double>& time, const std::st
     const double value = speed ? atStart(time, speed->values) : kRequired;
     if (std::isfinite(value)) return std::max(0.0, value);
     throw std::invalid_argument(fmt::format(
-        "recording {}: found no speed in its first half second, expected chassis.vx: the replay starts at it", name));
+        "recording {}: found no speed in the first half second, expected values of chassis.vx, the start speed of the "
+        "replay; record it or start the window later (from)",
+        name));
 }
 
 // Standard deviation of a block's mean from the noise that the file states; 0: not stated.
@@ -64,8 +66,7 @@ std::size_t firstLike(Drives drives, std::size_t drive) {
     };
     for (std::size_t other = 0; other < drive && !group.empty(); ++other) {
         const RecordedDrive& there = drives[other];
-        if (there.recording->repeat_group == group &&
-            std::abs(there.speed - here.speed) < kAlikeSpeed * here.speed &&
+        if (there.recording->repeat_group == group && std::abs(there.speed - here.speed) < kAlikeSpeed * here.speed &&
             std::equal(here.channels.begin(), here.channels.end(), there.channels.begin(), there.channels.end(),
                        sameRows))
             return other;
@@ -103,7 +104,9 @@ RecordedDrive recordedDrive(const Recording& recording, const Log& log, const Di
                         .channels = {},
                         .measured = {}};
     if (log.samples() < 2)
-        throw std::invalid_argument(fmt::format("recording {}: found fewer than two samples", drive.name));
+        throw std::invalid_argument(fmt::format(
+            "recording {}: found fewer than two samples, expected a whole drive; check its log and its window",
+            drive.name));
     drive.time = log.channels.front().values;
     drive.speed = startSpeed(log, drive.time, drive.name);
     drive.gap = firstGap(drive);
@@ -127,14 +130,14 @@ RecordedDrive recordedDrive(const Recording& recording, const Log& log, const Di
         drive.channels.push_back(std::move(channel));
     }
     if (drive.channels.empty()) {
-        throw std::invalid_argument(
-            fmt::format("recording {}: found no channel that a diagnosis can use, expected at least one of {}",
-                        drive.name, observedQuantitiesListed()));
+        throw std::invalid_argument(fmt::format(
+            "recording {}: found no channel that a diagnosis can use, expected at least one of {}; check the names in "
+            "the log and under channels",
+            drive.name, observedQuantitiesListed()));
     }
     drive.measured.resize(rows);
     for (const ObservedChannel& channel : drive.channels)
-        drive.measured.segment(channel.first_row, channel.rows()) =
-            blockMeans(channel, drive.time, channel.measured);
+        drive.measured.segment(channel.first_row, channel.rows()) = blockMeans(channel, drive.time, channel.measured);
     return drive;
 }
 

@@ -33,15 +33,15 @@ double rms(std::span<const double> values) {
 // Throws std::invalid_argument unless the driver does the same in both.
 void expectSameDrive(const RecordedDrive& drive, const RecordedDrive& reference) {
     const auto another = [&](const std::string& found) {
-        throw std::invalid_argument(
-            fmt::format("recording {}: {}, expected a reference that is the same drive, begun at the same time of its "
-                        "log; cut the logs alike (from, to) or leave the reference out",
-                        drive.name, found));
+        throw std::invalid_argument(fmt::format(
+            "recording {}: {}, expected a reference of the same drive with the same time base; align the two logs or "
+            "remove the reference",
+            drive.name, found));
     };
     if (std::abs(drive.speed - reference.speed) > kAnotherSpeed * std::max(drive.speed, 1.0))
-        another(fmt::format("begins at {:.2f} m/s, its reference at {:.2f} m/s", drive.speed, reference.speed));
+        another(fmt::format("starts at {:.2f} m/s, its reference at {:.2f} m/s", drive.speed, reference.speed));
     if (reference.duration() < drive.duration() - kShorter)
-        another(fmt::format("takes {:.2f} s, its reference {:.2f} s", drive.duration(), reference.duration()));
+        another(fmt::format("lasts {:.2f} s, its reference {:.2f} s", drive.duration(), reference.duration()));
     const bool followed = drive.recording->speed == SpeedReplay::followed;
     for (const std::string name : {"driver.steering_wheel_angle", "driver.throttle", "driver.brake"}) {
         if (followed && name != "driver.steering_wheel_angle") continue;  // the pedals are not replayed
@@ -52,8 +52,8 @@ void expectSameDrive(const RecordedDrive& drive, const RecordedDrive& reference)
         for (std::size_t i = 0; i < off.size(); ++i) off[i] -= then[i];
         const double size = rms(here->values), differs = rms(off);
         if (differs > kAnotherDrive * size + kStill)
-            another(fmt::format("{} differs by {:.3g} (root mean square, {:.3g} in all) from that of its reference",
-                                name, differs, size));
+            another(fmt::format("{} differs by {:.3g} rms (its own rms is {:.3g}) from that of its reference", name,
+                                differs, size));
     }
 }
 
@@ -66,8 +66,9 @@ void lessReference(RecordedDrive& drive, const RecordedDrive& reference, const R
     } catch (const Interrupted&) {
         throw;
     } catch (const SimulationError& error) {
-        throw std::invalid_argument(fmt::format(
-            "recording {}: the nominal car cannot be driven as its reference was: {}", drive.name, error.what()));
+        throw std::invalid_argument(
+            fmt::format("recording {}: the simulation of the nominal car in its reference drive fails: {}", drive.name,
+                        error.what()));
     }
     drive.until_reference = std::min(reference.until, slideApart(reference, model));
     if (reference.until < drive.until) drive.gap = reference.gap;

@@ -23,7 +23,7 @@ struct Subject {
         VehicleParams::describe(self.vehicle, field);
         field(TREAD_FIELD(road), About{"", "road"});
         field(TREAD_FIELD(wind), About{"", "wind"});
-        field(TREAD_FIELD(instruments), About{"", "instruments that observed the car"});
+        field(TREAD_FIELD(instruments), About{"", "instruments that recorded the car"});
     }
 };
 

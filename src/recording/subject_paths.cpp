@@ -53,7 +53,7 @@ std::string pathFault(std::string_view path) {
     std::vector<std::string_view> known;
     for (const auto& [name, row] : rows()) known.push_back(name);
     const std::string suggestion = didYouMean(path, known);
-    return "found " + quote(path) + ", which is no number of a car, road, wind or instrument" +
+    return "found " + quote(path) + ", expected the path of a number of car, road, wind or instruments" +
            (suggestion.empty() ? ";" : suggestion) +
            " `tread describe vehicle` and `tread describe diagnosis` list them";
 }

@@ -124,13 +124,15 @@ void addOverlays(HtmlPage& page, const Diagnosis& diagnosis, const char* extende
                                    [](const Overlay& overlay) { return !overlay.allowed.channels.empty(); });
     if (bands)
         page.text(
-            "Shaded: what the nominal car could do with its numbers elsewhere within their tolerances. What was "
-            "measured outside of that by more than its noise, they hardly explain. Drives that were held out have "
-            "none.");
+            "Shaded: range of the nominal car for its numbers within their tolerances. The tolerances hardly explain a "
+            "measurement that is outside this range by more than its noise. Held-out drives have no range.");
     if (diagnosis.compared)
-        page.text("Measured: less what the nominal car lacked in the reference, the same drive before the change.");
+        page.text(
+            "Measured: minus the gap between the nominal car and the reference, the same drive before the change.");
     if (diagnosis.overlays.size() > kRecordings)
-        page.text("Held-out drives first, then those with most of the gap; the logs beside this page have all.");
+        page.text(
+            "Held-out drives first, then those with the largest shares of the gap. The logs next to this page contain "
+            "all drives.");
     page.timeCharts(charts);
 }
 

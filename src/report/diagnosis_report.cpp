@@ -68,27 +68,27 @@ void addHead(HtmlPage& page, const DiagnosisReport& content) {
     }
     const std::string where = d.how_far.in_sample ? "in the same drives" : "in held-out drives";
     cards.push_back({"gap " + where + ", in noise units: nominal", formatNumber(judged.nominal, 3), ""});
-    cards.push_back({"after the known uncertainties", formatNumber(judged.calibrated, 3), ""});
-    cards.push_back({d.causes.empty() ? "noise floor" : "and with the effect (1 is the floor)",
+    cards.push_back({"with the tolerances fitted", formatNumber(judged.calibrated, 3), ""});
+    cards.push_back({d.causes.empty() ? "noise floor" : "with the effect added (noise floor: 1)",
                      formatNumber(d.causes.empty() ? judged.floor : judged.extended, 3), ""});
     if (d.verdict == Verdict::unknown)
         cards.push_back({"probability of an unknown cause", formatNumber(100 * d.probability_of_unknown, 3), "%"});
     cards.push_back(
-        {"of what can be closed is closed", percentNumber(d.how_far.closure),
+        {"of the closable gap is closed", percentNumber(d.how_far.closure),
          fmt::format("% [{}, {}]", percentNumber(d.how_far.closure_low), percentNumber(d.how_far.closure_high))});
     page.cards(cards);
     page.keyValues(
         {{"Where", fmt::format("{} of the gap; force: {}; band: {}; when: {}", largest(d.where.channels),
                                largest(d.where.generalised_force), largest(d.where.bands), largest(d.where.phases))},
          {"Could also be", fmt::format("{}", fmt::join(shownNames(eachTogether(d.alternatives)), ", "))},
-         {"90 % sure it is among",
+         {"90 % credible set",
           std::is_permutation(d.causes.begin(), d.causes.end(), d.credible_set.begin(), d.credible_set.end())
               ? ""
               : fmt::format("{}", fmt::join(shownNames(d.credible_set), ", "))},
          {"Drive next", d.next.empty() ? "" : d.next.front().scenario + ": " + separatesInWords(d.next.front())},
          {"Car", content.vehicle},
-         {"Compared with", d.compared ? "the same drives of the car as it was before: what the model lacked already is "
-                                        "taken off what was measured"
+         {"Compared with", d.compared ? "the same drives before the car was changed: the gap of the model to them is "
+                                        "subtracted from the measurements"
                                       : ""},
          {"Made by", fmt::format("tread {}, {} simulations in {:.0f} s", content.version, d.simulations, d.seconds)}});
     page.warnings(d.data_warnings);
@@ -97,10 +97,10 @@ void addHead(HtmlPage& page, const DiagnosisReport& content) {
 void addUnexplained(HtmlPage& page, const Unexplained& rest) {
     if (rest.share < 0.005) return;
     page.text(fmt::format("The best answer leaves {} % of the gap{}{}.", percentNumber(rest.share),
-                          rest.generalised_force.empty() ? "" : "; what acts there: " + rest.generalised_force,
+                          rest.generalised_force.empty() ? "" : "; missing force: " + rest.generalised_force,
                           rest.when.recording.empty() ? "" : ", " + momentInWords(rest.when)));
     const std::string law = lawInWords(rest.law);
-    if (!law.empty() && rest.law.generalised_force.empty()) page.text("Beside the best answer, " + law + ".");
+    if (!law.empty() && rest.law.generalised_force.empty()) page.text("In addition to the best answer, " + law + ".");
 }
 
 }  // namespace
@@ -115,9 +115,9 @@ std::string diagnosisReport(const DiagnosisReport& content) {
 
     page.section("How far the gap shrinks");
     page.text(
-        "Root mean square of measured less simulated, in units of the noise: 1 is what a perfect model leaves. "
-        "Nominal: the car as its file says. Calibrated: its numbers moved within their tolerances. With the effect: "
-        "the cause added. The effect is credited with what it adds to the calibrated car.");
+        "Root mean square of measured minus simulated, in units of the noise; a perfect model leaves 1. "
+        "Nominal: the car as described by its file. Calibrated: its numbers fitted within their tolerances. With the "
+        "effect: the cause added. The effect is credited only with its improvement over the calibrated car.");
     addLevels(page, d.how_far);
     addUnexplained(page, d.unexplained);
 
@@ -129,7 +129,7 @@ std::string diagnosisReport(const DiagnosisReport& content) {
         addOverlays(page, d);
     }
 
-    page.section("What these drives cannot tell");
+    page.section("Limits of these drives");
     addLimits(page, d);
 
     page.section("The car within its tolerances");

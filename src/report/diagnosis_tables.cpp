@@ -115,17 +115,16 @@ void addEffects(HtmlPage& page, const Diagnosis& diagnosis) {
             std::isfinite(same) ? formatNumber(same, 2) : "", same < 0.01,
             question + (question.empty() || parameters.empty() ? "" : " ") + parameters);
     }
-    add("nothing that these drives show", diagnosis.probability_of_nothing, "0", "", false,
-        "The numbers of the car within their tolerances explain the drives.");
+    add("no effect visible in these drives", diagnosis.probability_of_nothing, "0", "", false,
+        "The car explains the drives with its numbers within their tolerances.");
     const ForceLaw& law = diagnosis.unexplained.law;
     const bool alone = !law.generalised_force.empty();
     add("an unknown cause", diagnosis.probability_of_unknown, "", "", false,
-        "A force acts that nothing in the catalogue explains" + (alone ? ": " + lawInWords(law) : "") + ".");
-    page.table({"Effect", "Probability", "Evidence, nats", "Same in all drives, p", "What it asks, and what was found"},
-               rows, true);
+        "A force acts that no effect of the catalogue explains" + (alone ? ": " + lawInWords(law) : "") + ".");
+    page.table({"Effect", "Probability", "Evidence, nats", "Same in all drives, p", "Question and result"}, rows, true);
     if (diagnosis.effects.size() > kShown)
-        page.text(fmt::format("{} further effects were considered and are less likely than these.",
-                              diagnosis.effects.size() - kShown));
+        page.text(
+            fmt::format("{} other effects were considered and are less likely.", diagnosis.effects.size() - kShown));
 }
 
 void addLevels(HtmlPage& page, const HowFar& how_far, const char* extended) {
@@ -142,22 +141,21 @@ void addLevels(HtmlPage& page, const HowFar& how_far, const char* extended) {
             rows.push_back({{stage == stages[0].first ? drives : ""}, bar, {formatNumber(value, 3), true}});
         }
     };
-    add("Drives it was learnt from", how_far.training);
+    add("Drives used for fitting", how_far.training);
     if (!how_far.in_sample) add("Held-out drives", how_far.held_out);
     page.table({"Drives", "Model", "Gap"}, rows);
-    page.text(fmt::format("{} of what can be closed is closed {} (90 %: {} to {}){}.", percent(how_far.closure),
-                          extended, percent(how_far.closure_low), percent(how_far.closure_high),
-                          how_far.in_sample
-                              ? "; judged on the drives that it was fitted to, because none was held out: "
-                                "too favourable"
-                              : ", on drives that were not used to find it"));
+    page.text(fmt::format("{} of the closable gap is closed {} (90 %: {} to {}){}.", percent(how_far.closure), extended,
+                          percent(how_far.closure_low), percent(how_far.closure_high),
+                          how_far.in_sample ? "; judged in the fitted drives because none was held out, which is too "
+                                              "optimistic"
+                                            : ", in drives that were not used for fitting"));
 }
 
 void addLimits(HtmlPage& page, const Diagnosis& diagnosis) {
     std::vector<std::vector<Cell>> next;
     for (const NextDrive& drive : diagnosis.next)
         next.push_back({{drive.scenario}, {formatNumber(drive.nats, 3), true}, {separatesInWords(drive)}});
-    if (!next.empty()) page.table({"Drive next", "Nats to expect", "What it would tell"}, next, true);
+    if (!next.empty()) page.table({"Drive next", "Expected nats", "Would separate"}, next, true);
 
     std::vector<std::vector<Cell>> pairs;
     for (const ConfusablePair& pair : diagnosis.confusable) {
@@ -171,17 +169,17 @@ void addLimits(HtmlPage& page, const Diagnosis& diagnosis) {
     if (!pairs.empty()) {
         const std::size_t all = diagnosis.confusable.size();
         page.text(
-            fmt::format("Pairs that these drives cannot tell apart: less than {:.0f} nats between them at typical "
+            fmt::format("Pairs that these drives cannot separate: less than {:.0f} nats between them at typical "
                         "size{}.",
                         kSettings.clear, all > kPairs ? fmt::format("; the {} nearest of {}", kPairs, all) : ""));
-        page.table({"Effect", "Looks like", "Likeness", "Separation, nats", "Most of it in"}, pairs);
+        page.table({"Effect", "Similar effect", "Similarity", "Separation, nats", "Mostly in"}, pairs);
     }
     std::vector<std::string> hidden;
     for (const auto& [effect, nats] : diagnosis.expected_evidence) {
         if (nats < kTestable) hidden.push_back(shownName(effect));
     }
     page.text(hidden.empty()
-                  ? std::string("Every effect that was considered would show in these drives at its typical size.")
+                  ? std::string("Every effect considered would be visible in these drives at its typical size.")
                   : fmt::format("These drives would not show {} of {} effects at their typical size: {}.",
                                 hidden.size(), diagnosis.expected_evidence.size(), fmt::join(hidden, ", ")));
 }
@@ -195,8 +193,8 @@ void addNuisances(HtmlPage& page, const Diagnosis& diagnosis) {
                      [](const auto& a, const auto& b) { return std::abs(a.second.z) > std::abs(b.second.z); });
     if (order.empty()) {
         page.text(
-            fmt::format("None of its {} uncertain numbers had to be moved by more than {:.0f} standard deviation of "
-                        "its tolerance.",
+            fmt::format("None of the {} uncertain numbers changed by more than {:.0f} standard deviation of its "
+                        "tolerance.",
                         diagnosis.nuisance.size(), kNoteworthy));
         return;
     }
@@ -210,11 +208,11 @@ void addNuisances(HtmlPage& page, const Diagnosis& diagnosis) {
                         {prettyUnit(shown.unit)},
                         {formatNumber(estimate.z, 2), true, std::abs(estimate.z) > 2}});
     }
-    page.text(
-        fmt::format("{} of {} uncertain numbers were moved by more than {:.0f} standard deviation of their tolerance; "
-                    "beyond 2 the tolerance is doubtful.",
-                    order.size(), diagnosis.nuisance.size(), kNoteworthy));
-    page.table({"Number", "Value", "±", "Unit", "Standard deviations moved"}, rows);
+    page.text(fmt::format(
+        "{} of {} uncertain numbers changed by more than {:.0f} standard deviation of their tolerance; beyond 2, "
+        "the tolerance is doubtful.",
+        order.size(), diagnosis.nuisance.size(), kNoteworthy));
+    page.table({"Number", "Value", "±", "Unit", "Change in standard deviations"}, rows);
 }
 
 void addSettings(HtmlPage& page) {
@@ -225,7 +223,7 @@ void addSettings(HtmlPage& page) {
                         {prettyUnit(std::string(about.unit))},
                         {std::string(about.meaning)}});
     });
-    page.table({"Setting", "Value", "Unit", "What it is, and on what it stands"}, rows);
+    page.table({"Setting", "Value", "Unit", "Meaning and basis"}, rows);
 }
 
 }  // namespace tread

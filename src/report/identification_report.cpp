@@ -38,17 +38,17 @@ void addHead(HtmlPage& page, const std::string& vehicle, const std::string& vers
                 {"gap " + where + ", in noise units: nominal", formatNumber(judged.nominal, 3), ""},
                 {"with the fitted numbers", formatNumber(judged.calibrated, 3), ""},
                 {"noise floor", formatNumber(judged.floor, 3), ""},
-                {"condition of the fit", formatNumber(found.condition, 2), ""}});
+                {"condition number of the fit", formatNumber(found.condition, 2), ""}});
     page.keyValues({{"Car", vehicle},
-                    {"Fitted to", found.of_references ? "the references: the car as it was before the change" : ""},
+                    {"Fitted to", found.of_references ? "the references: the car before the change" : ""},
                     {"Made by", fmt::format("tread {}, {} simulations in {:.0f} s", version, found.gap.simulations,
                                             found.gap.seconds)}});
     page.warnings(found.gap.data_warnings);
 }
 
 std::string remark(const FittedNumber& one) {
-    if (!one.determined) return "not determined by these drives: as uncertain as before";
-    if (one.at_bound) return "at the end of what was allowed";
+    if (!one.determined) return "not determined by these drives: no more certain than before";
+    if (one.at_bound) return "at the limit of the search range";
     return std::abs(one.z) > kFarMoved ? "far from nominal" : "";
 }
 
@@ -69,7 +69,7 @@ void addNumbers(HtmlPage& page, const Identification& found) {
                         {formatNumber(one.z, 2), true, std::abs(one.z) > kFarMoved},
                         {remark(one), false, !one.determined || one.at_bound}});
     }
-    page.table({"Number", "Value", "±", "Nominal", "± before", "Unit", "Moved, in ± before", ""}, rows);
+    page.table({"Number", "Value", "±", "Nominal", "± before", "Unit", "Change, in ± before", ""}, rows);
 }
 
 void addCorrelation(HtmlPage& page, const Identification& found) {
@@ -96,19 +96,21 @@ std::string identificationReport(const std::string& vehicle, const std::string& 
 
     page.section("The numbers");
     addNumbers(page, found);
-    page.text("Correlation of what is left uncertain: near 1 or -1, two numbers are known together only.");
+    page.text(
+        "Correlation of the remaining uncertainties. Near 1 or -1, only a combination of the two numbers is "
+        "determined.");
     addCorrelation(page, found);
 
     page.section("How far the gap shrinks");
     page.text(
-        "Root mean square of measured less simulated, in units of the noise: 1 is what a perfect model leaves. "
-        "Nominal: the car as its file says. Calibrated: with the fitted numbers alone, as in calibrated.yaml. Within "
-        "tolerance: everything else that is uncertain moved, too.");
+        "Root mean square of measured minus simulated, in units of the noise; a perfect model leaves 1. "
+        "Nominal: the car as described by its file. Calibrated: with the fitted numbers only, as in calibrated.yaml. "
+        "Within tolerance: all other uncertain numbers fitted as well.");
     addLevels(page, found.gap.how_far, "within tolerance");
     if (const std::string others = otherNumbersInWords(found); !others.empty())
         page.text(fmt::format("Note: {}.", others));
 
-    page.section("Where the nominal car was off");
+    page.section("Where the nominal car deviates");
     addWhere(page, found.gap.where);
 
     if (!found.gap.overlays.empty()) {
@@ -116,7 +118,7 @@ std::string identificationReport(const std::string& vehicle, const std::string& 
         addOverlays(page, found.gap, "within tolerance");
     }
 
-    page.section("The rest of the car within its tolerances");
+    page.section("Other numbers of the car within their tolerances");
     addNuisances(page, found.gap);
     return page.finish();
 }

@@ -78,8 +78,8 @@ void addHeatMap(HtmlPage& page, const WhereItLies& where) {
 
 void addWhere(HtmlPage& page, const WhereItLies& where) {
     page.text(
-        "Shares of the squared gap of the nominal car, in noise units: by recording and channel, then by what the "
-        "driver does, frequency, operating regime and the force that is missing.");
+        "Shares of the squared gap of the nominal car, in noise units: by recording and channel, then by driving "
+        "phase, frequency, operating regime and missing force.");
     addHeatMap(page, where);
     addShares(page, {{"Phase", &where.phases},
                      {"Frequency", &where.bands},
@@ -87,9 +87,9 @@ void addWhere(HtmlPage& page, const WhereItLies& where) {
                      {"Missing force", &where.generalised_force},
                      {"Side force at the axle", &where.axle_force}});
     page.text(
-        "Missing force: what would have to push the nominal car, its numbers within their tolerances, for it to go as "
-        "was measured. Side force at the axle: where it would push to do what is missing of lateral force and yaw "
-        "moment.");
+        "Missing force: the external force with which the nominal car, its numbers within their tolerances, would "
+        "follow the measured motion. Side force at the axle: how the missing lateral force and yaw moment would divide "
+        "between the axles.");
 }
 
 }  // namespace tread

@@ -59,7 +59,7 @@ void readJson(T& value, const nlohmann::ordered_json& json, const std::string& p
         expect(json.is_object(), "an object");
         T::describe(value, [&](std::string_view name, auto& field, const About&) {
             const auto found = json.find(std::string(name));
-            expect(found != json.end(), ("\"" + std::string(name) + "\" in it").c_str());
+            expect(found != json.end(), ("the field \"" + std::string(name) + "\"").c_str());
             readJson(field, *found, below(name));
         });
     } else if constexpr (DescribedEnum<T>) {
@@ -69,7 +69,7 @@ void readJson(T& value, const nlohmann::ordered_json& json, const std::string& p
             value = static_cast<T>(i);
             return;
         }
-        expect(false, "one of the names of this choice");
+        expect(false, "a known name of this enumeration");
     } else if constexpr (std::is_same_v<T, bool>) {
         expect(json.is_boolean(), "true or false");
         value = json.template get<bool>();
@@ -80,7 +80,7 @@ void readJson(T& value, const nlohmann::ordered_json& json, const std::string& p
         expect(json.is_number_integer(), "a whole number");
         const bool fits = json.is_number_unsigned() ? std::in_range<T>(json.template get<std::uint64_t>())
                                                     : std::in_range<T>(json.template get<std::int64_t>());
-        expect(fits, "a whole number within the range of this one");
+        expect(fits, "a whole number within the range of this field");
         value = json.template get<T>();
     } else if constexpr (requires { typename T::mapped_type; }) {
         expect(json.is_object(), "an object");
@@ -91,7 +91,7 @@ void readJson(T& value, const nlohmann::ordered_json& json, const std::string& p
         value.assign(json.size(), {});
         for (std::size_t i = 0; i < json.size(); ++i) readJson(value[i], json[i], below(std::to_string(i)));
     } else {
-        expect(json.is_string(), "a text");
+        expect(json.is_string(), "a string");
         value = json.template get<std::string>();
     }
 }

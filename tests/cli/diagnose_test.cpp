@@ -59,7 +59,7 @@ protected:
 TEST_F(DiagnoseCommand, RefusesALogShorterThanASecond) {
     recorded("a.csv", slalom(0.6));
     diagnosis();
-    expectRefused(checked(), "a shorter drive cannot tell causes apart");
+    expectRefused(checked(), "a shorter drive cannot separate causes");
 }
 
 TEST_F(DiagnoseCommand, RefusesAnUnknownEffectAndNamesTheOneThatWasMeant) {
@@ -84,7 +84,7 @@ TEST_F(DiagnoseCommand, RefusesAnEffectOfOnesOwnWhosePathDoesNotExist) {
 TEST_F(DiagnoseCommand, RefusesWhenEveryRecordingIsHeldOut) {
     recorded("a.csv", slalom());
     diagnosis("", "  - {log: a.csv, hold_out: true}\n");
-    expectRefused(checked(), "expected at least one from which to learn");
+    expectRefused(checked(), "expected at least one recording to fit");
 }
 
 TEST_F(DiagnoseCommand, RefusesANameThatLeadsOutOfTheFolderOfTheAnswer) {
@@ -105,7 +105,7 @@ TEST_F(DiagnoseCommand, SaysAtOnceThatADriveHeldOutCannotBeRepeated) {
     std::erase_if(without.channels, [](const Channel& channel) { return channel.name == "chassis.vx"; });
     recorded("b.csv", without);
     diagnosis("effects: [steering_ratio]\n", "  - {log: a.csv, speed: followed}\n  - {log: b.csv, hold_out: true}\n");
-    expectWarned(checked(), "recording b: found no speed in its first half second");
+    expectWarned(checked(), "recording b: found no speed in the first half second");
     const Result full = runProgram({"diagnose", scratch.path("diagnosis.yaml"), "-o", scratch.path("out")});
     EXPECT_EQ(full.status, 2);
     EXPECT_NE(full.err.find("recording b: found no speed"), std::string::npos) << full.err;
@@ -145,16 +145,16 @@ TEST_F(DiagnoseCommand, CheckSaysWhatOneRecordingAloneCannotTell) {
     recorded("a.csv", slalom());
     diagnosis();
     const Result result = checked();
-    expectWarned(result, "only one recording is there to learn from");
+    expectWarned(result, "only one recording is used for fitting");
     expectWarned(result, "no recording is held out");
 }
 
 TEST_F(DiagnoseCommand, CheckFindsTheFileOfAnotherCar) {
     recorded("a.csv", slalom());
     diagnosis();
-    EXPECT_EQ(checked().out.find("With the file of another car"), std::string::npos);
+    EXPECT_EQ(checked().out.find("With the file of a different car"), std::string::npos);
     diagnosis("vehicle_settings: [steering.ratio=5]\neffects: [steering_ratio]\n");
-    expectWarned(checked(), "With the file of another car every effect would be fitted to that");
+    expectWarned(checked(), "With the file of a different car, every effect would be fitted to that difference");
 }
 
 TEST_F(DiagnoseCommand, CheckFindsGaps) {
@@ -227,7 +227,7 @@ TEST_F(DiagnoseCommand, IdentifyRefusesANumberOfWhichNothingSaysHowWellItIsKnown
     recorded("a.csv", slalom());
     diagnosis();
     expectRefused(runProgram({"identify", scratch.path("diagnosis.yaml"), "--fit", "steering.delay"}),
-                  "say it under tolerances");
+                  "add one under tolerances");
 }
 
 }  // namespace

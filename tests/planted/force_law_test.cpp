@@ -74,7 +74,7 @@ TEST(ForceLaw, OfAMassThatSwingsAcrossTheCarIsFoundWithItsMass) {
             };
     });
     EXPECT_EQ(d.verdict, Verdict::unknown) << d.answer;
-    EXPECT_NE(d.unexplained.law.follows.find("swings across the car at 0.65 Hz"), std::string::npos) << d.answer;
+    EXPECT_NE(d.unexplained.law.follows.find("oscillates laterally at 0.65 Hz"), std::string::npos) << d.answer;
     EXPECT_EQ(d.unexplained.generalised_force, "lateral");
     EXPECT_NEAR(d.unexplained.law.coefficients.at("lateral"), kMass, 0.2 * kMass);
 }
@@ -88,7 +88,8 @@ TEST(ForceLaw, OfARearAxleThatPushesAsideInEveryTurnIsFoundWithItsSize) {
         };
     });
     EXPECT_EQ(d.verdict, Verdict::unknown) << d.answer;
-    EXPECT_NE(d.unexplained.law.follows.find("the size of the lateral acceleration"), std::string::npos) << d.answer;
+    EXPECT_NE(d.unexplained.law.follows.find("the magnitude of the lateral acceleration"), std::string::npos)
+        << d.answer;
     EXPECT_NEAR(d.unexplained.law.coefficients.at("yaw"), -kArm * kForce, 0.2 * kArm * kForce);
     EXPECT_NEAR(d.unexplained.law.coefficients.at("lateral"), kForce, 0.4 * kForce);
 }

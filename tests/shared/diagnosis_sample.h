@@ -79,7 +79,7 @@ inline diagnose::answer::Diagnosis sampleDiagnosis() {
     d.constancy = {{"tyre_relaxation", 0.44}, {"steering_delay", 0.002}};
     d.baselines = {"steering_delay", "tyre_relaxation"};
     d.data_warnings = {
-        "coast_down, chassis.roll: changes only at about 20 Hz: a slower source, held between its values."};
+        "coast_down, chassis.roll: changes only at about 20 Hz: a slower signal, held between its samples."};
     d.seconds = 41;
     d.simulations = 2310;
     for (const char* name : {"double_lane_change", "sine_sweep"}) {

@@ -103,11 +103,11 @@ TEST(DescribedJson, WholeNumberIsANumberToo) {
 }
 
 TEST(DescribedJson, MissingFieldIsNamedWithItsPath) {
-    EXPECT_EQ(fault(changed([](auto& json) { json.erase("loads"); })), "expected \"loads\" in it");
+    EXPECT_EQ(fault(changed([](auto& json) { json.erase("loads"); })), "expected the field \"loads\"");
     EXPECT_EQ(fault(changed([](auto& json) { json["wheels"][1].erase("driven"); })),
-              "wheels.1: expected \"driven\" in it");
+              "wheels.1: expected the field \"driven\"");
     EXPECT_EQ(fault(changed([](auto& json) { json["spare"]["boot"].erase("radius"); })),
-              "spare.boot: expected \"radius\" in it");
+              "spare.boot: expected the field \"radius\"");
 }
 
 TEST(DescribedJson, WrongTypeIsNamedWithItsPath) {
@@ -115,20 +115,20 @@ TEST(DescribedJson, WrongTypeIsNamedWithItsPath) {
               "wheels.0.radius: expected a number");
     EXPECT_EQ(fault(changed([](auto& json) { json["wheels"][0]["driven"] = 1; })),
               "wheels.0.driven: expected true or false");
-    EXPECT_EQ(fault(changed([](auto& json) { json["rows"][2][0] = 3; })), "rows.2.0: expected a text");
+    EXPECT_EQ(fault(changed([](auto& json) { json["rows"][2][0] = 3; })), "rows.2.0: expected a string");
     EXPECT_EQ(fault(changed([](auto& json) { json["rows"][1] = "c"; })), "rows.1: expected a list");
     EXPECT_EQ(fault(changed([](auto& json) { json["loads"] = nullptr; })), "loads: expected an object");
     EXPECT_EQ(fault(changed([](auto& json) { json["colour"] = "blue"; })),
-              "colour: expected one of the names of this choice");
+              "colour: expected a known name of this enumeration");
     EXPECT_EQ(fault(changed([](auto& json) { json["seats"] = 1.5; })), "seats: expected a whole number");
     EXPECT_EQ(fault("cart"), "expected an object");
 }
 
 TEST(DescribedJson, WholeNumberBeyondTheFieldIsRefused) {
     EXPECT_EQ(fault(changed([](auto& json) { json["seats"] = 3000000000; })),
-              "seats: expected a whole number within the range of this one");
+              "seats: expected a whole number within the range of this field");
     EXPECT_EQ(fault(changed([](auto& json) { json["seed"] = -1; })),
-              "seed: expected a whole number within the range of this one");
+              "seed: expected a whole number within the range of this field");
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ TEST(DataChecks, ChannelsThatAReferenceHasNotAreNamed) {
 TEST(DataChecks, ReferencesOfSomeRecordingsOnlyAreSaid) {
     Case wrong = withReferences();
     wrong.file.recordings[1].reference.clear();
-    expectOnly(wrong, "all recordings", "some have a reference and some have none");
+    expectOnly(wrong, "all recordings", "only some of the recordings have a reference");
 }
 
 TEST(DataChecks, InputsThatNoDriverGivesAreTakenForAnotherUnit) {
@@ -152,7 +152,7 @@ TEST(DataChecks, WhatWasNotMeasuredIsNotSaidToBeSmall) {
 TEST(DataChecks, ChannelsThatNoLogHasAreNamed) {
     Case wrong = right();
     wrong.file.channels = {{.channel = "chassis.yaw_rate"}, {.channel = "chassis.sideslip"}};
-    expectOnly(wrong, "all recordings", "chassis.sideslip stand under channels and in no log");
+    expectOnly(wrong, "all recordings", "chassis.sideslip listed under channels, but in no log");
 }
 
 TEST(DataChecks, WrongSignsAreNamed) {
@@ -214,7 +214,7 @@ TEST(DataChecks, GapsSpikesStuckHeldAndSaturatedSensorsAreNamed) {
     const std::string where = "sine, chassis.yaw_rate";
     expectOnly(changed([](auto& r) { r[300] = r[301] = std::nan(""); }), where, "2 of ");
     expectOnly(changed([](auto& r) { r[300] += 2; }), where, "1 value is a spike");
-    expectOnly(changed([](auto& r) { std::fill(r.begin(), r.end(), 0.01); }), where, "all the time");
+    expectOnly(changed([](auto& r) { std::fill(r.begin(), r.end(), 0.01); }), where, "is constant at");
     expectOnly(
         changed([](auto& r) { std::fill(r.begin() + 100, r.begin() + 100 + static_cast<int>(r.size() / 2), r[100]); }),
         where, "stays at");
@@ -222,7 +222,7 @@ TEST(DataChecks, GapsSpikesStuckHeldAndSaturatedSensorsAreNamed) {
                    const double top = 0.7 * *std::max_element(r.begin(), r.end());
                    for (double& value : r) value = std::min(value, top);
                }),
-               where, "stays at its largest value");
+               where, "stays at its extreme value");
     expectOnly(changed([](auto& r) {
                    for (std::size_t i = 0; i < r.size(); ++i) r[i] = r[i - i % 5];
                }),

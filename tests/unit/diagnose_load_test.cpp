@@ -87,7 +87,8 @@ TEST(OwnEffects, WrongOnesAreRefusedWhereTheyStand) {
     const auto faults = faultsOf([&] { loadOwnEffects(file); });
     ASSERT_EQ(faults.size(), 2u);
     EXPECT_EQ(withoutFolder(faults[0], scratch),
-              "own.yaml:2:11: catalogue.0.name: found \"grip\", which is the name of another effect");
+              "own.yaml:2:11: catalogue.0.name: found \"grip\", the name of another effect; expected a name that is "
+              "not yet taken");
     EXPECT_EQ(
         withoutFolder(faults[1], scratch).find("own.yaml:5:24: catalogue.0.knobs.0.paths.1: found \"inertia.yow\""), 0u)
         << faults[1];

@@ -114,10 +114,10 @@ TEST(Reference, AnotherDriveIsRefused) {
         diagnosed(made);
         FAIL();
     } catch (const std::invalid_argument& error) {
-        EXPECT_STREQ(error.what(),
-                     "recording drive 1: begins at 15.00 m/s, its reference at 20.00 m/s, expected a reference that is "
-                     "the same drive, begun at the same time of its log; cut the logs alike (from, to) or leave the "
-                     "reference out");
+        EXPECT_STREQ(
+            error.what(),
+            "recording drive 1: starts at 15.00 m/s, its reference at 20.00 m/s, expected a reference of the same "
+            "drive with the same time base; align the two logs or remove the reference");
     }
     made = compared(15);
     for (Channel& channel : made.recorded.references[2].channels)

@@ -128,10 +128,14 @@ TEST(Sliding, WhatIsLeftOutIsSaidWithItsTimeAndWhoSlid) {
     const std::vector<std::string> said = leftOut(drives, endsOf(drives));
     ASSERT_EQ(said.size(), 2u);
     own.until = 0;
-    EXPECT_NE(leftOut(std::vector{own}, {0}).front().find("at the units and signs"), std::string::npos)
+    EXPECT_NE(leftOut(std::vector{own}, {0}).front().find("the units and signs of steering"), std::string::npos)
         << "nobody slides from the beginning";
-    EXPECT_TRUE(said[0].starts_with("own: from 3.9 s of 10.0 s on the car slides and its model does not")) << said[0];
-    EXPECT_TRUE(said[1].starts_with("before: from 5.2 s of 10.0 s on the car of the reference slides")) << said[1];
+    EXPECT_TRUE(said[0].starts_with(
+        "own: not compared after 3.9 s of 10.0 s. From then on, the car slides and its model does not"))
+        << said[0];
+    EXPECT_TRUE(said[1].starts_with(
+        "before: not compared after 5.2 s of 10.0 s. From then on, the car of the reference slides"))
+        << said[1];
 }
 
 TEST(Gap, EndsTheDriveWhereAnInputOfTheDriverIsMissing) {
@@ -163,7 +167,7 @@ TEST(Gap, EndsTheDriveWhereAnInputOfTheDriverIsMissing) {
     const std::vector<std::string> said = leftOut(drives, endsOf(drives));
     ASSERT_EQ(said.size(), 1u);
     EXPECT_TRUE(
-        said[0].starts_with("a.csv: from 4.0 s of 10.0 s on nothing is compared, for "
+        said[0].starts_with("a.csv: not compared after 4.0 s of 10.0 s. "
                             "driver.steering_wheel_angle is missing for 0.6 s there"))
         << said[0];
 }

@@ -43,9 +43,9 @@ TEST(DiagnosisPage, SaysTheAnswerFirstAndWhatItRestsOn) {
     for (const char* said :
          {"The gap is caused by tyre_relaxation (p = 0.97).", "▶ tyre relaxation", "an unknown cause",
           "front.tyre.parameters.cFy = 105000 ± 6000 N/m (90 %: 95100 to 114900; nominal 141800)",
-          "92 % of what can be closed is closed with the effect (90 %: 88 % to 95 %)", "Held-out drives",
+          "92 % of the closable gap is closed with the effect (90 %: 88 % to 95 %)", "Held-out drives",
           "(held out): yaw rate", "sine_sweep", "scenarios/straight_braking_100.yaml", "brake fade, brake gain",
-          "a slower source, held", "2310 simulations in 41 s"})
+          "a slower signal, held", "2310 simulations in 41 s"})
         EXPECT_TRUE(contains(html, said)) << said;
     EXPECT_LT(html.find("The gap is caused by"), html.find("Which effect"));
 }
@@ -65,18 +65,18 @@ TEST(DiagnosisPage, BlamesAndAlarmsOnlyWhatDeservesIt) {
 TEST(DiagnosisPage, TellsTheLawThatAForceOfUnknownCauseFollows) {
     Diagnosis d = shared::sampleDiagnosis();
     const char* const said =
-        "a force follows the size of the lateral acceleration: lateral -53.5 N, yaw 102 N m per m/s2 (157 nats)";
+        "a force follows the magnitude of the lateral acceleration: lateral -53.5 N, yaw 102 N m per m/s2 (157 nats)";
     EXPECT_FALSE(contains(page(d), "a force follows"));
-    d.unexplained.law = {.follows = "the size of the lateral acceleration",
+    d.unexplained.law = {.follows = "the magnitude of the lateral acceleration",
                          .unit = "m/s2",
                          .coefficients = {{"lateral", -53.5}, {"yaw", 102.4}},
                          .gain = 157.2};
-    EXPECT_TRUE(contains(page(d), std::string("Beside the best answer, ") + said));
+    EXPECT_TRUE(contains(page(d), std::string("In addition to the best answer, ") + said));
     d.verdict = Verdict::unknown;
     d.causes.clear();
     d.effects.clear();
     d.unexplained.law.generalised_force = "yaw";
-    EXPECT_TRUE(contains(page(d), std::string("A force acts that nothing in the catalogue explains: ") + said));
+    EXPECT_TRUE(contains(page(d), std::string("A force acts that no effect of the catalogue explains: ") + said));
     EXPECT_TRUE(contains(diagnosisText(d), std::string("no effect of the catalogue; ") + said));
 }
 
@@ -154,9 +154,9 @@ TEST(DiagnosisPage, ShowsTheNearestPairsThatCannotBeToldApartAndCountsTheOthers)
 
 TEST(DiagnosisPage, SaysWhatIsTakenOffWhereItComparedWithReferences) {
     Diagnosis d = shared::sampleDiagnosis();
-    EXPECT_FALSE(contains(page(d), "Measured: less what"));
+    EXPECT_FALSE(contains(page(d), "Measured: minus the gap"));
     d.compared = true;
-    EXPECT_TRUE(contains(page(d), "Measured: less what the nominal car lacked in the reference"));
+    EXPECT_TRUE(contains(page(d), "Measured: minus the gap between the nominal car and the reference"));
     EXPECT_TRUE(contains(page(d), "Compared with"));
 }
 
@@ -180,7 +180,7 @@ TEST(CarWithEffect, HasTheFittedNumbersOfTheCausesAndReadsBack) {
     d.causes = {"grade"};
     d.effects = {{"grade", 1, 50, {{"road.grade", {0.01, 0.001, 0.008, 0.012, 0, false}}}}};
     EXPECT_TRUE(contains(vehicleWithEffectYaml(nominal, d),
-                         "# Not of the car, and therefore not in this file:\n#   grade: road.grade"));
+                         "# Not numbers of the car, and therefore not in this file:\n#   grade: road.grade"));
     EXPECT_EQ(withCauses(nominal, d).road.grade, 0.01);
 }
 

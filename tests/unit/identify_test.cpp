@@ -99,7 +99,7 @@ TEST(Identification, CalibratedCarHasTheFittedNumbersAndNothingElseChanged) {
     const std::string yaml = calibratedVehicleYaml(made.nominal, found);
     const Scratch scratch;
     VehicleParams car = loadVehicle(scratch.file("car.yaml", yaml));
-    EXPECT_NE(yaml.find("Not of the car"), std::string::npos) << "a grade is none of the car's numbers";
+    EXPECT_NE(yaml.find("Not numbers of the car"), std::string::npos) << "a grade is none of the car's numbers";
     const auto ratio = std::find_if(found.numbers.begin(), found.numbers.end(),
                                     [](const FittedNumber& one) { return one.path == "steering.ratio"; });
     EXPECT_EQ(car.steering.ratio, ratio->value);
@@ -111,7 +111,7 @@ TEST(Identification, SaysWhichOtherNumbersCloseTheGapWhereThoseAskedForDoNot) {
     simple_car::Case made = asked(1, {"mass"});
     made.file.tolerances = {{"steering.ratio", 0.15, 0}, {"aero.drag_area", 0.4, 0}, {"wheelbase", 0.001, 0}};
     const std::string others = otherNumbersInWords(identified(made));
-    EXPECT_TRUE(others.starts_with("most of the gap is closed by numbers that were not asked for")) << others;
+    EXPECT_TRUE(others.starts_with("most of the gap is closed by numbers that are not fitted here")) << others;
     EXPECT_NE(others.find("aero.drag_area (+1."), std::string::npos) << others;
     EXPECT_EQ(otherNumbersInWords(identified(asked(1, {"steering.ratio", "aero.drag_area"}))), "");
 }
@@ -131,10 +131,10 @@ TEST(Identification, SaysWhatItLeavesOutOfTheDrives) {
     const Identification found = identified(made);
     const std::vector<std::string>& said = found.gap.data_warnings;
     ASSERT_EQ(said.size(), 2u) << "one of a fitted drive, one of the drive held out";
-    EXPECT_TRUE(said[0].starts_with("drive 2: from 1.")) << said[0];
-    EXPECT_TRUE(said[1].starts_with("drive 3: from 1.")) << said[1];
+    EXPECT_TRUE(said[0].starts_with("drive 2: not compared after 1.")) << said[0];
+    EXPECT_TRUE(said[1].starts_with("drive 3: not compared after 1.")) << said[1];
     EXPECT_EQ(identificationJson(found)["data_warnings"].size(), 2u);
-    EXPECT_NE(identificationReport("car", "0", found).find("drive 2: from 1."), std::string::npos);
+    EXPECT_NE(identificationReport("car", "0", found).find("drive 2: not compared after 1."), std::string::npos);
 }
 
 // The car was changed from its references on; one of three drives has no reference.
@@ -182,8 +182,8 @@ void expectRefused(std::vector<std::string> fit, const std::string& words) {
 
 TEST(Identification, RefusesNumbersThatItCannotFit) {
     expectRefused({}, "found no number to fit");
-    expectRefused({"stability_control.nothing"}, "a number that this car does not have");
-    expectRefused({"steering.delay"}, "of which nothing says how well it is known; say it under tolerances");
+    expectRefused({"stability_control.nothing"}, "expected a number that this car has");
+    expectRefused({"steering.delay"}, "expected a number with a tolerance; add one under tolerances");
 }
 
 }  // namespace

@@ -62,9 +62,10 @@ int blindMake(const BlindMakeOptions& options) {
     const Path key_file = options.key.empty() ? Path(withoutSlash(options.output) + ".key.json") : Path(options.key);
     std::error_code error;
     if (std::filesystem::exists(folder) && !std::filesystem::is_empty(folder, error))
-        refuse(options.output, "found a folder that is not empty, expected a new one for the cases");
+        refuse(options.output, "found a folder that is not empty, expected a new or empty one for the cases");
     if (std::filesystem::exists(key_file))
-        refuse(key_file.string(), "found a key, expected none: it may be sealed; name another file with --key");
+        refuse(key_file.string(),
+               "found an existing key file, which may be sealed; expected none: name another file with --key");
 
     Order order;
     order.cases = options.cases;
@@ -83,9 +84,8 @@ int blindMake(const BlindMakeOptions& options) {
         printJson(
             {{"cases", options.cases}, {"folder", folder.string()}, {"key", key_file.string()}, {"key_sha256", hash}});
     } else {
-        print(
-            fmt::format("{} cases of seed {} in {}; what is wrong with them is sealed in {}\nSHA-256 of the key: {}\n",
-                        options.cases, options.seed, folder.string(), key_file.string(), hash));
+        print(fmt::format("{} cases of seed {} in {}; their faults are sealed in {}\nSHA-256 of the key: {}\n",
+                          options.cases, options.seed, folder.string(), key_file.string(), hash));
     }
     return kYes;
 }

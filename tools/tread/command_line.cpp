@@ -78,24 +78,26 @@ void addTyre(CLI::App& app, TyreOptions& o) {
 }
 
 void addDiagnose(CLI::App& app, DiagnoseRequest& o) {
-    app.add_option("file", o.file, "what is asked: nominal car, recordings, tolerances (YAML)");
+    app.add_option("file", o.file, "diagnosis.yaml: nominal car, recordings, tolerances");
     app.add_flag("--check", o.check,
-                 "look only whether the recordings are fit for it and what they could show; status 1 with warnings");
-    app.add_option("--init", o.init, "write a first diagnosis.yaml for the logs of this folder");
+                 "only check the recordings and list the effects that they could show; status 1 if there are warnings");
+    app.add_option("--init", o.init, "write a diagnosis.yaml for the logs in this folder");
     app.add_option("--vehicle", o.vehicle,
-                   "nominal car (YAML): for --init, or in place of the file's car and vehicle_settings");
-    app.add_option("--data", o.data, "folder of the logs (default: that of the file)");
-    app.add_option("-o,--output", o.output, "folder for the answer and the simulated drives (default: out)");
+                   "nominal car (YAML): for --init, or instead of the vehicle and vehicle_settings of the file");
+    app.add_option("--data", o.data, "folder of the logs (default: folder of the file)");
+    app.add_option("-o,--output", o.output, "folder for results and simulated drives (default: out)");
     app.add_option("--threads", o.threads, "threads (default: one per core)")->check(CLI::Range(0, 1000));
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
 void addIdentify(CLI::App& app, IdentifyRequest& o) {
-    app.add_option("file", o.file, "nominal car, recordings, tolerances: as for tread diagnose (YAML)")->required();
-    app.add_option("--fit", o.fit, "paths of the numbers to fit, with * for any characters (default: fit of the file)")
+    app.add_option("file", o.file, "diagnosis.yaml, as for tread diagnose: nominal car, recordings, tolerances")
+        ->required();
+    app.add_option("--fit", o.fit, "paths of the numbers to fit; * matches any characters (default: fit in the file)")
         ->delimiter(',');
-    app.add_option("--vehicle", o.vehicle, "nominal car in place of the file's car and vehicle_settings (YAML)");
-    app.add_option("--data", o.data, "folder of the logs (default: that of the file)");
+    app.add_option("--vehicle", o.vehicle,
+                   "nominal car (YAML) instead of the vehicle and vehicle_settings of the file");
+    app.add_option("--data", o.data, "folder of the logs (default: folder of the file)");
     app.add_option("-o,--output", o.output, "folder for calibrated.yaml, identify.json and the report (default: out)");
     app.add_option("--threads", o.threads, "threads (default: one per core)")->check(CLI::Range(0, 1000));
     app.add_flag("--json", o.json, "print the result as JSON");
@@ -118,30 +120,32 @@ void addSchema(CLI::App& app, SchemaOptions& o) {
 
 void addBlindMake(CLI::App& app, BlindMakeOptions& o) {
     app.add_option("--cases", o.cases, "number of cases")->required()->check(CLI::Range(1, 999));
-    app.add_option("--seed", o.seed, "another number, other cases")->required();
-    app.add_option("-o,--output", o.output, "folder for the cases, new or empty")->required();
+    app.add_option("--seed", o.seed, "seed of the random numbers; each seed gives different cases")->required();
+    app.add_option("-o,--output", o.output, "folder for the cases, must be new or empty")->required();
     app.add_option("--key", o.key, "file for the sealed key (default: <folder>.key.json)");
     app.add_option("--vehicle", o.vehicle, "nominal car (default: vehicles/compact.yaml)");
     app.add_option("--kinds", o.kinds, "kinds of cases: one, two, none, outside, mixed, small (default: all)")
         ->delimiter(',');
     app.add_option("--drives", o.drives,
-                   "drives from which to learn: all, step_steers (two) or coast_and_accelerate (two) (default: all)");
-    app.add_option("--world", o.world,
-                   "errors, disturbances and noise of the cars: own (the examiner's) or assumed (as the diagnosis "
-                   "assumes them, to compare with) (default: own)");
+                   "drives used for fitting: all, step_steers (two) or coast_and_accelerate (two) (default: all)");
+    app.add_option(
+        "--world", o.world,
+        "source of model errors, disturbances and noise: own (independent of the diagnosis) or assumed (as the "
+        "diagnosis assumes them, for comparison) (default: own)");
     app.add_flag("--frozen", o.frozen,
-                 "draw faults outside of the catalogue from both families: for a check after which nothing is changed");
+                 "draw faults outside the catalogue from both families; for a final check of a frozen program");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
 void addBlindScore(CLI::App& app, BlindScoreOptions& o) {
     app.add_option("cases", o.cases, "folder of the cases")->required();
-    app.add_option("key", o.key, "sealed key (JSON), opened when all cases are diagnosed")->required();
-    app.add_option("-o,--output", o.output, "folder for answers, score.json and report.html; goes on where it stopped")
+    app.add_option("key", o.key, "sealed key (JSON), opened after all cases are diagnosed")->required();
+    app.add_option("-o,--output", o.output,
+                   "folder for answers, score.json and report.html; an interrupted run is resumed")
         ->required();
-    app.add_option("--jobs", o.jobs, "cases at a time (default: one per core)")->check(CLI::Range(1, 256));
+    app.add_option("--jobs", o.jobs, "number of cases in parallel (default: one per core)")->check(CLI::Range(1, 256));
     app.add_flag("--no-references", o.no_references,
-                 "diagnose the cases without their references; answers, score and report go to without_references in "
+                 "diagnose the cases without their references; results are written to without_references in "
                  "the output folder");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
@@ -164,18 +168,19 @@ void addCommands(CLI::App& app, int& status) {
     addCommand(app, "import", "make a log of a VBOX, MATLAB or text file, a tyre of a .tir file", addImport, import,
                status);
     addCommand(app, "tyre", "forces of a tyre at given points, transients, curves", addTyre, tyre, status);
-    addCommand(app, "diagnose", "where a car and its model differ, which effect causes it, how far it closes the gap",
-               addDiagnose, diagnose, status);
     addCommand(
-        app, "identify",
-        "fit numbers of a car to recordings (to their references, where they have some) and write the calibrated car",
-        addIdentify, identify, status);
-    CLI::App* const blind = app.add_subcommand("blind", "how good is the diagnosis? cars whose fault is sealed");
+        app, "diagnose",
+        "find where a car and its model differ, which effect causes the gap, and how much of it the effect closes",
+        addDiagnose, diagnose, status);
+    addCommand(app, "identify",
+               "fit numbers of a car to recordings (or to their references, if any) and write the calibrated car",
+               addIdentify, identify, status);
+    CLI::App* const blind = app.add_subcommand("blind", "test the diagnosis with cars whose faults are sealed");
     blind->require_subcommand(1);
     addCommand(*blind, "make", "make cases: logs of cars with sealed faults, and the key", addBlindMake, blindMake,
                status);
-    addCommand(*blind, "score", "diagnose the cases, then open the key and score the answers", addBlindScore,
-               blindScore, status);
+    addCommand(*blind, "score", "diagnose the cases, open the key and score the answers", addBlindScore, blindScore,
+               status);
     addCommand(app, "describe", "all fields with units, meaning, limits and defaults", addDescribe, describe, status);
     addCommand(app, "check",
                "check files: vehicles, tyres, scenarios, mappings, tolerances, logs; status 2 when one has faults",

@@ -38,7 +38,7 @@ int statusOf(const Diagnosis& diagnosis) {
 int diagnose(const DiagnoseRequest& request) {
     if (!request.init.empty()) return initDiagnosis(request.init, request.vehicle);
     if (request.file.empty())
-        throw LoadError({{"tread diagnose", 0, 0, "", "found no file, expected diagnosis.yaml, or --init FOLDER"}});
+        throw LoadError({{"tread diagnose", 0, 0, "", "found no file, expected a diagnosis.yaml or --init FOLDER"}});
     const DiagnosisInputs inputs = readDiagnosisInputs(request.file, request.data, request.vehicle);
     const Path out = request.output.empty() ? Path("out") : Path(request.output);
     tread::diagnose::Options options;

@@ -65,8 +65,8 @@ Checked check(const DiagnosisInputs& inputs, tread::diagnose::Options options) {
             tread::diagnose::precheckOf(inputs.nominal, inputs.file, inputs.recorded, inputs.effects, options);
     } catch (const std::invalid_argument& error) {
         checked.warnings.push_back(
-            fmt::format("{}; so nothing can be said of what the drives could show. Look at "
-                        "the warnings before this one, and at the file of the car.",
+            fmt::format("{}; the expected evidence is therefore unknown. Check the previous "
+                        "warnings and the vehicle file.",
                         error.what()));
     }
     const std::vector<std::string>& more = checked.precheck.warnings;
@@ -151,7 +151,7 @@ int checkData(const DiagnosisInputs& inputs, tread::diagnose::Options options, b
         std::string text = words + "\n";
         for (const std::string& warning : checked.warnings) text += "  " + warning + "\n";
         text += precheckText(checked.precheck);
-        if (!without.empty()) text += fmt::format("This car has no numbers for {}\n", fmt::join(without, ", "));
+        if (!without.empty()) text += fmt::format("Not applicable to this car: {}\n", fmt::join(without, ", "));
         print(text);
     }
     return checked.warnings.empty() ? kYes : kNo;

@@ -25,14 +25,14 @@ bool isLog(const Path& file) {
 
 std::vector<std::string> logsOf(const Path& folder) {
     if (!std::filesystem::is_directory(folder)) {
-        throw LoadError({{folder.string(), 0, 0, "", "is no folder, expected the folder of the logs"}});
+        throw LoadError({{folder.string(), 0, 0, "", "found no folder of this name, expected the folder of the logs"}});
     }
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         if (entry.is_regular_file() && isLog(entry.path())) names.push_back(entry.path().filename().string());
     }
     if (names.empty()) {
-        throw LoadError({{folder.string(), 0, 0, "", "holds no log, expected .csv, .vbo or .mat files"}});
+        throw LoadError({{folder.string(), 0, 0, "", "found no log in the folder, expected .csv, .vbo or .mat files"}});
     }
     std::sort(names.begin(), names.end());
     return names;
@@ -61,7 +61,7 @@ Recognised recognise(const Path& folder, const std::string& name) {
 std::string recordingText(const std::string& name, const Recognised& log, bool hold_out) {
     if (!log.fault.empty()) return fmt::format("  # {}: {}\n", name, log.fault);
     std::string text = fmt::format("  - log: {}\n    speed: {}\n", quote(name), log.pedals ? "pedals" : "followed");
-    if (hold_out) text += "    hold_out: true  # judges how far the gap shrinks\n";
+    if (hold_out) text += "    hold_out: true  # used only to judge how far the gap shrinks\n";
     return text + fmt::format("    # channels: {}\n", fmt::join(log.channels, ", "));
 }
 
@@ -71,7 +71,8 @@ int initDiagnosis(const Path& folder, const std::string& vehicle) {
     const std::vector<std::string> names = logsOf(folder);
     const Path file = folder / "diagnosis.yaml";
     if (std::filesystem::exists(file))
-        throw LoadError({{file.string(), 0, 0, "", "exists already, expected none; move it away to begin anew"}});
+        throw LoadError(
+            {{file.string(), 0, 0, "", "exists already, expected no such file; move or delete it to start again"}});
 
     std::string recordings;
     std::size_t usable = 0;
@@ -80,19 +81,18 @@ int initDiagnosis(const Path& folder, const std::string& vehicle) {
         usable += log.fault.empty();
         recordings += recordingText(names[i], log, names.size() > 2 && i + 1 == names.size());
     }
-    const std::string car = vehicle.empty() ? "vehicle.yaml  # fill in: the file of the nominal car"
+    const std::string car = vehicle.empty() ? "vehicle.yaml  # replace by the file of the nominal car"
                                             : std::filesystem::absolute(vehicle).lexically_normal().string();
     writeFile(
         file.string(),
-        fmt::format(
-            "# A first diagnosis of the logs in this folder; `tread describe diagnosis` tells all that can be said.\n"
-            "vehicle: {}\n"
-            "recordings:\n{}"
-            "# tolerances:  # how well numbers of the car are known, where not as usual\n"
-            "#   - {{path: mass, relative: 0.01}}\n",
-            car, recordings));
+        fmt::format("# Diagnosis of the logs in this folder; `tread describe diagnosis` lists all settings.\n"
+                    "vehicle: {}\n"
+                    "recordings:\n{}"
+                    "# tolerances:  # how accurately numbers of the car are known, where the defaults do not apply\n"
+                    "#   - {{path: mass, relative: 0.01}}\n",
+                    car, recordings));
     print(fmt::format("{} of {} logs can be read; wrote {}{}\n", usable, names.size(), file.string(),
-                      vehicle.empty() ? ", which still needs the vehicle" : ""));
+                      vehicle.empty() ? "; enter the vehicle there" : ""));
     return usable > 0 ? kYes : kBadInput;
 }
 

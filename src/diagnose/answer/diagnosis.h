@@ -22,12 +22,12 @@ struct Estimate {  // estimate of one parameter
     bool at_bound = false;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(value), About{"-", "best value, SI"});
+        field(TREAD_FIELD(value), About{"-", "best estimate, SI units"});
         field(TREAD_FIELD(sd), About{"-", "standard deviation"});
         field(TREAD_FIELD(low), About{"-", "lower end of the 90 % interval"});
         field(TREAD_FIELD(high), About{"-", "upper end of the 90 % interval"});
-        field(TREAD_FIELD(neutral), About{"-", "of the nominal car"});
-        field(TREAD_FIELD(at_bound), About{"", "the value stands at the limit of what was tried"});
+        field(TREAD_FIELD(neutral), About{"-", "value of the nominal car"});
+        field(TREAD_FIELD(at_bound), About{"", "the estimate is at the limit of the search range"});
     }
 };
 static_assert(describesEveryMember<Estimate>());
@@ -39,10 +39,10 @@ struct RankedEffect {
     std::map<std::string, Estimate> parameters;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(name), About{"", "of the effect"});
-        field(TREAD_FIELD(probability), About{"-", "that it is one of the causes"});
-        field(TREAD_FIELD(log_evidence), About{"nat", "over that of no effect"});
-        field(TREAD_FIELD(parameters), About{"", "by path"});
+        field(TREAD_FIELD(name), About{"", "name of the effect"});
+        field(TREAD_FIELD(probability), About{"-", "probability that it is one of the causes"});
+        field(TREAD_FIELD(log_evidence), About{"nat", "log evidence relative to that of no effect"});
+        field(TREAD_FIELD(parameters), About{"", "estimates by path"});
     }
 };
 static_assert(describesEveryMember<RankedEffect>());
@@ -110,9 +110,10 @@ struct Baselines {
     std::string bic;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(largest_reduction), About{"", "of the squared gap, by one effect and nothing else"});
+        field(TREAD_FIELD(largest_reduction), About{"", "effect that on its own reduces the squared gap most"});
         field(TREAD_FIELD(bic),
-              About{"", "least Bayesian information criterion, tolerances free, disturbances unheard of"});
+              About{"",
+                    "effect with the lowest Bayesian information criterion; tolerances fitted, disturbances ignored"});
     }
 };
 static_assert(describesEveryMember<Baselines>());

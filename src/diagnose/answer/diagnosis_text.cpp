@@ -25,7 +25,7 @@ std::string largest(const Shares& shares, bool channels = false) {
         list += fmt::format("{}{} {:.0f} %", i > 0 ? ", " : "",
                             channels ? channelInWords(sorted[i].second) : sorted[i].second, -100 * sorted[i].first);
     }
-    return list.empty() ? "nowhere" : list;
+    return list.empty() ? "none" : list;
 }
 
 // "; front axle side force 80 %" when side forces make up most of the missing force; otherwise empty.
@@ -68,7 +68,7 @@ std::string howFarOf(const Diagnosis& d) {
     const GapLevels& level = d.how_far.in_sample ? d.how_far.training : d.how_far.held_out;
     std::string text = fmt::format("HOW FAR   gap {:.2f} -> {:.2f} (tolerances alone {:.2f}, noise floor {:.2f})",
                                    level.nominal, level.extended, level.calibrated, level.floor);
-    text += d.how_far.in_sample ? "; in-sample, for no recording is held out:" : "; on held-out drives";
+    text += d.how_far.in_sample ? "; in-sample because no recording is held out:" : "; in held-out drives:";
     text += fmt::format(" {:.0f} % of the gap closed [{:.0f}, {:.0f}]\n", 100 * d.how_far.closure,
                         100 * d.how_far.closure_low, 100 * d.how_far.closure_high);
     return text;
@@ -78,16 +78,16 @@ std::string hiddenOf(const Diagnosis& d) {
     std::string list;
     for (const auto& [name, nats] : d.expected_evidence)
         if (nats < kTestable) list += (list.empty() ? "" : ", ") + name;
-    return list.empty() ? "" : "NOT SEEN  too little in these drives to see " + list + "\n";
+    return list.empty() ? "" : "NOT SEEN  excited too weakly in these drives: " + list + "\n";
 }
 
 }  // namespace
 
 std::string diagnosisText(const Diagnosis& d) {
     std::string text = d.answer + "\n";
-    if (d.compared) text += "COMPARED  with the same drives of the car as it was before\n";
+    if (d.compared) text += "COMPARED  with the same drives before the car was changed\n";
     text += "WHERE     ";
-    text += d.where.channels.empty() ? "beyond what disturbs such drives in no channel alone"
+    text += d.where.channels.empty() ? "no single channel exceeds the usual disturbances"
                                      : fmt::format("{} of the gap; {}; {}", largest(d.where.channels, true),
                                                    largest(d.where.phases), largest(d.where.bands));
     text += fmt::format("; force: {}{}\n", largest(d.where.generalised_force), axleOf(d.where));

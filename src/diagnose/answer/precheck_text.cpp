@@ -36,9 +36,9 @@ std::string groupText(const char* headline, const std::string& meaning, const Vi
 std::string pairsText(const std::vector<ConfusablePair>& pairs) {
     std::string text;
     for (std::size_t i = 0; i < std::min(pairs.size(), kMostPairs); ++i) {
-        text +=
-            fmt::format("{:<{}}{} and {} ({:.2f} alike): {:.1f} nats apart, most of it in {}\n", i == 0 ? "ALIKE" : "",
-                        kIndent, pairs[i].a, pairs[i].b, pairs[i].cosine, pairs[i].separation, pairs[i].manoeuvre);
+        text += fmt::format("{:<{}}{} and {} (similarity {:.2f}): separated by {:.1f} nats, mostly in {}\n",
+                            i == 0 ? "ALIKE" : "", kIndent, pairs[i].a, pairs[i].b, pairs[i].cosine,
+                            pairs[i].separation, pairs[i].manoeuvre);
     }
     return text;
 }
@@ -59,10 +59,10 @@ Visibility visibility(const std::map<std::string, double>& expected_evidence) {
 
 std::string precheckText(const Precheck& precheck) {
     const Visibility groups = visibility(precheck.expected_evidence);
-    std::string text = groupText("CAN FIND", "nats of evidence to expect at typical size:", groups.found);
-    text += groupText("MAY SHOW", fmt::format("if larger than is typical (from {:.0f} nats):", kSettings.clear),
+    std::string text = groupText("CAN FIND", "expected evidence at typical size, in nats:", groups.found);
+    text += groupText("MAY SHOW", fmt::format("only if larger than typical ({:.0f} nats or more):", kSettings.clear),
                       groups.perhaps);
-    text += groupText("NOT SEEN", "too little in these drives:", groups.hidden);
+    text += groupText("NOT SEEN", "excited too weakly in these drives:", groups.hidden);
     return text + pairsText(precheck.confusable);
 }
 

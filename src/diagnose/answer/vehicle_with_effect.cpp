@@ -39,7 +39,7 @@ std::string vehicleWithEffectYaml(const recording::Subject& nominal, const Diagn
                                              estimate.value, unit, estimate.sd, estimate.neutral);
         (recording::isOfTheCar(path) ? head : beside) += line;
     });
-    if (!beside.empty()) head += "# Not of the car, and therefore not in this file:\n" + beside;
+    if (!beside.empty()) head += "# Not numbers of the car, and therefore not in this file:\n" + beside;
     return head + vehicleYaml(withCauses(nominal, diagnosis).vehicle);
 }
 

@@ -29,22 +29,22 @@ std::string inWords(const Diagnosis& d) {
             return fmt::format("The gap is caused by {} ({})", together(d.causes),
                                probabilityInWords(probabilityOfCauses(d)));
         case Verdict::ambiguous:
-            return fmt::format("The gap is caused by {} or {}: these drives cannot tell them apart", together(d.causes),
+            return fmt::format("The gap is caused by {} or {}: these drives cannot separate them", together(d.causes),
                                fmt::join(eachTogether(d.alternatives), " or "));
         case Verdict::nothing:
-            return "Nothing beyond tolerance: the model explains the recordings with its parameters as known";
+            return "No effect found: the model explains the recordings within its tolerances";
         case Verdict::unknown:
-            return fmt::format("The cause is unknown: a {} force acts that no effect of the catalogue explains{}{}",
+            return fmt::format("The cause is unknown: no effect of the catalogue explains the missing force ({}){}{}",
                                d.unexplained.generalised_force,
                                d.unexplained.law.follows.empty() ? "" : "; it follows ", d.unexplained.law.follows);
         case Verdict::not_testable:
-            return "Not testable: none of the effects could be seen in these drives";
+            return "Not testable: these drives excite all effects too weakly";
     }
     return {};
 }
 
 std::string momentInWords(const Moment& moment) {
-    return moment.recording.empty() ? "" : fmt::format("{}, about {:.1f} s", moment.recording, moment.time);
+    return moment.recording.empty() ? "" : fmt::format("{}, at about {:.1f} s", moment.recording, moment.time);
 }
 
 std::string separatesInWords(const NextDrive& next) {

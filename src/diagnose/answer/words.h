@@ -20,7 +20,7 @@ std::string probabilityInWords(double p);
 // The law of an unexplained force, with its coefficients; empty when there is none.
 std::string lawInWords(const ForceLaw& law);
 
-// "step_1, about 3.2 s"; empty without a recording.
+// "step_1, at about 3.2 s"; empty without a recording.
 std::string momentInWords(const Moment& moment);
 
 // The causes that a manoeuvre tells apart: "grip from mass".

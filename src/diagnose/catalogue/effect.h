@@ -7,7 +7,7 @@
 // in one line of any source file that is linked:
 //
 //     const bool kTrailLag = tread::diagnose::catalogue::addEffect(
-//         {.name = "trail_lag", .question = "Does the trail follow late?", .source = "guess",
+//         {.name = "trail_lag", .question = "Does the trail build up late?", .source = "guess",
 //          .knobs = {{.paths = {"steering.trail_lag"}, .typical = 0.02}}});
 #pragma once
 
@@ -42,20 +42,23 @@ struct Knob {
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(paths),
-              About{"", "numbers that it moves: of the car, of road, wind or instruments (road.grade)"});
-        field(TREAD_FIELD(typical), About{"-",
-                                          "size of the change that one meets in practice, in the SI unit of the number "
-                                          "or as a fraction of it: standard deviation of its prior",
-                                          kPositive});
+              About{"", "paths of the numbers to change: of the car, road, wind or instruments, e.g. road.grade"});
+        field(TREAD_FIELD(typical),
+              About{"-",
+                    "typical size of the change in practice, in the SI unit of the number or as a "
+                    "fraction of it: standard deviation of its prior",
+                    kPositive});
         field(TREAD_FIELD(relative), About{"", "the change is a fraction of the nominal value"});
-        field(TREAD_FIELD(direction), About{"", "of a change that is physically possible"});
-        field(TREAD_FIELD(shares), About{"-", "of each path, -1 against the others; none: 1 for all"});
+        field(TREAD_FIELD(direction), About{"", "sign of the change that is physically possible"});
+        field(TREAD_FIELD(shares),
+              About{"-", "factor of the change for each path; -1: opposite to the others; none: 1 for all"});
     }
 
     static void check(const auto& self, auto&& complain) {
-        if (self.paths.empty()) complain("paths", "found no path, expected that of a number, e.g. mass");
+        if (self.paths.empty()) complain("paths", "found no path, expected the path of a number, e.g. mass");
         if (!self.shares.empty() && self.shares.size() != self.paths.size())
-            complain("shares", "expected one share for each path, or none");
+            complain("shares",
+                     "the number of shares differs from that of the paths, expected one share for each path, or none");
     }
 };
 static_assert(describesEveryMember<Knob>());
@@ -68,14 +71,14 @@ struct Effect {
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(name), About{"", "name, e.g. tyre_relaxation"});
-        field(TREAD_FIELD(question), About{"", "what it asks, in plain words"});
-        field(TREAD_FIELD(source), About{"", "of the typical sizes"});
-        field(TREAD_FIELD(knobs), About{"", "what is free, each with its own change"});
+        field(TREAD_FIELD(question), About{"", "question that the effect answers, in plain words"});
+        field(TREAD_FIELD(source), About{"", "source of the typical sizes"});
+        field(TREAD_FIELD(knobs), About{"", "free parameters, each with a change of its own"});
     }
 
     static void check(const auto& self, auto&& complain) {
         if (self.name.empty()) complain("name", "found no name, expected a word");
-        if (self.knobs.empty()) complain("knobs", "found no knob, expected at least one with its paths");
+        if (self.knobs.empty()) complain("knobs", "found no knob, expected at least one knob with paths");
     }
 };
 static_assert(describesEveryMember<Effect>());
@@ -85,7 +88,7 @@ struct OwnEffects {
     std::vector<Effect> catalogue;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(catalogue), About{"", "effects besides those that tread knows"});
+        field(TREAD_FIELD(catalogue), About{"", "effects in addition to the built-in ones"});
     }
 };
 static_assert(describesEveryMember<OwnEffects>());

@@ -26,7 +26,7 @@ std::vector<Effect> effectsToConsider(const recording::DiagnosisFile& file) {
             continue;
         const std::string suggestion = didYouMean(pattern, names);
         problems.push_back({"", 0, 0, "effects." + std::to_string(i),
-                            "found " + quote(pattern) + ", which is no effect" +
+                            "found " + quote(pattern) + ", expected the name of an effect" +
                                 (suggestion.empty() ? ";" : suggestion) + " `tread describe effects` lists them"});
     }
     throwIfAny(std::move(problems));

@@ -21,13 +21,15 @@ std::vector<Effect> loadOwnEffects(const std::filesystem::path& file) {
         const Effect& effect = own.catalogue[i];
         const std::string at = "catalogue." + std::to_string(i);
         if (std::find(taken.begin(), taken.end(), effect.name) != taken.end())
-            complain(at + ".name", "found " + quote(effect.name) + ", which is the name of another effect");
+            complain(at + ".name", "found " + quote(effect.name) +
+                                       ", the name of another effect; expected a name that is not yet taken");
         taken.push_back(effect.name);
         for (std::size_t k = 0; k < effect.knobs.size(); ++k) {
             const auto& paths = effect.knobs[k].paths;
             for (std::size_t p = 0; p < paths.size(); ++p) {
                 const std::string where = at + ".knobs." + std::to_string(k) + ".paths." + std::to_string(p);
-                if (std::string fault = recording::pathFault(paths[p]); !fault.empty()) complain(where, std::move(fault));
+                if (std::string fault = recording::pathFault(paths[p]); !fault.empty())
+                    complain(where, std::move(fault));
             }
         }
     }

@@ -41,7 +41,7 @@ Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, 
     problem.drives = recording::recordedDrives(file, recorded, false, replayer, options.threads);
     problem.held_out = recording::recordedDrives(file, recorded, true, replayer, options.threads);
     if (problem.drives.empty())
-        throw std::invalid_argument("every recording is held out, expected at least one from which to learn");
+        throw std::invalid_argument("found hold_out: true for every recording, expected at least one recording to fit");
     problem.replays.simulations.add(comparedCount(problem.drives) + comparedCount(problem.held_out));
     Differences found = differences(problem.compared());
     problem.replays.parameters = std::move(found.parameters);
@@ -91,7 +91,9 @@ void expectDriven(Drives drives, const Sensitivities& about) {
     for (std::size_t d = 0; d < about.rows.size(); ++d) {
         if (about.rows[d].size() == 0)
             throw std::invalid_argument(
-                fmt::format("recording {}: the nominal car cannot be driven so", drives[d].name));
+                fmt::format("recording {}: the simulation of the nominal car in this drive fails, expected it to "
+                            "complete; check the vehicle file and the recorded inputs",
+                            drives[d].name));
     }
 }
 

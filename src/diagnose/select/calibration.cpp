@@ -17,7 +17,10 @@ constexpr double kFirstStep = 0.6;
 
 Fit fitOf(const Problem& problem, const Uncertainty& uncertainty, const Linearisation& about, const Deviation& from) {
     std::optional<Fit> found = fitted(problem.replays, problem.drives, uncertainty, about, {}, from);
-    if (!found) throw SimulationError("the nominal car cannot be driven in the recordings", 0);
+    if (!found)
+        throw SimulationError(
+            "the simulation of the nominal car in the recordings fails; check the vehicle file and the recorded inputs",
+            0);
     return std::move(*found);
 }
 
@@ -77,7 +80,7 @@ Calibration calibrate(const Problem& problem, model::NominalCar nominal, const P
     for (int round = 0; round < kMostRounds; ++round) {
         model::Sensitivities about = model::nuisancesAt(
             problem.replays, problem.drives, car.fit.at, car.about, car.uncertainty, [&](double share) {
-                progress(0.5 * (round + share) / kMostRounds, "sensitivities to tolerances where they are");
+                progress(0.5 * (round + share) / kMostRounds, "sensitivities to tolerances at their fitted values");
             });
         car.uncertainty =
             model::uncertaintyAt(problem.replays, problem.drives, about.at, about.rows, car.uncertainty.until);

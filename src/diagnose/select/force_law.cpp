@@ -65,23 +65,23 @@ const std::vector<Law>& laws() {
             along{Disturbed::longitudinal};
         const char *const ax = "chassis.ax", *const ay = "chassis.ay";
         std::vector<Law> list{
-            {"the size of the lateral acceleration, to the same side in every turn", "m/s2", side,
+            {"the magnitude of the lateral acceleration, to the same side in every turn", "m/s2", side,
              of({ay}, [](const auto& v) { return std::abs(v[0]); })},
-            {"the square of the lateral acceleration, with its sign", "m2/s4", side,
+            {"the signed square of the lateral acceleration", "m2/s4", side,
              of({ay}, [](const auto& v) { return squareWithSign(v[0]); })},
-            {"the square of the steering-wheel angle, with its sign", "rad2", side,
+            {"the signed square of the steering-wheel angle", "rad2", side,
              of({"driver.steering_wheel_angle"}, [](const auto& v) { return squareWithSign(v[0]); })},
             {"the product of lateral and longitudinal acceleration", "m2/s4", side,
              of({ax, ay}, [](const auto& v) { return v[0] * v[1]; })},
-            {"the size of the lateral acceleration, to the same side in every turn", "m/s2", roll,
+            {"the magnitude of the lateral acceleration, to the same side in every turn", "m/s2", roll,
              of({ay}, [](const auto& v) { return std::abs(v[0]); })},
             {"the square of the lateral acceleration", "m2/s4", along,
              of({ay}, [](const auto& v) { return v[0] * v[0]; })},
         };
         for (const auto& [frequency, text] : std::initializer_list<std::pair<double, const char*>>{
                  {0.4, "0.4"}, {0.5, "0.5"}, {0.65, "0.65"}, {0.8, "0.8"}, {1, "1"}, {1.3, "1.3"}}) {
-            list.push_back({std::string("a mass that swings across the car at ") + text + " Hz", "m/s2", side,
-                            [f = frequency](const RecordedDrive& drive) { return swing(drive, f); }});
+            list.push_back({std::string("the motion of a mass that oscillates laterally at ") + text + " Hz", "m/s2",
+                            side, [f = frequency](const RecordedDrive& drive) { return swing(drive, f); }});
         }
         return list;
     }();

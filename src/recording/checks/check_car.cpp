@@ -39,9 +39,10 @@ void checkCar(const LogChecks& checks) {
     const double factor = least.factor >= kUncertain ? least.factor : most.factor;
     checks.warn(
         "chassis.yaw_rate",
-        fmt::format("is {:.2g} times what this car's steering ratio and wheelbase give in gentle turns", factor),
-        "With the file of another car every effect would be fitted to that",
-        "Check the vehicle, its steering ratio, and whether the recorded angle is that of the steering wheel");
+        fmt::format("is {:.2g} times the value that follows from the steering ratio and wheelbase in gentle turns",
+                    factor),
+        "With the file of a different car, every effect would be fitted to that difference",
+        "Check the vehicle file, its steering ratio, and that the recorded angle is the steering-wheel angle");
 }
 
 }  // namespace tread::recording::checks

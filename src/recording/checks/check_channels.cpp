@@ -5,17 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "recording/checks/log_checks.h"
 #include "import/spikes.h"
+#include "recording/checks/log_checks.h"
 
 namespace tread::recording::checks {
 namespace {
 
-constexpr double kSlowest = 20;  // samples per second: rows of a diagnosis are 20 Hz
-constexpr double kUneven = 0.5;  // deviation of a step in time, relative to the median step
-constexpr double kSpikeLimit = 12;  // robust standard deviations, the limit of tread import
-constexpr double kSaturated = 0.15;  // s at exactly the largest or smallest value
-constexpr double kStuckShare = 0.3;  // share of the recording during which a channel may keep one value
+constexpr double kSlowest = 20;        // samples per second: rows of a diagnosis are 20 Hz
+constexpr double kUneven = 0.5;        // deviation of a step in time, relative to the median step
+constexpr double kSpikeLimit = 12;     // robust standard deviations, the limit of tread import
+constexpr double kSaturated = 0.15;    // s at exactly the largest or smallest value
+constexpr double kStuckShare = 0.3;    // share of the recording during which a channel may keep one value
 constexpr double kBeyondShare = 0.01;  // share of samples; fewer beyond the plausible range are spikes
 // Share of samples that repeat the previous one, above which the channel is a slower source that was held.
 constexpr double kHeldShare = 0.6;
@@ -40,13 +40,13 @@ void checkGaps(const LogChecks& checks, const Channel& channel) {
     checks.warn(channel.name,
                 fmt::format("{} of {} values are missing, the first at {:.2f} s", missing, channel.values.size(),
                             checks.time()[first]),
-                mayRest(channel) ? "An input that is not known cannot be replayed" : "Missing values tell nothing",
+                mayRest(channel) ? "An unknown input cannot be replayed" : "Missing values carry no information",
                 "Choose a window (from, to) without the gap, or let tread import fill it");
 }
 
 struct Runs {
     std::size_t longest = 0, begin = 0;  // of equal values
-    std::size_t repeated = 0;  // samples equal to the one before
+    std::size_t repeated = 0;            // samples equal to the one before
 };
 Runs runsOf(const std::vector<double>& values) {
     Runs runs;
@@ -70,30 +70,30 @@ void checkRuns(const LogChecks& checks, const Channel& channel) {
     const double at = checks.time()[runs.begin];
     if (mayRest(channel)) return;
     if (*lowest == *highest) {
-        checks.warn(channel.name, fmt::format("reads {:.4g} {} all the time", *lowest, channel.unit),
-                    "A sensor that is stuck or not connected is taken for a car that does not move",
+        checks.warn(channel.name, fmt::format("is constant at {:.4g} {}", *lowest, channel.unit),
+                    "A stuck or disconnected sensor is taken for a car that does not move",
                     "Leave the channel out (channels), or repair the recording");
     } else if (seconds > kStuckShare * checks.time().back() && seconds > 0.5) {
         checks.warn(channel.name,
-                    fmt::format("stays at {:.4g} {} for {:.2f} s from {:.2f} s on", values[runs.begin], channel.unit,
-                                seconds, at),
-                    "A sensor that hangs is taken for a car that does not move",
-                    "Choose a window without that time, or leave the channel out");
+                    fmt::format("stays at {:.4g} {} for {:.2f} s, starting at {:.2f} s", values[runs.begin],
+                                channel.unit, seconds, at),
+                    "A sensor that is temporarily stuck is taken for a car that does not move",
+                    "Choose a window without this period, or leave the channel out");
     } else if (const double value = values[runs.begin];
                value != 0 && (value == *lowest || value == *highest) && seconds > kSaturated) {
         checks.warn(channel.name,
-                    fmt::format("stays at its largest value, {:.4g} {}, for {:.2f} s from {:.2f} s on", value,
+                    fmt::format("stays at its extreme value, {:.4g} {}, for {:.2f} s, starting at {:.2f} s", value,
                                 channel.unit, seconds, at),
-                    "A saturated sensor hides the peak; the model would be blamed for it",
-                    "Choose a window without that time, or a sensor with a larger range");
+                    "A saturated sensor clips the peak, and the difference would be attributed to the model",
+                    "Choose a window without this period, or use a sensor with a larger range");
     } else if (static_cast<double>(runs.repeated) > kHeldShare * static_cast<double>(values.size())) {
         const double hold = static_cast<double>(values.size()) / static_cast<double>(values.size() - runs.repeated);
         checks.warn(channel.name,
-                    fmt::format("changes only at about {:.3g} Hz: a slower source, held between its values",
+                    fmt::format("changes only at about {:.3g} Hz: a slower signal, held between its samples",
                                 checks.rate() / hold),
-                    fmt::format("It is late by about {:.0f} ms in the mean, which looks like a delay of the car",
+                    fmt::format("Its mean delay is about {:.0f} ms, which looks like a delay of the car",
                                 500 * hold / checks.rate()),
-                    "Give its delay (instruments) or import it with its own time base");
+                    "Specify its delay (instruments), or import it with its own time base");
     }
 }
 
@@ -105,7 +105,7 @@ void checkSpikes(const LogChecks& checks, const Channel& channel) {
         channel.name,
         fmt::format("{} {}, the first at {:.2f} s", spikes.size(),
                     spikes.size() == 1 ? "value is a spike" : "values are spikes", checks.time()[spikes.front()]),
-        "One wrong value weighs as much as seconds of driving", "Let tread import take out the spikes");
+        "One outlier weighs as much as seconds of driving", "Remove the spikes with tread import");
 }
 
 // Largest plausible value, and the unit that a larger one suggests.
@@ -137,7 +137,8 @@ void checkSize(const LogChecks& checks, const Channel& channel) {
     checks.warn(channel.name,
                 fmt::format("reaches {:.3g}, more than {:.3g} {}, as if it were in {}", most, known->value,
                             channel.unit == "-" ? "" : channel.unit, known->like),
-                "A wrong unit or scale is taken for a wrong car", "Check its unit (channels, import)");
+                "A wrong unit or scale factor is taken for a difference of the car",
+                "Check the unit of the channel (channels, import)");
 }
 
 void checkTime(const LogChecks& checks) {
@@ -153,13 +154,13 @@ void checkTime(const LogChecks& checks) {
     }
     if (largest > kUneven * usual) {
         checks.warn("time", fmt::format("step of {:.3g} s at {:.2f} s, {:.3g} s elsewhere", usual + largest, at, usual),
-                    "A hole or a jump in time shifts all that follows against the inputs",
+                    "A gap or jump in time shifts everything after it relative to the inputs",
                     "Choose a window on one side of it, or import the log with repairs.rate");
     }
     if (checks.rate() < kSlowest) {
         checks.warn("time", fmt::format("{:.3g} samples per second", checks.rate()),
-                    "Delays, relaxation and damping act within less than a sample",
-                    fmt::format("Record with at least {:.0f} Hz; 100 Hz are usual", kSlowest));
+                    "Delays, tyre relaxation and damping act within less than one sample interval",
+                    fmt::format("Record at {:.0f} Hz or more; 100 Hz is usual", kSlowest));
     }
 }
 

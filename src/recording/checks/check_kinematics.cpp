@@ -90,10 +90,10 @@ void checkDelay(const LogChecks& checks, Pair pair) {
     const double now = unlikeness(pair, 0), shifted = unlikeness(pair, std::lround(*shift * checks.rate()));
     if (now < kUnlike || now < kMuchLikelier * shifted) return;
     checks.warn(pair.channel,
-                fmt::format("{} by {:.0f} ms against {}", *shift > 0 ? "is late" : "is early", 1000 * std::abs(*shift),
-                            pair.says),
+                fmt::format("{} by {:.0f} ms relative to {}", *shift > 0 ? "is late" : "is early",
+                            1000 * std::abs(*shift), pair.says),
                 "A delay between channels looks like a lag of the car",
-                "Give the delay of the late one (instruments, or delay in the import mapping)");
+                "Specify the delay of the later channel (instruments, or delay in the import mapping)");
 }
 
 void check(const LogChecks& checks, const Pair& pair) {
@@ -104,8 +104,8 @@ void check(const LogChecks& checks, const Pair& pair) {
     if (r.correlation < -Relation::kCorrelated) {
         checks.warn(pair.channel,
                     fmt::format("has the opposite sign of {} (correlation {:.2f})", pair.says, r.correlation),
-                    "A car that turns to the other side than its model cannot be diagnosed",
-                    "Turn the sign where it is imported: ISO 8855, x forward, y left, z up");
+                    "A channel with the wrong sign cannot be compared with the model",
+                    "Reverse the sign on import: ISO 8855, x forward, y left, z up");
         return;
     }
     if (r.correlation < Relation::kCorrelated) return;
@@ -113,7 +113,8 @@ void check(const LogChecks& checks, const Pair& pair) {
     const std::string look = lookOf(factor);
     if (pair.tolerance > 0 && (!look.empty() || std::abs(std::log(factor)) > std::log1p(pair.tolerance))) {
         checks.warn(pair.channel, fmt::format("is {:.3g} times {}{}", factor, pair.says, look),
-                    "A wrong unit or scale is taken for a wrong car", "Check the units of both (channels, import)");
+                    "A wrong unit or scale factor is taken for a difference of the car",
+                    "Check the units of both signals (channels, import)");
     }
     if (pair.delay > 0) checkDelay(checks, pair);
 }
@@ -130,22 +131,23 @@ std::vector<Pair> pairsOf(const LogChecks& checks) {
         const Values* vy = get("chassis.vy");
         const Values sideways = vy ? derivative(checks.time(), *vy) : Values(expected.size(), 0);
         for (std::size_t i = 0; i < expected.size(); ++i) expected[i] += sideways[i];
-        add({"chassis.ay", vy ? "vx times yaw rate and the change of vy" : "vx times yaw rate", ay, expected, 0.4,
+        add({"chassis.ay", vy ? "vx times yaw rate plus the derivative of vy" : "vx times yaw rate", ay, expected, 0.4,
              kMuch, vy ? kDelay : kDelayOfSideslip});
     }
-    if (vx && ax) add({"chassis.ax", "the change of vx", ax, derivative(checks.time(), *vx), 0.4, kMuch, kDelay});
+    if (vx && ax) add({"chassis.ax", "the derivative of vx", ax, derivative(checks.time(), *vx), 0.4, kMuch, kDelay});
     if (yaw_rate && get("chassis.yaw"))
-        add({"chassis.yaw_rate", "the change of the heading", yaw_rate, derivative(checks.time(), *get("chassis.yaw")),
-             0.05, kMuch, kDelay});
+        add({"chassis.yaw_rate", "the derivative of the heading", yaw_rate,
+             derivative(checks.time(), *get("chassis.yaw")), 0.05, kMuch, kDelay});
     if (ay && get("chassis.roll")) add({"chassis.roll", "ay", get("chassis.roll"), *ay, 0.5, 0});
     if (get("chassis.roll") && get("chassis.roll_rate"))
-        add({"chassis.roll_rate", "the change of the roll angle", get("chassis.roll_rate"),
+        add({"chassis.roll_rate", "the derivative of the roll angle", get("chassis.roll_rate"),
              derivative(checks.time(), *get("chassis.roll")), 0.02, kMuch, kDelay});
     if (vx && get("chassis.vy") && get("chassis.sideslip")) {
         Values expected = *get("chassis.vy");
         for (std::size_t i = 0; i < expected.size(); ++i)
             expected[i] = std::atan2(expected[i], std::max((*vx)[i], 0.1));
-        add({"chassis.sideslip", "vy over vx", get("chassis.sideslip"), std::move(expected), 0.005});
+        add({"chassis.sideslip", "the sideslip angle from vy and vx", get("chassis.sideslip"), std::move(expected),
+             0.005});
     }
     for (const char* wheel : {"front_left", "front_right", "rear_left", "rear_right"}) {
         const std::string channel = std::string("wheel.") + wheel + ".spin";
@@ -154,7 +156,7 @@ std::vector<Pair> pairsOf(const LogChecks& checks) {
         if (vx && spin) {
             Values expected = *vx;
             for (double& value : expected) value /= radius;
-            add({channel, "vx over the rolling radius", spin, std::move(expected), 0.5, kFactor});
+            add({channel, "vx divided by the rolling radius", spin, std::move(expected), 0.5, kFactor});
         }
     }
     if (steer && (yaw_rate || ay))
@@ -177,9 +179,9 @@ void checkSwappedWheels(const LogChecks& checks) {
                                        [&](std::size_t i) { return !ax || std::abs((*ax)[i]) < LogChecks::kSliding; });
         if (turn.samples < Relation::kFewest || turn.spread < 0.05 || turn.correlation > -Relation::kCorrelated)
             continue;
-        checks.warn(left + " and " + right, "the inner wheel is the faster one in turns: left and right are swapped",
-                    "Locking of differentials and unequal grip would be found with the wrong side",
-                    "Swap both where they are imported");
+        checks.warn(left + " and " + right, "the inner wheel is the faster one in turns, so left and right are swapped",
+                    "Differential locking and left-right grip differences would be found on the wrong side",
+                    "Swap the two channels on import");
     }
 }
 
@@ -194,8 +196,8 @@ void checkSwappedAccelerations(const LogChecks& checks) {
         std::abs(crossed.correlation) < Relation::kCorrelated)
         return;
     if (std::abs(straight.correlation) > 0.5 * std::abs(crossed.correlation)) return;
-    checks.warn("chassis.ax and chassis.ay", "ax follows vx times yaw rate and ay does not: they are swapped",
-                "The model would be blamed in both directions", "Swap both where they are imported");
+    checks.warn("chassis.ax and chassis.ay", "ax follows vx times yaw rate and ay does not, so they are swapped",
+                "The model would appear wrong in both directions", "Swap the two channels on import");
 }
 
 }  // namespace

@@ -39,20 +39,19 @@ double range(const Log& log, std::string_view name) {
 
 void checkInputs(const LogChecks& checks) {
     if (!has(checks.log, "driver.steering_wheel_angle"))
-        checks.warn("driver.steering_wheel_angle", "is missing",
-                    "The drive cannot be repeated without it: only straight running is assumed",
-                    "Record the steering-wheel angle, or the road-wheel angle times the steering ratio");
+        checks.warn("driver.steering_wheel_angle", "is missing", "Without it, the replay assumes straight running",
+                    "Record the steering-wheel angle, or compute it from the road-wheel angle and the steering ratio");
     if (!has(checks.log, "chassis.vx"))
-        checks.warn("chassis.vx", "is missing", "Neither the speed at the start nor that to be followed is known",
+        checks.warn("chassis.vx", "is missing", "Neither the start speed nor the speed to follow is known",
                     "Record the speed over ground");
     if (checks.recording.speed == SpeedReplay::pedals && !has(checks.log, "driver.throttle") &&
         !has(checks.log, "driver.brake"))
-        checks.warn("driver.throttle, driver.brake", "are missing, though speed: pedals is asked for",
-                    "The car would roll out instead of being driven", "Say speed: followed for this recording");
+        checks.warn("driver.throttle, driver.brake", "are missing, but the recording has speed: pedals",
+                    "The simulated car would coast", "Set speed: followed for this recording");
     if (checks.recording.speed == SpeedReplay::pedals && has(checks.log, "driver.throttle") &&
         !has(checks.log, "driveline.gear"))
         checks.warn("driveline.gear", "is missing",
-                    "An automatic shift at another moment than the car's hides or fakes effects of the driveline",
+                    "A gear shift at a different time than in the real car hides or mimics effects of the driveline",
                     "Record the gear, or choose a window in one gear");
 }
 
@@ -64,8 +63,8 @@ void checkReference(const LogChecks& checks, const DiagnosisFile& file, const Lo
             missing.push_back(one.channel);
     }
     if (missing.empty()) return;
-    checks.warn(fmt::format("{}", fmt::join(missing, ", ")), "not measured here, though in the recording itself",
-                "What the model lacked already is not known of it, so it is left out of both",
+    checks.warn(fmt::format("{}", fmt::join(missing, ", ")), "not measured here, but measured in the recording itself",
+                "The gap before the change is unknown for these channels, so both drives are used without them",
                 "Record the same channels before and after the change");
 }
 
@@ -76,9 +75,9 @@ void checkNamed(std::vector<DataWarning>& found, const DiagnosisFile& file, cons
             nowhere.push_back(told.channel);
     }
     if (nowhere.empty()) return;
-    found.push_back({"all recordings", fmt::format("{} stand under channels and in no log", fmt::join(nowhere, ", ")),
-                     "What was not measured cannot tell anything",
-                     "Say from which column they are to be read, or leave them out"});
+    found.push_back({"all recordings", fmt::format("{} listed under channels, but in no log", fmt::join(nowhere, ", ")),
+                     "A channel that was not measured cannot be used",
+                     "Give the column to read it from, or remove it from channels"});
 }
 
 // Warns about missing channels that exclude whole groups of causes.
@@ -89,20 +88,21 @@ void checkResponses(std::vector<DataWarning>& found, const std::vector<Log>& log
         });
     };
     const auto warn = [&](const char* what, const char* lost) {
-        found.push_back({"all recordings", what, lost, "Record it, or take other evidence for these causes"});
+        found.push_back(
+            {"all recordings", what, lost, "Record the missing signal, or use other evidence for these causes"});
     };
     if (none({"chassis.yaw_rate", "chassis.ay"}))
         warn("neither yaw rate nor lateral acceleration was measured",
-             "Nothing can be said about tyres, steering and side forces; drag, drive and brakes remain");
+             "Effects of tyres, steering and side forces are not testable; drag, drive and brakes remain");
     if (none({"chassis.ax", "chassis.vx"}))
         warn("neither speed nor longitudinal acceleration was measured",
-             "Nothing can be said about drag, drive and brakes");
+             "Effects of drag, drive and brakes are not testable");
     if (none({"chassis.roll", "chassis.roll_rate"}))
-        warn("no roll was measured",
-             "Roll stiffness, damping and height of the centre of gravity show only in what they do to the tyres");
+        warn("neither roll angle nor roll rate was measured",
+             "Roll stiffness, damping and centre of gravity height are visible only through the tyre loads");
     if (none({"wheel.front_left.spin", "wheel.front_right.spin", "wheel.rear_left.spin", "wheel.rear_right.spin"}))
         warn("no wheel speed was measured",
-             "Wheel radius, slip stiffness, brake balance and differentials can hardly be told apart");
+             "Wheel radius, slip stiffness, brake balance and differentials can hardly be separated");
 }
 
 void checkExcitation(std::vector<DataWarning>& found, const std::vector<Log>& logs) {
@@ -133,10 +133,10 @@ void checkExcitation(std::vector<DataWarning>& found, const std::vector<Log>& lo
     if (speeds < kSpeeds)
         warn(fmt::format("the speed changes by no more than {:.2g} m/s in any drive", speeds),
              "Effects of drive, brakes and drag are not testable with these drives",
-             "Add a coast-down, an acceleration and a stop");
+             "Add a coast-down, an acceleration and a braking manoeuvre");
     else if (fastest < 2 * std::max(slowest, 1.0))
-        warn(fmt::format("all drives lie between {:.3g} and {:.3g} m/s", slowest, fastest),
-             "What grows with speed (drag, lift, understeer) is told badly from what does not",
+        warn(fmt::format("all speeds are between {:.3g} and {:.3g} m/s", slowest, fastest),
+             "Effects that depend on speed (drag, lift, understeer) are hard to separate from those that do not",
              "Add a drive at another speed");
 }
 
@@ -161,23 +161,22 @@ void checkTheSet(std::vector<DataWarning>& found, const DiagnosisFile& file, con
         if (!recording.repeat_group.empty()) repeats |= !groups.insert(recording.repeat_group).second;
     }
     if (training == 1)
-        warn("only one recording is there to learn from",
-             "Whether a parameter is the same in every drive, the best test for an unknown cause, cannot be asked",
-             "Add drives of other kinds");
+        warn("only one recording is used for fitting",
+             "The best test for an unknown cause, a parameter that differs between drives, is not possible",
+             "Add other manoeuvres");
     if (references > 0 && references < file.recordings.size())
-        warn("some have a reference and some have none",
-             "Where there is none, what the model lacked already is taken for a change of the car",
-             "Give every recording its reference, or leave those without one out");
+        warn("only some of the recordings have a reference",
+             "Without a reference, a model error that existed before is taken for a change of the car",
+             "Give every recording a reference, or remove those without one");
     if (training == file.recordings.size())
-        warn("no recording is held out",
-             "How far the gap shrinks is judged on the drives that the effect was fitted to: too favourable",
-             "Mark one or two drives with hold_out: true");
+        warn("no recording is held out", "The gap is then judged in the fitted drives, which is too optimistic",
+             "Set hold_out: true for one or two recordings");
     bool all_alike = logs.size() > 1 && !repeats;
     for (std::size_t i = 1; i < logs.size(); ++i) all_alike = all_alike && alike(logs[0], logs[i]);
     if (all_alike)
         warn("all recordings show the same manoeuvre at the same speed",
-             "Causes that do the same in this manoeuvre cannot be told apart",
-             "Add drives of other kinds; give repeats of one a repeat_group");
+             "Causes with the same response in this manoeuvre cannot be separated",
+             "Add other manoeuvres; give repeated recordings a repeat_group");
 }
 
 }  // namespace
