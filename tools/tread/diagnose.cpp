@@ -23,12 +23,6 @@ using diagnose::answer::diagnosisText;
 using diagnose::answer::vehicleWithEffectYaml;
 using diagnose::answer::Verdict;
 
-using tread::diagnose::answer::Diagnosis;
-using tread::diagnose::answer::diagnosisJson;
-using tread::diagnose::answer::diagnosisText;
-using tread::diagnose::answer::vehicleWithEffectYaml;
-using tread::diagnose::answer::Verdict;
-
 int statusOf(const Diagnosis& diagnosis) {
     return diagnosis.verdict == Verdict::unknown || diagnosis.verdict == Verdict::not_testable ? kNo : kYes;
 }

@@ -36,20 +36,6 @@ using recording::readRecordings;
 using recording::checks::DataWarning;
 using recording::checks::dataWarnings;
 
-using tread::diagnose::answer::confusableJson;
-using tread::diagnose::answer::Precheck;
-using tread::diagnose::answer::precheckText;
-using tread::diagnose::answer::Visibility;
-using tread::diagnose::answer::visibility;
-using tread::diagnose::catalogue::applies;
-using tread::diagnose::catalogue::Effect;
-using tread::diagnose::catalogue::effectsToConsider;
-using tread::recording::loadDiagnosis;
-using tread::recording::nominalSubject;
-using tread::recording::readRecordings;
-using tread::recording::checks::DataWarning;
-using tread::recording::checks::dataWarnings;
-
 struct Checked {
     std::vector<std::string> warnings;  // about the data, and about drives that the nominal car cannot repeat
     Precheck precheck;

@@ -14,9 +14,6 @@ namespace {
 using recording::DiagnosisFile;
 using recording::readRecordings;
 
-using tread::recording::DiagnosisFile;
-using tread::recording::readRecordings;
-
 bool isLog(const Path& file) {
     const std::string extension = file.extension().string();
     return extension == ".csv" || extension == ".CSV" || extension == ".vbo" || extension == ".VBO" ||

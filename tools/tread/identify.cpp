@@ -22,13 +22,6 @@ using calibrate::identificationJson;
 using calibrate::identificationText;
 using recording::pathFault;
 
-using tread::calibrate::calibratedVehicleYaml;
-using tread::calibrate::FittedNumber;
-using tread::calibrate::Identification;
-using tread::calibrate::identificationJson;
-using tread::calibrate::identificationText;
-using tread::recording::pathFault;
-
 void judgePaths(const std::vector<std::string>& paths) {
     std::vector<Problem> problems;
     for (const std::string& path : paths) {

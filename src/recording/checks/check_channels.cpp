@@ -135,8 +135,8 @@ void checkSize(const LogChecks& checks, const Channel& channel) {
     }
     if (beyond < kBeyondShare * static_cast<double>(channel.values.size()) || beyond == 0) return;
     checks.warn(channel.name,
-                fmt::format("reaches {:.3g}, more than {:.3g} {}, as if it were in {}", most, known->value,
-                            channel.unit == "-" ? "" : channel.unit, known->like),
+                fmt::format("reaches {:.3g}, more than {:.3g}{}, as if it were in {}", most, known->value,
+                            channel.unit == "-" ? "" : " " + channel.unit, known->like),
                 "A wrong unit or scale factor is taken for a difference of the car",
                 "Check the unit of the channel (channels, import)");
 }
