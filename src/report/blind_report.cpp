@@ -46,7 +46,7 @@ std::string untried(const BlindScore& score) {
     std::vector<std::string> names;
     for (const Figure& figure : score.figures)
         if (figure.of == 0 && figure.target > 0) names.push_back(figure.words);
-    return names.empty() ? "" : fmt::format("No case says anything of: {}.", fmt::join(names, "; "));
+    return names.empty() ? "" : fmt::format("No case for: {}.", fmt::join(names, "; "));
 }
 
 Chart reliabilityChart(const BlindScore& score) {
@@ -93,15 +93,15 @@ std::string blindReport(const BlindReport& report) {
          {"Programs", score.frozen.words},
          {"References", score.references ? "every drive compared with its reference" : "none"},
          {"Gap closed, single effects",
-          score.median_closure ? wholePercent(*score.median_closure) + " in the median, on held-out drives" : ""},
+          score.median_closure ? wholePercent(*score.median_closure) + " (median), on held-out drives" : ""},
          {"Error of numbers", score.median_relative_error
                                   ? fmt::format("{} in the median, of the distance from the nominal car's number",
                                                 wholePercent(*score.median_relative_error))
                                   : ""},
-         {"90 % set, single effects", score.mean_credible_set
-                                          ? fmt::format("{:.1f} causes in the mean, median {:.0f}",
-                                                        *score.mean_credible_set, *score.median_credible_set)
-                                          : ""},
+         {"90 % set, single effects",
+          score.mean_credible_set
+              ? fmt::format("mean {:.1f} causes, median {:.0f}", *score.mean_credible_set, *score.median_credible_set)
+              : ""},
          {"SHA-256 of the key", report.key_sha256},
          {"Made by", "tread " + report.version}});
     if (score.failed > 0)

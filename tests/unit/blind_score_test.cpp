@@ -521,7 +521,7 @@ TEST(BlindScore, TextSaysTheAnswerFirstAndFitsItsWidth) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 110u) << line;
     for (const char* word : {"Figures of all cases", "Wilson 95 %", "22 nats and more, told apart", "second family",
-                             "What became of the cases", "Stated probabilities", "by the stronger of two", "99.97 %"})
+                             "Outcomes", "Stated probabilities", "by the stronger of two", "99.97 %"})
         EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
 }
 

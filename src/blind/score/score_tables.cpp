@@ -79,7 +79,7 @@ int casesIn(const BlindScore& score, const Figure& figure, const std::vector<std
 }
 
 ScoreTable bandTable(const BlindScore& score) {
-    ScoreTable table{.title = "By what the drives show",
+    ScoreTable table{.title = "By detectability",
                      .header = {"figure", "all", "< 6", "6-22", "22-100", ">= 100", "apart", "alike"},
                      .rows = {}};
     std::vector<std::string> weaker = weakerBandGroups();
@@ -93,11 +93,9 @@ ScoreTable bandTable(const BlindScore& score) {
         if (of_two) addParts(table, score, figure, "  by the stronger of two", strongerBandGroups());
     }
     table.note = fmt::format(
-        "Expected evidence in nats, as the sealed key has it; of two, the weaker counts. Of something with {:.0f} "
-        "nats, "
-        "5 nats are gained in {:.2f} % of cases. apart, alike: 22 nats and more, and told apart from its best "
-        "imitation "
-        "by another effect by 6 nats, or not.",
+        "Expected evidence in nats, from the sealed key; of two faults the weaker counts. A fault of {:.0f} nats gains "
+        "5 nats in {:.2f} % of cases. apart: 22 nats and more, and at least 6 nats better than the best imitation by "
+        "another effect; alike: less than 6.",
         kTestable, 100 * chanceToGain(5, kTestable));
     return table;
 }
@@ -116,14 +114,15 @@ ScoreTable kindTable(const BlindScore& score) {
 }
 
 ScoreTable outcomeTable(const BlindScore& score) {
-    ScoreTable table{.title = "What became of the cases",
-                     .header = {"kind", "nats", "cases", "right", "partly", "nothing", "unknown", "wrong", "no answer"},
-                     .rows = {},
-                     .words = 2,
-                     .note =
-                         "right: what acts is named first; of two, both and nothing else; nothing where nothing acts; "
-                         "unknown for an outsider; both for mixed. partly: some of what acts is named, or all beside "
-                         "something else. Of two effects the weaker stands first, of mixed the effect."};
+    ScoreTable table{
+        .title = "Outcomes",
+        .header = {"kind", "nats", "cases", "right", "partly", "nothing", "unknown", "wrong", "no answer"},
+        .rows = {},
+        .words = 2,
+        .note =
+            "right: the fault is named first; both of two faults and nothing else; nothing if there is no fault; "
+            "unknown for an outsider; both for mixed. partly: some of the faults are named, or all of "
+            "them and something else. nats: of the weaker of two effects, and of the effect of mixed."};
     for (const OutcomeRow& row : score.outcomes) {
         Row cells{.cells = {std::string(enumNames(row.kind)[static_cast<std::size_t>(row.kind)]), row.bands,
                             std::to_string(row.cases())}};
@@ -150,8 +149,7 @@ ScoreTable calibrationTable(const BlindScore& score) {
 }
 
 ScoreTable confusionTable(const BlindScore& score) {
-    ScoreTable table{
-        .title = "Answers", .header = {"what was so", "what was answered", "cases"}, .rows = {}, .words = 2};
+    ScoreTable table{.title = "Answers", .header = {"truth", "answer", "cases"}, .rows = {}, .words = 2};
     for (const auto& [truth, answers] : score.confusion) {
         for (const auto& [answer, count] : answers)
             table.rows.push_back({.cells = {truth, answer, std::to_string(count)}});
@@ -162,12 +160,13 @@ ScoreTable confusionTable(const BlindScore& score) {
 }  // namespace
 
 ScoreTable overallTable(const BlindScore& score) {
-    ScoreTable table{.title = "Figures of all cases",
-                     .header = {"figure", "cases", "share", "Wilson 95 %", "reduction", "BIC", "asked for"},
-                     .rows = {},
-                     .note =
-                         "reduction, BIC: the same figure for the one effect that reduces the gap most, and that of "
-                         "the least information criterion."};
+    ScoreTable table{
+        .title = "Figures of all cases",
+        .header = {"figure", "cases", "share", "Wilson 95 %", "reduction", "BIC", "asked for"},
+        .rows = {},
+        .note =
+            "reduction, BIC: the same figure for two simpler methods, the one effect that reduces the gap most "
+            "and the least Bayesian information criterion."};
     for (const Figure& figure : score.figures) {
         if (!figure.group.empty()) break;
         if (figure.of == 0) continue;

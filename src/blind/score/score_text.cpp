@@ -61,10 +61,11 @@ std::string numbersInWords(const BlindScore& score) {
         sum += error.in_sd * error.in_sd;
         ++finite;
     }
-    if (score.number_errors.empty()) return "Numbers of causes rightly named: none.";
+    if (score.number_errors.empty()) return "Numbers of rightly named causes: none.";
     return fmt::format(
-        "Numbers of causes rightly named: {}, of which {} at a bound or without a standard deviation; rms {:.2f} sd; "
-        "error in the median {:.0f} % of the distance from the nominal car's number.",
+        "Numbers of rightly named causes: {}, {} of them at a bound or without a standard deviation; rms error {:.2f} "
+        "sd; "
+        "median error {:.0f} % of the distance from the nominal car's number.",
         score.number_errors.size(), static_cast<int>(score.number_errors.size()) - finite,
         finite > 0 ? std::sqrt(sum / finite) : 0, 100 * *score.median_relative_error);
 }
@@ -72,13 +73,13 @@ std::string numbersInWords(const BlindScore& score) {
 std::string restInWords(const BlindScore& score) {
     return wrapped(numbersInWords(score)) +
            wrapped("Closure obtained on held-out drives, single effects: " +
-                   (score.median_closure ? fmt::format("{:.0f} % in the median.", 100 * *score.median_closure)
-                                         : "none could be driven again.")) +
+                   (score.median_closure ? fmt::format("median {:.0f} %.", 100 * *score.median_closure)
+                                         : "no car could be driven again.")) +
            wrapped("Causes in the 90 % set, single effects: " +
-                   (score.mean_credible_set ? fmt::format("{:.1f} in the mean, {:.0f} in the median.",
-                                                          *score.mean_credible_set, *score.median_credible_set)
-                                            : "there are no such cases.")) +
-           wrapped(fmt::format("Time of a diagnosis: {:.0f} s in the median, {:.0f} s at most.", score.median_seconds,
+                   (score.mean_credible_set ? fmt::format("mean {:.1f}, median {:.0f}.", *score.mean_credible_set,
+                                                          *score.median_credible_set)
+                                            : "no such case.")) +
+           wrapped(fmt::format("Time of a diagnosis: median {:.0f} s, at most {:.0f} s.", score.median_seconds,
                                score.longest_seconds));
 }
 
