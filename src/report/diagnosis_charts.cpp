@@ -125,7 +125,7 @@ void addOverlays(HtmlPage& page, const Diagnosis& diagnosis, const char* extende
     if (bands)
         page.text(
             "Shaded: range of the nominal car for its numbers within their tolerances. The tolerances hardly explain a "
-            "measurement that is outside this range by more than its noise. Held-out drives have no range.");
+            "measurement that is outside this range by more than its noise. There is no range for held-out drives.");
     if (diagnosis.compared)
         page.text(
             "Measured: minus the gap between the nominal car and the reference, the same drive before the change.");

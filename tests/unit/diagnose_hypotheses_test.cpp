@@ -79,12 +79,9 @@ struct ThreeEffects {
     }
     // (D37) to (D39), of drives that are independent: each has its own value along the fitted direction. Two drives:
     // one degree of freedom.
-    double resembles(const std::vector<std::size_t>& effects, double evidence, bool compared) const {
-        double length = 0, prior = 0;
-        for (const std::size_t e : effects) {
-            const double size = sizeOf(e);
-            length += size * size, prior += 0.5 * size * size * 0.75 - std::log(2);
-        }
+    double resembles(const std::vector<std::size_t>& effects, bool compared) const {
+        double length = 0;
+        for (const std::size_t e : effects) length += sizeOf(e) * sizeOf(e);
         double weights = 0, weighted = 0, squares = 0;
         for (const LinearDrive& drive : drives) {
             double weight = 0, gradient = 0;
@@ -97,9 +94,7 @@ struct ThreeEffects {
         }
         const double q = squares - weighted * weighted / weights, w = length * weights;
         const double narrow = 1 + std::pow(compared ? 0.25 : 0.1, 2) * w / 2, wide = 1 + 0.25 * w / 2;
-        const double varied = 0.5 * q * (1 / narrow - 1 / wide) - 0.5 * std::log(wide / narrow);
-        const double counted = varied > 0 ? std::max(0.0, varied - 0.04 * evidence) : varied;
-        return (compared ? 0 : prior) + counted;
+        return 0.5 * q * (1 / narrow - 1 / wide) - 0.5 * std::log(wide / narrow);
     }
 };
 
@@ -123,7 +118,7 @@ Probabilities enumerated(const ThreeEffects& three, double birge, double doubted
         strongest = std::max(strongest, evidence);
         weight[nameOf(one.effects)] = prior[n] * std::exp(evidence / birge);
         if (n == 0 || !one.fitted) continue;
-        const double gain = three.resembles(one.effects, one.log_evidence, compared);
+        const double gain = three.resembles(one.effects, compared);
         weight[nameOf(one.effects) + " resembled"] = 0.1 * alike[n] * std::exp((evidence + gain) / birge);
     }
     weight["unknown"] = 0.1 * std::exp((strongest + unknown - 6) / birge);
@@ -186,7 +181,7 @@ TEST(Hypotheses, EffectThatHasAnotherValueInEachDriveIsRatherResembled) {
     three.found.candidates.clear();
     three.add({0}, 40);
     three.add({}, 0);
-    EXPECT_GT(three.resembles({0}, 40, false), 3);
+    EXPECT_GT(three.resembles({0}, false), 3);
     const Probabilities found = told(posterior(three.car, three.found, -3));
     expectSame(found, enumerated(three, three.leftOf({0}) / 8, 0, -3, false));
     EXPECT_GT(found.at("0 resembled") / found.at("0"), 2 / 90.0) << "of priors, 0.005 and 0.45, it is 1 / 90";
