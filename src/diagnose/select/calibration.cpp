@@ -138,6 +138,7 @@ Sizes disturbanceSizes(Drives drives, const Uncertainty& uncertainty, const std:
         for (double& one : logs) {
             for (const double by : {step, -step}) {
                 const double before = one;
+                if (std::abs(before + by) > std::log(kSettings.largest_size)) continue;
                 one = before + by;
                 const double now = merit(logs);
                 if (now > best) {
