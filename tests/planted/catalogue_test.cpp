@@ -53,7 +53,9 @@ constexpr std::array<const char*, 4> kUncertain{"mass", "inertia.yaw", "front.ty
 constexpr double kTolerance = 0.02;
 
 // Rows that no two of the drives show: less is to be expected of them than stands out.
-const std::set<std::string> kHidden{"pneumatic_trail"};
+const std::set<std::string> kHidden{
+    "ackermann", "aero_lift",       "anti_lock",       "belt_gyroscopics", "bump_stops",           "camber_gain",
+    "conicity",  "pneumatic_trail", "shaft_stiffness", "sideslip_zero",    "tyre_radial_stiffness"};
 
 // The compact car with what its file leaves out, so that every row has something to move.
 VehicleParams completeCar() {
@@ -135,7 +137,8 @@ TEST_P(CatalogueRow, IsNamedWhereItsDrivesShowItAndNothingIsBlamedWhereTheyDoNot
     const double expected = d.expected_evidence.at(effect.name);
     if (kHidden.contains(effect.name)) {
         EXPECT_LT(expected, kSettings.clear) << "the drives show it: it belongs to the others";
-        EXPECT_TRUE(d.causes.empty()) << d.answer;
+        // Expected evidence is that of one parameter: two together may show all the same, and then it must be right.
+        EXPECT_TRUE(d.causes.empty() || d.causes == std::vector<std::string>{effect.name}) << d.answer;
         return;
     }
     ASSERT_GE(expected, kSettings.clear) << "the drives do not show it any more";
