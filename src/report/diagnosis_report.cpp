@@ -55,6 +55,13 @@ std::string largest(const Shares& shares) {
     return most == shares.end() ? "" : fmt::format("{} {} %", shownName(most->first), percentNumber(most->second));
 }
 
+std::string whereInWords(const diagnose::answer::WhereItLies& gap) {
+    const std::string force = "force: " + largest(gap.generalised_force);
+    if (gap.channels.empty()) return "no single channel exceeds the usual disturbances; " + force;
+    return fmt::format("{} of the gap; {}; band: {}; when: {}", largest(gap.channels), force, largest(gap.bands),
+                       largest(gap.phases));
+}
+
 void addHead(HtmlPage& page, const DiagnosisReport& content) {
     const Diagnosis& d = content.diagnosis;
     const bool good = d.verdict == Verdict::explained || d.verdict == Verdict::nothing;
@@ -78,8 +85,7 @@ void addHead(HtmlPage& page, const DiagnosisReport& content) {
          fmt::format("% [{}, {}]", percentNumber(d.how_far.closure_low), percentNumber(d.how_far.closure_high))});
     page.cards(cards);
     page.keyValues(
-        {{"Where", fmt::format("{} of the gap; force: {}; band: {}; when: {}", largest(d.where.channels),
-                               largest(d.where.generalised_force), largest(d.where.bands), largest(d.where.phases))},
+        {{"Where", whereInWords(d.where)},
          {"Could also be", fmt::format("{}", fmt::join(shownNames(eachTogether(d.alternatives)), ", "))},
          {"90 % credible set",
           std::is_permutation(d.causes.begin(), d.causes.end(), d.credible_set.begin(), d.credible_set.end())
