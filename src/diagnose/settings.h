@@ -30,8 +30,8 @@
 //   clear                   12  0, 0.00   0, 0.00
 //   sure                    12  0, 0      0, 0
 // Measured on development cases of four drives each: four of `tread blind make --world assumed`, five of its own world
-// (seeds 901, 903) and three of the second generator with references (seed 902). What enters the fits, on three of
-// them: one effect in either world, and one with references.
+// (seeds 901, 903) and three of the second generator with references (seed 902). Settings that enter the fits were
+// varied on three of them: one effect in either world, and one with references.
 #pragma once
 
 #include <algorithm>
@@ -131,7 +131,7 @@ struct Settings {
             TREAD_FIELD(structure),
             About{"-", "relative standard deviation of an effect's value where the model's structure may be another"});
         field(TREAD_FIELD(structure_share),
-              About{"-", "share of the evidence that each further effect must gain besides, with references"});
+              About{"-", "share of the evidence that each further effect must gain in addition, with references"});
         field(TREAD_FIELD(further_share),
               About{"-", "the same without references, where the structure is taken to be right; at most `clear`"});
         field(TREAD_FIELD(none), About{"-", "prior probability of no cause"});
@@ -151,8 +151,14 @@ struct Settings {
               About{"-", "probability below which alternatives are named, and that the credible set holds"});
     }
 
-    // Prior probability of one cause: what none and an unknown one leave, shared with two and three causes.
-    constexpr double oneCause() const { return (1 - none - unknown_cause) / (1 + rarer + rarer * rarer); }
+    // Prior probability of this many causes of the catalogue, at most three. One, two and three share what no cause and
+    // an unknown one leave (D28).
+    constexpr double prior(std::size_t causes) const {
+        if (causes == 0) return none;
+        double share = (1 - none - unknown_cause) / (1 + rarer + rarer * rarer);
+        for (std::size_t i = 1; i < causes; ++i) share *= rarer;
+        return share;
+    }
 
     // Nats of the effects besides the first that are not to be trusted when this much is explained in all. More of them
     // where recordings are `compared` with references, for there the model may have another structure (D30).

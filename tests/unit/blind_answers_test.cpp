@@ -197,8 +197,7 @@ TEST(BlindReport, SaysWhatNoCaseCanAnswerInsteadOfZeros) {
     BlindReport report;
     report.score = score(keyOf(key), {});
     const std::string page = blindReport(report);
-    for (const char* word :
-         {"No case for: ", "one effect: named first", "no such case", "1 of 1 cases have no answer"})
+    for (const char* word : {"No case for: ", "one effect: named first", "no such case", "1 of 1 cases have no answer"})
         EXPECT_NE(page.find(word), std::string::npos) << word;
 }
 

@@ -12,8 +12,8 @@
 
 namespace tread::blind::world {
 
-// Error of all numbers whose path matches `pattern`; the last matching row applies, numbers without a row are exact. The
-// spread of an error is its standard deviation, relative * |number| + absolute; errors are heavy-tailed (draws.h).
+// Error of all numbers whose path matches `pattern`; the last matching row applies, numbers without a row are exact.
+// The spread of an error is its standard deviation, relative * |number| + absolute; errors are heavy-tailed (draws.h).
 struct NumberError {
     std::string_view pattern;
     double relative = 0;    // part of the spread that is proportional to the number

@@ -16,8 +16,8 @@ using catalogue::Effect;
 using recording::KnownWithin;
 using recording::Subject;
 
-// Bounds that keep the replayed car one that can be driven, in standard deviations of a nuisance parameter and in typical
-// sizes of an effect. They decide no verdict: 100 in place of either changes none of the development cases.
+// Bounds within which the car can still be replayed: standard deviations of a nuisance parameter, typical sizes of an
+// effect. They decide no verdict: 100 in place of either changes none of the development cases.
 inline constexpr double kLargestTolerance = 4, kLargestEffect = 8;
 
 struct Parameter {

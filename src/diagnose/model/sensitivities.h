@@ -31,8 +31,8 @@ Sensitivities sensitivities(
     const Replays& replays, Drives drives, const Deviation& at, const Wanted& wanted,
     const std::function<void(double)>& progress = [](double) {});
 
-// m/s: standard deviation of the start speed, which a line through the first speeds gives, and step of the difference by
-// which the change of the rows is found. It decides no verdict: half and double change none of the development cases.
+// m/s: standard deviation of the start speed, which is estimated by a line through the first speeds, and step of the
+// finite difference for its sensitivity. It decides no verdict: half and double change none of the development cases.
 inline constexpr double kStartSpeedStep = 0.1;
 
 // Change of the rows of a drive per m/s of start speed.

@@ -12,9 +12,6 @@ namespace {
 
 constexpr std::size_t kMost = 4;  // numbers of effects in a candidate, from none to three
 
-// Prior probabilities of none, one, two and three causes of the catalogue, each spread evenly over its sets.
-constexpr std::array<double, kMost> kPrior{kSettings.none, kSettings.oneCause(), kSettings.oneCause() * kSettings.rarer,
-                                           kSettings.oneCause() * kSettings.rarer * kSettings.rarer};
 // Shares of the unknown causes that resemble this many effects and are revealed neither by larger disturbances nor by a
 // force law.
 constexpr std::array<double, kMost> kLookAlike{0, kSettings.look_alike, kSettings.look_alike,
@@ -87,7 +84,7 @@ Posterior posterior(const Calibration& car, const Search& found, double unknown_
         const double evidence =
             one.log_evidence - kSettings.structureAllowance(count, found.best().log_evidence, compared);
         strongest = std::max(strongest, evidence);
-        add(&one, false, kPrior[count] / ways, evidence);
+        add(&one, false, kSettings.prior(count) / ways, evidence);
         result.heterogeneity.push_back(one.fitted ? heterogeneity(car, one.fit) : inference::Heterogeneity{});
         if (count > 0 && one.fitted)
             add(&one, true, kSettings.unknown_cause * kLookAlike[count] / ways,

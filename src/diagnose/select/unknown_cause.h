@@ -20,9 +20,9 @@ UnknownCause unknownCause(const Calibration& car, const Search& found);
 // Tests whether one value of the fitted effects suits all drives.
 inference::Heterogeneity heterogeneity(const Calibration& car, const Fit& fit);
 
-// Nats that an unknown cause gains over a model's effects if it merely resembles them: it need not have one value in all
-// drives. The value of a true effect may vary too: by the error of its signature or, when recordings are `compared` with
-// references, because the model's structure differs from the car's (D39).
+// Nats that an unknown cause gains over a model's effects if it merely resembles them: it need not have one value in
+// all drives. The value of a true effect may vary too: by the error of its signature or, when recordings are `compared`
+// with references, because the model's structure differs from the car's (D39).
 double lookAlikeGain(const inference::Heterogeneity& same, bool compared);
 
 }  // namespace tread::diagnose::select
