@@ -24,20 +24,21 @@ struct AntiLockParams {
     bool select_low = true;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(enabled), About{"", "whether the car has it"});
+        field(TREAD_FIELD(enabled), About{"", "true: the car has this control"});
         field(TREAD_FIELD(authority_offset),
               About{"-",
-                    "added to the share of its intervention that reaches the brakes: 1 when enabled, else 0",
+                    "offset of the share of its intervention that reaches the brakes: 1 when enabled, else 0",
                     {-1, 1}});
         field(TREAD_FIELD(period), About{"s", "sample period of the controller", kPositive});
         field(TREAD_FIELD(dump_slip), About{"-", "slip above which pressure is released", {0, 1, true, true}});
         field(TREAD_FIELD(build_slip), About{"-", "slip below which pressure is built up again", {0, 1, true, true}});
-        field(TREAD_FIELD(dump_rate), About{"Pa/s", "fall of the pressure while it is released", kPositive});
-        field(TREAD_FIELD(build_rate), About{"Pa/s", "rise of the pressure while it is built up again", kPositive});
-        field(TREAD_FIELD(lowest_speed),
-              About{"m/s", "speed below which it lets the wheels lock: the slip means nothing there", kNonNegative});
+        field(TREAD_FIELD(dump_rate), About{"Pa/s", "rate of pressure decrease during release", kPositive});
+        field(TREAD_FIELD(build_rate), About{"Pa/s", "rate of pressure increase during build-up", kPositive});
+        field(
+            TREAD_FIELD(lowest_speed),
+            About{"m/s", "speed below which the wheels may lock, because the slip is meaningless there", kNonNegative});
         field(TREAD_FIELD(select_low),
-              About{"", "both rear wheels get the pressure of the one that grips less: keeps the car stable"});
+              About{"", "both rear wheels get the pressure of the wheel with less grip, for stability (select low)"});
     }
 
     static void check(const auto& self, auto&& complain) {

@@ -34,10 +34,9 @@ struct DiscParams {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(heat_capacity), About{"J/K", "heat capacity (0: it stays cold)", kNonNegative, 0.2});
         field(TREAD_FIELD(cooling), About{"W/K", "heat given off at standstill", kNonNegative, 0.3});
-        field(TREAD_FIELD(cooling_by_speed), About{"J/(m K)", "growth of that with speed", kNonNegative, 0.3});
+        field(TREAD_FIELD(cooling_by_speed), About{"J/(m K)", "increase of the cooling with speed", kNonNegative, 0.3});
         field(TREAD_FIELD(friction),
-              About{"-", "factor on the brake torque over the temperature of the disc (fade); none: 1", kNonNegative,
-                    0.1, "K"});
+              About{"-", "factor on the brake torque versus disc temperature (fade); none: 1", kNonNegative, 0.1, "K"});
         field(TREAD_FIELD(fade),
               About{"1/K",
                     "relative loss of brake torque over the heating of the disc, besides `friction`: exp(-fade "
@@ -68,7 +67,7 @@ struct BrakeParams {
               About{"Pa", "pressure of the master cylinder at full pedal", kPositive});
         field(TREAD_FIELD(rear_proportioning), About{"", "proportioning valve of the rear axle"});
         field(TREAD_FIELD(delay), About{"s", "time until the pressure follows the pedal", {0, 1}, 0.3});
-        field(TREAD_FIELD(lag), About{"s", "time constant with which it then follows", kNonNegative, 0.3});
+        field(TREAD_FIELD(lag), About{"s", "time constant of the pressure after the delay", kNonNegative, 0.3});
         field(TREAD_FIELD(front_disc), About{"", "each front disc"});
         field(TREAD_FIELD(rear_disc), About{"", "each rear disc"});
         field(TREAD_FIELD(ambient_temperature),

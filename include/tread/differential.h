@@ -20,7 +20,7 @@ struct OpenDifferential {
     double locking = 0;
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(locking),
-              About{"-", "difference of torques that its friction holds over their sum", kFraction});
+              About{"-", "torque difference that its friction holds, divided by the torque sum", kFraction});
     }
 };
 static_assert(describesEveryMember<OpenDifferential>());
@@ -34,16 +34,16 @@ struct LimitedSlipDifferential {
     double locking_coasting = 0;
     double viscosity = 0;
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(preload),
-              About{"N m", "difference of torques that it holds without load", kNonNegative, 0.3});
-        field(TREAD_FIELD(locking_driving),
-              About{"-",
-                    "difference of torques that it holds over their sum, driving; with the torque bias ratio R of a "
-                    "torque-sensing differential (R - 1) / (R + 1)",
-                    kFraction, 0.2});
-        field(TREAD_FIELD(locking_coasting), About{"-", "the same on overrun", kFraction, 0.2});
-        field(TREAD_FIELD(viscosity),
-              About{"N m s/rad", "difference of torques over difference of speeds", kNonNegative, 0.3});
+        field(TREAD_FIELD(preload), About{"N m", "torque difference that it holds without load", kNonNegative, 0.3});
+        field(
+            TREAD_FIELD(locking_driving),
+            About{"-",
+                  "torque difference that it holds when driving, divided by the torque sum; with the torque bias ratio "
+                  "R of a torque-sensing differential (R - 1) / (R + 1)",
+                  kFraction, 0.2});
+        field(TREAD_FIELD(locking_coasting),
+              About{"-", "torque difference that it holds on overrun, divided by the torque sum", kFraction, 0.2});
+        field(TREAD_FIELD(viscosity), About{"N m s/rad", "torque difference per speed difference", kNonNegative, 0.3});
     }
 };
 static_assert(describesEveryMember<LimitedSlipDifferential>());
@@ -60,8 +60,8 @@ struct VectoringDifferential {
     double largest = kRequired;
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(by_lateral_acceleration),
-              About{"N m s2/m", "difference of torques, outer less inner wheel, over lateral acceleration"});
-        field(TREAD_FIELD(largest), About{"N m", "largest difference of torques", kNonNegative});
+              About{"N m s2/m", "torque difference, outer minus inner wheel, per lateral acceleration"});
+        field(TREAD_FIELD(largest), About{"N m", "largest torque difference", kNonNegative});
     }
 };
 static_assert(describesEveryMember<VectoringDifferential>());

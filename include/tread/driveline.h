@@ -26,13 +26,16 @@ struct DrivelineParams {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(engine), About{"", "combustion engine"});
         field(TREAD_FIELD(motor), About{"", "electric motor at the gearbox input, alone or beside the engine"});
-        field(TREAD_FIELD(coupling), About{"", "what couples engine and gearbox"});
+        field(TREAD_FIELD(coupling), About{"", "coupling between engine and gearbox"});
         field(TREAD_FIELD(gearbox), About{"", "gearbox with automatic shifting"});
         field(TREAD_FIELD(front_share), About{"-", "share of the torque that goes to the front axle", kFraction});
-        field(TREAD_FIELD(front_differential), About{"", "between the front wheels"});
-        field(TREAD_FIELD(rear_differential), About{"", "between the rear wheels"});
-        field(TREAD_FIELD(centre_differential),
-              About{"", "between the axles; with front_share 0 or 1 it couples the other axle to the driven one"});
+        field(TREAD_FIELD(front_differential), About{"", "differential between the front wheels"});
+        field(TREAD_FIELD(rear_differential), About{"", "differential between the rear wheels"});
+        field(
+            TREAD_FIELD(centre_differential),
+            About{
+                "",
+                "differential between the axles; with front_share 0 or 1 it couples the other axle to the driven one"});
         field(TREAD_FIELD(shaft_stiffness),
               About{"N m/rad", "torsional stiffness of the shafts, at the wheels", kPositive, 0.2});
         field(TREAD_FIELD(shaft_damping), About{"N m s/rad", "torsional damping of the shafts", kNonNegative, 0.5});

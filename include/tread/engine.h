@@ -18,8 +18,8 @@ struct PartLoadParams {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(throttle), About{"-", "throttle pedal", {0, 1, true, true}});
         field(TREAD_FIELD(torque),
-              About{"N m", "torque at that pedal over engine speed, negative where the engine drags", kAny, 0.1,
-                    "rad/s"});
+              About{"N m", "torque at this pedal position versus engine speed, negative where the engine drags", kAny,
+                    0.1, "rad/s"});
     }
 };
 static_assert(describesEveryMember<PartLoadParams>());
@@ -36,9 +36,8 @@ struct EngineParams {
     double drag_scale = 1;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(full_load), About{"N m", "torque at full throttle over engine speed", kAny, 0.05, "rad/s"});
-        field(TREAD_FIELD(drag),
-              About{"N m", "torque that turns the engine at closed throttle", kNonNegative, 0.2, "rad/s"});
+        field(TREAD_FIELD(full_load), About{"N m", "torque at full throttle versus engine speed", kAny, 0.05, "rad/s"});
+        field(TREAD_FIELD(drag), About{"N m", "drag torque at closed throttle", kNonNegative, 0.2, "rad/s"});
         field(
             TREAD_FIELD(part_load),
             About{"", "torque at throttles between closed and full, rising; none: linear between drag and full_load"});
@@ -47,8 +46,8 @@ struct EngineParams {
         field(TREAD_FIELD(speed_limit), About{"rad/s", "speed at which the fuel is cut", kPositive});
         field(TREAD_FIELD(response_time),
               About{"s", "time constant with which the torque follows the pedal", kNonNegative, 0.3});
-        field(TREAD_FIELD(torque_scale), About{"-", "scales what full_load and part_load give", kNonNegative});
-        field(TREAD_FIELD(drag_scale), About{"-", "scales drag, and the drag of part_load", kNonNegative});
+        field(TREAD_FIELD(torque_scale), About{"-", "factor on full_load and part_load", kNonNegative});
+        field(TREAD_FIELD(drag_scale), About{"-", "factor on drag and on the drag of part_load", kNonNegative});
     }
 
     static void check(const auto& self, auto&& complain) {
@@ -82,17 +81,17 @@ struct MotorParams {
     double response_time = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(torque), About{"N m", "largest torque, driving and recovering", kPositive, 0.05});
-        field(TREAD_FIELD(power), About{"W", "largest power at the shaft, driving and recovering", kPositive, 0.05});
+        field(TREAD_FIELD(torque), About{"N m", "largest torque, driving and regenerating", kPositive, 0.05});
+        field(TREAD_FIELD(power), About{"W", "largest power at the shaft, driving and regenerating", kPositive, 0.05});
         field(TREAD_FIELD(speed_limit), About{"rad/s", "speed at which it stops driving", kPositive});
         field(TREAD_FIELD(inertia), About{"kg m2", "inertia of the rotor", kPositive, 0.2});
-        field(TREAD_FIELD(drag), About{"N m", "torque that turns the unpowered motor", kNonNegative, 0.3, "rad/s"});
+        field(TREAD_FIELD(drag), About{"N m", "drag torque of the unpowered motor", kNonNegative, 0.3, "rad/s"});
         field(TREAD_FIELD(lift_off_regeneration),
-              About{"-", "share of the largest torque that it recovers at closed throttle", kFraction});
+              About{"-", "share of the largest torque that it regenerates at closed throttle", kFraction});
         field(TREAD_FIELD(brake_regeneration),
-              About{"-", "share of what the brake pedal asks for that it recovers, as far as it can", kFraction});
+              About{"-", "share of the brake demand that it regenerates, up to its limits", kFraction});
         field(TREAD_FIELD(regeneration_speed),
-              About{"rad/s", "speed below which recovering fades out towards standstill", kPositive});
+              About{"rad/s", "speed below which regeneration fades out towards standstill", kPositive});
         field(TREAD_FIELD(response_time),
               About{"s", "time constant with which the torque follows the pedal", kNonNegative, 0.3});
     }

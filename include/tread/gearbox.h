@@ -69,14 +69,13 @@ struct GearboxParams {
         field(TREAD_FIELD(final_drive), About{"-", "final drive ratio", kPositive});
         field(TREAD_FIELD(efficiency), About{"-", "output torque over input torque when driving", {0, 1, true}, 0.03});
         field(TREAD_FIELD(inertia), About{"kg m2", "inertia at the gearbox input", kPositive});
-        field(TREAD_FIELD(shift_up_speed),
-              About{"rad/s", "engine speed at which the next gear is taken at full throttle", kNonNegative});
+        field(TREAD_FIELD(shift_up_speed), About{"rad/s", "engine speed of upshifts at full throttle", kNonNegative});
         field(TREAD_FIELD(shift_down_speed),
-              About{"rad/s", "engine speed below which the gear below is taken", kNonNegative});
+              About{"rad/s", "engine speed below which the gearbox shifts down", kNonNegative});
         field(TREAD_FIELD(shift_up_share),
-              About{"-", "shift map: share of shift_up_speed over throttle", kPositive, 0, "-"});
+              About{"-", "shift map: factor on shift_up_speed versus throttle", kPositive, 0, "-"});
         field(TREAD_FIELD(shift_down_share),
-              About{"-", "shift map: share of shift_down_speed over throttle (kick-down)", kPositive, 0, "-"});
+              About{"-", "shift map: factor on shift_down_speed versus throttle (kick-down)", kPositive, 0, "-"});
         field(
             TREAD_FIELD(shift_time),
             About{"s", "time of a gear change: the clutch is open, then closes in the last third", kNonNegative, 0.3});

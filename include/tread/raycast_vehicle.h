@@ -66,18 +66,19 @@ struct WheelTelemetry {
     double contact_z = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(load), About{"N", "of the tyre, normal to the ground"});
-        field(TREAD_FIELD(fx), About{"N", "of the ground on the tyre, forward"});
-        field(TREAD_FIELD(fy), About{"N", "of the ground on the tyre, to the left"});
-        field(TREAD_FIELD(slip_ratio), About{"-", "positive when driving"});
-        field(TREAD_FIELD(slip_angle), About{"rad", "positive when the wheel slides to the left"});
-        field(TREAD_FIELD(slip_power), About{"W", "lost between tyre and ground: smoke, squeal, wear"});
-        field(TREAD_FIELD(spin), About{"rad/s", "of the wheel, positive forward"});
-        field(TREAD_FIELD(compression), About{"m", "of the suspension"});
-        field(TREAD_FIELD(deflection), About{"m", "of the tyre"});
-        field(TREAD_FIELD(steer_torque),
-              About{"N m", "of the ground about the strut, positive turns to the left: summed, the steering wheel's"});
-        field(TREAD_FIELD(grip), About{"N", "most force that the tyre can hold along the ground"});
+        field(TREAD_FIELD(load), About{"N", "load of the tyre, normal to the ground"});
+        field(TREAD_FIELD(fx), About{"N", "force of the ground on the tyre, forward"});
+        field(TREAD_FIELD(fy), About{"N", "force of the ground on the tyre, to the left"});
+        field(TREAD_FIELD(slip_ratio), About{"-", "longitudinal slip, positive when driving"});
+        field(TREAD_FIELD(slip_angle), About{"rad", "slip angle, positive when the wheel slides to the left"});
+        field(TREAD_FIELD(slip_power), About{"W", "power lost between tyre and ground, for smoke, squeal and wear"});
+        field(TREAD_FIELD(spin), About{"rad/s", "wheel speed, positive forward"});
+        field(TREAD_FIELD(compression), About{"m", "suspension compression"});
+        field(TREAD_FIELD(deflection), About{"m", "tyre deflection"});
+        field(TREAD_FIELD(steer_torque), About{"N m",
+                                               "moment of the ground about the strut, positive to the left; summed "
+                                               "over the wheels for the steering wheel"});
+        field(TREAD_FIELD(grip), About{"N", "largest force that the tyre can hold along the ground"});
         field(TREAD_FIELD(contact_x), About{"m", "contact point in the world"});
         field(TREAD_FIELD(contact_y), About{"m", "contact point in the world"});
         field(TREAD_FIELD(contact_z), About{"m", "contact point in the world"});

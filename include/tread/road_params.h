@@ -23,11 +23,11 @@ struct FrictionPatch {
     double y_to = kInfinity;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(friction), About{"-", "scales the friction of the road there", kNonNegative});
-        field(TREAD_FIELD(x_from), About{"m", "where it begins along the road"});
-        field(TREAD_FIELD(x_to), About{"m", "where it ends along the road"});
-        field(TREAD_FIELD(y_from), About{"m", "its right edge"});
-        field(TREAD_FIELD(y_to), About{"m", "its left edge"});
+        field(TREAD_FIELD(friction), About{"-", "factor on the friction of the road there", kNonNegative});
+        field(TREAD_FIELD(x_from), About{"m", "start along the road"});
+        field(TREAD_FIELD(x_to), About{"m", "end along the road"});
+        field(TREAD_FIELD(y_from), About{"m", "right edge"});
+        field(TREAD_FIELD(y_to), About{"m", "left edge"});
     }
 
     static void check(const auto& self, auto&& complain) {
@@ -69,8 +69,8 @@ struct Obstacle {
     std::variant<CosineShape, RampShape, PlankShape> shape;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(x), About{"m", "where it begins along the road"});
-        field(TREAD_FIELD(y), About{"m", "its middle"});
+        field(TREAD_FIELD(x), About{"m", "start along the road"});
+        field(TREAD_FIELD(y), About{"m", "y of its middle"});
         field(TREAD_FIELD(heading), About{"rad", "direction of its length, 0 along x, positive to the left"});
         field(TREAD_FIELD(length), About{"m", "length; a kerb without one never ends", kPositive});
         field(TREAD_FIELD(width), About{"m", "width; without one it crosses the whole road", kPositive});
@@ -119,7 +119,9 @@ struct RoughnessParams {
                                             "how alike both wheel paths are: as on a surface that looks the same "
                                             "in every direction, equal, or independent"});
         field(TREAD_FIELD(track), About{"m", "distance of the wheel paths at which the coherence holds", kPositive});
-        field(TREAD_FIELD(seed), About{"", "another whole number, another road of the same kind", {0, 2147483647}});
+        field(TREAD_FIELD(seed), About{"",
+                                       "seed of the random road; each whole number gives another road of the same kind",
+                                       {0, 2147483647}});
         field(TREAD_FIELD(begin), About{"m", "x where it begins, growing to its full height over 10 m"});
     }
 };
@@ -146,13 +148,14 @@ struct RoadParams {
         field(TREAD_FIELD(crown_y), About{"m", "y of the crown"});
         field(TREAD_FIELD(crown_rounding), About{"m", "distance over which the crown is rounded", kPositive});
         field(TREAD_FIELD(crown_begin), About{"m", "x where the crown begins, growing over 20 m"});
-        field(TREAD_FIELD(friction), About{"-", "scales the friction of the tyre files", kNonNegative});
+        field(TREAD_FIELD(friction), About{"-", "factor on the friction of the tyre files", kNonNegative});
         field(TREAD_FIELD(contact_length),
               About{"m",
                     "side of the square over which a tyre averages the obstacles, the roughness and the height "
                     "field; 0: none",
                     {0, 1}});
-        field(TREAD_FIELD(friction_patches), About{"", "places of other friction; where they overlap the last holds"});
+        field(TREAD_FIELD(friction_patches),
+              About{"", "patches of different friction; where they overlap, the last one applies"});
         field(TREAD_FIELD(obstacles), About{"", "bumps, kerbs and potholes"});
         field(TREAD_FIELD(roughness), About{"", "random unevenness"});
         field(TREAD_FIELD(height_field), About{"", "heights on a grid, or the CSV file that holds them"});

@@ -25,21 +25,23 @@ struct StabilityControlParams {
     double lowest_speed = 5;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(enabled), About{"", "whether the car has it"});
+        field(TREAD_FIELD(enabled), About{"", "true: the car has this control"});
         field(TREAD_FIELD(authority_offset),
               About{"-",
-                    "added to the share of its intervention that reaches the brakes: 1 when enabled, else 0",
+                    "offset of the share of its intervention that reaches the brakes: 1 when enabled, else 0",
                     {-1, 1}});
         field(TREAD_FIELD(period), About{"s", "sample period of the controller", kPositive});
         field(TREAD_FIELD(understeer_gradient),
-              About{"rad s2/m", "of the reference, road-wheel angle over lateral acceleration", kNonNegative});
+              About{"rad s2/m", "understeer gradient of the reference: road-wheel angle per lateral acceleration",
+                    kNonNegative});
         field(TREAD_FIELD(lateral_acceleration_limit),
-              About{"m/s2", "that limits the yaw rate of the reference (friction)", kPositive});
+              About{"m/s2", "lateral acceleration that limits the reference yaw rate (friction)", kPositive});
         field(TREAD_FIELD(lag), About{"s", "time constant of the reference", kNonNegative});
-        field(TREAD_FIELD(threshold), About{"rad/s", "error of the yaw rate that is tolerated", kNonNegative});
-        field(TREAD_FIELD(gain), About{"N m s/rad", "brake torque over the error beyond the threshold", kNonNegative});
-        field(TREAD_FIELD(largest), About{"N m", "largest torque of the brake that it uses", kNonNegative});
-        field(TREAD_FIELD(lowest_speed), About{"m/s", "speed below which it stays out", kPositive});
+        field(TREAD_FIELD(threshold), About{"rad/s", "tolerated yaw-rate error", kNonNegative});
+        field(TREAD_FIELD(gain),
+              About{"N m s/rad", "brake torque per yaw-rate error beyond the threshold", kNonNegative});
+        field(TREAD_FIELD(largest), About{"N m", "largest brake torque that it applies", kNonNegative});
+        field(TREAD_FIELD(lowest_speed), About{"m/s", "speed below which it does not intervene", kPositive});
     }
 };
 static_assert(describesEveryMember<StabilityControlParams>());

@@ -35,13 +35,13 @@ struct SteeringParams {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(ratio), About{"-", "steering-wheel angle over mean road-wheel angle", kPositive, 0.02});
         field(TREAD_FIELD(ratio_curve),
-              About{"-", "that ratio over the steering-wheel angle to either side, in place of ratio", kPositive, 0.02,
-                    "rad"});
+              About{"-", "steering ratio versus steering-wheel angle, both sides alike, in place of ratio", kPositive,
+                    0.02, "rad"});
         field(TREAD_FIELD(ackermann),
               About{"-", "0: wheels parallel, 1: both wheels tangent to circles about the rear axle's extension", kAny,
                     0.2});
         field(TREAD_FIELD(delay),
-              About{"s", "time by which the steering wheel follows the driver's angle late", {0, kLongestDelay}});
+              About{"s", "delay of the steering wheel behind the driver's angle", {0, kLongestDelay}});
         field(TREAD_FIELD(lag),
               About{"s", "time constant with which the steering wheel follows the driver's angle", kNonNegative});
         field(TREAD_FIELD(play),
@@ -56,9 +56,8 @@ struct SteeringParams {
               About{"m", "distance of the contact centre behind the steering axis, for the moments", kAny, 0.2});
         field(TREAD_FIELD(scrub_radius),
               About{"m", "distance of the contact centre outside the steering axis, for the moments"});
-        field(
-            TREAD_FIELD(inertia),
-            About{"kg m2", "inertia at the steering wheel of all that steers, when the hands are off", kPositive, 0.3});
+        field(TREAD_FIELD(inertia),
+              About{"kg m2", "inertia of the whole steering at the steering wheel, for hands off", kPositive, 0.3});
         field(TREAD_FIELD(damping), About{"N m s/rad", "damping at the steering wheel", kNonNegative, 0.3});
         field(TREAD_FIELD(friction), About{"N m", "dry friction at the steering wheel", kNonNegative, 0.3});
     }

@@ -51,11 +51,10 @@ struct StopParams {
     double progression = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(clearance),
-              About{"m", "travel from the static position until the stop is met", kNonNegative});
-        field(TREAD_FIELD(stiffness), About{"N/m", "stiffness where the stop is met", kNonNegative, 0.3});
+        field(TREAD_FIELD(clearance), About{"m", "travel from the static position to the stop", kNonNegative});
+        field(TREAD_FIELD(stiffness), About{"N/m", "stiffness at first contact with the stop", kNonNegative, 0.3});
         field(TREAD_FIELD(progression),
-              About{"N/m2", "growth of the force with deflection squared", kNonNegative, 0.3});
+              About{"N/m2", "increase of the force with deflection squared", kNonNegative, 0.3});
     }
 };
 static_assert(describesEveryMember<StopParams>());

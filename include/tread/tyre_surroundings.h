@@ -70,7 +70,8 @@ struct TyreTemperatureParams {
               About{"J/K", "heat capacity of the tread; 0: the tyre keeps its temperature", kNonNegative, 0.3});
         field(TREAD_FIELD(slip_share), About{"-", "share of the slip power that heats the tyre", kFraction, 0.3});
         field(TREAD_FIELD(cooling), About{"W/K", "heat given to the air and the road at rest", kNonNegative, 0.3});
-        field(TREAD_FIELD(cooling_by_speed), About{"W s/(K m)", "growth of that with speed", kNonNegative, 0.3});
+        field(TREAD_FIELD(cooling_by_speed),
+              About{"W s/(K m)", "increase of the cooling with speed", kNonNegative, 0.3});
         field(TREAD_FIELD(friction), About{"1/K", "relative change of the friction over temperature"});
         field(TREAD_FIELD(friction_squared),
               About{"1/K2", "relative change of the friction over temperature squared; negative: a best temperature"});

@@ -49,7 +49,7 @@ struct WheelParams {
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(tyre), About{"", "tyre of this wheel alone, or the file that describes it"});
-        field(TREAD_FIELD(tyre_surroundings), About{"", "what acts on the tyre of this wheel alone"});
+        field(TREAD_FIELD(tyre_surroundings), About{"", "conditions of the tyre of this wheel alone"});
     }
 };
 static_assert(describesEveryMember<WheelParams>());
@@ -72,9 +72,9 @@ struct AxleParams {
         field(TREAD_FIELD(suspension), About{"", "suspension"});
         field(TREAD_FIELD(tyre), About{"", "tyre, or the file that describes it"});
         field(TREAD_FIELD(tyre_surroundings),
-              About{"", "what acts on the tyres: pressure, temperature, ply-steer, conicity"});
-        field(TREAD_FIELD(left), About{"", "what differs on the left wheel"});
-        field(TREAD_FIELD(right), About{"", "what differs on the right wheel"});
+              About{"", "conditions of the tyres: pressure, temperature, ply-steer, conicity"});
+        field(TREAD_FIELD(left), About{"", "differences of the left wheel"});
+        field(TREAD_FIELD(right), About{"", "differences of the right wheel"});
     }
 };
 static_assert(describesEveryMember<AxleParams>());

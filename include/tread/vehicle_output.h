@@ -22,7 +22,7 @@ struct VehicleInput {
         field(TREAD_FIELD(brake), About{"-", "brake pedal", kFraction});
         field(TREAD_FIELD(clutch), About{"-", "clutch pedal, 1 separates engine and gearbox", kFraction});
         field(TREAD_FIELD(parking_brake), About{"-", "parking brake", kFraction});
-        field(TREAD_FIELD(hands_off), About{"-", "1 leaves the steering wheel to itself", kFraction});
+        field(TREAD_FIELD(hands_off), About{"-", "1: hands off the steering wheel", kFraction});
     }
 };
 static_assert(describesEveryMember<VehicleInput>());
@@ -108,7 +108,7 @@ struct DrivelineOutput {
     double gear = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(engine_speed), About{"rad/s", "engine speed, without an engine that of the motor"});
+        field(TREAD_FIELD(engine_speed), About{"rad/s", "engine speed; motor speed in a car without an engine"});
         field(TREAD_FIELD(engine_torque), About{"N m", "engine torque"});
         field(TREAD_FIELD(motor_torque), About{"N m", "torque of the electric motor"});
         field(TREAD_FIELD(gear), About{"-", "gear"});
@@ -122,7 +122,7 @@ struct BrakeOutput {
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(anti_lock), About{"-", "number of wheels whose pressure the anti-lock control regulates"});
-        field(TREAD_FIELD(stability_control), About{"N m", "brake torque that the stability control asks for"});
+        field(TREAD_FIELD(stability_control), About{"N m", "brake torque demanded by the stability control"});
     }
 };
 static_assert(describesEveryMember<BrakeOutput>());
