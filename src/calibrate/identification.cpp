@@ -97,10 +97,10 @@ Round roundAt(const Problem& problem, model::Sensitivities about, std::vector<do
     const std::vector<Eigen::Index> kept =
         relevant ? *relevant : model::relevantNuisances(problem.nuisances, about, round.uncertainty);
     round.about = model::linearisation(about, kept, round.uncertainty);
-    round.uncertainty.sizes = select::disturbanceSizes(
-        problem.drives, round.uncertainty,
+    round.uncertainty.sizes = select::sizesWithAllFree(
+        problem, round.uncertainty,
         model::productsWith(problem.allKnobs(), problem.drives, round.about, round.uncertainty));
-    round.birge_ratio = model::birgeRatio(problem.drives, round.uncertainty, about.rows);
+    round.birge_ratio = model::birgeRatio(problem.drives, round.uncertainty, about.rows, round.uncertainty.sizes);
     round.larger = round.uncertainty;
     for (model::RowNoise& noise : round.larger.noise) noise.deviation *= round.birge_ratio;
     round.about_larger = model::linearisation(std::move(about), kept, round.larger);

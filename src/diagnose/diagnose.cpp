@@ -4,11 +4,13 @@
 #include <cmath>
 
 #include "diagnose/answer/words.h"
+#include "diagnose/explain/decomposition.h"
 #include "diagnose/explain/how_far.h"
 #include "diagnose/explain/missing_force.h"
 #include "diagnose/explain/next_drive.h"
 #include "diagnose/explain/where.h"
 #include "diagnose/select/baselines.h"
+#include "diagnose/select/car_before.h"
 #include "diagnose/select/verdict.h"
 
 namespace tread::diagnose {
@@ -26,22 +28,18 @@ void tellNuisances(Diagnosis& diagnosis, const model::Problem& problem, const se
     }
 }
 
-void tellUnexplained(Diagnosis& diagnosis, const explain::MissingForce& missing, const select::UnknownCause& unknown) {
+void tellUnexplained(Diagnosis& diagnosis, const explain::MissingForce& missing, const select::Judgement& judgement) {
+    const select::Remains& remains = judgement.remains;
     const auto largest = std::max_element(missing.shares.begin(), missing.shares.end(),
                                           [](const auto& a, const auto& b) { return a.second < b.second; });
     answer::Unexplained& unexplained = diagnosis.unexplained;
     unexplained.generalised_force = largest->first;
     unexplained.when = missing.when;
-    unexplained.law = unknown.law;
-    if (!unknown.law.generalised_force.empty()) unexplained.generalised_force = unknown.law.generalised_force;
-}
-
-// The fit of the causes that are named; the fit without effects when none is named.
-const select::Fit& answered(const Diagnosis& diagnosis, const model::Problem& problem, const select::Search& found) {
-    for (const select::Candidate& one : found.candidates) {
-        if (one.fitted && problem.namesOf(one.effects) == diagnosis.causes) return one.fit;
-    }
-    return found.none().fit;
+    unexplained.law = remains.law;
+    unexplained.beyond_ordinary = remains.beyond_ordinary;
+    for (std::size_t k = 0; k < model::kDisturbances; ++k)
+        unexplained.sizes[std::string(model::kDisturbedNames[k])] = judgement.answer.sizes[k];
+    if (!remains.law.generalised_force.empty()) unexplained.generalised_force = remains.law.generalised_force;
 }
 
 }  // namespace
@@ -52,28 +50,35 @@ Diagnosis diagnosisOf(const recording::Subject& nominal, const recording::Diagno
     const auto started = std::chrono::steady_clock::now();
     const Progress& progress = options.progress;
 
+    // The car before the change, if there are references.
+    const std::optional<select::CarBefore> before =
+        select::carBefore(nominal, file, recorded, effects, options, partOf(progress, 0, 0.3));
+
     // The drives, and the calibrated car: the nominal car with its nuisance parameters fitted to the recordings.
-    const model::Problem problem = model::problemOf(nominal, file, recorded, effects, options);
+    const model::Problem problem =
+        model::problemOf(before ? before->car : nominal, file, recorded, effects, options);
     const select::Calibration car =
-        select::calibrate(problem, model::nominalCar(problem, partOf(progress, 0, 0.1)), partOf(progress, 0.1, 0.4));
+        select::calibrate(problem, model::nominalCar(problem, partOf(progress, 0.3, 0.4)), partOf(progress, 0.4, 0.6));
 
     // Which effects explain the gap.
     const select::Screen screened = select::screen(car);
-    const select::Search found = select::search(car, screened, partOf(progress, 0.4, 0.9));
+    const select::Search found = select::search(car, screened, partOf(progress, 0.6, 0.9));
     const std::vector<double> expected = select::expectedEvidenceAt(car, found.best().fit, screened);
-    const select::UnknownCause unknown = select::unknownCause(car, found);
     Diagnosis diagnosis;
     diagnosis.compared = problem.compared();
+    if (before) diagnosis.before = {before->gap.nominal, before->gap.calibrated, before->moved};
     diagnosis.baselines = select::baselines(car);
-    select::judge(diagnosis, car, expected, found, unknown);
+    const select::HeldOut held_out = select::heldOut(car);
+    const select::Judgement judgement = select::judge(diagnosis, car, expected, found, held_out);
     diagnosis.confusable = select::confusablePairs(car, screened, expected);
-    tellNuisances(diagnosis, problem, found.best().fit);
+    tellNuisances(diagnosis, problem, judgement.answer);
 
     // Where the gap is, and how far the causes close it.
     const explain::MissingForce missing = explain::missingForce(car);
-    tellUnexplained(diagnosis, missing, unknown);
+    tellUnexplained(diagnosis, missing, judgement);
     diagnosis.where = explain::whereItLies(car, missing);
-    explain::howFar(diagnosis, car, {found.none().fit.at, answered(diagnosis, problem, found)});
+    explain::decompose(diagnosis, car, found, judgement, held_out);
+    explain::howFar(diagnosis, car, {found.none().fit.at, judgement.answer});
     diagnosis.next = explain::nextDrives(diagnosis, car, found, options.possible_next);
     diagnosis.answer = answer::inWords(diagnosis);
     progress(1, "done");

@@ -54,12 +54,15 @@ struct Settings {
     double correlation_time = 0.5;
     // Guesses of a good road and little wind. Too large hides effects, too small blames them for wind: the sizes are
     // therefore estimated from the drives, and these are the medians of their priors.
-    double longitudinal = 0.02, lateral = 0.04, yaw = 0.04, roll = 0.08, steering = 0.0003;
-    // Guess: two thirds of all drives have sizes within a factor of 1.6. Wider lets disturbances take what effects
-    // would explain.
-    double size_spread = 0.5;
-    // Guess. Larger lets disturbances swallow causes of no catalogue, smaller calls a rough road one.
-    double largest_size = 3;
+    double longitudinal = 0.02, lateral = 0.04, yaw = 0.1, roll = 0.2, steering = 0.0003;
+    // Guess: side forces of a good tyre model are right to within 2 %, and their error lasts as long as a manoeuvre.
+    // Too large hides effects that act in proportion to the acceleration.
+    double force_error = 0.02, error_correlation = 5;
+    // Two thirds of all drives have sizes within a factor of 2.7, one in twenty beyond 7. Narrower lets the model's
+    // errors count as evidence for effects.
+    double size_spread = 1;
+    // Choice: the same, for a remainder that is not called unknown. Wider tells of fewer unknown causes.
+    double ordinary_spread = 0.5;
 
     // ---- Errors of the model's structure
 
@@ -67,17 +70,12 @@ struct Settings {
     // with references and lets true effects vary more between drives.
     double signature_error = 0.1;
     // Guess: larger because the disturbances of two drives differ. Raising it weakens all evidence.
-    double reference_inflation = 1.6;
+    double reference_inflation = 1;
     // Guess: tank, tyres and load change, the car does not. Raising it lets tolerances explain a change.
     double between_days = 0.2;
     // Guess. With it, 15 of 15 values of effects found on cars of the second generator lay within two standard
     // deviations of the truth (D42).
     double structure = 0.25;
-    // From development cases of the second generator: without it, a second effect stood beside the right one in 2 of
-    // 11. It hides second effects that are less than 15 % of the first.
-    double structure_share = 0.15;
-    // Set on development cases of the same structure. Raising it hides second effects.
-    double further_share = 0.002;
 
     // ---- Priors
 
@@ -85,11 +83,6 @@ struct Settings {
     double none = 0.25, unknown_cause = 0.1;
     // Choice: independent faults, each as improbable.
     double rarer = 1.0 / 3;
-    // Set on development cases with causes of no catalogue: three effects together imitate many of them.
-    double look_alike = 0.05, three_look_alike = 0.3;
-    // Guess: an unknown cause that an effect imitates has another size in each manoeuvre.
-    double varied = 0.5;
-
     // ---- Thresholds
 
     // In development cases without a cause, the best effect never gained 3 nats. By chance, one effect gains 5 nats
@@ -113,12 +106,15 @@ struct Settings {
         field(TREAD_FIELD(longitudinal),
               About{"m/s2", "usual longitudinal disturbance, wind and unevenness of a good road: guess"});
         field(TREAD_FIELD(lateral), About{"m/s2", "usual lateral disturbance: guess"});
-        field(TREAD_FIELD(yaw), About{"rad/s2", "usual disturbance in yaw: guess"});
-        field(TREAD_FIELD(roll), About{"rad/s2", "usual disturbance in roll: guess"});
+        field(TREAD_FIELD(yaw), About{"m/s2", "usual disturbance in yaw, times the wheelbase: guess"});
+        field(TREAD_FIELD(roll), About{"m/s2", "usual disturbance in roll, times the wheelbase: guess"});
         field(TREAD_FIELD(steering), About{"rad", "usual tremor of the road wheels: guess"});
+        field(TREAD_FIELD(force_error), About{"-", "usual error of the model's forces, as a share of them: guess"});
+        field(TREAD_FIELD(error_correlation), About{"s", "time in which such an error falls to 1/e: guess"});
         field(TREAD_FIELD(size_spread),
-              About{"-", "prior standard deviation of the logarithm of a disturbance's size"});
-        field(TREAD_FIELD(largest_size), About{"-", "times its usual size that a disturbance reaches at most: guess"});
+              About{"-", "prior standard deviation of the logarithm of a size of the remainder"});
+        field(TREAD_FIELD(ordinary_spread),
+              About{"-", "the same for disturbances and model errors of an ordinary drive"});
         field(TREAD_FIELD(signature_error),
               About{"-",
                     "relative error of an effect's signature: spread of a true effect's value between drives, and "
@@ -130,18 +126,9 @@ struct Settings {
         field(
             TREAD_FIELD(structure),
             About{"-", "relative standard deviation of an effect's value where the model's structure may be another"});
-        field(TREAD_FIELD(structure_share),
-              About{"-", "share of the evidence that each further effect must gain in addition, with references"});
-        field(TREAD_FIELD(further_share),
-              About{"-", "the same without references, where the structure is taken to be right; at most `clear`"});
         field(TREAD_FIELD(none), About{"-", "prior probability of no cause"});
         field(TREAD_FIELD(unknown_cause), About{"-", "prior probability of a cause of no catalogue"});
         field(TREAD_FIELD(rarer), About{"-", "prior probability of one cause more, over that of one less"});
-        field(TREAD_FIELD(look_alike),
-              About{"-", "share of the unknown causes that one effect imitates, and that two imitate"});
-        field(TREAD_FIELD(three_look_alike), About{"-", "share of the unknown causes that three effects imitate"});
-        field(TREAD_FIELD(varied),
-              About{"-", "spread of the value of an imitation between drives, as a share of it: guess"});
         field(TREAD_FIELD(effect), About{"nat", "that each effect must gain"});
         field(TREAD_FIELD(clear),
               About{"nat",
@@ -158,14 +145,6 @@ struct Settings {
         double share = (1 - none - unknown_cause) / (1 + rarer + rarer * rarer);
         for (std::size_t i = 1; i < causes; ++i) share *= rarer;
         return share;
-    }
-
-    // Nats of the effects besides the first that are not to be trusted when this much is explained in all. More of them
-    // where recordings are `compared` with references, for there the model may have another structure (D30).
-    constexpr double structureAllowance(std::size_t effects, double evidence, bool compared) const {
-        if (effects < 2) return 0;
-        return static_cast<double>(effects - 1) *
-               (compared ? structure_share * evidence : std::min(further_share * evidence, clear));
     }
 };
 static_assert(describesEveryMember<Settings>());

@@ -32,6 +32,16 @@ NormalEquations normalEquations(const DriveProducts& products, const Eigen::Vect
     return {products.columns - half.transpose() * half, logDeterminant(factor)};
 }
 
+DisturbedProducts disturbedProducts(const DriveProducts& products, const Eigen::VectorXd& sizes) {
+    const auto scale = sizes.asDiagonal();
+    const Factor factor = factorOfPriorAnd(scale * products.disturbances * scale);
+    const Index n = sizes.size();
+    const Eigen::MatrixXd inverse = factor.matrixL().solve(Eigen::MatrixXd::Identity(n, n));
+    const Eigen::MatrixXd half = inverse.triangularView<Eigen::Lower>() * (scale * products.mixed);
+    return {products.columns - half.transpose() * half, inverse.transpose().triangularView<Eigen::Upper>() * half,
+            inverse.colwise().squaredNorm()};
+}
+
 NormalEquations operator+(NormalEquations a, const NormalEquations& b) {
     if (a.products.size() == 0) return b;
     a.products += b.products;

@@ -37,6 +37,15 @@ struct NormalEquations {
 // Marginalises disturbances with the standard deviations `sizes` (D13).
 NormalEquations normalEquations(const DriveProducts& products, const Eigen::VectorXd& sizes);
 
+// The same, and what the columns leave in the disturbances: their posterior means for each column (a unit of it as
+// residual) and posterior variances, in units of the prior standard deviation.
+struct DisturbedProducts {
+    Eigen::MatrixXd products;
+    Eigen::MatrixXd estimates;  // disturbances x columns
+    Eigen::VectorXd variances;
+};
+DisturbedProducts disturbedProducts(const DriveProducts& products, const Eigen::VectorXd& sizes);
+
 NormalEquations operator+(NormalEquations a, const NormalEquations& b);
 
 // Marginalises the parameters `out`, which have the prior N(0, 1); their rows and columns become zero (D24).

@@ -40,6 +40,8 @@ std::string badge(Verdict verdict) {
             return "cause unknown";
         case Verdict::not_testable:
             return "not testable";
+        case Verdict::partly_explained:
+            return "partly explained";
     }
     return {};
 }

@@ -95,8 +95,7 @@ std::vector<std::string> shownNames(const std::vector<std::string>& names) {
 
 void addEffects(HtmlPage& page, const Diagnosis& diagnosis) {
     std::vector<std::vector<Cell>> rows;
-    const auto add = [&](const std::string& name, double p, std::string evidence, std::string constancy, bool varies,
-                         std::string text) {
+    const auto add = [&](const std::string& name, double p, std::string evidence, std::string text) {
         Cell chance{probability(p), true};
         chance.bar = p;
         const auto& causes = diagnosis.causes;
@@ -104,24 +103,21 @@ void addEffects(HtmlPage& page, const Diagnosis& diagnosis) {
         rows.push_back({{(blamed ? "▶ " : "") + shownName(name)},
                         chance,
                         {std::move(evidence), true},
-                        {std::move(constancy), true, varies},
                         {std::move(text)}});
     };
     for (std::size_t i = 0; i < std::min(diagnosis.effects.size(), kShown); ++i) {
         const RankedEffect& effect = diagnosis.effects[i];
-        const double same = valueOf(diagnosis.constancy, effect.name, std::nan(""));
         const std::string question = questionOf(effect.name), parameters = parametersText(effect);
         add(effect.name, effect.probability, formatNumber(effect.log_evidence, 3),
-            std::isfinite(same) ? formatNumber(same, 2) : "", same < 0.01,
             question + (question.empty() || parameters.empty() ? "" : " ") + parameters);
     }
-    add("no effect visible in these drives", diagnosis.probability_of_nothing, "0", "", false,
+    add("no effect visible in these drives", diagnosis.probability_of_nothing, "0",
         "The car explains the drives with its numbers within their tolerances.");
     const ForceLaw& law = diagnosis.unexplained.law;
     const bool alone = !law.generalised_force.empty();
-    add("an unknown cause", diagnosis.probability_of_unknown, "", "", false,
+    add("an unknown cause", diagnosis.probability_of_unknown, "",
         "A force acts that no effect of the catalogue explains" + (alone ? ": " + lawInWords(law) : "") + ".");
-    page.table({"Effect", "Probability", "Evidence, nats", "Same in all drives, p", "Question and result"}, rows, true);
+    page.table({"Effect", "Probability", "Evidence, nats", "Question and result"}, rows, true);
     if (diagnosis.effects.size() > kShown)
         page.text(
             fmt::format("{} other effects were considered and are less likely.", diagnosis.effects.size() - kShown));

@@ -43,7 +43,7 @@ bool blames(const CaseAnswer& answer) {
 }
 
 bool callsUnknown(const CaseAnswer& answer) {
-    return answer.verdict == Verdict::unknown;
+    return answer.verdict == Verdict::unknown || answer.verdict == Verdict::partly_explained;
 }
 
 bool alarms(const CaseAnswer& answer) {

@@ -12,9 +12,11 @@
 
 namespace tread::diagnose::answer {
 
-enum class Verdict { explained, nothing, ambiguous, unknown, not_testable };
+// partly_explained: causes are named, and beside them remains what no effect of the catalogue explains.
+enum class Verdict { explained, nothing, ambiguous, unknown, not_testable, partly_explained };
 constexpr auto enumNames(Verdict) {
-    return std::array<std::string_view, 5>{"explained", "nothing", "ambiguous", "unknown", "not_testable"};
+    return std::array<std::string_view, 6>{"explained", "nothing",      "ambiguous",
+                                           "unknown",   "not_testable", "partly_explained"};
 }
 
 struct Estimate {  // estimate of one parameter
@@ -55,6 +57,50 @@ struct WhereItLies {
     std::map<std::string, Shares> channels_of_recording;  // by recording and channel; all of them together sum to 1
 };
 
+// Share of the squared gap of the nominal car, with its 90 % interval over the drives.
+struct Part {
+    double share = 0, low = 0, high = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(share), About{"-", "share of the squared gap of the nominal car"});
+        field(TREAD_FIELD(low), About{"-", "lower end of the 90 % interval over the drives"});
+        field(TREAD_FIELD(high), About{"-", "upper end of the 90 % interval over the drives"});
+    }
+};
+static_assert(describesEveryMember<Part>());
+
+// What one cause closes: beside the tolerances alone, and after all other causes. Overlapping causes share a part of the
+// gap, and the two differ.
+struct CausePart {
+    std::string name;
+    Part first, last;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(name), About{"", "name of the effect"});
+        field(TREAD_FIELD(first), About{"", "share that it closes beside the tolerances alone"});
+        field(TREAD_FIELD(last), About{"", "share that it closes after all other causes"});
+    }
+};
+static_assert(describesEveryMember<CausePart>());
+
+// The squared gap between the recordings and the nominal car, in parts that sum to 1. Differences are divided by what
+// noise and usual disturbances cause (D46).
+struct Decomposition {
+    double gap = 0;
+    Part tolerances, causes, remainder, noise;
+    std::vector<CausePart> each;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(gap), About{"-", "mean squared difference of the nominal car, over that of a perfect model"});
+        field(TREAD_FIELD(tolerances), About{"", "part that numbers of the car within their tolerances explain"});
+        field(TREAD_FIELD(causes), About{"", "part that all causes together explain besides"});
+        field(TREAD_FIELD(remainder), About{"", "part that remains unexplained"});
+        field(TREAD_FIELD(noise), About{"", "part that a perfect model would leave: noise and usual disturbances"});
+        field(TREAD_FIELD(each), About{"", "part of each cause"});
+    }
+};
+static_assert(describesEveryMember<Decomposition>());
+
 // Root mean square of the gap in units of the noise. `floor` is the level that a perfect model would leave.
 struct GapLevels {
     double nominal = 0, calibrated = 0, extended = 0, floor = 0;
@@ -68,6 +114,12 @@ struct HowFar {
 
 struct NuisanceEstimate {
     double value = 0, sd = 0, z = 0;
+};
+
+// The nominal car fitted to the references.
+struct FittedBefore {
+    double nominal = 0, fitted = 0;                 // level of the gap in the references
+    std::map<std::string, NuisanceEstimate> moved;  // by path; z in prior standard deviations
 };
 
 struct ConfusablePair {
@@ -102,6 +154,10 @@ struct Unexplained {
     std::string generalised_force;  // longitudinal, lateral, yaw or roll: the largest missing force
     Moment when;                    // moment at which it is largest
     ForceLaw law = {};              // law that it follows, if one was found
+    // Size of each kind of force in the remainder, over that of an ordinary drive: disturbances, and errors in proportion
+    // to the acceleration ("lateral error").
+    std::map<std::string, double> sizes = {};
+    double beyond_ordinary = 0;  // nats by which the remainder is larger than ordinary
 };
 
 // Answers of simpler methods: the name of one effect, or "none".
@@ -135,14 +191,15 @@ struct Diagnosis {
     double probability_of_nothing = 0;                   // no effect, or only effects below the threshold of evidence
     double probability_of_unknown = 0;
     WhereItLies where;
+    Decomposition training, held_out;  // held_out is empty without such drives
     HowFar how_far;
+    FittedBefore before;
     std::map<std::string, NuisanceEstimate> nuisance;
     std::map<std::string, double> expected_evidence;  // nats, of each effect at its typical size
     std::vector<ConfusablePair> confusable;
     std::vector<NextDrive> next;
     Unexplained unexplained;
     std::vector<std::string> credible_set;
-    std::map<std::string, double> constancy;  // by effect: p-value of one value in all drives
     Baselines baselines;
     bool compared = false;  // true when every recording has a reference
     std::vector<std::string> data_warnings;

@@ -31,6 +31,12 @@ Json listOf(const std::vector<T>& values, ToJson to_json) {
     return list;
 }
 
+Json numbersOf(const std::map<std::string, NuisanceEstimate>& numbers) {
+    Json all = Json::object();
+    for (const auto& [path, n] : numbers) all[path] = {{"value", n.value}, {"sd", n.sd}, {"z", n.z}};
+    return all;
+}
+
 }  // namespace
 
 std::string_view nameOf(Verdict verdict) {
@@ -45,8 +51,6 @@ Json confusableJson(const std::vector<ConfusablePair>& pairs) {
 }
 
 Json diagnosisJson(const Diagnosis& d) {
-    Json nuisance = Json::object();
-    for (const auto& [path, n] : d.nuisance) nuisance[path] = {{"value", n.value}, {"sd", n.sd}, {"z", n.z}};
     return {
         {"answer", d.answer},
         {"verdict", nameOf(d.verdict)},
@@ -56,6 +60,8 @@ Json diagnosisJson(const Diagnosis& d) {
         {"probability_of_nothing", d.probability_of_nothing},
         {"probability_of_unknown", d.probability_of_unknown},
         {"where", whereOf(d.where)},
+        {"training", jsonOf(d.training)},
+        {"held_out", jsonOf(d.held_out)},
         {"how_far",
          {{"training", levelsOf(d.how_far.training)},
           {"held_out", levelsOf(d.how_far.held_out)},
@@ -63,16 +69,19 @@ Json diagnosisJson(const Diagnosis& d) {
           {"closure_low", d.how_far.closure_low},
           {"closure_high", d.how_far.closure_high},
           {"in_sample", d.how_far.in_sample}}},
-        {"nuisance", nuisance},
+        {"nuisance", numbersOf(d.nuisance)},
         {"expected_evidence", d.expected_evidence},
         {"confusable", confusableJson(d.confusable)},
         {"next", listOf(d.next,
                         [](const NextDrive& n) {
                             return Json{{"scenario", n.scenario}, {"separates", separatesInWords(n)}, {"nats", n.nats}};
                         })},
+        {"before", {{"nominal", d.before.nominal}, {"fitted", d.before.fitted}, {"moved", numbersOf(d.before.moved)}}},
         {"unexplained",
          {{"share", d.unexplained.share},
           {"generalised_force", d.unexplained.generalised_force},
+          {"sizes", d.unexplained.sizes},
+          {"beyond_ordinary", d.unexplained.beyond_ordinary},
           {"when", momentInWords(d.unexplained.when)},
           {"law",
            {{"follows", d.unexplained.law.follows},
@@ -80,7 +89,6 @@ Json diagnosisJson(const Diagnosis& d) {
             {"coefficients", d.unexplained.law.coefficients},
             {"gain", d.unexplained.law.gain}}}}},
         {"credible_set", d.credible_set},
-        {"constancy", d.constancy},
         {"baselines", jsonOf(d.baselines)},
         {"compared", d.compared},
         {"data_warnings", d.data_warnings},

@@ -37,6 +37,9 @@ std::string inWords(const Diagnosis& d) {
             return fmt::format("The cause is unknown: no effect of the catalogue explains the missing force ({}){}{}",
                                d.unexplained.generalised_force,
                                d.unexplained.law.follows.empty() ? "" : "; it follows ", d.unexplained.law.follows);
+        case Verdict::partly_explained:
+            return fmt::format("The gap is partly caused by {} ({}); the rest is unexplained", together(d.causes),
+                               probabilityInWords(probabilityOfCauses(d)));
         case Verdict::not_testable:
             return "Not testable: these drives excite all effects too weakly";
     }

@@ -121,7 +121,7 @@ Gaps gapsOf(const Judged& judged, const std::array<Deviation, 3>& stages, std::v
             if (motion) rows = recording::readings(drive, *motion, subjects[stage].instruments);
             *logs[stage] = logOf(drive, rows);
             const Eigen::VectorXd off = motion ? drive.measured - rows : drive.measured;
-            each[stage]->off[d] = model::squaresOf(judged.uncertainty, d, noise.over(off));
+            each[stage]->off[d] = model::squaresOf(judged.uncertainty, d, noise.over(off), judged.uncertainty.sizes);
         }
     });
     overlays.insert(overlays.end(), here.begin(), here.end());

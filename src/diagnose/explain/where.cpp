@@ -5,6 +5,7 @@
 #include <complex>
 #include <unsupported/Eigen/FFT>
 
+#include "diagnose/model/gap.h"
 #include "log/resample.h"
 
 namespace tread::diagnose::explain {
@@ -99,18 +100,12 @@ void normalise(Shares& shares) {
 
 }  // namespace
 
-Eigen::VectorXd floorOf(const model::Uncertainty& uncertainty, std::size_t drive) {
-    const Eigen::VectorXd sizes = uncertainty.sizesOf(drive, uncertainty.sizes);
-    const Eigen::VectorXd disturbed = (uncertainty.directions[drive] * sizes.asDiagonal()).rowwise().squaredNorm();
-    return uncertainty.noise[drive].deviation.cwiseProduct((disturbed.array() + 1).sqrt().matrix());
-}
-
 answer::WhereItLies whereItLies(const Calibration& car, const MissingForce& missing) {
     answer::WhereItLies where;
     double all = 0;
     for (std::size_t d = 0; d < car.drives().size(); ++d) {
         const RecordedDrive& drive = car.drives()[d];
-        const Eigen::VectorXd gap = (drive.measured - car.nominal[d]).cwiseQuotient(floorOf(car.uncertainty, d));
+        const Eigen::VectorXd gap = (drive.measured - car.nominal[d]).cwiseQuotient(model::floorOf(car.uncertainty, d));
         for (const recording::ObservedChannel& channel : drive.channels) {
             const Eigen::VectorXd here = gap.segment(channel.first_row, channel.rows());
             const auto count = static_cast<double>(channel.rows());

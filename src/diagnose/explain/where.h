@@ -5,9 +5,6 @@
 
 namespace tread::diagnose::explain {
 
-// Standard deviation of each row of a drive when the model is right: noise and disturbances.
-Eigen::VectorXd floorOf(const model::Uncertainty& uncertainty, std::size_t drive);
-
 // Shares of the squared gap in excess of noise and disturbances (D46).
 answer::WhereItLies whereItLies(const Calibration& car, const MissingForce& missing);
 

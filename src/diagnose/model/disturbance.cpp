@@ -12,7 +12,8 @@
 namespace tread::diagnose::model {
 namespace {
 
-constexpr double kHat = kSettings.correlation_time / 2;  // s, distance of hats
+constexpr double kHat = kSettings.correlation_time / 2;        // s, distance of hats
+constexpr double kErrorHat = kSettings.error_correlation / 2;  // s, the same of the errors of the model's forces
 // Hats between the pushes of one replay (3 s). After that a car is taken to have forgotten a push except for the speed
 // it has lost. Each more costs one more replay per kind and drive.
 constexpr Eigen::Index kApart = 12;
@@ -123,6 +124,38 @@ FrontAxle frontAxle(const VehicleParams& car) {
     return {2 * slope / std::max(kLightest, compliant), kStandardGravity * at.muy};
 }
 
+// Size of an error of the model's force at each hat, in usual sizes of the disturbance of its kind: in proportion to the
+// acceleration of the car (D12a).
+Eigen::VectorXd errorSizes(const Course& course, const VehicleParams& car, Disturbed kind) {
+    const std::vector<double>& time = course.motion.channels.front().values;
+    const Channel* acceleration = course.motion.find(kind == Disturbed::longitudinal ? "chassis.ax" : "chassis.ay");
+    const double lever = kind == Disturbed::yaw    ? car.front_axle_distance * (1 - car.front_axle_distance / car.wheelbase)
+                         : kind == Disturbed::roll ? car.centre_of_gravity_height
+                                                   : 1;
+    Eigen::VectorXd sizes = Eigen::VectorXd::Zero(course.hats);
+    for (Eigen::Index i = 0; acceleration && i < course.hats; ++i) {
+        const double force = car.mass * std::abs(valueAt(time, acceleration->values, std::min(peakOf(i), time.back())));
+        sizes(i) = kSettings.force_error * force * lever / usualSize(kind, car);
+    }
+    return sizes;
+}
+
+// Heights of the hats by errors of the model's force, for impulses of a slower process of unit variance: hats x
+// impulses.
+Eigen::MatrixXd errorHeights(const Course& course, const VehicleParams& car, Disturbed kind) {
+    const Eigen::VectorXd sizes = errorSizes(course, car, kind);
+    const Eigen::Index slow = std::lround(std::ceil(peakOf(course.hats - 1) / kErrorHat)) + 1;
+    Eigen::MatrixXd between = Eigen::MatrixXd::Zero(course.hats, slow);
+    for (Eigen::Index i = 0; i < course.hats; ++i) {
+        const double place = peakOf(i) / kErrorHat;
+        const Eigen::Index before = std::min<Eigen::Index>(std::lround(std::floor(place)), slow - 2);
+        const double after = place - static_cast<double>(before);
+        between(i, before) = sizes(i) * (1 - after);
+        between(i, before + 1) = sizes(i) * after;
+    }
+    return between * inference::correlationFactor(slow, kErrorHat, kSettings.error_correlation);
+}
+
 // Steering tremor as a side force at the front axle. Its stiffness falls with the square of the lateral acceleration as
 // the turn uses up the grip (D14).
 Eigen::MatrixXd trembling(const Course& course, const VehicleParams& car, const Eigen::MatrixXd& lateral,
@@ -135,10 +168,23 @@ Eigen::MatrixXd trembling(const Course& course, const VehicleParams& car, const 
         const double t = std::min(peakOf(i), time.back());
         const double used = ay ? valueAt(time, ay->values, t) / axle.grip : 0;
         const double force = std::max(kLeastSlope, 1 - used * used) * axle.slope * kSettings.steering;
-        columns.col(i) = force / (car.mass * kSettings.lateral) * lateral.col(i) +
-                         force * car.front_axle_distance / (car.inertia.yaw * kSettings.yaw) * yaw.col(i);
+        columns.col(i) = force / usualSize(Disturbed::lateral, car) * lateral.col(i) +
+                         force * car.front_axle_distance / usualSize(Disturbed::yaw, car) * yaw.col(i);
     }
     return columns;
+}
+
+// Adds the columns of the errors of the model's forces, one matrix for each of kForceErrors.
+void append(Disturbances& result, const std::vector<Eigen::MatrixXd>& errors) {
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+        const Eigen::Index before = result.columns.cols(), more = errors[k].cols();
+        result.columns.conservativeResize(Eigen::NoChange, before + more);
+        result.columns.rightCols(more) = errors[k];
+        for (Eigen::Index i = 0; i < more; ++i) {
+            result.kinds.push_back(kForceErrors[k]);
+            result.times.push_back(static_cast<double>(i) * kErrorHat);
+        }
+    }
 }
 
 }  // namespace
@@ -146,13 +192,17 @@ Eigen::MatrixXd trembling(const Course& course, const VehicleParams& car, const 
 double usualSize(Disturbed kind, const VehicleParams& car) {
     switch (kind) {
         case Disturbed::longitudinal:
+        case Disturbed::longitudinal_error:
             return kSettings.longitudinal * car.mass;
         case Disturbed::lateral:
+        case Disturbed::lateral_error:
             return kSettings.lateral * car.mass;
         case Disturbed::yaw:
-            return kSettings.yaw * car.inertia.yaw;
+        case Disturbed::yaw_error:
+            return kSettings.yaw / car.wheelbase * car.inertia.yaw;
         case Disturbed::roll:
-            return kSettings.roll * car.inertia.roll;
+        case Disturbed::roll_error:
+            return kSettings.roll / car.wheelbase * car.inertia.roll;
         case Disturbed::steering:
             return kSettings.steering;
     }
@@ -160,8 +210,8 @@ double usualSize(Disturbed kind, const VehicleParams& car) {
 }
 
 Eigen::VectorXd Disturbances::heights(const Eigen::VectorXd& impulses) const {
-    Eigen::VectorXd all(impulses.size());
-    for (Eigen::Index first = 0; first < impulses.size(); first += hats())
+    Eigen::VectorXd all(random());
+    for (Eigen::Index first = 0; first < random(); first += hats())
         all.segment(first, hats()) = correlation_factor * impulses.segment(first, hats());
     return all;
 }
@@ -174,25 +224,29 @@ Disturbances disturbances(const Replays& replays, const RecordedDrive& drive, co
                   .by_start_speed = Eigen::VectorXd::Zero(drive.rows()),
                   .hats = std::lround(std::ceil(drive.duration() / kHat)) + 1,
                   .speed = showsSpeed(drive)};
-    const Eigen::Index hats = course.hats;
+    const Eigen::Index hats = course.hats, random = hats * std::ssize(kDisturbedKinds);
     Disturbances result;
-    result.columns = Eigen::MatrixXd::Zero(drive.rows(), hats * std::ssize(kDisturbedKinds));
     for (const Disturbed kind : kDisturbedKinds) {
         for (Eigen::Index i = 0; i < hats; ++i) {
             result.kinds.push_back(kind);
             result.times.push_back(peakOf(i));
         }
     }
+    result.columns = Eigen::MatrixXd::Zero(drive.rows(), random);
     result.correlation_factor = inference::correlationFactor(hats, kHat, kSettings.correlation_time);
     result.by_start_speed = course.by_start_speed;
     if (!motion) return result;
     course.rows = recording::readings(drive, course.motion, subject.instruments);
     result.by_start_speed = course.by_start_speed = startSpeedColumn(replays, drive, subject, course.rows);
     const auto of = [&](Disturbed kind) { return result.columns.middleCols(placeOf(kind) * hats, hats); };
-    for (const Disturbed kind : {Disturbed::longitudinal, Disturbed::lateral, Disturbed::yaw, Disturbed::roll})
+    std::vector<Eigen::MatrixXd> errors;
+    for (const Disturbed kind : {Disturbed::longitudinal, Disturbed::lateral, Disturbed::yaw, Disturbed::roll}) {
         of(kind) = pushed(replays, subject, course, kind);
+        errors.emplace_back(of(kind) * errorHeights(course, subject.vehicle, kind));
+    }
     of(Disturbed::steering) = trembling(course, subject.vehicle, of(Disturbed::lateral), of(Disturbed::yaw));
     for (const Disturbed kind : kDisturbedKinds) of(kind) = (of(kind) * result.correlation_factor).eval();
+    append(result, errors);
     return result;
 }
 

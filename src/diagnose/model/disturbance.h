@@ -1,7 +1,8 @@
-// Random disturbances of a real drive that the model does not have: wind, road unevenness, tremor of the driver's hand.
-// Each is an Ornstein-Uhlenbeck process that acts as a generalised force on the car, piecewise linear over time (hat
-// functions 0.25 s apart). Their effect on the motion is found by replaying the drive with pushes, so it has the right
-// correlation over time and between channels.
+// Forces of a real drive that the model does not have. Disturbances (wind, road unevenness, tremor of the driver's hand)
+// are Ornstein-Uhlenbeck processes, piecewise linear over time (hat functions 0.25 s apart). Errors of the model's own
+// forces are slower processes in proportion to these forces. Both act as generalised forces on the car. Their effect on
+// the motion is found by replaying the drive with pushes, so it has the right correlation over time and between
+// channels.
 #pragma once
 
 #include <Eigen/Dense>
@@ -13,11 +14,27 @@
 
 namespace tread::diagnose::model {
 
-enum class Disturbed { longitudinal, lateral, yaw, roll, steering };
-inline constexpr std::array<std::string_view, 5> kDisturbedNames{"longitudinal", "lateral", "yaw", "roll", "steering"};
+// The last four are errors of the model's forces, in proportion to these.
+enum class Disturbed {
+    longitudinal,
+    lateral,
+    yaw,
+    roll,
+    steering,
+    longitudinal_error,
+    lateral_error,
+    yaw_error,
+    roll_error
+};
+inline constexpr std::array<std::string_view, 9> kDisturbedNames{
+    "longitudinal", "lateral", "yaw", "roll", "steering", "longitudinal error", "lateral error",
+    "yaw error",    "roll error"};
 inline constexpr std::size_t kDisturbances = kDisturbedNames.size();
-inline constexpr std::array<Disturbed, kDisturbances> kDisturbedKinds{
-    Disturbed::longitudinal, Disturbed::lateral, Disturbed::yaw, Disturbed::roll, Disturbed::steering};
+// The kinds that act at any time. Steering is the last of them.
+inline constexpr std::array<Disturbed, 5> kDisturbedKinds{Disturbed::longitudinal, Disturbed::lateral, Disturbed::yaw,
+                                                          Disturbed::roll, Disturbed::steering};
+inline constexpr std::array<Disturbed, 4> kForceErrors{Disturbed::longitudinal_error, Disturbed::lateral_error,
+                                                       Disturbed::yaw_error, Disturbed::roll_error};
 
 using Sizes = std::array<double, kDisturbances>;  // of each kind, as a multiple of its usual size
 
@@ -34,13 +51,14 @@ double usualSize(Disturbed kind, const VehicleParams& car);
 
 struct Disturbances {
     Eigen::MatrixXd columns;              // rows x impulses: change of the rows by each impulse at its usual size
-    std::vector<Disturbed> kinds;         // kind of each column
+    std::vector<Disturbed> kinds;         // kind of each column; those of kDisturbedKinds come first
     std::vector<double> times;            // s, time of each column's hat
-    Eigen::MatrixXd correlation_factor;   // of one kind: heights of the hats x impulses
+    Eigen::MatrixXd correlation_factor;   // of one kind of kDisturbedKinds: heights of the hats x impulses
     Eigen::VectorXd by_start_speed = {};  // change of the rows per m/s of start speed
 
-    Eigen::Index hats() const { return correlation_factor.rows(); }  // of one kind
-    // Heights of the hats, all kinds one after the other, for the given impulses.
+    Eigen::Index hats() const { return correlation_factor.rows(); }  // of one kind of kDisturbedKinds
+    Eigen::Index random() const { return hats() * std::ssize(kDisturbedKinds); }  // number of their columns
+    // Heights of the hats of kDisturbedKinds, one kind after the other, for the given impulses of these.
     Eigen::VectorXd heights(const Eigen::VectorXd& impulses) const;
 };
 

@@ -14,24 +14,11 @@ namespace {
 // Least noise of a channel, as a share of its root mean square: two step sizes of the simulation differ by this,
 // measured. It acts on logs without noise; 0 changes none of the development cases.
 constexpr double kModelError = 3e-4;
-constexpr Eigen::Index kAround = 5;    // rows on either side (0.25 s) over which the local size of the gap is taken
 constexpr Eigen::Index kFewRows = 12;  // a channel with fewer rows gives no estimate of its noise
 
 double bandNoise(const Eigen::VectorXd& rows) {
     if (rows.size() < kFewRows) return kInfinity;
     return inference::noiseBehind(std::span<const double>(rows.data(), rows.size()), inference::kBand);
-}
-
-// Root mean square over the rows within kAround of each, so that a value that passes through zero does not count as
-// small.
-Eigen::VectorXd localSize(const Eigen::VectorXd& values) {
-    Eigen::VectorXd size(values.size());
-    for (Eigen::Index i = 0; i < values.size(); ++i) {
-        const Eigen::Index first = std::max<Eigen::Index>(i - kAround, 0);
-        const Eigen::Index count = std::min(i + kAround + 1, values.size()) - first;
-        size(i) = values.segment(first, count).norm() / std::sqrt(static_cast<double>(count));
-    }
-    return size;
 }
 
 // One channel in all drives: its noise between 2 and 7 Hz in each, and its largest root mean square.
@@ -88,10 +75,6 @@ std::vector<RowNoise> rowNoise(Drives drives, const Rows& model, const std::vect
             const Eigen::Index rows = channel.rows();
             auto deviation = here.deviation.segment(channel.first_row, rows);
             deviation.setConstant(inflation * deviationOf(drive, channel, channels.at(channel.name)));
-            if (drive.compared()) {
-                const Eigen::VectorXd gap = (drive.measured - model[d]).segment(channel.first_row, rows);
-                deviation += kSettings.signature_error * inflation * localSize(gap);
-            }
             const auto silent = std::upper_bound(channel.times.begin(), channel.times.end(), until[d]);
             const Eigen::Index told = silent - channel.times.begin();
             deviation.tail(rows - told).setConstant(kInfinity);

@@ -55,8 +55,8 @@ DriveProducts productsOf(const Uncertainty& uncertainty, std::size_t drive, cons
                                uncertainty.directions[drive], columns);
 }
 
-double squaresOf(const Uncertainty& uncertainty, std::size_t drive, const Eigen::VectorXd& off) {
-    return normalEquations(uncertainty, drive, productsOf(uncertainty, drive, off), uncertainty.sizes).products(0, 0);
+double squaresOf(const Uncertainty& uncertainty, std::size_t drive, const Eigen::VectorXd& off, const Sizes& sizes) {
+    return normalEquations(uncertainty, drive, productsOf(uncertainty, drive, off), sizes).products(0, 0);
 }
 
 NormalEquations normalEquations(const Uncertainty& uncertainty, std::size_t drive, const DriveProducts& products,
@@ -72,10 +72,10 @@ NormalEquations normalEquations(const Uncertainty& uncertainty, const std::vecto
     return sum;
 }
 
-double birgeRatio(Drives drives, const Uncertainty& uncertainty, const Rows& rows) {
+double birgeRatio(Drives drives, const Uncertainty& uncertainty, const Rows& rows, const Sizes& sizes) {
     double sum = 0, expected = 0;
     for (std::size_t d = 0; d < rows.size(); ++d) {
-        sum += squaresOf(uncertainty, d, residual(drives, uncertainty, rows, d));
+        sum += squaresOf(uncertainty, d, residual(drives, uncertainty, rows, d), sizes);
         expected += uncertainty.noise[d].expected;
     }
     return expected > 0 ? std::max(1.0, std::sqrt(sum / expected)) : 1;

@@ -16,7 +16,7 @@ struct Uncertainty {
     std::vector<Disturbances> disturbing;     // per drive
     std::vector<Eigen::MatrixXd> directions;  // per drive, whitened: columns of disturbances, then start speed
     std::vector<DriveProducts> bare;          // per drive: products of the directions alone
-    Sizes sizes{};                            // of the disturbances
+    Sizes sizes{};                            // of the disturbances with all parameters free; fits start from them
 
     // Standard deviation of each direction of a drive, for disturbances of the given sizes.
     Eigen::VectorXd sizesOf(std::size_t drive, const Sizes& with) const;
@@ -34,8 +34,8 @@ Eigen::VectorXd residual(Drives drives, const Uncertainty& uncertainty, const Ro
 // Products of the given whitened columns of a drive with each other and with its directions.
 DriveProducts productsOf(const Uncertainty& uncertainty, std::size_t drive, const Eigen::MatrixXd& columns);
 
-// Squared residual of a drive after marginalising the disturbances. `off`: whitened residual.
-double squaresOf(const Uncertainty& uncertainty, std::size_t drive, const Eigen::VectorXd& off);
+// Squared residual of a drive after marginalising disturbances of these sizes. `off`: whitened residual.
+double squaresOf(const Uncertainty& uncertainty, std::size_t drive, const Eigen::VectorXd& off, const Sizes& sizes);
 
 // Normal equations of one drive, and of all drives, with disturbances of these sizes.
 NormalEquations normalEquations(const Uncertainty& uncertainty, std::size_t drive, const DriveProducts& products,
@@ -46,6 +46,6 @@ NormalEquations normalEquations(const Uncertainty& uncertainty, const std::vecto
 // Birge ratio, at least 1: root of the squared residual over that expected of noise (R. T. Birge, The calculation of
 // errors by the method of least squares, Physical Review 40, 1932). A model whose structure differs from that of the
 // car leaves more than noise, and its conclusions are less certain by this factor (D27).
-double birgeRatio(Drives drives, const Uncertainty& uncertainty, const Rows& rows);
+double birgeRatio(Drives drives, const Uncertainty& uncertainty, const Rows& rows, const Sizes& sizes);
 
 }  // namespace tread::diagnose::model

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "diagnose/settings.h"
+#include "diagnose/model/remainder.h"
 #include "run/simulate.h"
 
 namespace tread::diagnose::select {
@@ -11,9 +11,8 @@ namespace {
 constexpr int kMostRounds = 2;   // fits after a new linearisation, which costs up to a replay per drive and nuisance
 constexpr double kSettled = 15;  // nats; the linearisation is not renewed after a fit that gained less
 
-// Coordinate search over the logarithms of the sizes, in usual sizes.
-constexpr int kSweeps = 6;
-constexpr double kFirstStep = 0.6;
+constexpr int kSizeSteps = 12;          // steps of the iteration for the sizes with all parameters free
+constexpr double kSizesSettled = 0.05;  // change of the logarithm of a size at which it ends
 
 Fit fitOf(const Problem& problem, const Uncertainty& uncertainty, const Linearisation& about, const Deviation& from) {
     std::optional<Fit> found = fitted(problem.replays, problem.drives, uncertainty, about, {}, from);
@@ -44,18 +43,19 @@ model::Sensitivities withKnobs(const Calibration& car, const std::function<void(
     return about;
 }
 
-Sizes exponentialOf(const Sizes& logs) {
-    Sizes sizes{};
-    for (std::size_t i = 0; i < logs.size(); ++i) sizes[i] = std::exp(logs[i]);
-    return sizes;
-}
-
-// The sizes describe the disturbances themselves, so the inflation for references is taken out.
-std::vector<DriveProducts> withoutInflation(Drives drives, std::vector<DriveProducts> products) {
-    for (std::size_t d = 0; d < products.size(); ++d) {
-        const double inflation = model::referenceInflation(drives[d]);
-        products[d].columns *= inflation * inflation;
-        products[d].mixed *= inflation;
+// The products of a model whose parameters are at their best point: the residual loses what the parameters explain.
+// Bounds are ignored.
+std::vector<DriveProducts> atBest(const Uncertainty& uncertainty, std::vector<DriveProducts> products,
+                                  const Sizes& sizes) {
+    const model::NormalEquations sum = model::normalEquations(uncertainty, products, sizes);
+    const Eigen::Index n = sum.products.cols() - 1;
+    const Eigen::VectorXd best =
+        inference::factorOfPriorAnd(sum.products.topLeftCorner(n, n)).solve(sum.products.topRightCorner(n, 1));
+    Eigen::MatrixXd move = Eigen::MatrixXd::Identity(n + 1, n + 1);
+    move.topRightCorner(n, 1) = -best;
+    for (DriveProducts& one : products) {
+        one.columns = (move.transpose() * one.columns * move).eval();
+        one.mixed = (one.mixed * move).eval();
     }
     return products;
 }
@@ -75,6 +75,7 @@ Calibration calibrate(const Problem& problem, model::NominalCar nominal, const P
                     std::move(nominal.about),
                     {},
                     {}};
+    car.uncertainty.sizes = model::sizesAt(problem.drives, car.uncertainty, car.nominal, problem.replays.threads);
     car.fit = fitOf(problem, car.uncertainty, car.about, problem.replays.origin());
     const std::vector<Eigen::Index> relevant = car.about.nuisances;
     for (int round = 0; round < kMostRounds; ++round) {
@@ -84,6 +85,7 @@ Calibration calibrate(const Problem& problem, model::NominalCar nominal, const P
             });
         car.uncertainty =
             model::uncertaintyAt(problem.replays, problem.drives, about.at, about.rows, car.uncertainty.until);
+        car.uncertainty.sizes = car.fit.sizes;
         car.about = model::linearisation(std::move(about), relevant, car.uncertainty);
         car.fit = fitOf(problem, car.uncertainty, car.about, car.fit.at);
         if (car.fit.gained < kSettled) break;
@@ -92,7 +94,8 @@ Calibration calibrate(const Problem& problem, model::NominalCar nominal, const P
         withKnobs(car, [&](double share) { progress(0.5 + 0.5 * share, "sensitivities to effects"); });
     car.about = model::linearisation(std::move(with_knobs), relevant, car.uncertainty);
     car.products = model::productsWith(problem.allKnobs(), problem.drives, car.about, car.uncertainty);
-    car.uncertainty.sizes = disturbanceSizes(problem.drives, car.uncertainty, car.products);
+    car.uncertainty.sizes = car.fit.sizes;
+    car.uncertainty.sizes = sizesWithAllFree(problem, car.uncertainty, car.products);
     car.fit = fitOf(problem, car.uncertainty, car.about, car.fit.at);
     return car;
 }
@@ -117,40 +120,15 @@ Calibration uncalibrated(const Problem& problem, model::NominalCar nominal, cons
     return car;
 }
 
-Sizes disturbanceSizes(Drives drives, const Uncertainty& uncertainty, const std::vector<DriveProducts>& products) {
-    const std::vector<DriveProducts> plain = withoutInflation(drives, products);
-    const auto merit = [&](const Sizes& logs) {
-        double prior = 0;
-        for (const double one : logs) prior += 0.5 * one * one / (kSettings.size_spread * kSettings.size_spread);
-        const model::NormalEquations sum = model::normalEquations(uncertainty, plain, exponentialOf(logs));
-        const Eigen::Index n = sum.products.cols() - 1;
-        const inference::QuadraticModel all{.information = sum.products.topLeftCorner(n, n),
-                                            .gradient = sum.products.topRightCorner(n, 1),
-                                            .at = Eigen::VectorXd::Zero(n),
-                                            .squared_residual = sum.products(n, n),
-                                            .log_determinant = sum.log_determinant};
-        return inference::logEvidence(all, inference::bestStep(all)) - prior;
-    };
-    Sizes logs{};
-    double best = merit(logs), step = kFirstStep;
-    for (int sweep = 0; sweep < kSweeps; ++sweep) {
-        bool moved = false;
-        for (double& one : logs) {
-            for (const double by : {step, -step}) {
-                const double before = one;
-                if (std::abs(before + by) > std::log(kSettings.largest_size)) continue;
-                one = before + by;
-                const double now = merit(logs);
-                if (now > best) {
-                    best = now, moved = true;
-                    break;
-                }
-                one = before;
-            }
-        }
-        if (!moved) step /= 2;
+Sizes sizesWithAllFree(const Problem& problem, const Uncertainty& uncertainty,
+                       const std::vector<DriveProducts>& products) {
+    Sizes sizes = uncertainty.sizes;
+    for (int i = 0; i < kSizeSteps; ++i) {
+        const Sizes last = sizes;
+        sizes = model::improvedSizes(uncertainty, atBest(uncertainty, products, last), last, problem.replays.threads);
+        if (model::changeOf(last, sizes) < kSizesSettled) break;
     }
-    return exponentialOf(logs);
+    return sizes;
 }
 
 }  // namespace tread::diagnose::select

@@ -30,8 +30,9 @@ Calibration calibrate(const Problem& problem, model::NominalCar nominal, const P
 // The nominal car in place of the calibrated one, with nothing fitted.
 Calibration uncalibrated(const Problem& problem, model::NominalCar nominal, const Progress& progress);
 
-// Sizes of the disturbances that maximise the evidence when all nuisances and all effects are free, with a prior about
-// the usual sizes. `products`: of all these parameters and the residual (D26).
-Sizes disturbanceSizes(Drives drives, const Uncertainty& uncertainty, const std::vector<DriveProducts>& products);
+// Sizes of the remainder when all nuisances and all effects are free. `products`: of all these parameters and the
+// residual (D26).
+Sizes sizesWithAllFree(const Problem& problem, const Uncertainty& uncertainty,
+                       const std::vector<DriveProducts>& products);
 
 }  // namespace tread::diagnose::select

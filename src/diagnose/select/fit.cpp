@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "diagnose/model/remainder.h"
 #include "inference/bounded_step.h"
 
 namespace tread::diagnose::select {
@@ -15,6 +16,15 @@ constexpr double kEnough = 0.05;             // nats; the fit has converged when
 constexpr double kFirstDamping = 1;          // least damping after a failed step, in units of the prior's information
 constexpr double kDamped = 5, kEased = 0.2;  // factors on the damping after a failed and after a successful step
 constexpr double kTooShort = 1e-6;  // squared units; a shorter step would amplify rounding errors in Broyden's update
+
+// Information of the prior of an effect's size where it takes no part: a standard deviation of 20 typical sizes, so that
+// what the data do not determine stays bounded.
+constexpr double kLeastPrior = 1.0 / 400;
+
+// Times that sizes and point are fitted in turn, steps towards the sizes in each, and the change of the logarithm of a
+// size below which they have settled.
+constexpr int kMostTurns = 6, kSizeSteps = 3;
+constexpr double kSizesSettled = 0.1;
 
 // The problem of one fit, apart from the point.
 struct Fitter {
@@ -36,11 +46,11 @@ struct Fitter {
     }
 
     // Negative log posterior, up to constants (D20).
-    double misfit(const Rows& rows, const Deviation& at) const {
-        const Eigen::VectorXd x = at(free);
-        double sum = x.squaredNorm();
+    double misfit(const Rows& rows, const Deviation& at, const Sizes& sizes, SizePrior prior) const {
+        double sum = at(free).squaredNorm();
+        if (prior == SizePrior::none) sum -= (1 - kLeastPrior) * at(knobs).squaredNorm();
         for (std::size_t d = 0; d < rows.size(); ++d)
-            sum += model::squaresOf(uncertainty, d, model::residual(drives, uncertainty, rows, d));
+            sum += model::squaresOf(uncertainty, d, model::residual(drives, uncertainty, rows, d), sizes);
         return 0.5 * sum;
     }
 
@@ -77,14 +87,14 @@ Fitter fitterOf(const Replays& replays, Drives drives, const Uncertainty& uncert
     return fitter;
 }
 
-// Moves the fit from its start to the maximum of the posterior: updates point, rows, columns and products.
-void climb(Fit& fit, const Fitter& fitter) {
-    double misfit = fitter.misfit(fit.rows, fit.at), damping = 0;
+// Moves the fit from its start to the maximum of the posterior with its sizes: updates point, rows, columns and
+// products.
+void climb(Fit& fit, const Fitter& fitter, bool renewed) {
+    double misfit = fitter.misfit(fit.rows, fit.at, fit.sizes, fit.prior), damping = 0;
     const double at_start = misfit;
-    bool renewed = fitter.knobs.empty();
     for (int trial = 0;; ++trial) {
         fit.products = fitter.products(fit.rows, fit.columns);
-        const inference::QuadraticModel here = quadraticAt(fit, fitter.uncertainty, fitter.uncertainty.sizes);
+        const inference::QuadraticModel here = quadraticAt(fit, fitter.uncertainty);
         const Eigen::VectorXd step = inference::boundedStep(here, damping, fitter.lowest, fitter.highest);
         fit.converged = inference::gainOf(here, step) < kEnough;
         const bool settled = fit.converged || trial >= kMostTrials;
@@ -98,7 +108,7 @@ void climb(Fit& fit, const Fitter& fitter) {
         next(fit.free) = here.at + step;
         std::optional<Rows> there = model::rowsAt(fitter.replays, fitter.drives, next);
         if (there) fitter.learn(fit.columns, fit.rows, *there, step);
-        const double now = there ? fitter.misfit(*there, next) : kInfinity;
+        const double now = there ? fitter.misfit(*there, next, fit.sizes, fit.prior) : kInfinity;
         if (now < misfit) {
             fit.at = next, fit.rows = std::move(*there), misfit = now;
             damping *= kEased;
@@ -106,29 +116,41 @@ void climb(Fit& fit, const Fitter& fitter) {
             damping = std::max(kFirstDamping, kDamped * damping);
         }
     }
-    fit.gained = at_start - misfit;
+    fit.gained += at_start - misfit;
+}
+
+// Moves the sizes towards what the fit leaves at its point. True when they have settled.
+bool resize(Fit& fit, const Fitter& fitter) {
+    const Sizes before = fit.sizes;
+    for (int i = 0; i < kSizeSteps; ++i) {
+        const Sizes last = fit.sizes;
+        fit.sizes = model::improvedSizes(fitter.uncertainty, fit.products, last, fitter.replays.threads);
+        if (model::changeOf(last, fit.sizes) < kSizesSettled) break;
+    }
+    return model::changeOf(before, fit.sizes) < kSizesSettled;
 }
 
 }  // namespace
 
-inference::QuadraticModel quadraticAt(const Fit& fit, const Uncertainty& uncertainty, const Sizes& sizes) {
-    const model::NormalEquations sum = model::normalEquations(uncertainty, fit.products, sizes);
-    const Eigen::Index n = std::ssize(fit.free);
-    return {.information = sum.products.topLeftCorner(n, n),
-            .gradient = sum.products.topRightCorner(n, 1),
-            .at = fit.at(fit.free),
-            .squared_residual = sum.products(n, n),
-            .log_determinant = sum.log_determinant};
-}
-
-double logEvidence(const Fit& fit, const Uncertainty& uncertainty, const Sizes& sizes) {
-    const inference::QuadraticModel here = quadraticAt(fit, uncertainty, sizes);
-    return inference::logEvidence(here, inference::bestStep(here));
+inference::QuadraticModel quadraticAt(const Fit& fit, const Uncertainty& uncertainty) {
+    const model::NormalEquations sum = model::normalEquations(uncertainty, fit.products, fit.sizes);
+    const Eigen::Index n = std::ssize(fit.free), knobs = std::ssize(fit.knobs);
+    inference::QuadraticModel model{.information = sum.products.topLeftCorner(n, n),
+                                    .gradient = sum.products.topRightCorner(n, 1),
+                                    .at = fit.at(fit.free),
+                                    .squared_residual = sum.products(n, n),
+                                    .log_determinant = sum.log_determinant};
+    if (fit.prior == SizePrior::none) {
+        // Takes the prior of the knobs out of what the model adds to information and gradient.
+        model.information.diagonal().tail(knobs).array() -= 1 - kLeastPrior;
+        model.gradient.tail(knobs) += (1 - kLeastPrior) * model.at.tail(knobs);
+    }
+    return model;
 }
 
 std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertainty& uncertainty,
                           const Linearisation& linearisation, const std::vector<Eigen::Index>& knobs,
-                          const Deviation& start) {
+                          const Deviation& start, SizePrior prior) {
     std::optional<Rows> rows = model::rowsAt(replays, drives, start);
     if (!rows) return std::nullopt;
     const Fitter fitter = fitterOf(replays, drives, uncertainty, linearisation.nuisances, knobs);
@@ -136,11 +158,13 @@ std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertain
     fit.free = fitter.free, fit.knobs = knobs, fit.at = start, fit.rows = std::move(*rows);
     for (std::size_t d = 0; d < drives.size(); ++d)
         fit.columns.push_back(uncertainty.noise[d].over(linearisation.about.columns[d](Eigen::all, fit.free)));
-    climb(fit, fitter);
-    const inference::QuadraticModel here = quadraticAt(fit, uncertainty, uncertainty.sizes);
+    fit.sizes = uncertainty.sizes, fit.prior = prior;
+    climb(fit, fitter, knobs.empty());
+    for (int turn = 0; turn < kMostTurns && !resize(fit, fitter); ++turn) climb(fit, fitter, true);
+    const inference::QuadraticModel here = quadraticAt(fit, uncertainty);
     const Eigen::Index n = std::ssize(fit.free);
     fit.covariance = inference::factorOfPriorAnd(here.information).solve(Eigen::MatrixXd::Identity(n, n));
-    fit.log_evidence = inference::logEvidence(here, Eigen::VectorXd::Zero(n));
+    fit.log_evidence = inference::logEvidence(here, Eigen::VectorXd::Zero(n)) + model::logPrior(fit.sizes, model::kWidePrior);
     return fit;
 }
 

@@ -1,4 +1,5 @@
-// Fit of a model to all recordings: its free parameters, the point of largest posterior density, and the evidence.
+// Fit of a model to all recordings: its free parameters and the sizes of its remainder, the point of largest posterior
+// density, and the evidence.
 #pragma once
 
 #include <optional>
@@ -18,6 +19,10 @@ using model::Rows;
 using model::Sizes;
 using model::Uncertainty;
 
+// Whether the prior of an effect's size takes part in a fit. It ranks effects; the size of an effect that is named is
+// estimated without it.
+enum class SizePrior { typical, none };
+
 struct Fit {
     std::vector<Eigen::Index> free;  // nuisances, then knobs: indices of parameters
     std::vector<Eigen::Index> knobs;
@@ -25,26 +30,25 @@ struct Fit {
     Rows rows;
     std::vector<Eigen::MatrixXd> columns;  // per drive: columns of `free`, whitened
     std::vector<DriveProducts> products;   // per drive: columns of `free`, then the residual
+    Sizes sizes{};                         // of the remainder
     double log_evidence = 0;
     double gained = 0;           // nats by which the fit lowered the negative log posterior
     Eigen::MatrixXd covariance;  // posterior covariance of `free`, in units; bounds are not taken into account
+    SizePrior prior = SizePrior::typical;
     bool converged = false;
 
     Eigen::Index nuisances() const { return std::ssize(free) - std::ssize(knobs); }
 };
 
-// Quadratic model of the log posterior about the point of a fit, with other sizes of disturbances.
-inference::QuadraticModel quadraticAt(const Fit& fit, const Uncertainty& uncertainty, const Sizes& sizes);
+// Quadratic model of the log posterior about the point of a fit.
+inference::QuadraticModel quadraticAt(const Fit& fit, const Uncertainty& uncertainty);
 
-// Evidence of a fit with other sizes of disturbances. The parameters move by one more unbounded Gauss-Newton step.
-double logEvidence(const Fit& fit, const Uncertainty& uncertainty, const Sizes& sizes);
-
-// Fits nuisances and `knobs` from `start` by a damped Gauss-Newton method (Levenberg) within bounds. The columns are at
-// first those of the linearisation. Each replay updates them (C. G. Broyden, A class of methods for solving nonlinear
-// simultaneous equations, 1965), and those of the knobs are computed again once the fit has settled. Nothing when the
-// model cannot be driven at the start.
+// Fits nuisances and `knobs` from `start` by a damped Gauss-Newton method (Levenberg) within bounds, in turn with the
+// sizes of the remainder, which start from those of `uncertainty`. The columns are at first those of the linearisation.
+// Each replay updates them (C. G. Broyden, A class of methods for solving nonlinear simultaneous equations, 1965), and
+// those of the knobs are computed again once the fit has settled. Nothing when the model cannot be driven at the start.
 std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertainty& uncertainty,
                           const Linearisation& linearisation, const std::vector<Eigen::Index>& knobs,
-                          const Deviation& start);
+                          const Deviation& start, SizePrior prior = SizePrior::typical);
 
 }  // namespace tread::diagnose::select

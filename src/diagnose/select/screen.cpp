@@ -82,7 +82,8 @@ Screen screen(const Calibration& car) {
         for (const Eigen::Index i : placesOf(car.problem, e)) most = std::max(most, 0.5 * result.products(i, i));
         result.expected_evidence.push_back(most);
     }
-    result.gain = gainsOver(car, car.about, car.fit);
+    result.gain = gainsOver(car, car.about, car.fit, car.uncertainty.sizes);
+    result.least_gain = gainsOver(car, car.about, car.fit, car.fit.sizes);
     return result;
 }
 
@@ -132,8 +133,8 @@ Eigen::MatrixXd productsOfKnobs(const Calibration& car, const Linearisation& abo
     return productsBeside(car, fit, columns, sizes);
 }
 
-std::vector<double> gainsOver(const Calibration& car, const Linearisation& about, const Fit& fit) {
-    const Eigen::MatrixXd products = productsOfKnobs(car, about, fit, car.uncertainty.sizes);
+std::vector<double> gainsOver(const Calibration& car, const Linearisation& about, const Fit& fit, const Sizes& sizes) {
+    const Eigen::MatrixXd products = productsOfKnobs(car, about, fit, sizes);
     std::vector<double> gains;
     for (std::size_t e = 0; e < car.problem.effects.size(); ++e)
         gains.push_back(gain(car.problem, products, e, fit.at));

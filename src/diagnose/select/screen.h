@@ -12,7 +12,9 @@ namespace tread::diagnose::select {
 
 struct Screen {
     std::vector<double> expected_evidence;  // nats at typical size, per effect
-    std::vector<double> gain;               // nats over the model without effects, in the linear model, per effect
+    // Nats over the model without effects, in the linear model, per effect: with the remainder that all effects together
+    // leave, and with that of the model without effects.
+    std::vector<double> gain, least_gain;
     Eigen::MatrixXd products;               // of all knobs, then the residual; nuisances and disturbances marginalised
 };
 // Expected evidence (D43), linear gains (D25) and products about the calibrated car.
@@ -34,7 +36,7 @@ Eigen::MatrixXd productsBeside(const Calibration& car, const Fit& fit, const std
 Eigen::MatrixXd productsOfKnobs(const Calibration& car, const Linearisation& about, const Fit& fit, const Sizes& sizes);
 
 // Evidence that each effect would add to a fit, in the linear model with the columns of a linearisation.
-std::vector<double> gainsOver(const Calibration& car, const Linearisation& about, const Fit& fit);
+std::vector<double> gainsOver(const Calibration& car, const Linearisation& about, const Fit& fit, const Sizes& sizes);
 
 // Largest cosine between columns of two effects in such products.
 double cosine(const Problem& problem, const Eigen::MatrixXd& products, std::size_t a, std::size_t b);

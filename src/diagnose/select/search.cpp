@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "diagnose/select/doubt.h"
 #include "diagnose/settings.h"
 
 namespace tread::diagnose::select {
@@ -105,7 +106,7 @@ private:
             if (i < kFewestRefits || (i < kMostRefits && !hopeless)) one = refit(car_.about, {e}, car_.fit.at);
             progress_(0.3 * static_cast<double>(std::min(i, kMostRefits)) / kMostRefits,
                       "fitting " + problem_.effects[e].name);
-            if (!one) one = Candidate{{e}, screen.gain[e], {}, false};
+            if (!one) one = Candidate{{e}, screen.least_gain[e], {}, false};
             singles.push_back(std::move(*one));
         }
         sort(singles);
@@ -186,8 +187,7 @@ private:
     // Adds effects to a candidate as long as each gains enough, linearised about the fit of those before.
     void grow(Linearisation about, Candidate from, std::vector<Candidate>& found) const {
         while (from.effects.size() < kMostEffects) {
-            const double enough =
-                kSettings.effect + kSettings.structureAllowance(2, from.log_evidence, problem_.compared());
+            const double enough = kSettings.effect * doubt(car_, from.fit);
             std::optional<Candidate> best = bestBeside(from, about, enough, found);
             if (!best || best->log_evidence < from.log_evidence + enough) return;
             from = std::move(*best);
@@ -201,7 +201,7 @@ private:
     // The best fit with one more effect. The most promising effects are fitted, and all these fits are kept in `found`.
     std::optional<Candidate> bestBeside(const Candidate& from, const Linearisation& about, double enough,
                                         std::vector<Candidate>& found) const {
-        const std::vector<double> gains = gainsOver(car_, about, from.fit);
+        const std::vector<double> gains = gainsOver(car_, about, from.fit, car_.uncertainty.sizes);
         std::optional<Candidate> best;
         std::size_t refits = 0;
         for (const std::size_t e : bestFirst(gains)) {

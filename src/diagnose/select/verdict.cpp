@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
+#include "diagnose/model/gap.h"
 #include "diagnose/settings.h"
 
 namespace tread::diagnose::select {
@@ -43,20 +45,28 @@ std::map<std::string, Estimate> estimates(const Calibration& car, const Fit& fit
     return result;
 }
 
-void rankEffects(Diagnosis& diagnosis, const Calibration& car, const Search& found, const Posterior& posterior) {
+bool contains(const Candidate& candidate, std::size_t effect) {
+    return std::find(candidate.effects.begin(), candidate.effects.end(), effect) != candidate.effects.end();
+}
+
+// The fit from which the size of an effect is told: that of the answer if it holds the effect, otherwise that of the
+// most probable model which does; null when none was fitted.
+const Fit* fitWith(std::size_t effect, const Judgement& judgement, const Posterior& posterior) {
+    if (contains(*judgement.named, effect)) return &judgement.answer;
+    for (const Hypothesis& one : posterior.hypotheses)
+        if (one.candidate->fitted && contains(*one.candidate, effect)) return &one.candidate->fit;
+    return nullptr;
+}
+
+void rankEffects(Diagnosis& diagnosis, const Calibration& car, const Search& found, const Posterior& posterior,
+                 const Judgement& judgement) {
     const Problem& problem = car.problem;
     for (std::size_t e = 0; e < problem.effects.size(); ++e) {
         answer::RankedEffect ranked{.name = problem.effects[e].name, .probability = posterior.of(e), .parameters = {}};
-        const Candidate* best = nullptr;
-        for (const Candidate& one : found.candidates) {
-            if (!best && std::find(one.effects.begin(), one.effects.end(), e) != one.effects.end()) best = &one;
+        for (const Candidate& one : found.candidates)
             if (one.effects == std::vector<std::size_t>{e}) ranked.log_evidence = one.log_evidence;
-        }
-        if (best && best->fitted) {
-            ranked.parameters = estimates(car, best->fit, problem.knobs[e], posterior.variance_factor);
-            const inference::Heterogeneity& same = posterior.heterogeneity[best - found.candidates.data()];
-            if (same.degrees_of_freedom > 0) diagnosis.constancy[ranked.name] = same.p;
-        }
+        if (const Fit* fit = fitWith(e, judgement, posterior))
+            ranked.parameters = estimates(car, *fit, problem.knobs[e], posterior.variance_factor);
         diagnosis.effects.push_back(std::move(ranked));
     }
     std::stable_sort(diagnosis.effects.begin(), diagnosis.effects.end(), [](const auto& a, const auto& b) {
@@ -71,68 +81,123 @@ std::set<std::string> credible(const Problem& problem, const Posterior& posterio
     for (const Hypothesis& one : posterior.hypotheses) {
         if (held >= kSettings.sure) break;
         held += one.probability;
-        if (one.unknown()) names.insert("unknown");
-        else if (one.candidate->effects.empty()) names.insert("none");
-        else
-            for (const std::size_t e : one.candidate->effects) names.insert(problem.effects[e].name);
+        if (one.candidate->effects.empty()) names.insert("none");
+        for (const std::size_t e : one.candidate->effects) names.insert(problem.effects[e].name);
     }
     return names;
 }
 
-// The model of largest merit: each of its effects must gain the threshold (D41).
-const Candidate& chosenOf(const Problem& problem, const Search& found, double variance_factor) {
-    const auto merit = [&](const Candidate& one) {
-        const std::size_t count = one.effects.size();
-        return one.log_evidence - kSettings.structureAllowance(count, found.best().log_evidence, problem.compared()) -
-               variance_factor * kSettings.effect * static_cast<double>(count);
-    };
-    const Candidate* chosen = &found.best();
-    for (const Candidate& one : found.candidates)
-        if (one.fitted && !one.effects.empty() && merit(one) > merit(*chosen)) chosen = &one;
-    return *chosen;
+bool atBound(const Problem& problem, const Fit& fit) {
+    constexpr double kNear = 1e-6;  // units
+    return std::any_of(fit.knobs.begin(), fit.knobs.end(), [&](Eigen::Index k) {
+        const Parameter& knob = problem.replays.parameters[k];
+        const double at = fit.at(k);
+        // A knob at 0 has found nothing, which is no reason against the others.
+        return at != 0 && (at < knob.lowest + kNear || at > knob.highest - kNear);
+    });
 }
 
-// Names the causes and their alternatives, and decides between explained and ambiguous.
-void blame(Diagnosis& diagnosis, const Problem& problem, const Search& found, const Posterior& posterior) {
-    const Candidate& chosen = chosenOf(problem, found, posterior.variance_factor);
-    diagnosis.causes = problem.namesOf(chosen.effects);
-    double own = 0, rivals = 0;
+double sumOf(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+// True when a model may be the answer: its numbers are plausible, it predicts the drives that are left out, and it
+// shrinks the gap of those held out.
+bool mayBe(const Calibration& car, const Candidate& model, const Fit& none, const HeldOut& held_out) {
+    if (model.effects.empty()) return true;
+    if (atBound(car.problem, model.fit) || predicted(car, model.fit, none).fails()) return false;
+    const auto before = held_out.gapOf(none.at), after = held_out.gapOf(model.fit.at);
+    return !before || (after && sumOf(*after) < sumOf(*before));
+}
+
+struct Answer {
+    Posterior posterior;
+    const Candidate* named = nullptr;
+};
+
+// The most probable model that may be the answer. Models that may not are struck off, and the others share their
+// probability.
+Answer answerOf(const Calibration& car, const Search& found, const HeldOut& held_out) {
+    std::vector<bool> possible(found.candidates.size(), true);
+    while (true) {
+        Posterior probable = posterior(car, found, possible);
+        const auto first =
+            std::find_if(probable.hypotheses.begin(), probable.hypotheses.end(),
+                         [](const Hypothesis& one) { return one.candidate->fitted; });
+        if (mayBe(car, *first->candidate, found.none().fit, held_out)) {
+            const Candidate* named = first->candidate;
+            return {std::move(probable), named};
+        }
+        possible[first->candidate - found.candidates.data()] = false;
+    }
+}
+
+// Other sets of as many effects that may be the answer too.
+void tellAlternatives(Diagnosis& diagnosis, const Problem& problem, const Posterior& posterior,
+                      const Candidate& named) {
     std::set<std::vector<std::string>> alternatives;
+    double own = 0, rivals = 0;
     for (const Hypothesis& one : posterior.hypotheses) {
-        if (one.unknown() || one.candidate->effects.size() != chosen.effects.size()) continue;
-        (one.candidate == &chosen ? own : rivals) += one.probability;
-        if (one.candidate == &chosen || one.probability < 0.5 * (1 - kSettings.sure)) continue;
+        if (one.candidate->effects.size() != named.effects.size()) continue;
+        (one.candidate == &named ? own : rivals) += one.probability;
+        if (one.candidate == &named || one.probability < 0.5 * (1 - kSettings.sure)) continue;
         alternatives.insert(problem.namesOf(one.candidate->effects));
     }
-    diagnosis.alternatives.assign(alternatives.begin(), alternatives.end());
-    const bool sure = own >= kSettings.sure * (own + rivals) || alternatives.empty();
-    diagnosis.verdict = sure ? Verdict::explained : Verdict::ambiguous;
+    if (own < kSettings.sure * (own + rivals)) diagnosis.alternatives.assign(alternatives.begin(), alternatives.end());
+}
+
+// The fit of a model in which the sizes of its effects are free of the prior that ranked it.
+Fit released(const Calibration& car, const Candidate& named) {
+    if (named.effects.empty()) return named.fit;
+    Linearisation about = car.about;
+    std::optional<Fit> fit = fitted(car.problem.replays, car.drives(), car.uncertainty, about, named.fit.knobs,
+                                    named.fit.at, SizePrior::none);
+    return fit ? std::move(*fit) : named.fit;
+}
+
+double gapOf(const Calibration& car, const Rows& rows) {
+    double sum = 0;
+    for (std::size_t d = 0; d < rows.size(); ++d)
+        sum += model::squaredGap(car.drives(), car.uncertainty, rows[d], d) - model::comparedRows(car.uncertainty, d);
+    return std::max(0.0, sum);
+}
+
+Verdict verdictOf(const Diagnosis& diagnosis, const Calibration& car, const Judgement& judgement, const Search& found) {
+    const bool remains = judgement.remains.seen();
+    if (judgement.named->effects.empty()) {
+        if (remains) return Verdict::unknown;
+        const bool seen = std::any_of(diagnosis.expected_evidence.begin(), diagnosis.expected_evidence.end(),
+                                      [](const auto& one) { return one.second >= kSettings.clear; });
+        return seen ? Verdict::nothing : Verdict::not_testable;
+    }
+    if (remains) {
+        const double tolerances_leave = gapOf(car, found.none().fit.rows), left = gapOf(car, judgement.answer.rows);
+        return left > 0.5 * tolerances_leave ? Verdict::unknown : Verdict::partly_explained;
+    }
+    return diagnosis.alternatives.empty() ? Verdict::explained : Verdict::ambiguous;
 }
 
 }  // namespace
 
-void judge(Diagnosis& diagnosis, const Calibration& car, const std::vector<double>& expected_evidence,
-           const Search& found, const UnknownCause& unknown) {
+Judgement judge(answer::Diagnosis& diagnosis, const Calibration& car, const std::vector<double>& expected_evidence,
+                const Search& found, const HeldOut& held_out) {
     const Problem& problem = car.problem;
-    const Posterior probable = posterior(car, found, unknown.gain);
-    diagnosis.probability_of_unknown = probable.ofUnknown();
-    diagnosis.probability_of_nothing = probable.ofNothingThatShows();
-    rankEffects(diagnosis, car, found, probable);
+    const Answer chosen = answerOf(car, found, held_out);
+    const Candidate& named = *chosen.named;
+    Judgement judgement{&named, released(car, named), whatRemains(car, named),
+                        predicted(car, named.fit, found.none().fit)};
+    diagnosis.causes = problem.namesOf(named.effects);
+    diagnosis.probability_of_unknown = judgement.remains.probability();
+    diagnosis.probability_of_nothing = chosen.posterior.ofNothing() * (1 - diagnosis.probability_of_unknown);
+    rankEffects(diagnosis, car, found, chosen.posterior, judgement);
     for (std::size_t e = 0; e < problem.effects.size(); ++e)
         diagnosis.expected_evidence[problem.effects[e].name] = expected_evidence[e];
-    const std::set<std::string> names = credible(problem, probable);
+    std::set<std::string> names = credible(problem, chosen.posterior);
+    if (judgement.remains.seen()) names.insert("unknown");
     diagnosis.credible_set.assign(names.begin(), names.end());
-
-    const Candidate& best = found.best();
-    if (unknown.gain > kSettings.clear || diagnosis.probability_of_unknown > 0.5) {
-        diagnosis.verdict = Verdict::unknown;
-    } else if (best.effects.empty() || !probable.shows(best.log_evidence)) {
-        const bool seen = std::any_of(expected_evidence.begin(), expected_evidence.end(),
-                                      [](double nats) { return nats >= kSettings.clear; });
-        diagnosis.verdict = seen ? Verdict::nothing : Verdict::not_testable;
-    } else {
-        blame(diagnosis, problem, found, probable);
-    }
+    tellAlternatives(diagnosis, problem, chosen.posterior, named);
+    diagnosis.verdict = verdictOf(diagnosis, car, judgement, found);
+    return judgement;
 }
 
 }  // namespace tread::diagnose::select

@@ -1,13 +1,23 @@
-// From probabilities to a verdict.
+// From probabilities to a verdict: the causes are the most probable set that predicts and stays plausible.
 #pragma once
 
+#include "diagnose/select/held_out.h"
 #include "diagnose/select/posterior.h"
-#include "diagnose/select/unknown_cause.h"
+#include "diagnose/select/prediction.h"
+#include "diagnose/select/what_remains.h"
 
 namespace tread::diagnose::select {
 
-// Fills verdict, causes, alternatives, effects, probabilities, expected evidence, credible set and constancy.
-void judge(answer::Diagnosis& diagnosis, const Calibration& car, const std::vector<double>& expected_evidence,
-           const Search& found, const UnknownCause& unknown);
+// What is known about the answer besides what the diagnosis tells of it.
+struct Judgement {
+    const Candidate* named = nullptr;  // the model without effects when no cause is named
+    Fit answer;                        // of the causes, their sizes free of the prior that ranked them
+    Remains remains;
+    Prediction prediction;
+};
+
+// Fills verdict, causes, alternatives, effects, probabilities, expected evidence and credible set.
+Judgement judge(answer::Diagnosis& diagnosis, const Calibration& car, const std::vector<double>& expected_evidence,
+                const Search& found, const HeldOut& held_out);
 
 }  // namespace tread::diagnose::select

@@ -1,0 +1,149 @@
+#include "diagnose/explain/decomposition.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+#include "base/random.h"
+#include "diagnose/model/gap.h"
+
+namespace tread::diagnose::explain {
+namespace {
+
+using answer::CausePart;
+using answer::Decomposition;
+using answer::Part;
+using model::Deviation;
+using select::Calibration;
+using select::Candidate;
+
+constexpr int kResamples = 400;              // bootstrap samples of the drives
+constexpr double kLow = 0.05, kHigh = 0.95;  // quantiles of the 90 % interval
+
+using OfDrives = std::vector<double>;
+
+// Squared gap of each drive, at a point.
+using GapAt = std::function<std::optional<OfDrives>(const Deviation&)>;
+
+// The points that a decomposition compares.
+struct Points {
+    Deviation nominal, calibrated, answer;
+    std::vector<std::string> names;          // of the causes
+    std::vector<Deviation> alone, without;  // the fits of each cause alone, and of all others
+};
+
+// The fit of a set of effects: that of the search, or a new one from the point of the answer.
+Deviation pointOf(const std::vector<std::size_t>& effects, const Calibration& car, const select::Search& found,
+                  const select::Fit& answer) {
+    if (effects.empty()) return found.none().fit.at;
+    const auto same = [&](const Candidate& one) {
+        return one.fitted && std::is_permutation(one.effects.begin(), one.effects.end(), effects.begin(), effects.end());
+    };
+    const auto known = std::find_if(found.candidates.begin(), found.candidates.end(), same);
+    if (known != found.candidates.end()) return known->fit.at;
+    std::vector<Eigen::Index> knobs;
+    for (const std::size_t e : effects)
+        knobs.insert(knobs.end(), car.problem.knobs[e].begin(), car.problem.knobs[e].end());
+    Deviation from = answer.at;
+    for (const Eigen::Index k : answer.knobs)
+        if (std::find(knobs.begin(), knobs.end(), k) == knobs.end()) from(k) = 0;
+    const auto fit =
+        select::fitted(car.problem.replays, car.drives(), car.uncertainty, car.about, knobs, from);
+    return fit ? fit->at : found.none().fit.at;
+}
+
+Points pointsOf(const Calibration& car, const select::Search& found, const select::Judgement& judgement) {
+    const std::vector<std::size_t>& effects = judgement.named->effects;
+    Points points{car.problem.replays.origin(), found.none().fit.at, judgement.answer.at,
+                  car.problem.namesOf(effects), {}, {}};
+    for (const std::size_t e : effects) {
+        std::vector<std::size_t> others = effects;
+        std::erase(others, e);
+        points.alone.push_back(effects.size() == 1 ? judgement.answer.at
+                                                   : pointOf({e}, car, found, judgement.answer));
+        points.without.push_back(pointOf(others, car, found, judgement.answer));
+    }
+    return points;
+}
+
+// A share as a function of the drives that count, and how often.
+Part partOf(std::size_t drives, const std::function<double(const std::vector<std::size_t>&)>& share) {
+    std::vector<std::size_t> all(drives);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    Part part{.share = share(all)};
+    Random random(1);
+    std::vector<double> shares;
+    for (int i = 0; i < kResamples && drives > 1; ++i) {
+        std::vector<std::size_t> some(drives);
+        for (std::size_t& one : some)
+            one = static_cast<std::size_t>(random.uniform() * static_cast<double>(drives));
+        shares.push_back(share(some));
+    }
+    if (shares.empty()) shares = {part.share};
+    std::sort(shares.begin(), shares.end());
+    const auto at = [&](double q) { return shares[static_cast<std::size_t>(q * static_cast<double>(shares.size() - 1))]; };
+    part.low = std::min(at(kLow), part.share), part.high = std::max(at(kHigh), part.share);
+    return part;
+}
+
+// Decomposition of the gap of some drives. `floor`: per drive, the squared gap of a perfect model.
+Decomposition decomposed(const OfDrives& floor, const GapAt& gap_at, const Points& points) {
+    Decomposition result;
+    const auto nominal = gap_at(points.nominal), calibrated = gap_at(points.calibrated), answer = gap_at(points.answer);
+    if (!nominal || !calibrated || !answer) return result;
+    const std::size_t n = floor.size();
+    const auto sum = [](const OfDrives& values, const std::vector<std::size_t>& some) {
+        double all = 0;
+        for (const std::size_t d : some) all += values[d];
+        return all;
+    };
+    const auto part = [&](auto&& of) {
+        return partOf(n, [&](const std::vector<std::size_t>& some) {
+            const double whole = sum(*nominal, some);
+            return whole > 0 ? of(some) / whole : 0;
+        });
+    };
+    const auto between = [&](const OfDrives& before, const OfDrives& after) {
+        return part([&](const auto& some) { return sum(before, some) - sum(after, some); });
+    };
+    std::vector<std::size_t> all(n);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    result.gap = sum(floor, all) > 0 ? sum(*nominal, all) / sum(floor, all) : 0;
+    result.tolerances = between(*nominal, *calibrated);
+    result.causes = between(*calibrated, *answer);
+    result.remainder = part([&](const auto& some) { return std::max(0.0, sum(*answer, some) - sum(floor, some)); });
+    result.noise = part([&](const auto& some) { return std::min(sum(*answer, some), sum(floor, some)); });
+    for (std::size_t i = 0; i < points.names.size(); ++i) {
+        const auto alone = gap_at(points.alone[i]), without = gap_at(points.without[i]);
+        CausePart cause{.name = points.names[i], .first = {}, .last = {}};
+        if (alone) cause.first = between(*calibrated, *alone);
+        if (without) cause.last = between(*without, *answer);
+        result.each.push_back(std::move(cause));
+    }
+    return result;
+}
+
+OfDrives floorOf(const model::Uncertainty& uncertainty) {
+    OfDrives floor;
+    for (std::size_t d = 0; d < uncertainty.noise.size(); ++d) floor.push_back(model::comparedRows(uncertainty, d));
+    return floor;
+}
+
+}  // namespace
+
+void decompose(answer::Diagnosis& diagnosis, const Calibration& car, const select::Search& found,
+               const select::Judgement& judgement, const select::HeldOut& held_out) {
+    const Points points = pointsOf(car, found, judgement);
+    const auto learnt = [&](const Deviation& at) -> std::optional<OfDrives> {
+        const auto rows = model::rowsAt(car.problem.replays, car.drives(), at);
+        if (!rows) return std::nullopt;
+        return model::squaredGaps(car.drives(), car.uncertainty, *rows);
+    };
+    diagnosis.training = decomposed(floorOf(car.uncertainty), learnt, points);
+    if (held_out.uncertainty.noise.empty()) return;
+    diagnosis.held_out = decomposed(floorOf(held_out.uncertainty),
+                                    [&](const Deviation& at) { return held_out.gapOf(at); }, points);
+}
+
+}  // namespace tread::diagnose::explain

@@ -1,0 +1,21 @@
+// The measure of a gap between recording and model: squared differences in units of what noise and usual disturbances
+// cause. The same for all models.
+#pragma once
+
+#include "diagnose/model/uncertainty.h"
+
+namespace tread::diagnose::model {
+
+// Standard deviation of the rows of a drive by noise and disturbances of the usual sizes; infinite for rows that are
+// not compared (D46).
+Eigen::VectorXd floorOf(const Uncertainty& uncertainty, std::size_t drive);
+
+// Squared gap of a drive, in units of the floor: about `comparedRows` for a perfect model (D46).
+double squaredGap(Drives drives, const Uncertainty& uncertainty, const Eigen::VectorXd& rows, std::size_t drive);
+std::vector<double> squaredGaps(Drives drives, const Uncertainty& uncertainty, const Rows& rows);  // of each drive
+double comparedRows(const Uncertainty& uncertainty, std::size_t drive);
+
+// Root of the squared gap of all drives over the number of rows: 1 for a perfect model.
+double levelOf(Drives drives, const Uncertainty& uncertainty, const Rows& rows);
+
+}  // namespace tread::diagnose::model

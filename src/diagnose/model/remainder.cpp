@@ -1,0 +1,93 @@
+#include "diagnose/model/remainder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "inference/laplace.h"
+
+namespace tread::diagnose::model {
+namespace {
+
+constexpr double kLeastSize = 0.03;  // usual sizes; a kind this small does not act
+// Largest change of the logarithm of a size in one step, which keeps the iteration from overshooting.
+constexpr double kLargestChange = 1.2;
+
+constexpr int kMostSteps = 12;
+constexpr double kSettled = 0.1;  // change of the logarithm of a size
+
+// Squared impulses that a model leaves, and the number of them that the data determine, by kind.
+struct Left {
+    Sizes squares{}, determined{};
+};
+
+Left leftOf(const Uncertainty& uncertainty, std::size_t drive, const inference::DisturbedProducts& here,
+            const Eigen::MatrixXd& root) {
+    Left left;
+    const Eigen::VectorXd squares = here.estimates.rightCols(1).cwiseAbs2();
+    // Freedom that the parameters take from the impulses.
+    const Eigen::MatrixXd taken = root.triangularView<Eigen::Lower>().solve(
+        here.estimates.leftCols(here.estimates.cols() - 1).transpose());
+    const std::vector<Disturbed>& kinds = uncertainty.disturbing[drive].kinds;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const auto at = static_cast<Eigen::Index>(i);
+        left.squares[placeOf(kinds[i])] += squares(at);
+        left.determined[placeOf(kinds[i])] += 1 - here.variances(at) - taken.col(at).squaredNorm();
+    }
+    return left;
+}
+
+}  // namespace
+
+double logPrior(const Sizes& sizes, const SizesPrior& prior) {
+    double sum = 0;
+    for (const double size : sizes) sum -= 0.5 * std::log(size) * prior.pull(std::log(size));
+    return sum;
+}
+
+Sizes improvedSizes(const Uncertainty& uncertainty, const std::vector<DriveProducts>& products, const Sizes& sizes,
+                    int threads, const SizesPrior& prior) {
+    const std::size_t drives = products.size();
+    std::vector<inference::DisturbedProducts> each(drives);
+    inParallel(drives, threads, [&](std::size_t d) {
+        each[d] = inference::disturbedProducts(products[d], uncertainty.sizesOf(d, sizes));
+    });
+    const Eigen::Index free = products.front().columns.cols() - 1;
+    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(free, free);
+    for (const inference::DisturbedProducts& one : each) information += one.products.topLeftCorner(free, free);
+    const Eigen::MatrixXd root = inference::factorOfPriorAnd(information).matrixL();
+    std::vector<Left> lefts(drives);
+    inParallel(drives, threads, [&](std::size_t d) { lefts[d] = leftOf(uncertainty, d, each[d], root); });
+    Sizes better = sizes;
+    for (std::size_t k = 0; k < kDisturbances; ++k) {
+        const double off = prior.pull(std::log(sizes[k]));
+        double squares = std::max(0.0, -off), determined = std::max(0.0, off);
+        for (const Left& left : lefts) squares += left.squares[k], determined += std::max(0.0, left.determined[k]);
+        if (squares + determined < 1e-9) continue;
+        const double change = 0.5 * std::log((squares + 1e-9) / (determined + 1e-9));
+        better[k] *= std::exp(std::clamp(change, -kLargestChange, kLargestChange));
+        better[k] = std::max(better[k], kLeastSize);
+    }
+    return better;
+}
+
+Sizes sizesAt(Drives drives, const Uncertainty& uncertainty, const Rows& rows, int threads) {
+    std::vector<DriveProducts> products;
+    for (std::size_t d = 0; d < rows.size(); ++d)
+        products.push_back(productsOf(uncertainty, d, residual(drives, uncertainty, rows, d)));
+    Sizes sizes = uncertainty.sizes;
+    for (int i = 0; i < kMostSteps; ++i) {
+        const Sizes last = sizes;
+        sizes = improvedSizes(uncertainty, products, last, threads);
+        if (changeOf(last, sizes) < kSettled) break;
+    }
+    return sizes;
+}
+
+double changeOf(const Sizes& from, const Sizes& to) {
+    double largest = 0;
+    for (std::size_t k = 0; k < kDisturbances; ++k) largest = std::max(largest, std::abs(std::log(to[k] / from[k])));
+    return largest;
+}
+
+}  // namespace tread::diagnose::model

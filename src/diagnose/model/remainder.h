@@ -1,0 +1,36 @@
+// Sizes of the remainder: of the disturbances, and of the errors of the model's forces. They are estimated from what a
+// model leaves, together with its parameters, so that the evidence of a model counts on its own remainder.
+#pragma once
+
+#include "diagnose/model/uncertainty.h"
+#include "diagnose/settings.h"
+
+namespace tread::diagnose::model {
+
+// Prior of sizes: their logarithms are normal about those of the usual sizes (D26), or only those above are limited.
+struct SizesPrior {
+    double spread = 1;  // standard deviation of the logarithm
+    bool above_only = false;
+
+    double pull(double log_size) const { return above_only && log_size < 0 ? 0 : log_size / (spread * spread); }
+};
+inline constexpr SizesPrior kWidePrior{kSettings.size_spread, false};
+inline constexpr SizesPrior kLargePrior{kSettings.size_spread, true}, kOrdinaryPrior{kSettings.ordinary_spread, true};
+
+// Logarithm of the prior density of sizes.
+double logPrior(const Sizes& sizes, const SizesPrior& prior);
+
+// Sizes closer to the maximum of the evidence of a model at its best point. `products`: per drive, of the columns of its
+// free parameters, then its residual. One step of the fixed-point iteration of MacKay (1992) for variances; the
+// parameters are marginalised (D26).
+Sizes improvedSizes(const Uncertainty& uncertainty, const std::vector<DriveProducts>& products, const Sizes& sizes,
+                    int threads, const SizesPrior& prior = kWidePrior);
+
+// Sizes of what a model leaves at a fixed point. A fit that starts far from the car begins with them, so that it is not
+// forced onto what it cannot explain.
+Sizes sizesAt(Drives drives, const Uncertainty& uncertainty, const Rows& rows, int threads);
+
+// Largest change of the logarithm of a size.
+double changeOf(const Sizes& from, const Sizes& to);
+
+}  // namespace tread::diagnose::model

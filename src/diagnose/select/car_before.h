@@ -1,0 +1,24 @@
+// The car before it was changed: the nominal car fitted to the references. Effects are sought about this car.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "diagnose/answer/diagnosis.h"
+#include "diagnose/model/problem.h"
+
+namespace tread::diagnose::select {
+
+struct CarBefore {
+    model::Subject car;
+    std::map<std::string, answer::NuisanceEstimate> moved;  // numbers of the nominal car that the fit moved
+    answer::GapLevels gap;                                  // in the references: nominal, and fitted
+};
+// Frees all uncertain numbers. Those that no data sheet tells are as uncertain as the catalogue says: the typical sizes
+// of the effects that move them. Nothing when no recording has a reference.
+std::optional<CarBefore> carBefore(const model::Subject& nominal, const recording::DiagnosisFile& file,
+                                   const recording::Recorded& recorded, const std::vector<catalogue::Effect>& effects,
+                                   const Options& options, const Progress& progress);
+
+}  // namespace tread::diagnose::select

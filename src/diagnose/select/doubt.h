@@ -1,0 +1,13 @@
+// Doubt about the signatures of effects: a model that explains much may be wrong about it by more than a rival differs.
+#pragma once
+
+#include "diagnose/select/search.h"
+
+namespace tread::diagnose::select {
+
+// Divisor of the evidence against a model. In each drive the error of its signatures may account for a difference of
+// the size of `signature_error` times what the model explains there. Drives count in proportion to what is explained in
+// them. 1 for the model without effects (D30).
+double doubt(const Calibration& car, const Fit& fit);
+
+}  // namespace tread::diagnose::select

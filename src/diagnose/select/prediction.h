@@ -1,0 +1,22 @@
+// Does a model predict drives that it was not fitted to? Each drive is left out in turn.
+#pragma once
+
+#include "diagnose/select/search.h"
+
+namespace tread::diagnose::select {
+
+// Logarithm of the density of each drive given the others, up to a constant that all models share. In the linear model
+// about the fit, with its sizes of the remainder; bounds are ignored (D37).
+std::vector<double> predictiveDensities(const Calibration& car, const Fit& fit);
+
+// Nats that a model gains over another in the drives left out (Vehtari, Gelman & Gabry 2017), with the standard deviation
+// of their sum that the differences between drives suggest (D38).
+struct Prediction {
+    double gain = 0, sd = 0;
+    bool tested = false;  // false when a single drive determines the values of the effects
+
+    bool fails() const { return tested && gain <= 0; }
+};
+Prediction predicted(const Calibration& car, const Fit& with, const Fit& without);
+
+}  // namespace tread::diagnose::select

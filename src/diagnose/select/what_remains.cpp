@@ -1,0 +1,58 @@
+#include "diagnose/select/what_remains.h"
+
+#include <cmath>
+
+#include "diagnose/model/remainder.h"
+#include "diagnose/settings.h"
+
+namespace tread::diagnose::select {
+namespace {
+
+constexpr int kSizeSteps = 8;
+constexpr double kSizesSettled = 0.05;
+
+double logEvidenceWith(const Fit& fit, const Uncertainty& uncertainty, const Sizes& sizes) {
+    Fit other = fit;
+    other.sizes = sizes;
+    const inference::QuadraticModel here = quadraticAt(other, uncertainty);
+    return inference::logEvidence(here, inference::bestStep(here));
+}
+
+// Sizes that an ordinary drive has: those of the fit, pulled to their usual values.
+Sizes ordinarySizes(const Calibration& car, const Fit& fit) {
+    Sizes sizes;
+    sizes.fill(1);
+    for (int i = 0; i < kSizeSteps; ++i) {
+        const Sizes last = sizes;
+        sizes = model::improvedSizes(car.uncertainty, fit.products, last, car.problem.replays.threads,
+                                     model::kOrdinaryPrior);
+        if (model::changeOf(last, sizes) < kSizesSettled) break;
+    }
+    return sizes;
+}
+
+}  // namespace
+
+bool Remains::seen() const {
+    return beyond_ordinary > kSettings.clear;
+}
+
+double Remains::probability() const {
+    const double odds = kSettings.unknown_cause / (1 - kSettings.unknown_cause) * std::exp(beyond_ordinary);
+    return std::isfinite(odds) ? odds / (1 + odds) : 1;
+}
+
+Remains whatRemains(const Calibration& car, const Candidate& model) {
+    const Fit& fit = model.fit;
+    const Sizes ordinary = ordinarySizes(car, fit);
+    Remains remains;
+    const auto evidence = [&](const Sizes& sizes, const model::SizesPrior& prior) {
+        return logEvidenceWith(fit, car.uncertainty, sizes) + model::logPrior(sizes, prior);
+    };
+    remains.beyond_ordinary = evidence(fit.sizes, model::kLargePrior) - evidence(ordinary, model::kOrdinaryPrior);
+    answer::ForceLaw law = forceLaw(car, fit);
+    if (law.gain > kSettings.clear) remains.law = std::move(law);
+    return remains;
+}
+
+}  // namespace tread::diagnose::select
