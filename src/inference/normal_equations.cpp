@@ -24,12 +24,44 @@ DriveProducts extended(const DriveProducts& products, const Eigen::MatrixXd& col
     return result;
 }
 
-NormalEquations normalEquations(const DriveProducts& products, const Eigen::VectorXd& sizes) {
+void updateByRankOne(DriveProducts& products, const Eigen::MatrixXd& columns, const Eigen::VectorXd& residual,
+                     const Eigen::MatrixXd& disturbances, const Eigen::VectorXd& by, const Eigen::VectorXd& step) {
+    const Index n = columns.cols();
+    const Eigen::VectorXd across = columns.transpose() * by;
+    auto squares = products.columns.topLeftCorner(n, n);
+    squares += across * step.transpose() + step * across.transpose() + by.squaredNorm() * step * step.transpose();
+    products.columns.topRightCorner(n, 1) += by.dot(residual) * step;
+    products.columns.bottomLeftCorner(1, n) = products.columns.topRightCorner(n, 1).transpose();
+    products.mixed.leftCols(n) += (disturbances.transpose() * by) * step.transpose();
+}
+
+void replaceLast(DriveProducts& products, const Eigen::MatrixXd& columns, const Eigen::VectorXd& residual,
+                 const Eigen::MatrixXd& disturbances) {
+    const Index n = columns.cols();
+    products.columns.topRightCorner(n, 1) = columns.transpose() * residual;
+    products.columns.bottomLeftCorner(1, n) = products.columns.topRightCorner(n, 1).transpose();
+    products.columns(n, n) = residual.squaredNorm();
+    products.mixed.col(n) = disturbances.transpose() * residual;
+}
+
+Metric metricOf(const Eigen::MatrixXd& disturbances, const Eigen::VectorXd& sizes) {
     // (I + D S S D')^-1 = I - D S (I + S D'D S)^-1 S D'
     const auto scale = sizes.asDiagonal();
-    const Factor factor = factorOfPriorAnd(scale * products.disturbances * scale);
-    const Eigen::MatrixXd half = factor.matrixL().solve(scale * products.mixed);
-    return {products.columns - half.transpose() * half, logDeterminant(factor)};
+    return {sizes, factorOfPriorAnd(scale * disturbances * scale)};
+}
+
+NormalEquations normalEquations(const DriveProducts& products, const Metric& metric) {
+    const Eigen::MatrixXd half = metric.factor.matrixL().solve(metric.sizes.asDiagonal() * products.mixed);
+    return {products.columns - half.transpose() * half, logDeterminant(metric.factor)};
+}
+
+NormalEquations normalEquations(const DriveProducts& products, const Eigen::VectorXd& sizes) {
+    return normalEquations(products, metricOf(products.disturbances, sizes));
+}
+
+double squaresIn(const Metric& metric, const Eigen::VectorXd& residual, const Eigen::VectorXd& mixed) {
+    const Eigen::VectorXd half = metric.factor.matrixL().solve(metric.sizes.cwiseProduct(mixed));
+    return residual.squaredNorm() - half.squaredNorm();
 }
 
 DisturbedProducts disturbedProducts(const DriveProducts& products, const Eigen::VectorXd& sizes) {

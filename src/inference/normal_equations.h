@@ -28,14 +28,32 @@ DriveProducts productsOf(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& 
 DriveProducts extended(const DriveProducts& products, const Eigen::MatrixXd& columns,
                        const Eigen::MatrixXd& disturbances, const Eigen::MatrixXd& further);
 
+// Products after the first columns W change to W + by step'. The last column, the residual, stays.
+void updateByRankOne(DriveProducts& products, const Eigen::MatrixXd& columns, const Eigen::VectorXd& residual,
+                     const Eigen::MatrixXd& disturbances, const Eigen::VectorXd& by, const Eigen::VectorXd& step);
+// Products with another last column.
+void replaceLast(DriveProducts& products, const Eigen::MatrixXd& columns, const Eigen::VectorXd& residual,
+                 const Eigen::MatrixXd& disturbances);
+
 // Products of the columns after marginalising the disturbances, and the determinant that this adds to the evidence.
 struct NormalEquations {
     Eigen::MatrixXd products;
     double log_determinant = 0;  // of I + D diag(s^2) D', plus those of parameters marginalised later
 };
 
-// Marginalises disturbances with the standard deviations `sizes` (D13).
+// The metric of disturbances with the standard deviations `sizes`.
+struct Metric {
+    Eigen::VectorXd sizes;
+    Eigen::LLT<Eigen::MatrixXd> factor;  // of I + diag(s) D'D diag(s)
+};
+Metric metricOf(const Eigen::MatrixXd& disturbances, const Eigen::VectorXd& sizes);
+
+// Marginalises the disturbances (D13).
+NormalEquations normalEquations(const DriveProducts& products, const Metric& metric);
 NormalEquations normalEquations(const DriveProducts& products, const Eigen::VectorXd& sizes);
+
+// Squared length of a residual in the metric. `mixed`: D' times the residual.
+double squaresIn(const Metric& metric, const Eigen::VectorXd& residual, const Eigen::VectorXd& mixed);
 
 // The same, and what the columns leave in the disturbances: their posterior means for each column (a unit of it as
 // residual) and posterior variances, in units of the prior standard deviation.

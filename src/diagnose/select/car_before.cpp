@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<std::string_view, 4> kStructure{"tyre.", "tyre_surroundings.", "suspension.", "steering."};
 // s, time over which an error of the model's structure lasts: of the rows within it, one counts.
 constexpr double kErrorLasts = 1;
-constexpr int kMostRounds = 3;   // fits, each about the point of the one before
+constexpr int kMostRounds = 2;   // fits, each about the point of the one before
 constexpr double kSettled = 15;  // nats; a fit that gains less is the last
 
 // True for numbers that no data sheet tells: of tyres, suspension, steering, driveline and brakes.

@@ -45,12 +45,23 @@ struct Fitter {
         return all;
     }
 
+    std::vector<inference::Metric> metrics(const Sizes& sizes) const {
+        std::vector<inference::Metric> all(drives.size());
+        inParallel(drives.size(), replays.threads, [&](std::size_t d) {
+            all[d] = inference::metricOf(uncertainty.bare[d].disturbances, uncertainty.sizesOf(d, sizes));
+        });
+        return all;
+    }
+
     // Negative log posterior, up to constants (D20).
-    double misfit(const Rows& rows, const Deviation& at, const Sizes& sizes, SizePrior prior) const {
+    double misfit(const Rows& rows, const Deviation& at, const std::vector<inference::Metric>& metric,
+                  SizePrior prior) const {
         double sum = at(free).squaredNorm();
         if (prior == SizePrior::none) sum -= (1 - kLeastPrior) * at(knobs).squaredNorm();
-        for (std::size_t d = 0; d < rows.size(); ++d)
-            sum += model::squaresOf(uncertainty, d, model::residual(drives, uncertainty, rows, d), sizes);
+        for (std::size_t d = 0; d < rows.size(); ++d) {
+            const Eigen::VectorXd left = model::residual(drives, uncertainty, rows, d);
+            sum += inference::squaresIn(metric[d], left, uncertainty.directions[d].transpose() * left);
+        }
         return 0.5 * sum;
     }
 
@@ -65,13 +76,24 @@ struct Fitter {
     }
 
     // Broyden's update: corrects the columns along a step by the change of rows that it caused (D19).
-    void learn(std::vector<Eigen::MatrixXd>& columns, const Rows& before, const Rows& after,
-               const Eigen::VectorXd& step) const {
+    void learn(Fit& fit, const Rows& after, const Eigen::VectorXd& step) const {
         if (step.squaredNorm() < kTooShort) return;
-        for (std::size_t d = 0; d < columns.size(); ++d) {
-            const Eigen::VectorXd change = uncertainty.noise[d].over(after[d] - before[d]);
-            columns[d] += (change - columns[d] * step) * step.transpose() / step.squaredNorm();
-        }
+        inParallel(drives.size(), replays.threads, [&](std::size_t d) {
+            const Eigen::VectorXd change = uncertainty.noise[d].over(after[d] - fit.rows[d]);
+            const Eigen::VectorXd by = (change - fit.columns[d] * step) / step.squaredNorm();
+            inference::updateByRankOne(fit.products[d], fit.columns[d],
+                                       model::residual(drives, uncertainty, fit.rows, d), uncertainty.directions[d],
+                                       by, step);
+            fit.columns[d] += by * step.transpose();
+        });
+    }
+
+    void moveTo(Fit& fit, const Deviation& at, Rows rows) const {
+        fit.at = at, fit.rows = std::move(rows);
+        inParallel(drives.size(), replays.threads, [&](std::size_t d) {
+            inference::replaceLast(fit.products[d], fit.columns[d],
+                                   model::residual(drives, uncertainty, fit.rows, d), uncertainty.directions[d]);
+        });
     }
 };
 
@@ -87,30 +109,50 @@ Fitter fitterOf(const Replays& replays, Drives drives, const Uncertainty& uncert
     return fitter;
 }
 
+inference::QuadraticModel quadraticIn(const Fit& fit, const std::vector<inference::Metric>& metric) {
+    model::NormalEquations sum;
+    for (std::size_t d = 0; d < metric.size(); ++d)
+        sum = std::move(sum) + inference::normalEquations(fit.products[d], metric[d]);
+    const Eigen::Index n = std::ssize(fit.free), knobs = std::ssize(fit.knobs);
+    inference::QuadraticModel model{.information = sum.products.topLeftCorner(n, n),
+                                    .gradient = sum.products.topRightCorner(n, 1),
+                                    .at = fit.at(fit.free),
+                                    .squared_residual = sum.products(n, n),
+                                    .log_determinant = sum.log_determinant};
+    if (fit.prior == SizePrior::none) {
+        // Takes the prior of the knobs out of what the model adds to information and gradient.
+        model.information.diagonal().tail(knobs).array() -= 1 - kLeastPrior;
+        model.gradient.tail(knobs) += (1 - kLeastPrior) * model.at.tail(knobs);
+    }
+    return model;
+}
+
 // Moves the fit from its start to the maximum of the posterior with its sizes: updates point, rows, columns and
 // products.
 void climb(Fit& fit, const Fitter& fitter, bool renewed) {
-    double misfit = fitter.misfit(fit.rows, fit.at, fit.sizes, fit.prior), damping = 0;
+    const std::vector<inference::Metric> metric = fitter.metrics(fit.sizes);
+    double misfit = fitter.misfit(fit.rows, fit.at, metric, fit.prior), damping = 0;
     const double at_start = misfit;
     for (int trial = 0;; ++trial) {
-        fit.products = fitter.products(fit.rows, fit.columns);
-        const inference::QuadraticModel here = quadraticAt(fit, fitter.uncertainty);
+        const inference::QuadraticModel here = quadraticIn(fit, metric);
         const Eigen::VectorXd step = inference::boundedStep(here, damping, fitter.lowest, fitter.highest);
         fit.converged = inference::gainOf(here, step) < kEnough;
         const bool settled = fit.converged || trial >= kMostTrials;
         if (settled && renewed) break;
         if (settled || (!renewed && trial == kTrialsBeforeRenewal)) {
             fitter.renewKnobs(fit.columns, fit.at);
+            fit.products = fitter.products(fit.rows, fit.columns);
             renewed = true, damping = 0;
             continue;
         }
         Deviation next = fit.at;
         next(fit.free) = here.at + step;
         std::optional<Rows> there = model::rowsAt(fitter.replays, fitter.drives, next);
-        if (there) fitter.learn(fit.columns, fit.rows, *there, step);
-        const double now = there ? fitter.misfit(*there, next, fit.sizes, fit.prior) : kInfinity;
+        if (there) fitter.learn(fit, *there, step);
+        const double now = there ? fitter.misfit(*there, next, metric, fit.prior) : kInfinity;
         if (now < misfit) {
-            fit.at = next, fit.rows = std::move(*there), misfit = now;
+            fitter.moveTo(fit, next, std::move(*there));
+            misfit = now;
             damping *= kEased;
         } else {
             damping = std::max(kFirstDamping, kDamped * damping);
@@ -133,19 +175,10 @@ bool resize(Fit& fit, const Fitter& fitter) {
 }  // namespace
 
 inference::QuadraticModel quadraticAt(const Fit& fit, const Uncertainty& uncertainty) {
-    const model::NormalEquations sum = model::normalEquations(uncertainty, fit.products, fit.sizes);
-    const Eigen::Index n = std::ssize(fit.free), knobs = std::ssize(fit.knobs);
-    inference::QuadraticModel model{.information = sum.products.topLeftCorner(n, n),
-                                    .gradient = sum.products.topRightCorner(n, 1),
-                                    .at = fit.at(fit.free),
-                                    .squared_residual = sum.products(n, n),
-                                    .log_determinant = sum.log_determinant};
-    if (fit.prior == SizePrior::none) {
-        // Takes the prior of the knobs out of what the model adds to information and gradient.
-        model.information.diagonal().tail(knobs).array() -= 1 - kLeastPrior;
-        model.gradient.tail(knobs) += (1 - kLeastPrior) * model.at.tail(knobs);
-    }
-    return model;
+    std::vector<inference::Metric> metric;
+    for (std::size_t d = 0; d < fit.products.size(); ++d)
+        metric.push_back(inference::metricOf(fit.products[d].disturbances, uncertainty.sizesOf(d, fit.sizes)));
+    return quadraticIn(fit, metric);
 }
 
 std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertainty& uncertainty,
@@ -159,6 +192,7 @@ std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertain
     for (std::size_t d = 0; d < drives.size(); ++d)
         fit.columns.push_back(uncertainty.noise[d].over(linearisation.about.columns[d](Eigen::all, fit.free)));
     fit.sizes = uncertainty.sizes, fit.prior = prior;
+    fit.products = fitter.products(fit.rows, fit.columns);
     climb(fit, fitter, knobs.empty());
     for (int turn = 0; turn < kMostTurns && !resize(fit, fitter); ++turn) climb(fit, fitter, true);
     const inference::QuadraticModel here = quadraticAt(fit, uncertainty);
