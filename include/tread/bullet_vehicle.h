@@ -38,7 +38,8 @@ struct BodyAxes {
 
 class BulletVehicle : public btActionInterface {
 public:
-    // The body's origin is the car's centre of gravity; its mass and inertia are set from the parameters. `chassis` and
+    // The body's origin is the centre of gravity of the car with its load; its mass and inertia are set from the
+    // parameters. `chassis` and
     // `road` must outlive the vehicle. Bullet's gyroscopic forces on the body are switched off: the vehicle has them.
     BulletVehicle(const VehicleParams& params, btRigidBody& chassis, Road& road, const BodyAxes& axes = {});
     BulletVehicle(const BulletVehicle&) = delete;

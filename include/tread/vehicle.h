@@ -42,14 +42,39 @@ struct InertiaParams {
 };
 static_assert(describesEveryMember<InertiaParams>());
 
+// A mass fixed to the car in addition to it: luggage, a passenger, more fuel or less. Its place is given, or a moment,
+// or both: a fit can move the centre of gravity by a moment before it knows the mass, which it cannot by a place.
+struct LoadParams {
+    double mass = 0;
+    double x = 0, y = 0, z = 0;
+    double moment_x = 0, moment_y = 0, moment_z = 0;
+
+    bool none() const { return mass == 0 && moment_x == 0 && moment_y == 0 && moment_z == 0; }
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(mass), About{"kg", "mass of the load; negative: taken out of the car"});
+        field(TREAD_FIELD(x), About{"m", "place of the load forward of the centre of gravity of the car without it"});
+        field(TREAD_FIELD(y), About{"m", "place of the load left of this centre of gravity"});
+        field(TREAD_FIELD(z), About{"m", "place of the load above this centre of gravity"});
+        field(TREAD_FIELD(moment_x), About{"kg m", "forward moment of mass, in addition to mass times x"});
+        field(TREAD_FIELD(moment_y), About{"kg m", "moment of mass to the left, in addition to mass times y"});
+        field(TREAD_FIELD(moment_z), About{"kg m", "upward moment of mass, in addition to mass times z"});
+    }
+};
+static_assert(describesEveryMember<LoadParams>());
+
 // What one wheel has that its axle has not.
 struct WheelParams {
     std::optional<TyreParams> tyre{};
     std::optional<TyreSurroundingsParams> tyre_surroundings{};
+    double stiffness = 1;
+    double grip = 1;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(tyre), About{"", "tyre of this wheel alone, or the file that describes it"});
         field(TREAD_FIELD(tyre_surroundings), About{"", "conditions of the tyre of this wheel alone"});
+        field(TREAD_FIELD(stiffness), About{"-", "factor on the slip stiffness of the tyre of this wheel", kPositive});
+        field(TREAD_FIELD(grip), About{"-", "factor on the friction of the tyre of this wheel", kPositive});
     }
 };
 static_assert(describesEveryMember<WheelParams>());
@@ -79,6 +104,12 @@ struct AxleParams {
 };
 static_assert(describesEveryMember<AxleParams>());
 
+struct VehicleParams;
+
+// The car with its load as part of it: mass, centre of gravity and moments of inertia are those of both, and `load` is
+// neutral.
+VehicleParams loaded(const VehicleParams& params);
+
 struct VehicleParams {
     std::string name;
     double mass = kRequired;
@@ -87,6 +118,7 @@ struct VehicleParams {
     double front_axle_distance = kRequired;
     double lateral_offset = 0;
     double centre_of_gravity_height = kRequired;
+    LoadParams load;
     AxleParams front;
     AxleParams rear;
     SteeringParams steering;
@@ -111,6 +143,10 @@ struct VehicleParams {
                                                            .limits = kPositive,
                                                            .tolerance = 0.05,
                                                            .old_name = "height"});
+        field(TREAD_FIELD(load),
+              About{"",
+                    "load in addition to the numbers above; ride height and the point to which the chassis channels "
+                    "refer remain those of the car without it"});
         field(TREAD_FIELD(front), About{"", "front axle"});
         field(TREAD_FIELD(rear), About{"", "rear axle"});
         field(TREAD_FIELD(steering), About{"", "steering"});
@@ -127,6 +163,10 @@ struct VehicleParams {
         if (2 * (self.front.unsprung_mass + self.rear.unsprung_mass) >= 0.5 * self.mass) {
             complain("mass", "the unsprung masses of four wheels must be less than half the car's mass");
         }
+        if (self.load.mass <= -0.5 * self.mass)
+            complain("load.mass", "found a load that takes away half of the car's mass or more, expected less");
+        else if (const double behind = loaded(self).front_axle_distance; behind <= 0 || behind >= self.wheelbase)
+            complain("load", "found a load that moves the centre of gravity beyond an axle, expected it between them");
     }
 };
 static_assert(describesEveryMember<VehicleParams>());
@@ -148,7 +188,9 @@ struct Vehicle {
         double aligning_stiffness;  // N m/rad, of the tyre about the steering axis, at static load
     };
 
-    VehicleParams params;
+    VehicleParams params;  // with the load as part of the car
+    Vector3 reference_B =
+        Vector3::Zero();  // m, point to which the chassis channels refer: centre of gravity without load
     PerWheel<Corner> corners;
     std::shared_ptr<const FourTyres> tyres;  // of the corners; copies of the car share them
     bool recedes = false;                    // some wheel moves along x
@@ -206,6 +248,13 @@ struct ChassisMotion {
     Vector3 angular_velocity_W = Vector3::Zero();
 };
 
+// Motion of a point of the body, with its acceleration and that of the body's rotation, in the world.
+struct PointMotion {
+    ChassisMotion motion;
+    Vector3 acceleration_W;
+    Vector3 angular_acceleration_W;
+};
+
 // What surrounds the car during a step.
 struct Surroundings {
     const Road& road;
@@ -217,11 +266,15 @@ struct Surroundings {
 void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle, const VehicleInput& begin,
              const VehicleInput& end, const Surroundings& surroundings, double dt);
 
+// Motion of the point to which the chassis channels refer.
+PointMotion referenceMotion(const ChassisMotion& motion, const VehicleState& state, const Vehicle& vehicle);
+
 // What an observer on board reads.
 VehicleOutput observe(const ChassisMotion& motion, const VehicleState& state, const Vehicle& vehicle,
                       const Vector3& gravity_W);
 
 // The part of it that is read in every step: the chassis, and what turns.
-void glance(VehicleOutput& output, const ChassisMotion& motion, const VehicleState& state, const Vector3& gravity_W);
+void glance(VehicleOutput& output, const ChassisMotion& motion, const VehicleState& state, const Vehicle& vehicle,
+            const Vector3& gravity_W);
 
 }  // namespace tread

@@ -27,6 +27,8 @@ struct VehicleInput {
 };
 static_assert(describesEveryMember<VehicleInput>());
 
+// Position, velocity, acceleration and sideslip angle are those of the centre of gravity of the car without the load
+// that its file adds (VehicleParams::load): of a point that is fixed to the body, as instruments are.
 struct ChassisOutput {
     double x = 0, y = 0, z = 0;
     double roll = 0, pitch = 0, yaw = 0;

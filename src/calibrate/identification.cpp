@@ -59,7 +59,7 @@ void judgeChoice(const recording::DiagnosisFile& file, const Subject& nominal,
             add(i, "found " + quote(path) +
                        ", expected a number that this car has; `tread describe vehicle` lists the paths");
         else if (std::none_of(uncertain.begin(), uncertain.end(),
-                              [&](const Parameter& p) { return matches(path, p.name()); }))
+                              [&](const Parameter& p) { return matches(path, p.path()); }))
             add(i, "found " + quote(path) + ", expected a number with a tolerance; add one under tolerances: {path: " +
                        path + ", absolute: ...}");
     }
@@ -67,14 +67,17 @@ void judgeChoice(const recording::DiagnosisFile& file, const Subject& nominal,
 }
 
 // The chosen numbers become the knobs of a single effect; all other tolerances are nuisances.
-model::Differences differencesOf(const recording::DiagnosisFile& file, const Subject& nominal) {
+model::Differences differencesOf(const recording::DiagnosisFile& file, const Subject& nominal, model::Drives drives) {
     model::Differences all;
     all.parameters = model::nuisances(nominal, file.tolerances);
     judgeChoice(file, nominal, all.parameters);
+    for (Parameter& one : model::nuisancesOfEachDrive(nominal, file.tolerances, drives))
+        all.parameters.push_back(std::move(one));
     all.effects = {diagnose::catalogue::Effect{.name = kChosen, .question = {}, .source = {}, .knobs = {}}};
     all.knobs.resize(1);
     for (Eigen::Index i = 0; i < std::ssize(all.parameters); ++i)
-        (isChosen(file, all.parameters[i].name()) ? all.knobs[0] : all.nuisances).push_back(i);
+        (!all.parameters[i].only && isChosen(file, all.parameters[i].path()) ? all.knobs[0] : all.nuisances)
+            .push_back(i);
     return all;
 }
 
@@ -165,7 +168,7 @@ void tellNumbers(Identification& found, const Problem& problem, const Fit& fit) 
         const Parameter& parameter = problem.replays.parameters[fit.free[i]];
         const double units = fit.at(fit.free[i]), sd = std::sqrt(fit.covariance(i, i));
         const FittedNumber number = numberOf(parameter, units, sd);
-        if (i < fit.nuisances()) found.gap.nuisance[number.path] = {number.value, number.sd, units};
+        if (i < fit.nuisances()) found.gap.nuisance[parameter.name()] = {number.value, number.sd, units};
         else found.numbers.push_back(number);
     }
 }
@@ -209,7 +212,7 @@ Identification identificationOf(const Subject& nominal, recording::DiagnosisFile
     Identification found;
     found.of_references = recording::beforeTheChange(file, recorded);
     const Problem problem = model::problemOf(
-        nominal, file, recorded, [&](bool) { return differencesOf(file, nominal); }, options);
+        nominal, file, recorded, [&](model::Drives drives) { return differencesOf(file, nominal, drives); }, options);
     std::optional<Settled> result = settled(problem, diagnose::partOf(options.progress, 0, 0.9));
     if (!result)
         throw SimulationError(

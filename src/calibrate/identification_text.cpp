@@ -104,7 +104,7 @@ std::string identificationText(const Identification& found) {
         const ReferenceRow* row = subjectNumber(one.path);
         text += fmt::format("{:<{}}  {:>10.5g}  {:>8.2g}  {:>10.5g}  {:>8.2g}  {}{}{}{}\n", one.path, width, one.value,
                             one.sd, one.nominal, one.prior_sd, row && row->unit != "-" ? row->unit : "",
-                            one.at_bound ? "  at its bound: is the tolerance too small?" : "",
+                            one.at_bound ? "  at the end of its plausible range" : "",
                             one.determined ? "" : "  not determined: no more certain than before",
                             !one.at_bound && std::abs(one.z) > kFarMoved
                                 ? fmt::format("  {:.1f} standard deviations from nominal", one.z)

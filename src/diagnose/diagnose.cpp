@@ -22,9 +22,10 @@ using answer::Diagnosis;
 void tellNuisances(Diagnosis& diagnosis, const model::Problem& problem, const select::Fit& fit) {
     for (Eigen::Index i = 0; i < fit.nuisances(); ++i) {
         const Eigen::Index p = fit.free[i];
-        const model::Parameter::Move& one = problem.replays.parameters[p].moves.front();
+        const model::Parameter& parameter = problem.replays.parameters[p];
+        const model::Parameter::Move& one = parameter.moves.front();
         const double sd = std::sqrt(fit.covariance(i, i));
-        diagnosis.nuisance[one.path] = {one.nominal + fit.at(p) * one.by, sd * std::abs(one.by), fit.at(p)};
+        diagnosis.nuisance[parameter.name()] = {one.nominal + fit.at(p) * one.by, sd * std::abs(one.by), fit.at(p)};
     }
 }
 

@@ -24,7 +24,7 @@ CarShape carShape(const VehicleParams& vehicle, const CarOutline& outline) {
     const Vehicle prepared = prepare(vehicle);
     CarShape shape;
     for (std::size_t i = 0; i < kWheels; ++i) {
-        shape.hubs[i] = prepared.corners[i].hub_B;
+        shape.hubs[i] = prepared.corners[i].hub_B - prepared.reference_B;
         shape.wheel_radius[i] = prepared.corners[i].tyre.parameters.Ro;
     }
     shape.height = vehicle.centre_of_gravity_height;

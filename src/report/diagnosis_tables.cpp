@@ -196,7 +196,7 @@ void addNuisances(HtmlPage& page, const Diagnosis& diagnosis) {
     }
     std::vector<std::vector<Cell>> rows;
     for (const auto& [path, estimate] : order) {
-        const ReferenceRow* row = subjectNumber(path);
+        const ReferenceRow* row = subjectNumber(path.substr(0, path.find(' ')));  // without "in" and a recording's name
         const DisplayUnit shown = displayUnit(row ? row->unit : "");
         rows.push_back({{path},
                         {formatNumber(estimate.value * shown.scale), true},

@@ -48,7 +48,7 @@ void addHead(HtmlPage& page, const std::string& vehicle, const std::string& vers
 
 std::string remark(const FittedNumber& one) {
     if (!one.determined) return "not determined by these drives: no more certain than before";
-    if (one.at_bound) return "at the limit of the search range";
+    if (one.at_bound) return "at the end of its plausible range";
     return std::abs(one.z) > kFarMoved ? "far from nominal" : "";
 }
 

@@ -13,10 +13,11 @@ namespace tread {
 // gravity, so what observes it must be told of the rest.
 class Pushed {
 public:
-    Pushed(const Pushing& pushing, const VehicleParams& params)
+    Pushed(const Pushing& pushing, const Vehicle& vehicle)
         : pushing_(pushing),
-          mass_(params.mass),
-          inertia_(params.inertia.roll, params.inertia.pitch, params.inertia.yaw) {}
+          mass_(vehicle.params.mass),
+          inertia_(vehicle.params.inertia.roll, vehicle.params.inertia.pitch, vehicle.params.inertia.yaw),
+          reference_(vehicle.reference_B) {}
 
     void push(btRigidBody& body, double time, const VehicleInput& driver, const VehicleOutput& car) {
         if (!pushing_) return;
@@ -27,21 +28,27 @@ public:
     }
 
     void felt(ChassisOutput& chassis) const {
-        chassis.ax += now_.force.x() / mass_;
-        chassis.ay += now_.force.y() / mass_;
-        chassis.az += now_.force.z() / mass_;
+        const Vector3 acceleration = accelerationOfReference();
+        chassis.ax += acceleration.x();
+        chassis.ay += acceleration.y();
+        chassis.az += acceleration.z();
     }
 
-    BodyMotion felt(BodyMotion body) const {
-        body.acceleration_W += level_ * now_.force / mass_;
-        body.angular_acceleration_W += level_ * now_.moment.cwiseQuotient(inertia_);
-        return body;
+    PointMotion felt(PointMotion point) const {
+        point.acceleration_W += level_ * accelerationOfReference();
+        point.angular_acceleration_W += level_ * angularAcceleration();
+        return point;
     }
 
 private:
+    // Level axes along the heading.
+    Vector3 angularAcceleration() const { return now_.moment.cwiseQuotient(inertia_); }
+    Vector3 accelerationOfReference() const { return now_.force / mass_ + angularAcceleration().cross(reference_); }
+
     const Pushing& pushing_;
-    double mass_;      // kg
-    Vector3 inertia_;  // kg m2
+    double mass_;        // kg
+    Vector3 inertia_;    // kg m2
+    Vector3 reference_;  // m, point to which the channels refer, from the centre of gravity
     Push now_;
     Eigen::Matrix3d level_ = Eigen::Matrix3d::Identity();
 };

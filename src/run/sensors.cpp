@@ -118,7 +118,7 @@ Sensor::Sensor(const SensorParams& params, double step)
     past_.resize(static_cast<std::size_t>(std::floor(delay_steps_)) + 2);
 }
 
-void Sensor::observe(double value, const BodyMotion& body) {
+void Sensor::observe(double value, const PointMotion& body) {
     if (elsewhere_) value = mounted(value, body);
     if (!begun_) {
         // As if it had always been so.
@@ -130,7 +130,7 @@ void Sensor::observe(double value, const BodyMotion& body) {
     value_ = params_.delay > 0 ? delayed(value) : value;
 }
 
-double Sensor::mounted(double value, const BodyMotion& body) const {
+double Sensor::mounted(double value, const PointMotion& body) const {
     const Directed& what = *directed(params_.channel);
     const Eigen::Matrix3d body_axes = body.motion.orientation.toRotationMatrix();
     const Vector3 arm = body_axes * placeOf(params_);

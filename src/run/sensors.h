@@ -12,13 +12,6 @@
 
 namespace tread {
 
-// Motion of the body at an instant, with accelerations, in the world (z up).
-struct BodyMotion {
-    const ChassisMotion& motion;
-    Vector3 acceleration_W;
-    Vector3 angular_acceleration_W;
-};
-
 // What is wrong with a list of sensors, given the names of all channels; `path` is relative to one of them.
 struct SensorFault {
     std::size_t sensor;
@@ -33,14 +26,14 @@ public:
     // `step`: s, between two calls of observe().
     Sensor(const SensorParams& params, double step);
 
-    // In every step: the channel's true value and the motion of the body at that instant.
-    void observe(double value, const BodyMotion& body);
+    // In every step: the channel's true value, and the motion of the point to which the channels refer.
+    void observe(double value, const PointMotion& body);
 
     // What it shows now; each reading has its own noise.
     double reading();
 
 private:
-    double mounted(double value, const BodyMotion& body) const;
+    double mounted(double value, const PointMotion& body) const;
     double filtered(double value);
     double delayed(double value);
 

@@ -61,7 +61,7 @@ public:
     bool isObserved() const { return !sensors_.empty(); }
 
     // In every step, once the sample is complete.
-    void observe(const BodyMotion& body) {
+    void observe(const PointMotion& body) {
         for (Observed& one : sensors_) one.sensor.observe(*one.source, body);
     }
 
@@ -90,11 +90,6 @@ Vector3 startingWind(const Scenario& scenario) {
     const Vector3 heading(std::cos(scenario.start.heading), std::sin(scenario.start.heading), 0);
     return windAt({.speed = scenario.wind.speed, .direction = scenario.wind.direction, .gust = {}}, 0, 0).dot(heading) *
            heading;
-}
-
-BodyMotion bodyMotion(const BulletVehicle& car) {
-    const auto vectorOf = [](const std::array<double, 3>& a) { return Vector3(a[0], a[1], a[2]); };
-    return {car.motion(), vectorOf(car.state().acceleration_W), vectorOf(car.state().angular_acceleration_W)};
 }
 
 void checkSensors(const std::vector<SensorParams>& sensors) {
@@ -149,7 +144,7 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
     BulletVehicle car(params, world.chassis(), *road);
     car.setSubstep(scenario.substep);
     car.restore(rest.motion, rest.state, rest.input);
-    Pushed pushed(pushing, params);
+    Pushed pushed(pushing, car.vehicle());
     Driver driver(scenario, rest.input, {params.wheelbase, params.steering.ratio, params.steering.ratio_curve});
 
     checkSensors(scenario.log.sensors);
@@ -168,14 +163,14 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
             if (at_everything) {
                 sample.car = car.output();
             } else {
-                glance(sample.car, car.motion(), car.state(), world.gravity());
+                glance(sample.car, car.motion(), car.state(), car.vehicle(), world.gravity());
             }
             sample.car.chassis.yaw = unwrapped(sample.car.chassis.yaw, yaw_before);
             pushed.felt(sample.car.chassis);
         };
         look(row_due || sample.isObserved());
         checkHealth(sample.car, sample.time);
-        sample.observe(pushed.felt(bodyMotion(car)));
+        sample.observe(pushed.felt(referenceMotion(car.motion(), car.state(), car.vehicle())));
         driver.look(sample.time, sample.car.chassis, sample.car.steering.angle);
 
         const bool finished = driver.finished(sample.time);

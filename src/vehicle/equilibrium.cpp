@@ -49,7 +49,8 @@ ChassisMotion placed(const Vehicle& vehicle, const Surroundings& surroundings, c
     axes.col(2) = n;
     ChassisMotion motion;
     motion.orientation = Quaternion(axes).normalized();
-    motion.position_W = point + vehicle.params.centre_of_gravity_height * n;
+    const Vector3& reference = vehicle.reference_B;
+    motion.position_W = point + axes * Vector3(-reference.x(), -reference.y(), vehicle.params.centre_of_gravity_height);
     motion.velocity_W = start.speed * axes.col(0);
     return motion;
 }

@@ -8,13 +8,14 @@ namespace {
 constexpr double kSlowWheel = 0.1;  // m/s, below which slips are reported against this speed
 constexpr double kSlowBody = 0.5;   // m/s, below which the sideslip angle means nothing
 
-ChassisOutput observeChassis(const ChassisMotion& motion, const VehicleState& state, const Vector3& gravity_W) {
+ChassisOutput observeChassis(const PointMotion& point, const Vector3& gravity_W) {
+    const ChassisMotion& motion = point.motion;
     const Vector3 up = gravity_W.norm() > 0 ? Vector3(-gravity_W.normalized()) : Vector3::UnitZ();
     const Eigen::Matrix3d body = motion.orientation.toRotationMatrix();
     // Intermediate axes of ISO 8855: x horizontal along the heading, z vertical.
     const Vector3 x = (body.col(0) - body.col(0).dot(up) * up).normalized();
     const Vector3 y = up.cross(x);
-    const Vector3 acceleration(state.acceleration_W[0], state.acceleration_W[1], state.acceleration_W[2]);
+    const Vector3& acceleration = point.acceleration_W;
 
     ChassisOutput out;
     out.x = motion.position_W.x();
@@ -69,10 +70,22 @@ WheelOutput observeWheel(const WheelState& wheel, const Vehicle::Corner& corner)
 
 }  // namespace
 
+PointMotion referenceMotion(const ChassisMotion& motion, const VehicleState& state, const Vehicle& vehicle) {
+    const auto vectorOf = [](const std::array<double, 3>& a) { return Vector3(a[0], a[1], a[2]); };
+    PointMotion point{motion, vectorOf(state.acceleration_W), vectorOf(state.angular_acceleration_W)};
+    if (vehicle.reference_B.isZero(0)) return point;
+    const Vector3 arm_W = motion.orientation * vehicle.reference_B;
+    const Vector3& spin_W = motion.angular_velocity_W;
+    point.motion.position_W += arm_W;
+    point.motion.velocity_W += spin_W.cross(arm_W);
+    point.acceleration_W += point.angular_acceleration_W.cross(arm_W) + spin_W.cross(spin_W.cross(arm_W));
+    return point;
+}
+
 VehicleOutput observe(const ChassisMotion& motion, const VehicleState& state, const Vehicle& vehicle,
                       const Vector3& gravity_W) {
     VehicleOutput out;
-    out.chassis = observeChassis(motion, state, gravity_W);
+    out.chassis = observeChassis(referenceMotion(motion, state, vehicle), gravity_W);
     for (std::size_t i = 0; i < kWheels; ++i) {
         out.wheel[i] = observeWheel(state.wheels[i], vehicle.corners[i]);
         out.wheel[i].brake_temperature = vehicle.params.brakes.ambient_temperature + state.brakes.heating[i];
@@ -85,8 +98,9 @@ VehicleOutput observe(const ChassisMotion& motion, const VehicleState& state, co
     return out;
 }
 
-void glance(VehicleOutput& output, const ChassisMotion& motion, const VehicleState& state, const Vector3& gravity_W) {
-    output.chassis = observeChassis(motion, state, gravity_W);
+void glance(VehicleOutput& output, const ChassisMotion& motion, const VehicleState& state, const Vehicle& vehicle,
+            const Vector3& gravity_W) {
+    output.chassis = observeChassis(referenceMotion(motion, state, vehicle), gravity_W);
     for (std::size_t i = 0; i < kWheels; ++i) output.wheel[i].spin = state.wheels[i].spin;
     output.steering.angle = state.steering.angle;
     output.driveline.engine_speed = state.driveline.engine_speed;

@@ -37,9 +37,11 @@ Vehicle::Corner cornerOf(const VehicleParams& params, std::size_t wheel, double 
     const TyreSurroundingsParams& surroundings =
         own.tyre_surroundings ? *own.tyre_surroundings : axle.tyre_surroundings;
     TyreParams tyre = inflated(mounted(own.tyre ? *own.tyre : axle.tyre, isLeft(wheel)), surroundings.pressure);
-    const double grip = 1 + 0.5 * sideSign(wheel) * surroundings.grip_difference;
+    const double grip = own.grip * (1 + 0.5 * sideSign(wheel) * surroundings.grip_difference);
     tyre.lambda.mux *= grip;
     tyre.lambda.muy *= grip;
+    tyre.lambda.Kx *= own.stiffness;
+    tyre.lambda.Ky *= own.stiffness;
     const TyreCoefficients& p = tyre.parameters;
     const double radius = p.Ro - load / radialStiffness(tyre);
 
@@ -64,9 +66,13 @@ Vehicle::Corner cornerOf(const VehicleParams& params, std::size_t wheel, double 
 
 }  // namespace
 
-Vehicle prepare(const VehicleParams& params, double gravity) {
+Vehicle prepare(const VehicleParams& unloaded, double gravity) {
     Vehicle vehicle;
-    vehicle.params = params;
+    vehicle.params = loaded(unloaded);
+    const VehicleParams& params = vehicle.params;
+    vehicle.reference_B = {params.front_axle_distance - unloaded.front_axle_distance,
+                           unloaded.lateral_offset - params.lateral_offset,
+                           unloaded.centre_of_gravity_height - params.centre_of_gravity_height};
     for (std::size_t i = 0; i < kWheels; ++i) {
         const Vehicle::Corner& corner = vehicle.corners[i] = cornerOf(params, i, gravity);
         vehicle.tyres_shifted |= !corner.tyre_shift.none();

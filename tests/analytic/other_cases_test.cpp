@@ -86,7 +86,7 @@ TEST(OtherCases, ManyEffectsOfTheCatalogueCanBePlanted) {
     const auto effects = plantable(tread::diagnose::catalogue::effectCatalogue(), nominal());
     EXPECT_GE(effects.size(), 25u);
     for (const char* name :
-         {"mass", "grip", "tyre_relaxation", "wind", "steering_delay", "gyro_scale", "wheel_radius", "damping"})
+         {"mass", "grip", "tyre_relaxation", "wind", "steering_delay", "gyro_scale", "wheel_radius", "dampers"})
         EXPECT_TRUE(std::any_of(effects.begin(), effects.end(), [&](const auto& e) { return e.name == name; })) << name;
 }
 

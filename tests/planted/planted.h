@@ -89,7 +89,7 @@ struct Case {
     std::vector<Log> logs;
 };
 
-// The true car in each drive, with white noise on every channel.
+// The true car in each drive, with white noise on every channel. The wind is that of each scenario.
 inline Case recorded(const recording::Subject& truth, const std::vector<std::pair<std::string, Scenario>>& drives,
                      std::size_t held_out = 0) {
     Case made;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "diagnose/answer/diagnosis.h"
@@ -140,6 +141,39 @@ TEST(Planted, NumbersOfAPairAreRightThoughItsFirstMemberWasFarFromThem) {
             EXPECT_LT(std::abs(estimate.value - planted), 3 * estimate.sd) << path << " " << estimate.value;
         }
     }
+}
+
+// 200 kg in the boot: mass, centre of gravity and inertia change, and the accelerometers stay where they were.
+TEST(Planted, LoadInTheBootIsOneCauseWithItsMassAndItsPlace) {
+    Subject truth{.vehicle = nominalCar(), .road = {}, .wind = {}, .instruments = {}};
+    truth.vehicle.load = {.mass = 200, .x = -1.2, .z = 0.3};
+    const Diagnosis d = diagnosed(
+        truth, catalogued({"load", "mass", "cg_fore_aft", "cg_height", "accelerometer_position", "yaw_inertia"}));
+    EXPECT_EQ(d.verdict, Verdict::explained) << d.answer;
+    EXPECT_EQ(d.causes, only("load"));
+    const auto& found = d.effects.front().parameters;
+    const std::map<std::string, double> planted{{"load.mass", 200}, {"load.moment_x", -240}, {"load.moment_z", 60}};
+    for (const auto& [path, value] : planted) {
+        const Estimate& estimate = found.at(path);
+        EXPECT_LT(std::abs(estimate.value - value), 3 * estimate.sd) << path << " " << estimate.value;
+    }
+}
+
+// 2 to 3 m/s, another wind in each drive.
+TEST(Planted, WindThatDiffersFromDriveToDriveIsNoFaultOfTheCar) {
+    const Subject truth{.vehicle = nominalCar(), .road = {}, .wind = {}, .instruments = {}};
+    auto drives = someDrives();
+    double sign = 1;
+    for (auto& [name, scenario] : drives) {
+        scenario.wind.x = 2 * sign, scenario.wind.y = -2.5 * sign;
+        sign = -sign;
+    }
+    const Case made = recorded(truth, drives, 1);
+    const Diagnosis d = diagnose::diagnosisOf(made.nominal, made.file, {made.logs}, someEffects());
+    EXPECT_EQ(d.verdict, Verdict::nothing) << d.answer;
+    EXPECT_TRUE(d.causes.empty());
+    const auto& side = d.nuisance.at("wind.y in step steer");
+    EXPECT_LT(std::abs(side.value + 2.5), 3 * side.sd) << side.value << " +- " << side.sd;
 }
 
 TEST(Planted, NominalCarHasNothingBeyondTolerance) {

@@ -55,6 +55,12 @@ TEST(Catalogue, HasTheEffectsThatItMustHaveAndEveryNameOnce) {
                                    "cg_fore_aft",
                                    "cg_height",
                                    "load_offset",
+                                   "load",
+                                   "roof_load",
+                                   "fuel",
+                                   "another_tyre",
+                                   "tyre_front_left",
+                                   "tyre_rear_right",
                                    "grip",
                                    "grip_left_right",
                                    "cornering_stiffness_front",
@@ -79,7 +85,7 @@ TEST(Catalogue, HasTheEffectsThatItMustHaveAndEveryNameOnce) {
                                    "compliance_steer_rear",
                                    "roll_stiffness_distribution",
                                    "roll_stiffness",
-                                   "damping",
+                                   "dampers",
                                    "bump_stops",
                                    "roll_centre_height",
                                    "brake_gain",
@@ -111,6 +117,31 @@ TEST(Catalogue, EveryRowSaysWhatItAsksAndWhereItsSizesComeFrom) {
             EXPECT_FALSE(knob.paths.empty()) << effect.name;
             EXPECT_TRUE(knob.shares.empty() || knob.shares.size() == knob.paths.size()) << effect.name;
         }
+    }
+}
+
+TEST(Catalogue, RowsThatCanImitateEachOtherNameEachOther) {
+    const auto names = [](const Effect& one, const std::string& other) {
+        return std::find(one.alike.begin(), one.alike.end(), other) != one.alike.end();
+    };
+    std::size_t pairs = 0;
+    for (const Effect& effect : effectCatalogue()) {
+        EXPECT_FALSE(names(effect, effect.name)) << effect.name;
+        for (const std::string& other : effect.alike) {
+            EXPECT_TRUE(names(effectOf(other), effect.name)) << effect.name << ", " << other;
+            EXPECT_EQ(std::count(effect.alike.begin(), effect.alike.end(), other), 1) << effect.name;
+            ++pairs;
+        }
+    }
+    EXPECT_GT(pairs, 60u);
+    EXPECT_TRUE(names(effectOf("wheel_radius"), "wheel_speed_scale"));
+    EXPECT_TRUE(names(effectOf("cornering_stiffness_rear"), "compliance_steer_rear"));
+    EXPECT_TRUE(names(effectOf("load"), "mass"));
+}
+
+TEST(Catalogue, NoFamilyNamesAnEffectThatDoesNotExist) {
+    for (const Effect& effect : effectCatalogue()) {
+        for (const std::string& other : effect.alike) EXPECT_NO_THROW(effectOf(other)) << effect.name;
     }
 }
 

@@ -99,7 +99,7 @@ TEST(Reference, ACarIsNearerToItselfThanToItsTolerances) {
     const std::vector<Parameter> all = nuisances(nominal, {}), fifth = nuisances(nominal, {}, 0.2);
     const auto of = [](const std::vector<Parameter>& list, const std::string& path) {
         for (const Parameter& one : list)
-            if (one.name() == path) return one.moves.front().by;
+            if (one.path() == path) return one.moves.front().by;
         return 0.0;
     };
     EXPECT_GT(of(all, "mass"), 0);

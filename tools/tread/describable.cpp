@@ -11,6 +11,7 @@
 #include "compare/tolerances.h"
 #include "diagnose/catalogue/effect.h"
 #include "diagnose/catalogue/effects_to_consider.h"
+#include "diagnose/catalogue/plausible.h"
 #include "import/import_map.h"
 #include "log/log_columns.h"
 #include "metrics/metrics.h"
@@ -30,20 +31,10 @@ using diagnose::catalogue::effectsToConsider;
 using diagnose::catalogue::Knob;
 using diagnose::catalogue::loadOwnEffects;
 using diagnose::catalogue::OwnEffects;
+using diagnose::catalogue::plausibleText;
 using recording::checkedDiagnosis;
 using recording::DiagnosisFile;
 using recording::subjectNumber;
-
-using tread::diagnose::catalogue::Direction;
-using tread::diagnose::catalogue::Effect;
-using tread::diagnose::catalogue::effectCatalogue;
-using tread::diagnose::catalogue::effectsToConsider;
-using tread::diagnose::catalogue::Knob;
-using tread::diagnose::catalogue::loadOwnEffects;
-using tread::diagnose::catalogue::OwnEffects;
-using tread::recording::checkedDiagnosis;
-using tread::recording::DiagnosisFile;
-using tread::recording::subjectNumber;
 
 template <class T>
 std::vector<TopField> topOf() {
@@ -79,10 +70,17 @@ std::vector<ReferenceRow> metricRows() {
     return rows;
 }
 
+// "; can be taken for: mass, fuel".
+std::string alikeText(const Effect& effect) {
+    std::string text;
+    for (const std::string& other : effect.alike) text += (text.empty() ? "; can be taken for: " : ", ") + other;
+    return text;
+}
+
 std::vector<TopField> effectFields() {
     std::vector<TopField> fields;
     for (const Effect& effect : effectCatalogue())
-        fields.push_back({effect.name, effect.question + " (sizes: " + effect.source + ")"});
+        fields.push_back({effect.name, concat({effect.question, " (sizes: ", effect.source, ")", alikeText(effect)})});
     return fields;
 }
 
@@ -108,7 +106,8 @@ std::vector<ReferenceRow> effectRows() {
                 const ReferenceRow* known = subjectNumber(knob.paths[i]);
                 const ReferenceRow number = known ? *known : ReferenceRow{};
                 rows.push_back({joinPath(effect.name, knob.paths[i]), number.unit,
-                                concat({"typically ", movement(knob, i, number), ": ", number.meaning}), "", ""});
+                                concat({"typically ", movement(knob, i, number), ": ", number.meaning}),
+                                plausibleText(knob.paths[i]), ""});
             }
         }
     }

@@ -29,7 +29,7 @@ struct Estimate {  // estimate of one parameter
         field(TREAD_FIELD(low), About{"-", "lower end of the 90 % interval"});
         field(TREAD_FIELD(high), About{"-", "upper end of the 90 % interval"});
         field(TREAD_FIELD(neutral), About{"-", "value of the nominal car"});
-        field(TREAD_FIELD(at_bound), About{"", "the estimate is at the limit of the search range"});
+        field(TREAD_FIELD(at_bound), About{"", "the estimate is at the end of its plausible range"});
     }
 };
 static_assert(describesEveryMember<Estimate>());

@@ -34,6 +34,25 @@ std::vector<Effect> bodyEffects() {
          .question = "Is the centre of gravity offset to the left or right?",
          .source = "calculated: 80 kg driver alone, 0.38 m off centre in a 1.4 t car",
          .knobs = {{.paths = {"lateral_offset"}, .typical = 0.025}}},
+        {.name = "load",
+         .question = "Does the car carry more or less load at some place (mass, centre of gravity and inertia)?",
+         .source = "calculated: 100 kg of luggage or passengers, 1.2 m behind and 0.4 m above the centre of gravity",
+         .knobs = {{.paths = {"load.mass"}, .typical = 100},
+                   {.paths = {"load.moment_x"}, .typical = 120},
+                   {.paths = {"load.moment_z"}, .typical = 40}}},
+        {.name = "roof_load",
+         .question = "Does the car carry a load on its roof?",
+         .source = "calculated: permitted roof loads are 50 to 100 kg, about 1 m above the centre of gravity",
+         .knobs =
+             {{.paths = {"load.mass", "load.moment_z"}, .typical = 60, .direction = Direction::up, .shares = {1, 1}},
+              {.paths = {"load.moment_z"}, .typical = 10}}},
+        {.name = "fuel",
+         .question = "Is the tank fuller or emptier?",
+         .source = "calculated: half a tank of 50 l, below the rear seat: 0.9 m behind the centre of gravity and "
+                   "0.25 m below it",
+         .knobs = {{.paths = {"load.mass", "load.moment_x", "load.moment_z"},
+                    .typical = 20,
+                    .shares = {1, -0.9, -0.25}}}},
     };
 }
 

@@ -11,6 +11,7 @@ std::vector<Effect>& catalogue() {
         for (const auto& part : {tyreEffects(), steeringEffects(), suspensionEffects(), drivelineEffects(),
                                  brakeEffects(), bodyEffects(), surroundingsEffects(), instrumentEffects()})
             effects.insert(effects.end(), part.begin(), part.end());
+        for (Effect& effect : effects) effect.alike = alikeTo(effect.name);
         return effects;
     }();
     return all;

@@ -1,6 +1,8 @@
 // The catalogue by subsystem; effectCatalogue() joins these lists.
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "diagnose/catalogue/effect.h"
@@ -15,5 +17,8 @@ std::vector<Effect> brakeEffects();
 std::vector<Effect> bodyEffects();
 std::vector<Effect> surroundingsEffects();
 std::vector<Effect> instrumentEffects();
+
+// Names of the effects that can imitate this one; the relation is symmetric.
+std::vector<std::string> alikeTo(std::string_view name);
 
 }  // namespace tread::diagnose::catalogue

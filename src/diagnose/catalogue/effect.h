@@ -68,12 +68,14 @@ struct Effect {
     std::string question;
     std::string source;
     std::vector<Knob> knobs;
+    std::vector<std::string> alike = {};
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(name), About{"", "name, e.g. tyre_relaxation"});
         field(TREAD_FIELD(question), About{"", "question that the effect answers, in plain words"});
         field(TREAD_FIELD(source), About{"", "source of the typical sizes"});
         field(TREAD_FIELD(knobs), About{"", "free parameters, each with a change of its own"});
+        field(TREAD_FIELD(alike), About{"", "names of effects that can imitate this one in many drives"});
     }
 
     static void check(const auto& self, auto&& complain) {

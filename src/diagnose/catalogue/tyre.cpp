@@ -3,6 +3,19 @@
 #include "diagnose/catalogue/catalogue.h"
 
 namespace tread::diagnose::catalogue {
+namespace {
+
+// One tyre that differs from the others.
+Effect tyreAlone(const std::string& axle, const std::string& side) {
+    const std::string path = axle + "." + side;
+    return {.name = "tyre_" + axle + "_" + side,
+            .question = "Does the " + axle + " " + side + " tyre differ from the others (worn, of another make, soft)?",
+            .source = "guess: wear and make change stiffness and grip by 10 to 20 %",
+            .knobs = {{.paths = {path + ".stiffness"}, .typical = 0.15, .relative = true},
+                      {.paths = {path + ".grip"}, .typical = 0.15, .relative = true}}};
+}
+
+}  // namespace
 
 std::vector<Effect> tyreEffects() {
     return {
@@ -23,6 +36,22 @@ std::vector<Effect> tyreEffects() {
          .question = "Is the cornering stiffness of the rear tyres higher or lower?",
          .source = "guess: tyres of one size differ by about 10 % between makes",
          .knobs = {{.paths = {"rear.tyre.lambda.Ky"}, .typical = 0.1, .relative = true}}},
+        {.name = "another_tyre",
+         .question = "Does the car have other tyres (slip stiffness, friction and load sensitivity together)?",
+         .source = "guess: tyres of one size differ by 10 to 15 % between makes",
+         .knobs = {{.paths = {"front.tyre.lambda.Ky", "rear.tyre.lambda.Ky", "front.tyre.lambda.Kx",
+                              "rear.tyre.lambda.Kx"},
+                    .typical = 0.12,
+                    .relative = true},
+                   {.paths = {"front.tyre.lambda.muy", "rear.tyre.lambda.muy", "front.tyre.lambda.mux",
+                              "rear.tyre.lambda.mux"},
+                    .typical = 0.1,
+                    .relative = true},
+                   {.paths = {"front.tyre.parameters.pDy2", "rear.tyre.parameters.pDy2"}, .typical = 0.06}}},
+        tyreAlone("front", "left"),
+        tyreAlone("front", "right"),
+        tyreAlone("rear", "left"),
+        tyreAlone("rear", "right"),
         {.name = "load_sensitivity",
          .question = "Do friction and cornering stiffness depend more or less on the wheel load?",
          .source = "guess: half the spread of published coefficient sets",

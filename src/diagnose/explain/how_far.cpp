@@ -105,8 +105,6 @@ Gaps gapsOf(const Judged& judged, const std::array<Deviation, 3>& stages, std::v
     Stage* const each[] = {&gaps.nominal, &gaps.calibrated, &gaps.extended};
     for (Stage* stage : each) stage->rows.resize(n), stage->off.resize(n);
     std::vector<Overlay> here(n);
-    std::vector<recording::Subject> subjects;
-    for (const Deviation& stage : stages) subjects.push_back(judged.replays.subjectAt(stage));
     inParallel(n, judged.replays.threads, [&](std::size_t d) {
         const RecordedDrive& drive = judged.drives[d];
         const model::RowNoise& noise = judged.uncertainty.noise[d];
@@ -116,9 +114,10 @@ Gaps gapsOf(const Judged& judged, const std::array<Deviation, 3>& stages, std::v
         here[d].hold_out = judged.hold_out;
         here[d].measured = measuredOverlay(drive);
         for (std::size_t stage = 0; stage < stages.size(); ++stage) {
-            const std::optional<Log> motion = model::motionAt(judged.replays, drive, subjects[stage]);
+            const recording::Subject subject = judged.replays.subjectAt(stages[stage], drive);
+            const std::optional<Log> motion = model::motionAt(judged.replays, drive, subject);
             Eigen::VectorXd& rows = each[stage]->rows[d];
-            if (motion) rows = recording::readings(drive, *motion, subjects[stage].instruments);
+            if (motion) rows = recording::readings(drive, *motion, subject.instruments);
             *logs[stage] = logOf(drive, rows);
             const Eigen::VectorXd off = motion ? drive.measured - rows : drive.measured;
             each[stage]->off[d] = model::squaresOf(judged.uncertainty, d, noise.over(off), judged.uncertainty.sizes);

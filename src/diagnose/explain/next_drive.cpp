@@ -95,7 +95,7 @@ Look lookAt(const RecordedDrive& drive, const Calibration& car, const std::vecto
     const model::Replays& replays = car.problem.replays;
     Look look{.noise = noiseOf(drive, car), .directions = {}, .sizes = {}, .differences = {}, .most = {}};
     const auto shown = [&](const model::Deviation& at) {
-        const recording::Subject subject = replays.subjectAt(at);
+        const recording::Subject subject = replays.subjectAt(at, drive);
         const std::optional<Log> motion = model::motionAt(replays, drive, subject);
         return motion ? recording::readings(drive, *motion, subject.instruments) : Eigen::VectorXd{};
     };

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
+#include <utility>
 
 #include "base/numbers.h"
 #include "base/pattern.h"
+#include "diagnose/catalogue/plausible.h"
 
 namespace tread::diagnose::model {
 namespace {
@@ -40,10 +43,22 @@ const std::vector<KnownWithin>& usualTolerances() {
     return known;
 }
 
+// Numbers that differ from drive to drive. Wind: measured drives avoid more than 3 m/s; the standard deviation of each
+// component is 1.5 m/s.
+const std::vector<KnownWithin>& usualInEachDrive() {
+    static const std::vector<KnownWithin> known{{"wind.x", 0, 2.6}, {"wind.y", 0, 2.6}};
+    return known;
+}
+
+bool differsFromDriveToDrive(const std::string& path) {
+    return std::any_of(usualInEachDrive().begin(), usualInEachDrive().end(),
+                       [&](const KnownWithin& known) { return matches(known.path, path); });
+}
+
 double toleranceOf(const Number& number, const std::vector<KnownWithin>& told) {
     double tolerance = number.about.tolerance * std::abs(*number.value);
-    for (const std::vector<KnownWithin>& list : {usualTolerances(), told}) {
-        for (const KnownWithin& known : list) {
+    for (const auto* list : {&usualTolerances(), &usualInEachDrive(), &told}) {
+        for (const KnownWithin& known : *list) {
             if (matches(known.path, number.path)) tolerance = known.relative * std::abs(*number.value) + known.absolute;
         }
     }
@@ -56,14 +71,23 @@ void limit(Parameter& parameter, const Limits& limits, double nominal, double by
         const double margin = open ? kOpenLimit * std::max(std::abs(nominal), std::abs(by)) : 0;
         return (end + (end < nominal ? margin : -margin) - nominal) / by;
     };
-    double low = std::isfinite(limits.lowest) ? until(limits.lowest, limits.lowest_open) : -kInfinity;
-    double high = std::isfinite(limits.highest) ? until(limits.highest, limits.highest_open) : kInfinity;
-    if (by < 0) {
-        low = std::isfinite(limits.highest) ? until(limits.highest, limits.highest_open) : -kInfinity;
-        high = std::isfinite(limits.lowest) ? until(limits.lowest, limits.lowest_open) : kInfinity;
-    }
+    double low = std::isfinite(limits.lowest) ? until(limits.lowest, limits.lowest_open) : -by * kInfinity;
+    double high = std::isfinite(limits.highest) ? until(limits.highest, limits.highest_open) : by * kInfinity;
+    if (by < 0) std::swap(low, high);
     parameter.lowest = std::max(parameter.lowest, std::min(low, 0.0));
     parameter.highest = std::min(parameter.highest, std::max(high, 0.0));
+}
+
+// Adds a number that the parameter moves by so much per unit.
+void addMove(Parameter& parameter, const Number& number, double by, const VehicleParams& car) {
+    parameter.moves.push_back({number.path, *number.value, by});
+    limit(parameter, number.about.limits, *number.value, by);
+    limit(parameter, catalogue::plausibleLimits(number.path, *number.value, car), *number.value, by);
+}
+
+void boundWhereNothingElseDoes(Parameter& parameter) {
+    if (std::isinf(parameter.lowest)) parameter.lowest = -kWidest;
+    if (std::isinf(parameter.highest)) parameter.highest = kWidest;
 }
 
 // Instruments that record the driver's inputs are excluded, because the replay is driven with these inputs.
@@ -72,9 +96,19 @@ bool readingOnly(const std::string& path) {
     return path.starts_with("instruments.") && !of("steering_wheel_angle") && !of("throttle") && !of("brake");
 }
 
-// Road, wind and the zeros of instruments change from day to day.
+// Road and the zeros of instruments change from day to day.
 bool staysTheSame(const std::string& path) {
-    return !path.starts_with("road.") && !path.starts_with("wind.") && !path.ends_with(".bias");
+    return !path.starts_with("road.") && !path.ends_with(".bias");
+}
+
+// Adds a number that is known within a tolerance, if it is uncertain at all and has room to move.
+void addNuisance(std::vector<Parameter>& found, const Number& number, double tolerance, const VehicleParams& car) {
+    if (!(tolerance > 0) || !std::isfinite(tolerance)) return;
+    Parameter parameter;
+    addMove(parameter, number, tolerance / std::sqrt(3.0), car);
+    boundWhereNothingElseDoes(parameter);
+    parameter.instruments_only = readingOnly(number.path);
+    if (parameter.highest - parameter.lowest > kKneeDistance) found.push_back(std::move(parameter));
 }
 
 }  // namespace
@@ -91,17 +125,40 @@ void move(Subject& subject, const Parameter& parameter, double units) {
     }
 }
 
+Subject movedIn(const RecordedDrive& drive, Subject subject, const std::vector<Parameter>& parameters,
+                const Eigen::VectorXd& units) {
+    std::unordered_map<std::string, double*> values;
+    for (const Number& number : numbers(subject)) values.emplace(number.path, number.value);
+    for (Eigen::Index i = 0; i < units.size(); ++i) {
+        if (units(i) == 0 || !parameters[i].concerns(drive)) continue;
+        for (const Parameter::Move& one : parameters[i].moves)
+            if (const auto value = values.find(one.path); value != values.end()) *value->second += units(i) * one.by;
+    }
+    return subject;
+}
+
 std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<KnownWithin>& tolerances, double same) {
     Subject subject = nominal;
     std::vector<Parameter> found;
     for (const Number& number : numbers(subject)) {
-        const double tolerance = toleranceOf(number, tolerances) * (staysTheSame(number.path) ? same : 1);
-        if (!(tolerance > 0) || !std::isfinite(tolerance)) continue;
-        const double by = tolerance / std::sqrt(3.0);
-        Parameter parameter{{{number.path, *number.value, by}}};
-        limit(parameter, number.about.limits, *number.value, by);
-        parameter.instruments_only = readingOnly(number.path);
-        if (parameter.highest - parameter.lowest > kKneeDistance) found.push_back(std::move(parameter));
+        if (differsFromDriveToDrive(number.path)) continue;
+        const double factor = staysTheSame(number.path) ? same : 1;
+        addNuisance(found, number, toleranceOf(number, tolerances) * factor, nominal.vehicle);
+    }
+    return found;
+}
+
+std::vector<Parameter> nuisancesOfEachDrive(const Subject& nominal, const std::vector<KnownWithin>& tolerances,
+                                            Drives drives) {
+    Subject subject = nominal;
+    std::vector<Parameter> found;
+    for (const Number& number : numbers(subject)) {
+        if (!differsFromDriveToDrive(number.path)) continue;
+        for (const RecordedDrive& drive : drives) {
+            const std::size_t before = found.size();
+            addNuisance(found, number, toleranceOf(number, tolerances) * std::sqrt(drive.runs), nominal.vehicle);
+            if (found.size() > before) found.back().only = drive.recording, found.back().only_name = drive.name;
+        }
     }
     return found;
 }
@@ -118,11 +175,21 @@ std::vector<Share> mixture(const Parameter& parameter, const std::vector<Paramet
                            const std::vector<Eigen::Index>& others) {
     std::vector<Share> shares;
     for (const Parameter::Move& move : parameter.moves) {
-        const auto same = std::find_if(others.begin(), others.end(), [&](Eigen::Index other) {
-            return all[other].moves.size() == 1 && all[other].name() == move.path;
-        });
-        if (same == others.end()) return {};
-        shares.push_back({*same, move.by / all[*same].moves.front().by});
+        const auto alone = [&](const Parameter& one) { return one.moves.size() == 1 && one.path() == move.path; };
+        const auto inAll = [&](Eigen::Index other) { return alone(all[other]) && !all[other].only; };
+        const auto inEach = [&](const Parameter& one) { return alone(one) && one.only; };
+        const auto add = [&](Eigen::Index of) { shares.push_back({of, move.by / all[of].moves.front().by}); };
+
+        // Either one parameter moves the number in all drives, or each drive has its own.
+        const auto common = std::find_if(others.begin(), others.end(), inAll);
+        if (common != others.end()) {
+            add(*common);
+            continue;
+        }
+        const auto before = std::ssize(shares), drives = std::count_if(all.begin(), all.end(), inEach);
+        for (const Eigen::Index other : others)
+            if (inEach(all[other])) add(other);
+        if (drives == 0 || std::ssize(shares) - before != drives) return {};
     }
     return shares;
 }
@@ -134,7 +201,6 @@ std::vector<Parameter> knobsOf(const Effect& effect, const Subject& nominal) {
     for (const catalogue::Knob& knob : effect.knobs) {
         Parameter parameter;
         parameter.instruments_only = true;
-        parameter.lowest = -kLargestEffect, parameter.highest = kLargestEffect;
         for (std::size_t i = 0; i < knob.paths.size(); ++i) {
             const std::string& path = knob.paths[i];
             const auto number = std::find_if(all.begin(), all.end(), [&](const Number& n) { return n.path == path; });
@@ -142,10 +208,10 @@ std::vector<Parameter> knobsOf(const Effect& effect, const Subject& nominal) {
             const double share = knob.shares.empty() ? 1 : knob.shares[i];
             const double by = share * (knob.relative ? knob.typical * *number->value : knob.typical);
             if (by == 0) continue;
-            parameter.moves.push_back({path, *number->value, by});
-            limit(parameter, number->about.limits, *number->value, by);
+            addMove(parameter, *number, by, nominal.vehicle);
             parameter.instruments_only = parameter.instruments_only && readingOnly(path);
         }
+        boundWhereNothingElseDoes(parameter);
         if (knob.direction == catalogue::Direction::up) parameter.lowest = 0;
         if (knob.direction == catalogue::Direction::down) parameter.highest = 0;
         if (!parameter.moves.empty()) knobs.push_back(std::move(parameter));

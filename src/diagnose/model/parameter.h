@@ -7,18 +7,19 @@
 #include <vector>
 
 #include "diagnose/catalogue/effect.h"
-#include "recording/diagnosis_file.h"
+#include "recording/recorded_drive.h"
 #include "recording/subject.h"
 
 namespace tread::diagnose::model {
 
 using catalogue::Effect;
+using recording::Drives;
 using recording::KnownWithin;
+using recording::RecordedDrive;
 using recording::Subject;
 
-// Bounds within which the car can still be replayed: standard deviations of a nuisance parameter, typical sizes of an
-// effect. They decide no verdict: 100 in place of either changes none of the development cases.
-inline constexpr double kLargestTolerance = 4, kLargestEffect = 8;
+// Bound, in units, of a parameter whose numbers have neither limits nor a plausible range.
+inline constexpr double kWidest = 12;
 
 struct Parameter {
     struct Move {
@@ -27,19 +28,33 @@ struct Parameter {
         double by;  // change of the number per unit of the parameter
     };
     std::vector<Move> moves;
-    // Bounds in units: physical limits of the numbers, and kLargestTolerance or kLargestEffect.
-    double lowest = -kLargestTolerance;
-    double highest = kLargestTolerance;
+    // The only recording that the parameter concerns, and its name; null: it concerns all.
+    const recording::Recording* only = nullptr;
+    std::string only_name = {};
+    // Bounds in units: where all numbers are within their physical limits and plausible ranges (D15).
+    double lowest = -kInfinity;
+    double highest = kInfinity;
     bool instruments_only = false;  // changes the readings only, not the motion
 
-    const std::string& name() const { return moves.front().path; }
+    const std::string& path() const { return moves.front().path; }
+    std::string name() const { return only ? path() + " in " + only_name : path(); }
+    bool concerns(const RecordedDrive& drive) const { return !only || only == drive.recording; }
 };
 
 void move(Subject& subject, const Parameter& parameter, double units);
 
+// The subject moved by all parameters that concern the drive: one value per parameter, in its units.
+Subject movedIn(const RecordedDrive& drive, Subject subject, const std::vector<Parameter>& parameters,
+                const Eigen::VectorXd& units);
+
 // A tolerance t becomes the standard deviation t / sqrt(3) of a uniform distribution. `same`: factor on the tolerances
 // of what stays the same from day to day, that is the car, and the instruments except for their zeros (D15).
 std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<KnownWithin>& tolerances, double same = 1);
+
+// What differs from drive to drive, one parameter for each drive: the wind. With references, the wind of both runs
+// (D15).
+std::vector<Parameter> nuisancesOfEachDrive(const Subject& nominal, const std::vector<KnownWithin>& tolerances,
+                                            Drives drives);
 
 // Indices of parameters: `some`, then `more`.
 std::vector<Eigen::Index> joined(const std::vector<Eigen::Index>& some, const std::vector<Eigen::Index>& more);
@@ -50,8 +65,8 @@ struct Share {
     Eigen::Index of;  // index into all parameters
     double units;
 };
-// The parameter as a mixture of `others`; empty unless each of its numbers is moved by one of them that moves nothing
-// else.
+// The parameter as a mixture of `others`; empty unless each of its numbers is moved in every drive by one of them that
+// moves nothing else.
 std::vector<Share> mixture(const Parameter& parameter, const std::vector<Parameter>& all,
                            const std::vector<Eigen::Index>& others);
 

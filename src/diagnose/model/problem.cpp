@@ -32,7 +32,7 @@ std::vector<Eigen::Index> Problem::allKnobs() const {
 }
 
 Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, const recording::Recorded& recorded,
-                  const std::function<Differences(bool compared)>& differences, const Options& options) {
+                  const std::function<Differences(Drives)>& differences, const Options& options) {
     Problem problem;
     problem.replays.replayer = {nominal, file.step, options.simulate};
     problem.replays.threads = options.threads;
@@ -43,7 +43,7 @@ Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, 
     if (problem.drives.empty())
         throw std::invalid_argument("found hold_out: true for every recording, expected at least one recording to fit");
     problem.replays.simulations.add(comparedCount(problem.drives) + comparedCount(problem.held_out));
-    Differences found = differences(problem.compared());
+    Differences found = differences(problem.drives);
     problem.replays.parameters = std::move(found.parameters);
     problem.effects = std::move(found.effects);
     problem.knobs = std::move(found.knobs);
@@ -53,9 +53,12 @@ Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, 
 
 Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, const recording::Recorded& recorded,
                   const std::vector<Effect>& effects, const Options& options) {
-    const auto differences = [&](bool compared) {
+    const auto differences = [&](Drives drives) {
+        const bool same_car = recording::compared(drives);
         Differences all;
-        all.parameters = nuisances(nominal, file.tolerances, compared ? kSettings.between_days : 1);
+        all.parameters = nuisances(nominal, file.tolerances, same_car ? kSettings.between_days : 1);
+        for (Parameter& one : nuisancesOfEachDrive(nominal, file.tolerances, drives))
+            all.parameters.push_back(std::move(one));
         all.nuisances.resize(all.parameters.size());
         std::iota(all.nuisances.begin(), all.nuisances.end(), 0);
         for (const Effect& effect : effects) {

@@ -35,7 +35,7 @@ struct Differences {
     std::vector<Eigen::Index> nuisances;
 };
 Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, const recording::Recorded& recorded,
-                  const std::function<Differences(bool compared)>& differences, const Options& options);
+                  const std::function<Differences(Drives)>& differences, const Options& options);
 
 // The nominal car in the drives: its rows, their sensitivities to the tolerances, and the noise and disturbances about
 // them.

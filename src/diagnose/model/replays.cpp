@@ -6,10 +6,8 @@
 
 namespace tread::diagnose::model {
 
-Subject Replays::subjectAt(const Deviation& point) const {
-    Subject subject = nominal();
-    for (Eigen::Index i = 0; i < point.size(); ++i) move(subject, parameters[i], point(i));
-    return subject;
+Subject Replays::subjectAt(const Deviation& point, const RecordedDrive& drive) const {
+    return movedIn(drive, nominal(), parameters, point);
 }
 
 std::optional<Log> motionAt(const Replays& replays, const RecordedDrive& drive, const Subject& subject,
@@ -32,10 +30,10 @@ std::optional<Log> motionAt(const Replays& replays, const RecordedDrive& drive, 
 }
 
 std::optional<Rows> rowsAt(const Replays& replays, Drives drives, const Deviation& point) {
-    const Subject subject = replays.subjectAt(point);
     Rows rows(drives.size());
     std::atomic<bool> failed = false;
     inParallel(rows.size(), replays.threads, [&](std::size_t d) {
+        const Subject subject = replays.subjectAt(point, drives[d]);
         const std::optional<Log> motion = motionAt(replays, drives[d], subject);
         if (motion) rows[d] = recording::readings(drives[d], *motion, subject.instruments);
         else failed = true;

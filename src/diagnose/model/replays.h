@@ -12,9 +12,6 @@
 
 namespace tread::diagnose::model {
 
-using recording::Drives;
-using recording::RecordedDrive;
-
 using Deviation = Eigen::VectorXd;          // from the nominal car: one value per parameter, in its units
 using Rows = std::vector<Eigen::VectorXd>;  // one vector per drive
 
@@ -43,7 +40,7 @@ struct Replays {
 
     const Subject& nominal() const { return replayer.nominal; }
     Deviation origin() const { return Deviation::Zero(std::ssize(parameters)); }
-    Subject subjectAt(const Deviation& point) const;
+    Subject subjectAt(const Deviation& point, const RecordedDrive& drive) const;
 };
 
 // How a replay differs from the recorded drive.

@@ -29,8 +29,10 @@ std::vector<Column> columnsToDrive(const Replays& replays, Drives drives, const 
         const Eigen::Index p = wanted.parameters[i];
         const double by = stepOf(replays.parameters[p], at(p), wanted.step);
         for (std::size_t d = 0; d < drives.size(); ++d) {
+            const Parameter& parameter = replays.parameters[p];
             const bool worth = wanted.worth.empty() || wanted.worth[i][d];
-            if (motions[d] && worth && recording::firstLike(drives, d) == d) columns.push_back({d, p, by});
+            const bool own = parameter.only ? parameter.concerns(drives[d]) : recording::firstLike(drives, d) == d;
+            if (motions[d] && worth && own) columns.push_back({d, p, by});
         }
     }
     return columns;
@@ -54,11 +56,13 @@ std::optional<Eigen::VectorXd> difference(const Replays& replays, const Recorded
     return std::nullopt;
 }
 
-void repeatsAnswerAlike(Drives drives, const std::vector<Eigen::Index>& parameters, Sensitivities& result) {
+void repeatsAnswerAlike(const Replays& replays, Drives drives, const std::vector<Eigen::Index>& parameters,
+                        Sensitivities& result) {
     for (std::size_t d = 0; d < drives.size(); ++d) {
         const std::size_t first = recording::firstLike(drives, d);
         if (first == d) continue;
-        for (const Eigen::Index p : parameters) result.columns[d].col(p) = result.columns[first].col(p);
+        for (const Eigen::Index p : parameters)
+            if (!replays.parameters[p].only) result.columns[d].col(p) = result.columns[first].col(p);
     }
 }
 
@@ -66,20 +70,21 @@ void repeatsAnswerAlike(Drives drives, const std::vector<Eigen::Index>& paramete
 
 Sensitivities sensitivities(const Replays& replays, Drives drives, const Deviation& at, const Wanted& wanted,
                             const std::function<void(double)>& progress) {
-    const Subject subject = replays.subjectAt(at);
     const std::size_t n = drives.size();
+    std::vector<Subject> subjects;
+    for (const RecordedDrive& drive : drives) subjects.push_back(replays.subjectAt(at, drive));
     Sensitivities result{at, Rows(n), std::vector<Eigen::MatrixXd>(n)};
     std::vector<std::optional<Log>> motions(n);
     inParallel(n, replays.threads, [&](std::size_t d) {
-        motions[d] = motionAt(replays, drives[d], subject);
+        motions[d] = motionAt(replays, drives[d], subjects[d]);
         result.columns[d] = Eigen::MatrixXd::Zero(drives[d].rows(), at.size());
         if (wanted.elsewhere) result.columns[d] = wanted.elsewhere->columns[d];
-        if (motions[d]) result.rows[d] = recording::readings(drives[d], *motions[d], subject.instruments);
+        if (motions[d]) result.rows[d] = recording::readings(drives[d], *motions[d], subjects[d].instruments);
     });
 
     const std::vector<Column> columns = columnsToDrive(replays, drives, at, wanted, motions);
     std::vector<std::filesystem::path> kept(n);
-    for (std::size_t d = 0; d < n && at.isZero(0); ++d) kept[d] = columnFolder(replays, drives[d], subject);
+    for (std::size_t d = 0; d < n && at.isZero(0); ++d) kept[d] = columnFolder(replays, drives[d], subjects[d]);
     std::mutex guard;
     double done = 0;
     inParallel(columns.size(), replays.threads, [&](std::size_t i) {
@@ -87,13 +92,13 @@ Sensitivities sensitivities(const Replays& replays, Drives drives, const Deviati
         const RecordedDrive& drive = drives[one.drive];
         const Eigen::VectorXd& here = result.rows[one.drive];
         const auto column = keptColumn(kept[one.drive], replays.parameters[one.parameter], one.by, here.size(), [&] {
-            return difference(replays, drive, one, subject, *motions[one.drive], here);
+            return difference(replays, drive, one, subjects[one.drive], *motions[one.drive], here);
         });
         if (column) result.columns[one.drive].col(one.parameter) = *column;
         const std::scoped_lock lock(guard);
         progress(++done / static_cast<double>(columns.size()));
     });
-    repeatsAnswerAlike(drives, wanted.parameters, result);
+    repeatsAnswerAlike(replays, drives, wanted.parameters, result);
     return result;
 }
 

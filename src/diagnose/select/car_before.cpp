@@ -34,7 +34,7 @@ std::vector<recording::KnownWithin> tolerancesWithEffects(const model::Subject& 
                                                           const std::vector<catalogue::Effect>& effects) {
     std::map<std::string, double> variances;
     for (const model::Parameter& known : model::nuisances(nominal, file.tolerances))
-        variances[known.name()] = std::pow(known.moves.front().by, 2);
+        variances[known.path()] = std::pow(known.moves.front().by, 2);
     std::vector<recording::KnownWithin> all = file.tolerances;
     for (const catalogue::Effect& effect : effects) {
         for (const model::Parameter& knob : model::knobsOf(effect, nominal)) {
@@ -50,9 +50,11 @@ std::vector<recording::KnownWithin> tolerancesWithEffects(const model::Subject& 
 }
 
 model::Differences everything(const model::Subject& nominal, const recording::DiagnosisFile& file,
-                              const std::vector<catalogue::Effect>& effects) {
+                              const std::vector<catalogue::Effect>& effects, model::Drives drives) {
     model::Differences all;
     all.parameters = model::nuisances(nominal, tolerancesWithEffects(nominal, file, effects));
+    for (model::Parameter& one : model::nuisancesOfEachDrive(nominal, file.tolerances, drives))
+        all.parameters.push_back(std::move(one));
     all.nuisances.resize(all.parameters.size());
     std::iota(all.nuisances.begin(), all.nuisances.end(), 0);
     return all;
@@ -101,14 +103,15 @@ std::optional<CarBefore> carBefore(const model::Subject& nominal, const recordin
     recording::Recorded logs = recorded;
     if (!recording::beforeTheChange(before, logs)) return std::nullopt;
     const model::Problem problem = model::problemOf(
-        nominal, before, logs, [&](bool) { return everything(nominal, file, effects); }, options);
+        nominal, before, logs, [&](model::Drives drives) { return everything(nominal, file, effects, drives); }, options);
     CarBefore result{nominal, {}, {}};
     const std::optional<Fit> fit = settledFit(problem, progress, result.gap);
     if (!fit) return std::nullopt;
-    result.car = problem.replays.subjectAt(fit->at);
     for (Eigen::Index i = 0; i < std::ssize(fit->free); ++i) {
         const model::Parameter& parameter = problem.replays.parameters[fit->free[i]];
         const double units = fit->at(fit->free[i]), sd = std::sqrt(fit->covariance(i, i));
+        if (parameter.only) continue;  // not of the car
+        model::move(result.car, parameter, units);
         const model::Parameter::Move& one = parameter.moves.front();
         result.moved[one.path] = {one.nominal + units * one.by, sd * std::abs(one.by), units};
     }
