@@ -54,8 +54,9 @@ struct Recording {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(log), About{"", "log of the real car (CSV, VBO or MAT), relative to this file"});
         field(TREAD_FIELD(name), About{"", "name in the report; empty: file name of the log"});
-        field(TREAD_FIELD(speed),
-              About{"", "pedals: replay throttle and brake; followed: a controller follows the measured speed"});
+        field(TREAD_FIELD(speed), About{"",
+                                        "pedals: replay throttle and brake; followed: a force at the wheels makes the "
+                                        "car follow the measured speed"});
         field(TREAD_FIELD(from), About{"s", "start of the window that is used"});
         field(TREAD_FIELD(to), About{"s", "end of the window that is used"});
         field(TREAD_FIELD(repeat_group), About{"", "common name of repeated recordings of one manoeuvre"});

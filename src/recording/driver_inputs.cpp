@@ -1,5 +1,6 @@
 #include "recording/driver_inputs.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,6 +15,8 @@ namespace {
 // Samples on either side of the middle; the widest that fits is used.
 constexpr std::array<std::size_t, 5> kReaches{50, 25, 12, 6, 3};
 constexpr double kLikeNoise = 1.3;  // residual of a parabola over the noise; raising this rounds off fast inputs
+
+constexpr double kFollowReach = 0.2;  // s on either side; longer rounds off the beginning of braking
 
 constexpr double kLongestGap = 0.25;  // s; a straight line is taken to represent the driver over shorter gaps
 
@@ -35,6 +38,20 @@ std::optional<double> middleOf(std::span<const double> values, double noise) {
     }
     if (!(squares <= (n - 3) * kLikeNoise * kLikeNoise * noise * noise)) return std::nullopt;
     return middle;
+}
+
+// Value at zero of the least-squares parabola through points about it; the mean of fewer than three.
+double parabolaAtZero(std::span<const Curve::Point> points, double zero) {
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d sums = Eigen::Vector3d::Zero();
+    for (const Curve::Point& point : points) {
+        const double x = point.x - zero;
+        const Eigen::Vector3d row(1, x, x * x);
+        normal += row * row.transpose();
+        sums += row * point.y;
+    }
+    if (points.size() < 3) return sums(0) / normal(0, 0);
+    return normal.ldlt().solve(sums)(0);
 }
 
 }  // namespace
@@ -95,6 +112,19 @@ Curve driverInput(const RecordedDrive& drive, const std::string& channel, const 
         curve.points.push_back({drive.time[i] - instrument.delay, std::clamp(value, limits.lowest, limits.highest)});
     }
     return curve;
+}
+
+Curve followedSpeed(const RecordedDrive& drive, const Instrument& instrument) {
+    const Curve recorded = driverInput(drive, "chassis.vx", instrument, {});
+    const std::vector<Curve::Point>& points = recorded.points;
+    Curve smooth;
+    for (std::size_t i = 0, first = 0, end = 0; i < points.size(); ++i) {
+        while (points[i].x - points[first].x > kFollowReach) ++first;
+        while (end < points.size() && points[end].x - points[i].x <= kFollowReach) ++end;
+        const double speed = parabolaAtZero(std::span(points).subspan(first, end - first), points[i].x);
+        smooth.points.push_back({points[i].x, std::max(speed, 0.0)});
+    }
+    return smooth;
 }
 
 }  // namespace tread::recording

@@ -27,4 +27,8 @@ std::optional<InputGap> firstGap(const RecordedDrive& drive);
 Curve driverInput(const RecordedDrive& drive, const std::string& channel, const Instrument& instrument,
                   const Limits& limits);
 
+// The speed behind the recorded one, as a car can follow it: the middle of a parabola through 0.4 s about each sample,
+// so that what is left of the noise does not become acceleration.
+Curve followedSpeed(const RecordedDrive& drive, const Instrument& instrument);
+
 }  // namespace tread::recording

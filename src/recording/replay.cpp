@@ -14,8 +14,6 @@ namespace {
 
 constexpr double kStanding = 0.3;  // m/s; a drive that starts slower starts at standstill
 constexpr double kParked = 0.3;    // brake pedal of a standing car when the log has no brake; keeps it from rolling
-// Gains of the controller that follows the measured speed.
-constexpr HoldSpeed kFollow{.proportional = 0.8, .integral = 0.5, .brake = 0.5};
 
 // A road or wind known for this drive, changed by the differences between subject and nominal subject.
 template <class T>
@@ -43,9 +41,7 @@ Phase driven(const RecordedDrive& drive, const Instruments& instruments) {
         driverInput(drive, "driver.steering_wheel_angle", instruments.steering_wheel_angle, Angle::kLimits);
     if (!steering.empty()) phase.steering = Table<Angle>{steering};
     if (drive.recording->speed == SpeedReplay::followed) {
-        HoldSpeed follow = kFollow;
-        follow.profile = driverInput(drive, "chassis.vx", instruments.speed, {.lowest = 0});
-        phase.throttle = follow;
+        phase.throttle = FollowSpeed{followedSpeed(drive, instruments.speed)};
     } else {
         const Curve throttle = driverInput(drive, "driver.throttle", instruments.throttle, Pedal::kLimits);
         const Curve brake = driverInput(drive, "driver.brake", instruments.brake, Pedal::kLimits);
