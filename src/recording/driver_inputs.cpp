@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "base/lag.h"
 #include "inference/whitening.h"
 
 namespace tread::recording {
@@ -75,18 +76,26 @@ std::vector<double> quietened(const std::vector<double>& values) {
 Log quietInputs(const Log& log) {
     Log inputs;
     for (const Channel& channel : log.channels) {
-        if (channel.name.starts_with("driver.") || channel.name == "chassis.vx")
+        if (channel.name.starts_with("driver.") || channel.name.starts_with("command.") || channel.name == "chassis.vx")
             inputs.channels.push_back({channel.name, channel.unit, quietened(channel.values)});
     }
     return inputs;
 }
 
 std::optional<InputGap> firstGap(const RecordedDrive& drive) {
-    std::vector<const char*> needed{"driver.steering_wheel_angle", "driver.clutch"};
-    if (drive.recording->speed == SpeedReplay::followed) needed.push_back("chassis.vx");
-    else needed.insert(needed.end(), {"driver.throttle", "driver.brake"});
+    std::vector<std::string> needed{"driver.steering_wheel_angle", "driver.clutch"};
+    switch (drive.recording->speed) {
+        case SpeedReplay::pedals:
+            needed.insert(needed.end(), {"driver.throttle", "driver.brake"});
+            break;
+        case SpeedReplay::followed:
+            needed.push_back("chassis.vx");
+            break;
+        case SpeedReplay::command:
+            needed.push_back(commandOf(drive.log));
+    }
     std::optional<InputGap> first;
-    for (const char* name : needed) {
+    for (const std::string& name : needed) {
         const Channel* channel = drive.log.find(name);
         if (!channel) continue;
         double known = drive.time.front();
@@ -112,6 +121,27 @@ Curve driverInput(const RecordedDrive& drive, const std::string& channel, const 
         curve.points.push_back({drive.time[i] - instrument.delay, std::clamp(value, limits.lowest, limits.highest)});
     }
     return curve;
+}
+
+std::string commandOf(const Log& log) {
+    for (const char* name : {"command.force", "command.acceleration"})
+        if (log.find(name)) return name;
+    return {};
+}
+
+Curve commandedForce(const RecordedDrive& drive, const ForceActuator& actuator, double mass) {
+    const std::string command = commandOf(drive.log);
+    Curve force = driverInput(drive, command, {}, {});
+    const double scale = actuator.gain * (command == "command.acceleration" ? mass : 1);
+    double before = 0, wanted_before = 0, time = 0;
+    bool first = true;
+    for (Curve::Point& point : force.points) {
+        const double wanted = scale * point.y + actuator.bias;
+        point.y = first ? wanted : lagged(before, wanted_before, wanted, actuator.lag, point.x - time);
+        before = point.y, wanted_before = wanted, time = point.x, first = false;
+        point.x += actuator.delay;
+    }
+    return force;
 }
 
 Curve followedSpeed(const RecordedDrive& drive, const Instrument& instrument) {

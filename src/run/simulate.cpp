@@ -109,7 +109,7 @@ void checkSensors(const std::vector<SensorParams>& sensors) {
 
 // The first phase does without the pedals, and so without what the engine can do.
 bool startsWithoutPedals(const Scenario& scenario) {
-    return !scenario.phases.empty() && std::holds_alternative<FollowSpeed>(scenario.phases.front().throttle);
+    return !scenario.phases.empty() && commandsForce(scenario.phases.front().throttle);
 }
 
 // What a driver who follows a speed knows of the car in its equilibrium.

@@ -90,10 +90,12 @@ VehicleInput Driver::signals(double time) const {
         input.brake = std::max(input.brake, brake);
     }
     input.throttle = std::clamp(input.throttle, 0.0, 1.0);
-    if (std::holds_alternative<FollowSpeed>(now.throttle)) {
+    if (commandsForce(now.throttle)) {
         input.throttle = input.brake = 0;
         input.force_command = 1;
     }
+    if (const auto* command = std::get_if<CommandedForce>(&now.throttle))
+        input.longitudinal_force = command->points(elapsed);
     return input;
 }
 

@@ -21,7 +21,7 @@ public:
 
     // The force at the end of the coming step of dt, N. The car has `speed` at the beginning of that step, and
     // `elapsed` seconds of the phase have passed at its end. Called once for each step that is followed, and expected
-    // to be obeyed.
+    // to be obeyed (D5a).
     double force(const FollowSpeed& follow, double speed, double elapsed, double dt);
 
     // The coming step is not followed.
