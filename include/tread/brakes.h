@@ -94,10 +94,11 @@ struct BrakeInput {
     double pedal_end = 0;
     double parking_begin = 0;  // 0 to 1
     double parking_end = 0;
-    PerWheel<double> spin{};      // rad/s
-    PerWheel<double> speed{};     // m/s, of each wheel over ground along its heading
-    PerWheel<double> rolling{};   // m/s, spin times effective rolling radius
-    PerAxle<double> recovered{};  // N m, of each wheel of the axle, that a motor brakes in place of the brake
+    PerWheel<double> spin{};       // rad/s
+    PerWheel<double> speed{};      // m/s, of each wheel over ground along its heading
+    PerWheel<double> rolling{};    // m/s, spin times effective rolling radius
+    PerAxle<double> recovered{};   // N m, of each wheel of the axle, that a motor brakes in place of the brake
+    PerWheel<double> commanded{};  // N m, besides what pedal and controllers ask for
     StabilityControlInput car{};
 };
 

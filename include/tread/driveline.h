@@ -68,8 +68,9 @@ struct DrivelineInput {
     // For differentials that are not open: torque of road and brake on each wheel over the last step, N m, and inertia.
     PerWheel<double> wheel_load{};
     PerWheel<double> wheel_inertia{};
-    double lateral_acceleration = 0;  // m/s2
-    double brake_torque = 0;          // N m, of all brakes together, as far as a motor may take it over
+    double lateral_acceleration = 0;    // m/s2
+    double brake_torque = 0;            // N m, of all brakes together, as far as a motor may take it over
+    std::optional<double> commanded{};  // N m, on all wheels together, in place of the torque of engine and motor
 };
 
 struct DrivelineTorques {

@@ -15,6 +15,8 @@ struct VehicleInput {
     double clutch = 0;
     double parking_brake = 0;
     double hands_off = 0;
+    double longitudinal_force = 0;
+    double force_command = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(steering_wheel_angle), About{"rad", "steering-wheel angle, positive to the left"});
@@ -23,6 +25,10 @@ struct VehicleInput {
         field(TREAD_FIELD(clutch), About{"-", "clutch pedal, 1 separates engine and gearbox", kFraction});
         field(TREAD_FIELD(parking_brake), About{"-", "parking brake", kFraction});
         field(TREAD_FIELD(hands_off), About{"-", "1: hands off the steering wheel", kFraction});
+        field(TREAD_FIELD(longitudinal_force),
+              About{"N", "commanded longitudinal force of all tyres together, positive forward"});
+        field(TREAD_FIELD(force_command),
+              About{"-", "1: the commanded force replaces engine, motor and brake pedal", kFraction});
     }
 };
 static_assert(describesEveryMember<VehicleInput>());

@@ -125,9 +125,11 @@ void BulletVehicle::plan(double dt) {
     ChassisMotion end = s.motion;
     const Surroundings surroundings{s.road, s.gravity(), s.wind};
     const int substeps = s.substep.within(dt);
+    if (s.input.force_command != s.next.force_command) s.input.longitudinal_force = s.next.longitudinal_force;
     const auto inputAt = [&](int k) {
         VehicleInput input = interpolated(s.input, s.next, static_cast<double>(k) / substeps);
         input.hands_off = s.next.hands_off;  // hands are on the wheel or off it
+        input.force_command = s.next.force_command;
         return input;
     };
     for (int k = 0; k < substeps; ++k) {

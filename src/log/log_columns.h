@@ -12,15 +12,29 @@
 
 namespace tread {
 
+// What a car was told to do by a machine, in a recorded log.
+struct Command {
+    double force = 0;
+    double acceleration = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(force), About{"N", "commanded longitudinal force of the tyres, positive forward"});
+        field(TREAD_FIELD(acceleration), About{"m/s2", "commanded longitudinal acceleration"});
+    }
+};
+static_assert(describesEveryMember<Command>());
+
 struct LogColumns {
     double time = 0;
     VehicleInput driver;
+    Command command;
     VehicleOutput output;
 
     // The parts of the output are columns of their own: "chassis.vx", not "output.chassis.vx".
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(time), About{"s", "time since the start of the manoeuvre"});
         field(TREAD_FIELD(driver), About{"", "what the driver does"});
+        field(TREAD_FIELD(command), About{"", "commands of an automated car, in recorded logs only"});
         VehicleOutput::describe(self.output, field);
     }
 };

@@ -34,15 +34,16 @@ struct MeasuredChannel {
 static_assert(describesEveryMember<MeasuredChannel>());
 
 // How the speed is controlled in the replay.
-enum class SpeedReplay { pedals, followed };
+enum class SpeedReplay { pedals, followed, command };
 constexpr auto enumNames(SpeedReplay) {
-    return std::array<std::string_view, 2>{"pedals", "followed"};
+    return std::array<std::string_view, 3>{"pedals", "followed", "command"};
 }
 
 struct Recording {
     std::string log;
     std::string name = {};
     SpeedReplay speed = SpeedReplay::pedals;
+    double followed_for = 0;
     double from = 0;
     double to = kInfinity;
     std::string repeat_group = {};
@@ -55,7 +56,14 @@ struct Recording {
         field(TREAD_FIELD(log), About{"", "log of the real car (CSV, VBO or MAT), relative to this file"});
         field(TREAD_FIELD(name), About{"", "name in the report; empty: file name of the log"});
         field(TREAD_FIELD(speed),
-              About{"", "pedals: replay throttle and brake; followed: a controller follows the measured speed"});
+              About{"",
+                    "pedals: replay throttle and brake; followed: a force at the wheels makes the car follow the "
+                    "measured speed; command: replay command.force or command.acceleration"});
+        field(TREAD_FIELD(followed_for),
+              About{"s",
+                    "time from the start of the window over which the measured speed is followed before pedals or "
+                    "command act; speed and longitudinal acceleration are compared after it",
+                    kNonNegative});
         field(TREAD_FIELD(from), About{"s", "start of the window that is used"});
         field(TREAD_FIELD(to), About{"s", "end of the window that is used"});
         field(TREAD_FIELD(repeat_group), About{"", "common name of repeated recordings of one manoeuvre"});

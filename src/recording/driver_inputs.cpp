@@ -1,11 +1,13 @@
 #include "recording/driver_inputs.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <span>
 
+#include "base/lag.h"
 #include "inference/whitening.h"
 
 namespace tread::recording {
@@ -14,6 +16,8 @@ namespace {
 // Samples on either side of the middle; the widest that fits is used.
 constexpr std::array<std::size_t, 5> kReaches{50, 25, 12, 6, 3};
 constexpr double kLikeNoise = 1.3;  // residual of a parabola over the noise; raising this rounds off fast inputs
+
+constexpr double kFollowReach = 0.2;  // s on either side; longer rounds off the beginning of braking
 
 constexpr double kLongestGap = 0.25;  // s; a straight line is taken to represent the driver over shorter gaps
 
@@ -37,6 +41,20 @@ std::optional<double> middleOf(std::span<const double> values, double noise) {
     return middle;
 }
 
+// Value at zero of the least-squares parabola through points about it; the mean of fewer than three.
+double parabolaAtZero(std::span<const Curve::Point> points, double zero) {
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d sums = Eigen::Vector3d::Zero();
+    for (const Curve::Point& point : points) {
+        const double x = point.x - zero;
+        const Eigen::Vector3d row(1, x, x * x);
+        normal += row * row.transpose();
+        sums += row * point.y;
+    }
+    if (points.size() < 3) return sums(0) / normal(0, 0);
+    return normal.ldlt().solve(sums)(0);
+}
+
 }  // namespace
 
 std::vector<double> quietened(const std::vector<double>& values) {
@@ -58,18 +76,26 @@ std::vector<double> quietened(const std::vector<double>& values) {
 Log quietInputs(const Log& log) {
     Log inputs;
     for (const Channel& channel : log.channels) {
-        if (channel.name.starts_with("driver.") || channel.name == "chassis.vx")
+        if (channel.name.starts_with("driver.") || channel.name.starts_with("command.") || channel.name == "chassis.vx")
             inputs.channels.push_back({channel.name, channel.unit, quietened(channel.values)});
     }
     return inputs;
 }
 
 std::optional<InputGap> firstGap(const RecordedDrive& drive) {
-    std::vector<const char*> needed{"driver.steering_wheel_angle", "driver.clutch"};
-    if (drive.recording->speed == SpeedReplay::followed) needed.push_back("chassis.vx");
-    else needed.insert(needed.end(), {"driver.throttle", "driver.brake"});
+    std::vector<std::string> needed{"driver.steering_wheel_angle", "driver.clutch"};
+    switch (drive.recording->speed) {
+        case SpeedReplay::pedals:
+            needed.insert(needed.end(), {"driver.throttle", "driver.brake"});
+            break;
+        case SpeedReplay::followed:
+            needed.push_back("chassis.vx");
+            break;
+        case SpeedReplay::command:
+            needed.push_back(commandOf(drive.log));
+    }
     std::optional<InputGap> first;
-    for (const char* name : needed) {
+    for (const std::string& name : needed) {
         const Channel* channel = drive.log.find(name);
         if (!channel) continue;
         double known = drive.time.front();
@@ -95,6 +121,40 @@ Curve driverInput(const RecordedDrive& drive, const std::string& channel, const 
         curve.points.push_back({drive.time[i] - instrument.delay, std::clamp(value, limits.lowest, limits.highest)});
     }
     return curve;
+}
+
+std::string commandOf(const Log& log) {
+    for (const char* name : {"command.force", "command.acceleration"})
+        if (log.find(name)) return name;
+    return {};
+}
+
+Curve commandedForce(const RecordedDrive& drive, const ForceActuator& actuator, double mass) {
+    const std::string command = commandOf(drive.log);
+    Curve force = driverInput(drive, command, {}, {});
+    const double scale = actuator.gain * (command == "command.acceleration" ? mass : 1);
+    double before = 0, wanted_before = 0, time = 0;
+    bool first = true;
+    for (Curve::Point& point : force.points) {
+        const double wanted = scale * point.y + actuator.bias;
+        point.y = first ? wanted : lagged(before, wanted_before, wanted, actuator.lag, point.x - time);
+        before = point.y, wanted_before = wanted, time = point.x, first = false;
+        point.x += actuator.delay;
+    }
+    return force;
+}
+
+Curve followedSpeed(const RecordedDrive& drive, const Instrument& instrument) {
+    const Curve recorded = driverInput(drive, "chassis.vx", instrument, {});
+    const std::vector<Curve::Point>& points = recorded.points;
+    Curve smooth;
+    for (std::size_t i = 0, first = 0, end = 0; i < points.size(); ++i) {
+        while (points[i].x - points[first].x > kFollowReach) ++first;
+        while (end < points.size() && points[end].x - points[i].x <= kFollowReach) ++end;
+        const double speed = parabolaAtZero(std::span(points).subspan(first, end - first), points[i].x);
+        smooth.points.push_back({points[i].x, std::max(speed, 0.0)});
+    }
+    return smooth;
 }
 
 }  // namespace tread::recording

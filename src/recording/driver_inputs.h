@@ -11,9 +11,9 @@
 
 namespace tread::recording {
 
-// Channels of the driver, and the speed that may be followed, with the instruments' noise removed. Replaying the noise
-// would shake the car, and play in the steering would then seem to suppress the shaking. Fast inputs such as a step
-// steer are kept.
+// Channels of the driver, commands, and the speed that may be followed, with the instruments' noise removed. Replaying
+// the noise would shake the car, and play in the steering would then seem to suppress the shaking. Fast inputs such as
+// a step steer are kept.
 Log quietInputs(const Log& log);
 
 // Evenly spaced values with their noise removed: each is replaced by the middle of the widest parabola through its
@@ -26,5 +26,16 @@ std::optional<InputGap> firstGap(const RecordedDrive& drive);
 // The input behind a recorded channel, over the time of the drive; empty without that channel (D5).
 Curve driverInput(const RecordedDrive& drive, const std::string& channel, const Instrument& instrument,
                   const Limits& limits);
+
+// The speed behind the recorded one, as a car can follow it: the middle of a parabola through 0.4 s about each sample,
+// so that what is left of the noise does not become acceleration.
+Curve followedSpeed(const RecordedDrive& drive, const Instrument& instrument);
+
+// The channel that commands the longitudinal motion; empty without one.
+std::string commandOf(const Log& log);
+
+// The force that the actuator makes of the recorded command, over the time of the drive. A commanded acceleration
+// counts as the force that it takes with the nominal mass [kg] (D5b).
+Curve commandedForce(const RecordedDrive& drive, const ForceActuator& actuator, double mass);
 
 }  // namespace tread::recording

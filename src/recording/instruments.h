@@ -34,11 +34,29 @@ struct InertialUnit {
 };
 static_assert(describesEveryMember<InertialUnit>());
 
+// How a recorded command becomes a force at the tyres: delayed by `delay`, then force = gain * command + bias, which
+// follows with the time constant `lag`. The same for driving and braking.
+struct ForceActuator {
+    double gain = 1;
+    double bias = 0;
+    double delay = 0;
+    double lag = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(gain), About{"-", "force divided by the commanded force"});
+        field(TREAD_FIELD(bias), About{"N", "force at a command of zero"});
+        field(TREAD_FIELD(delay), About{"s", "delay between command and force", {-1, 1}});
+        field(TREAD_FIELD(lag), About{"s", "time constant with which the force follows", kNonNegative});
+    }
+};
+static_assert(describesEveryMember<ForceActuator>());
+
 struct Instruments {
     InertialUnit inertial_unit;
     Instrument ax, ay, yaw_rate, roll_rate, roll, speed, sideslip, wheel_speed;
     Instrument steering_wheel_angle;  // used in reverse: the replayed input is computed from the recorded one
     Instrument throttle, brake;
+    ForceActuator command;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(inertial_unit), About{"", "position and misalignment of the accelerometers"});
@@ -53,6 +71,7 @@ struct Instruments {
         field(TREAD_FIELD(steering_wheel_angle), About{"", "recorded steering-wheel angle, an input of the replay"});
         field(TREAD_FIELD(throttle), About{"", "recorded throttle pedal position, an input of the replay"});
         field(TREAD_FIELD(brake), About{"", "recorded brake pedal position, an input of the replay"});
+        field(TREAD_FIELD(command), About{"", "from the recorded command to the force, an input of the replay"});
     }
 };
 static_assert(describesEveryMember<Instruments>());

@@ -45,10 +45,44 @@ double toldNoise(const DiagnosisFile& file, const std::string& channel, double s
     return 0;
 }
 
-// With the speed followed, the controller determines speed and longitudinal acceleration, so their gaps describe the
-// controller and not the car.
-bool isOfTheDriver(const Recording& recording, const std::string& channel) {
-    return recording.speed == SpeedReplay::followed && (channel == "chassis.vx" || channel == "chassis.ax");
+// Time from which a channel is compared, s. While the speed is followed, speed and longitudinal acceleration are those
+// of the recording whatever the car.
+double comparedFrom(const Recording& recording, const std::string& channel) {
+    if (channel != "chassis.vx" && channel != "chassis.ax") return 0;
+    return recording.speed == SpeedReplay::followed ? kInfinity : recording.followed_for;
+}
+
+// A channel with its blocks, as far as it is compared.
+ObservedChannel observed(const Channel& measured, const std::vector<double>& time, double compared_from) {
+    ObservedChannel channel{.name = measured.name, .measured = measured.values, .times = {}};
+    for (std::size_t i = 0; i < time.size() && time[i] < compared_from; ++i) channel.measured[i] = std::nan("");
+    double last = -1;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        const double block = std::floor((time[i] + kTimeRounding) / kBlock);
+        if (!std::isfinite(channel.measured[i]) || block == last) continue;
+        channel.times.push_back((block + 0.5) * kBlock);
+        last = block;
+    }
+    return channel;
+}
+
+// Throws std::invalid_argument where a drive cannot be replayed by a command, or shows nothing of its effect.
+void expectCommand(const RecordedDrive& drive) {
+    if (drive.recording->speed != SpeedReplay::command) return;
+    const std::string command = commandOf(drive.log);
+    if (command.empty())
+        throw std::invalid_argument(fmt::format(
+            "recording {}: found neither command.force nor command.acceleration, expected one of them for speed: "
+            "command; name its column (import, channels) or set speed: followed",
+            drive.name));
+    const auto answers = [](const ObservedChannel& channel) {
+        return channel.name == "chassis.vx" || channel.name == "chassis.ax";
+    };
+    if (std::none_of(drive.channels.begin(), drive.channels.end(), answers))
+        throw std::invalid_argument(fmt::format(
+            "recording {}: found {} but no measured speed or longitudinal acceleration to compare with, expected "
+            "chassis.vx or chassis.ax among the channels; measure one of them or set speed: followed",
+            drive.name, command));
 }
 
 }  // namespace
@@ -114,15 +148,8 @@ RecordedDrive recordedDrive(const Recording& recording, const Log& log, const Di
     Eigen::Index rows = 0;
     for (const ObservedQuantity& quantity : observedQuantities()) {
         const Channel* measured = log.find(quantity.channel);
-        if (!measured || !wanted(file, measured->name) || isOfTheDriver(recording, measured->name)) continue;
-        ObservedChannel channel{.name = measured->name, .measured = measured->values, .times = {}};
-        double last = -1;
-        for (std::size_t i = 0; i < drive.time.size(); ++i) {
-            const double block = std::floor((drive.time[i] + kTimeRounding) / kBlock);
-            if (!std::isfinite(measured->values[i]) || block == last) continue;
-            channel.times.push_back((block + 0.5) * kBlock);
-            last = block;
-        }
+        if (!measured || !wanted(file, measured->name)) continue;
+        ObservedChannel channel = observed(*measured, drive.time, comparedFrom(recording, measured->name));
         if (channel.times.empty()) continue;
         channel.noise = toldNoise(file, channel.name, drive.duration() / static_cast<double>(drive.time.size() - 1));
         channel.first_row = rows;
@@ -135,6 +162,7 @@ RecordedDrive recordedDrive(const Recording& recording, const Log& log, const Di
             "the log and under channels",
             drive.name, observedQuantitiesListed()));
     }
+    expectCommand(drive);
     drive.measured.resize(rows);
     for (const ObservedChannel& channel : drive.channels)
         drive.measured.segment(channel.first_row, channel.rows()) = blockMeans(channel, drive.time, channel.measured);

@@ -42,9 +42,10 @@ void expectSameDrive(const RecordedDrive& drive, const RecordedDrive& reference)
         another(fmt::format("starts at {:.2f} m/s, its reference at {:.2f} m/s", drive.speed, reference.speed));
     if (reference.duration() < drive.duration() - kShorter)
         another(fmt::format("lasts {:.2f} s, its reference {:.2f} s", drive.duration(), reference.duration()));
-    const bool followed = drive.recording->speed == SpeedReplay::followed;
-    for (const std::string name : {"driver.steering_wheel_angle", "driver.throttle", "driver.brake"}) {
-        if (followed && name != "driver.steering_wheel_angle") continue;  // the pedals are not replayed
+    std::vector<std::string> replayed{"driver.steering_wheel_angle"};
+    if (drive.recording->speed == SpeedReplay::pedals)
+        replayed.insert(replayed.end(), {"driver.throttle", "driver.brake"});
+    for (const std::string& name : replayed) {
         const Channel *here = drive.inputs.find(name), *there = reference.inputs.find(name);
         if (!here || !there) continue;
         const std::vector<double> then = resample(reference.time, there->values, drive.time);

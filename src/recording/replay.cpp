@@ -14,8 +14,6 @@ namespace {
 
 constexpr double kStanding = 0.3;  // m/s; a drive that starts slower starts at standstill
 constexpr double kParked = 0.3;    // brake pedal of a standing car when the log has no brake; keeps it from rolling
-// Gains of the controller that follows the measured speed.
-constexpr HoldSpeed kFollow{.proportional = 0.8, .integral = 0.5, .brake = 0.5};
 
 // A road or wind known for this drive, changed by the differences between subject and nominal subject.
 template <class T>
@@ -36,26 +34,63 @@ double speedBehind(double shown, const Instrument& instrument) {
     return std::max(0.0, (shown - instrument.bias) / instrument.gain);
 }
 
-Phase driven(const RecordedDrive& drive, const Instruments& instruments) {
+// What feet or commands do in the drive.
+void takePedals(Phase& phase, const RecordedDrive& drive, const Instruments& instruments, double nominal_mass) {
+    switch (drive.recording->speed) {
+        case SpeedReplay::followed:
+            phase.throttle = FollowSpeed{followedSpeed(drive, instruments.speed)};
+            return;
+        case SpeedReplay::command:
+            phase.throttle = CommandedForce{commandedForce(drive, instruments.command, nominal_mass)};
+            return;
+        case SpeedReplay::pedals:
+            break;
+    }
+    const Curve throttle = driverInput(drive, "driver.throttle", instruments.throttle, Pedal::kLimits);
+    const Curve brake = driverInput(drive, "driver.brake", instruments.brake, Pedal::kLimits);
+    if (!throttle.empty()) phase.throttle = Table<Pedal>{throttle};
+    if (!brake.empty()) phase.brake = Table<Pedal>{brake};
+}
+
+Phase driven(const RecordedDrive& drive, const Instruments& instruments, double nominal_mass) {
     Phase phase;
     phase.name = "the drive";
     const Curve steering =
         driverInput(drive, "driver.steering_wheel_angle", instruments.steering_wheel_angle, Angle::kLimits);
     if (!steering.empty()) phase.steering = Table<Angle>{steering};
-    if (drive.recording->speed == SpeedReplay::followed) {
-        HoldSpeed follow = kFollow;
-        follow.profile = driverInput(drive, "chassis.vx", instruments.speed, {.lowest = 0});
-        phase.throttle = follow;
-    } else {
-        const Curve throttle = driverInput(drive, "driver.throttle", instruments.throttle, Pedal::kLimits);
-        const Curve brake = driverInput(drive, "driver.brake", instruments.brake, Pedal::kLimits);
-        if (!throttle.empty()) phase.throttle = Table<Pedal>{throttle};
-        if (!brake.empty()) phase.brake = Table<Pedal>{brake};
-    }
+    takePedals(phase, drive, instruments, nominal_mass);
     const Curve clutch = driverInput(drive, "driver.clutch", {}, Pedal::kLimits);
     if (!clutch.empty()) phase.clutch = Table<Pedal>{clutch};
     phase.until.duration = drive.duration();
     return phase;
+}
+
+// The signals of a phase that begins later by this time.
+Phase startedLater(Phase phase, double by) {
+    const auto shift = [&](Curve& curve) {
+        for (Curve::Point& point : curve.points) point.x -= by;
+    };
+    if (auto* table = std::get_if<Table<Angle>>(&phase.steering)) shift(table->points);
+    if (auto* force = std::get_if<CommandedForce>(&phase.throttle)) shift(force->points);
+    if (auto* table = std::get_if<Table<Pedal>>(&phase.throttle)) shift(table->points);
+    for (PedalSignal* signal : {&phase.brake, &phase.clutch})
+        if (auto* table = std::get_if<Table<Pedal>>(signal)) shift(table->points);
+    *phase.until.duration -= by;
+    return phase;
+}
+
+// The drive, in two phases if its speed is followed at first.
+std::vector<Phase> phasesOf(const RecordedDrive& drive, const Instruments& instruments, double nominal_mass) {
+    Phase whole = driven(drive, instruments, nominal_mass);
+    const double followed = std::min(drive.recording->followed_for, drive.duration());
+    if (followed == 0 || drive.recording->speed == SpeedReplay::followed) return {whole};
+    Phase first = whole;
+    first.name = "the speed is followed";
+    first.throttle = FollowSpeed{followedSpeed(drive, instruments.speed)};
+    first.brake = Keep{};
+    first.until.duration = followed;
+    if (followed == drive.duration()) return {first};
+    return {first, startedLater(std::move(whole), followed)};
 }
 
 // If the drive stays in one gear, makes it the only gear, so that the model cannot shift at another time.
@@ -80,7 +115,7 @@ Scenario replayOf(const RecordedDrive& drive, const Subject& subject, const Repl
     scenario.road = changed(drive.recording->road, subject.road, nominal.road);
     scenario.wind = changed(drive.recording->wind, subject.wind, nominal.wind);
     scenario.start.speed = drive.speed < kStanding ? 0 : speedBehind(drive.speed, subject.instruments.speed);
-    scenario.phases.push_back(driven(drive, subject.instruments));
+    scenario.phases = phasesOf(drive, subject.instruments, nominal.vehicle.mass);
     if (scenario.start.speed == 0) {
         const auto* brake = std::get_if<Table<Pedal>>(&scenario.phases.front().brake);
         scenario.start.brake = brake ? brake->points(0) : kParked;

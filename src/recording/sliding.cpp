@@ -18,16 +18,18 @@ double slideApart(const RecordedDrive& drive, const Eigen::VectorXd& model) {
     const auto ay = find("chassis.ay"), yaw_rate = find("chassis.yaw_rate"), vx = find("chassis.vx");
     const auto none = drive.channels.end();
     if (ay == none || yaw_rate == none || vx == none) return kInfinity;
-    const std::vector<double>& times = ay->times;
-    if (times != yaw_rate->times || times != vx->times) return kInfinity;
+    if (ay->times != yaw_rate->times || ay->rows() < vx->rows()) return kInfinity;
+    const std::vector<double>& times = vx->times;  // begin later where the speed is followed at first
+    const Eigen::Index skipped = ay->rows() - vx->rows();
+    if (!std::equal(times.begin(), times.end(), ay->times.begin() + skipped)) return kInfinity;
 
     const auto rate = [&](const Eigen::VectorXd& rows, Eigen::Index row) {
         const double speed = std::max(rows(vx->first_row + row), kSlowestSlide);
-        return rows(ay->first_row + row) / speed - rows(yaw_rate->first_row + row);
+        return rows(ay->first_row + skipped + row) / speed - rows(yaw_rate->first_row + skipped + row);
     };
     const Eigen::Index window = std::lround(std::floor(kSlideWindow / kBlock));
     std::vector<double> apart(times.size(), 0);
-    for (Eigen::Index i = 1; i < ay->rows(); ++i) {
+    for (Eigen::Index i = 1; i < vx->rows(); ++i) {
         apart[i] = apart[i - 1] + (rate(drive.measured, i) - rate(model, i)) * (times[i] - times[i - 1]);
         const Eigen::Index before = std::max<Eigen::Index>(i - window, 0);
         if (std::abs(apart[i] - apart[before]) > kSlideAngle) return times[before];

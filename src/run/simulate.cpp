@@ -102,6 +102,23 @@ void checkSensors(const std::vector<SensorParams>& sensors) {
     }
 }
 
+// The first phase does without the pedals, and so without what the engine can do.
+bool startsWithoutPedals(const Scenario& scenario) {
+    return !scenario.phases.empty() && commandsForce(scenario.phases.front().throttle);
+}
+
+// What a driver who follows a speed knows of the car in its equilibrium.
+KnownResistance resistanceOf(const Vehicle& vehicle, const VehicleState& state) {
+    KnownResistance known{.mass = vehicle.params.mass, .force = 0};
+    for (std::size_t i = 0; i < kWheels; ++i) {
+        const Vehicle::Corner& corner = vehicle.corners[i];
+        const double radius = corner.tyre.parameters.Re;
+        known.mass += corner.wheel_inertia / (radius * radius);
+        known.force += state.wheels[i].drive_torque / radius;
+    }
+    return known;
+}
+
 Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const Surroundings& surroundings) {
     const StartParams& start = scenario.start;
     Equilibrium rest = equilibrium(prepare(params), surroundings,
@@ -123,7 +140,8 @@ Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const
                 rest.acceleration),
             0);
     }
-    if (start.speed > 0 && (rest.throttle < -kThrottleRounding || rest.throttle > 1 + kThrottleRounding)) {
+    if (start.speed > 0 && !startsWithoutPedals(scenario) &&
+        (rest.throttle < -kThrottleRounding || rest.throttle > 1 + kThrottleRounding)) {
         throw SimulationError(
             fmt::format("the car cannot hold the {:.3g} m/s at which the scenario starts: that would take a "
                         "throttle of {:.2f}, and only 0 to 1 is possible; lower start.speed or give the car more power",
@@ -145,7 +163,8 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
     car.setSubstep(scenario.substep);
     car.restore(rest.motion, rest.state, rest.input);
     Pushed pushed(pushing, car.vehicle());
-    Driver driver(scenario, rest.input, {params.wheelbase, params.steering.ratio, params.steering.ratio_curve});
+    Driver driver(scenario, rest.input, {params.wheelbase, params.steering.ratio, params.steering.ratio_curve},
+                  resistanceOf(car.vehicle(), rest.state));
 
     checkSensors(scenario.log.sensors);
     Sample sample(scenario.log, scenario.step);

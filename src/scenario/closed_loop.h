@@ -31,6 +31,32 @@ struct HoldSpeed {
     }
 };
 
+// Follows a speed as exactly as the grip allows, by a commanded force in place of throttle and brake pedal: what
+// engine, gearbox and brakes can do does not limit it.
+struct FollowSpeed {
+    static constexpr std::string_view kName = "follow_speed";
+    Curve profile;
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(profile), About{"m/s", "speed over the time of the phase", kNonNegative, 0, "s"});
+    }
+    static void check(const auto& self, auto&& complain) {
+        if (self.profile.empty()) complain("profile", "found no speed, expected the speed over time");
+    }
+};
+
+// A longitudinal force of all tyres together in place of throttle and brake pedal, as an automated car commands it.
+// Above zero it acts at the driven wheels, below zero at the brakes.
+struct CommandedForce {
+    static constexpr std::string_view kName = "force";
+    Curve points;
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(points), About{"N", "force over the time of the phase, positive forward", kAny, 0, "s"});
+    }
+    static void check(const auto& self, auto&& complain) {
+        if (self.points.empty()) complain("points", "found no force, expected the force over time");
+    }
+};
+
 // Steering wheel by an integral controller of the path's curvature. The wheel turns at
 //     bandwidth * steering ratio * wheelbase * (curvature wanted - curvature driven),
 // so that a neutral car closes in on the target with the time constant 1 / bandwidth.

@@ -17,8 +17,12 @@ bool watchesCar(const SteeringSignal& signal) {
 
 }  // namespace
 
-Driver::Driver(const Scenario& scenario, const VehicleInput& initial, const KnownSteering& car)
-    : scenario_(withReplaysRead(scenario)), held_(initial), hands_(car, Path(coursePath(scenario.course))) {
+Driver::Driver(const Scenario& scenario, const VehicleInput& initial, const KnownSteering& car,
+               const KnownResistance& resistance)
+    : scenario_(withReplaysRead(scenario)),
+      held_(initial),
+      follower_(resistance),
+      hands_(car, Path(coursePath(scenario.course))) {
     phase_start_ = seen_time_ = -scenario_.start.run_in;
     beginPhase();
 }
@@ -86,6 +90,12 @@ VehicleInput Driver::signals(double time) const {
         input.brake = std::max(input.brake, brake);
     }
     input.throttle = std::clamp(input.throttle, 0.0, 1.0);
+    if (commandsForce(now.throttle)) {
+        input.throttle = input.brake = 0;
+        input.force_command = 1;
+    }
+    if (const auto* command = std::get_if<CommandedForce>(&now.throttle))
+        input.longitudinal_force = command->points(elapsed);
     return input;
 }
 
@@ -93,7 +103,13 @@ VehicleInput Driver::inputAt(double time) {
     for (auto end = endByClock(); end && !last() && time > *end + kTimeRounding; end = endByClock()) {
         next(std::max(*end, phase_start_));
     }
-    return signals(time);
+    VehicleInput input = signals(time);
+    if (const auto* follow = std::get_if<FollowSpeed>(&phase().throttle)) {
+        input.longitudinal_force = follower_.force(*follow, seen_.car.vx, time - phase_start_, time - seen_time_);
+    } else {
+        follower_.pause();
+    }
+    return input;
 }
 
 bool Driver::finished(double time) const {

@@ -7,6 +7,7 @@
 
 #include "scenario/scenario.h"
 #include "scenario/speed_control.h"
+#include "scenario/speed_follower.h"
 #include "scenario/steer_control.h"
 #include "tread/vehicle_output.h"
 
@@ -14,9 +15,11 @@ namespace tread {
 
 class Driver {
 public:
-    // `initial` is how hand and feet are held in the equilibrium; `car` what a driver knows who watches the path.
+    // `initial` is how hand and feet are held in the equilibrium; `car` what a driver knows who watches the path,
+    // `resistance` one who follows a speed.
     // Reads the logs that the scenario replays; throws as withReplaysRead does.
-    Driver(const Scenario& scenario, const VehicleInput& initial, const KnownSteering& car = {});
+    Driver(const Scenario& scenario, const VehicleInput& initial, const KnownSteering& car = {},
+           const KnownResistance& resistance = {});
 
     // Looks at the car at a time: ends a phase whose condition came true.
     void look(double time, const ChassisOutput& chassis, double steering_wheel_angle = 0);
@@ -48,6 +51,7 @@ private:
     double seen_time_ = 0;            // s
     bool looked_ = false;
     SpeedControl feet_;
+    SpeedFollower follower_;
     SteerControl hands_;
 };
 

@@ -28,7 +28,9 @@ void runIntoTurn(Scenario& scenario) {
     phase.name = "into the turn";
     if (const auto* steering = std::get_if<Table<Angle>>(&scenario.phases.front().steering))
         phase.steering = Table<Angle>{Curve{{{0, 0}, {kRunInSteering, steering->points(0)}}}};
-    phase.throttle = HoldSpeed{.brake = 0.5};
+    if (commandsForce(scenario.phases.front().throttle))
+        phase.throttle = FollowSpeed{Curve{{{0, scenario.start.speed}}}};
+    else phase.throttle = HoldSpeed{.brake = 0.5};
     phase.until.duration = scenario.start.run_in = kRunIn;
     scenario.phases.insert(scenario.phases.begin(), std::move(phase));
 }

@@ -177,7 +177,13 @@ using SteeringSignal =
     std::variant<Keep, Constant<Angle>, Ramp<Angle>, Sine<Angle>, SineWithDwell<Angle>, Sweep<Angle>, Pulse<Angle>,
                  Noise<Angle>, Table<Angle>, Replay<Angle>, HoldLateralAcceleration, HoldRadius, FollowPath, HandsOff>;
 using PedalSignal = std::variant<Keep, Constant<Pedal>, Ramp<Pedal>, Table<Pedal>, Replay<Pedal>>;
-using ThrottleSignal = std::variant<Keep, Constant<Pedal>, Ramp<Pedal>, Table<Pedal>, Replay<Pedal>, HoldSpeed>;
+using ThrottleSignal = std::variant<Keep, Constant<Pedal>, Ramp<Pedal>, Table<Pedal>, Replay<Pedal>, HoldSpeed,
+                                    FollowSpeed, CommandedForce>;
+
+// True where a force replaces throttle and brake pedal.
+inline bool commandsForce(const ThrottleSignal& signal) {
+    return std::holds_alternative<FollowSpeed>(signal) || std::holds_alternative<CommandedForce>(signal);
+}
 
 // Value `elapsed` seconds into the phase, for a signal that was at `held` when the phase began. What watches the car,
 // and HandsOff, is no function of time, and a Replay must have been read (replay.h): they answer `held`.

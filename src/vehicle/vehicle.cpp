@@ -7,8 +7,11 @@
 
 #include "tread/vehicle.h"
 
+#include <cmath>
+
 #include "tyre/four_tyres.h"
 #include "vehicle/body.h"
+#include "vehicle/force_command.h"
 #include "vehicle/recession.h"
 #include "vehicle/travel.h"
 #include "vehicle/tyre_conditions.h"
@@ -84,6 +87,18 @@ BrakeInput brakeInput(const Vehicle& vehicle, const VehicleState& state, const V
     return input;
 }
 
+// Puts a commanded force in the place of engine, motor and brake pedal.
+void takeCommand(DrivelineInput& driveline, BrakeInput& brakes, const Vehicle& vehicle, const VehicleState& state,
+                 double force, double dt) {
+    const CommandedTorques torques = commandedTorques(vehicle, state.wheels, force);
+    driveline.commanded = torques.drive;
+    driveline.brake_torque = 0;
+    brakes.pedal_begin = brakes.pedal_end = 0;
+    brakes.commanded = torques.brake;
+    for (std::size_t i = 0; i < kWheels; ++i)
+        brakes.commanded[i] *= takenShare(state.wheels[i], vehicle.corners[i], brakes.commanded[i], dt);
+}
+
 StabilityControlInput stabilityControlInput(const Vehicle& vehicle, const BodyFrame& body,
                                             const PerWheel<double>& steer) {
     return {.speed = body.motion.velocity_B.x(),
@@ -114,9 +129,13 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
     const auto contacts = advanceTravel(state.wheels, vehicle, from, to, steer_end, surroundings.road, dt);
 
     // Driveline and brake torques, with their mean over the step.
-    const DrivelineTorques drive =
-        advance(state.driveline, params.driveline, drivelineInput(vehicle, state, from, begin, end), dt);
+    DrivelineInput drive_input = drivelineInput(vehicle, state, from, begin, end);
     BrakeInput brake_input = brakeInput(vehicle, state, begin, end);
+    const bool commanded = end.force_command > 0.5;
+    if (commanded)
+        takeCommand(drive_input, brake_input, vehicle, state, middle(begin.longitudinal_force, end.longitudinal_force),
+                    dt);
+    const DrivelineTorques drive = advance(state.driveline, params.driveline, drive_input, dt);
     brake_input.recovered = drive.braked;
     brake_input.car = stabilityControlInput(vehicle, to, steer_end);
     const BrakeTorques brake = advance(state.brakes, params.brakes, brake_input, dt);
@@ -133,6 +152,7 @@ void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle,
     for (std::size_t i = 0; i < kWheels; ++i) {
         WheelState& wheel = state.wheels[i];
         wheel.drive_torque = drive.wheel[i];
+        if (commanded) wheel.drive_torque *= takenShare(wheel, vehicle.corners[i], std::abs(drive.wheel[i]), dt);
         wheel.brake_torque = brake.end[i];
         steer_rate[i] = (steer_end[i] - steer_begin[i]) / dt + wheel.moment_steer.rate;
         tyres[i] = wheel.tyre;

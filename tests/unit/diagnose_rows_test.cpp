@@ -204,7 +204,7 @@ TEST(Replay, ASpeedThatIsFollowedIsTheMeasuredOneAllAlong) {
     }
     const RecordedDrive drive = recordedDrive(recording, log, {});
     const Scenario scenario = replayOf(drive, {}, {{}, 0.004, {}});
-    const auto* follow = std::get_if<HoldSpeed>(&scenario.phases.front().throttle);
+    const auto* follow = std::get_if<FollowSpeed>(&scenario.phases.front().throttle);
     ASSERT_TRUE(follow);
     for (const double t : {0.0, 1.0, 3.9}) EXPECT_NEAR(follow->profile(t), 20 - 3 * t, 1e-6);
 }

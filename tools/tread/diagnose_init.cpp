@@ -7,6 +7,7 @@
 #include "diagnose_check.h"
 #include "output.h"
 #include "recording/diagnosis_file.h"
+#include "recording/driver_inputs.h"
 
 namespace tread::program {
 namespace {
@@ -38,7 +39,7 @@ std::vector<std::string> logsOf(const Path& folder) {
 // Contents of a log that decide how it can be replayed.
 struct Recognised {
     std::vector<std::string> channels;
-    bool pedals = false;
+    std::string speed = "followed";
     std::string fault;  // reason why it cannot be read; empty if it can
 };
 Recognised recognise(const Path& folder, const std::string& name) {
@@ -48,7 +49,9 @@ Recognised recognise(const Path& folder, const std::string& name) {
     try {
         const Log log = readRecordings(file).logs.front();
         for (const Channel& channel : log.channels) found.channels.push_back(channel.name);
-        found.pedals = (log.find("driver.throttle") || log.find("driver.brake")) && log.find("driveline.gear");
+        if ((log.find("driver.throttle") || log.find("driver.brake")) && log.find("driveline.gear"))
+            found.speed = "pedals";
+        if (!recording::commandOf(log).empty()) found.speed = "command";
     } catch (const LoadError& error) {
         found.fault = error.problems().front().text;
     }
@@ -57,7 +60,7 @@ Recognised recognise(const Path& folder, const std::string& name) {
 
 std::string recordingText(const std::string& name, const Recognised& log, bool hold_out) {
     if (!log.fault.empty()) return fmt::format("  # {}: {}\n", name, log.fault);
-    std::string text = fmt::format("  - log: {}\n    speed: {}\n", quote(name), log.pedals ? "pedals" : "followed");
+    std::string text = fmt::format("  - log: {}\n    speed: {}\n", quote(name), log.speed);
     if (hold_out) text += "    hold_out: true  # used only to judge how far the gap shrinks\n";
     return text + fmt::format("    # channels: {}\n", fmt::join(log.channels, ", "));
 }

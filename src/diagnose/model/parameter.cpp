@@ -39,6 +39,7 @@ const std::vector<KnownWithin>& usualTolerances() {
         {"instruments.inertial_unit.roll", 0, 0.003},
         {"instruments.inertial_unit.pitch", 0, 0.003},
         {"instruments.steering_wheel_angle.bias", 0, 0.005},
+        {"instruments.command.bias", 0, 100},  // N: a slope of 0.5 % under a car
     };
     return known;
 }
@@ -93,7 +94,8 @@ void boundWhereNothingElseDoes(Parameter& parameter) {
 // Instruments that record the driver's inputs are excluded, because the replay is driven with these inputs.
 bool readingOnly(const std::string& path) {
     const auto of = [&](const char* input) { return path.starts_with(std::string("instruments.") + input); };
-    return path.starts_with("instruments.") && !of("steering_wheel_angle") && !of("throttle") && !of("brake");
+    return path.starts_with("instruments.") && !of("steering_wheel_angle") && !of("throttle") && !of("brake") &&
+           !of("command");
 }
 
 // Road and the zeros of instruments change from day to day.

@@ -47,7 +47,8 @@ std::string recordingText(const RecordedDrive& drive) {
     std::string text;
     add(text, writeYaml(told.road));
     add(text, writeYaml(told.wind));
-    text += told.speed == recording::SpeedReplay::followed ? "followed" : "pedals";
+    text += enumNames(told.speed)[static_cast<std::size_t>(told.speed)];
+    add(text, std::span(&told.followed_for, 1));
     for (const Channel& channel : drive.log.channels) {
         add(text, channel.name);
         add(text, channel.values);

@@ -29,9 +29,23 @@ double motorInertia(const DrivelineParams& params) {
     return params.motor ? params.motor->inertia : 0;
 }
 
+// A commanded torque goes to the wheels as that of the shafts does. Engine and gearbox turn along without torque, the
+// shafts are twisted by it: when the command ends, the driveline goes on from there.
+DrivelineTorques commanded(DrivelineState& state, const DrivelineParams& params, const DrivelineInput& input,
+                           double dt) {
+    const double torque = *input.commanded;
+    shift(state, params.gearbox, 0, dt);
+    state.gearbox_speed = totalRatio(params.gearbox, state.gear) * meanSpin(input.wheel_spin, params.front_share);
+    state.engine_speed = params.engine ? std::max(state.gearbox_speed, params.engine->idle_speed) : state.gearbox_speed;
+    state.engine_throttle = state.motor_throttle = 0;
+    state.twist = torque / params.shaft_stiffness;
+    return {.wheel = sharedTorque(params, input, torque, dt), .engine = 0, .motor = 0, .braked = {}};
+}
+
 }  // namespace
 
 DrivelineTorques advance(DrivelineState& state, const DrivelineParams& params, const DrivelineInput& input, double dt) {
+    if (input.commanded) return commanded(state, params, input, dt);
     const GearboxParams& gearbox = params.gearbox;
     shift(state, gearbox, input.throttle, dt);
     const double ratio = totalRatio(gearbox, state.gear);
