@@ -24,8 +24,8 @@ using diagnose::catalogue::move;
 using recording::numberAt;
 using recording::Subject;
 
-const char* const kCars[] = {"compact", "awd_suv",          "electric_hatchback", "liu_compact",
-                             "pickup",  "rear_drive_sedan", "sports_car",         "volvo_s90"};
+const char* const kCars[] = {"compact", "awd_suv",          "dart",       "electric_hatchback", "liu_compact",
+                             "pickup",  "rear_drive_sedan", "sports_car", "volvo_s90"};
 
 Subject subjectOf(const std::string& car) {
     Subject subject;
