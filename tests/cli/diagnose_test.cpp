@@ -223,6 +223,15 @@ TEST_F(DiagnoseCommand, IdentifyRefusesAPathThatDoesNotExistWithAHint) {
     EXPECT_NE(in_file.err.find("diagnosis.yaml:4:7"), std::string::npos) << in_file.err;
 }
 
+TEST_F(DiagnoseCommand, IdentifyHoldsOutWhatIsNamedAndRefusesAnUnknownName) {
+    recorded("a.csv", slalom());
+    diagnosis();
+    const std::string file = scratch.path("diagnosis.yaml");
+    expectRefused(runProgram({"identify", file, "--fit", "mass", "--without", "b.csv"}),
+                  "found \"b.csv\", expected a recording of the file");
+    expectRefused(runProgram({"identify", file, "--fit", "mass", "--without", "a.csv"}), "no recording");
+}
+
 TEST_F(DiagnoseCommand, IdentifyRefusesANumberOfWhichNothingSaysHowWellItIsKnown) {
     recorded("a.csv", slalom());
     diagnosis();

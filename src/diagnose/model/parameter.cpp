@@ -5,6 +5,7 @@
 
 #include "base/numbers.h"
 #include "base/pattern.h"
+#include "diagnose/model/similarity.h"
 
 namespace tread::diagnose::model {
 namespace {
@@ -40,12 +41,15 @@ const std::vector<KnownWithin>& usualTolerances() {
     return known;
 }
 
-double toleranceOf(const Number& number, const std::vector<KnownWithin>& told) {
-    double tolerance = number.about.tolerance * std::abs(*number.value);
-    for (const std::vector<KnownWithin>& list : {usualTolerances(), told}) {
-        for (const KnownWithin& known : list) {
-            if (matches(known.path, number.path)) tolerance = known.relative * std::abs(*number.value) + known.absolute;
-        }
+double toleranceOf(const Number& number, const VehicleParams& car, const std::vector<KnownWithin>& told) {
+    const double value = std::abs(*number.value);
+    double tolerance = number.about.tolerance * value;
+    for (const KnownWithin& known : usualTolerances()) {
+        if (matches(known.path, number.path))
+            tolerance = known.relative * value + atScaleOf(car, known.absolute, number.about.unit);
+    }
+    for (const KnownWithin& known : told) {
+        if (matches(known.path, number.path)) tolerance = known.relative * value + known.absolute;
     }
     return tolerance;
 }
@@ -95,7 +99,8 @@ std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<Known
     Subject subject = nominal;
     std::vector<Parameter> found;
     for (const Number& number : numbers(subject)) {
-        const double tolerance = toleranceOf(number, tolerances) * (staysTheSame(number.path) ? same : 1);
+        const double tolerance =
+            toleranceOf(number, nominal.vehicle, tolerances) * (staysTheSame(number.path) ? same : 1);
         if (!(tolerance > 0) || !std::isfinite(tolerance)) continue;
         const double by = tolerance / std::sqrt(3.0);
         Parameter parameter{{{number.path, *number.value, by}}};
@@ -140,7 +145,9 @@ std::vector<Parameter> knobsOf(const Effect& effect, const Subject& nominal) {
             const auto number = std::find_if(all.begin(), all.end(), [&](const Number& n) { return n.path == path; });
             if (number == all.end()) continue;
             const double share = knob.shares.empty() ? 1 : knob.shares[i];
-            const double by = share * (knob.relative ? knob.typical * *number->value : knob.typical);
+            const double typical = knob.relative ? knob.typical * *number->value
+                                                 : atScaleOf(nominal.vehicle, knob.typical, number->about.unit);
+            const double by = share * typical;
             if (by == 0) continue;
             parameter.moves.push_back({path, *number->value, by});
             limit(parameter, number->about.limits, *number->value, by);
