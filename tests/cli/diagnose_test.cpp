@@ -229,7 +229,8 @@ TEST_F(DiagnoseCommand, IdentifyHoldsOutWhatIsNamedAndRefusesAnUnknownName) {
     const std::string file = scratch.path("diagnosis.yaml");
     expectRefused(runProgram({"identify", file, "--fit", "mass", "--without", "b.csv"}),
                   "found \"b.csv\", expected a recording of the file");
-    expectRefused(runProgram({"identify", file, "--fit", "mass", "--without", "a.csv"}), "no recording");
+    expectRefused(runProgram({"identify", file, "--fit", "mass", "--without", "a.csv"}),
+                  "found hold_out: true for every recording");
 }
 
 TEST_F(DiagnoseCommand, IdentifyRefusesANumberOfWhichNothingSaysHowWellItIsKnown) {

@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "base/number_text.h"
 #include "base/yaml_session.h"
 #include "calibrate/identification.h"
 #include "calibrate/identification_text.h"
@@ -32,25 +31,6 @@ void judgePaths(const std::vector<std::string>& paths) {
     throwIfAny(std::move(problems));
 }
 
-bool isNamed(const recording::Recording& recording, const std::string& name) {
-    return recording.name == name || Path(recording.log).filename() == Path(name).filename();
-}
-
-// Holds out the named recordings. Throws LoadError for a name that no recording has.
-void holdOut(recording::DiagnosisFile& file, const std::vector<std::string>& names) {
-    std::vector<Problem> problems;
-    for (const std::string& name : names) {
-        bool found = false;
-        for (recording::Recording& recording : file.recordings) {
-            if (!isNamed(recording, name)) continue;
-            recording.hold_out = found = true;
-        }
-        if (!found)
-            problems.push_back({"--without", 0, 0, "", "found " + quote(name) + ", expected a recording of the file"});
-    }
-    throwIfAny(std::move(problems));
-}
-
 // Yes when the fit has converged, the car has become better and the drives determine every number.
 int statusOf(const Identification& found) {
     const bool all =
@@ -62,9 +42,8 @@ int statusOf(const Identification& found) {
 
 int identify(const IdentifyRequest& request) {
     judgePaths(request.fit);
-    DiagnosisInputs inputs = readDiagnosisInputs(request.file, request.data, request.vehicle);
+    DiagnosisInputs inputs = readDiagnosisInputs(request.file, request.data, request.vehicle, request.without);
     if (!request.fit.empty()) inputs.file.fit = request.fit;
-    holdOut(inputs.file, request.without);
     warn("identify", inputs.warnings);
 
     const Path out = request.output.empty() ? Path("out") : Path(request.output);
