@@ -156,17 +156,18 @@ struct VehicleParams {
     }
 
     static void check(const auto& self, auto&& complain) {
+        const double loaded_distance = loaded(self).front_axle_distance;
         if (self.front_axle_distance >= self.wheelbase) {
             complain("front_axle_distance",
                      "the centre of gravity must lie between the axles (front_axle_distance < wheelbase)");
+        } else if (self.load.mass <= -0.5 * self.mass) {
+            complain("load.mass", "found a load that takes away half of the car's mass or more, expected less");
+        } else if (loaded_distance <= 0 || loaded_distance >= self.wheelbase) {
+            complain("load", "found a load that moves the centre of gravity beyond an axle, expected it between them");
         }
         if (2 * (self.front.unsprung_mass + self.rear.unsprung_mass) >= 0.5 * self.mass) {
             complain("mass", "the unsprung masses of four wheels must be less than half the car's mass");
         }
-        if (self.load.mass <= -0.5 * self.mass)
-            complain("load.mass", "found a load that takes away half of the car's mass or more, expected less");
-        else if (const double behind = loaded(self).front_axle_distance; behind <= 0 || behind >= self.wheelbase)
-            complain("load", "found a load that moves the centre of gravity beyond an axle, expected it between them");
     }
 };
 static_assert(describesEveryMember<VehicleParams>());

@@ -43,7 +43,10 @@ private:
         const ImportChannel& how = *channel.how;
         const double factor = how.sign * how.scale / how.rolling_radius.value_or(1) / static_cast<double>(columns);
         const std::vector<double> values = onRows(column, how, path);
-        for (std::size_t i = 0; i < values.size(); ++i) channel.values[i] += factor * scaling(values[i]);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const double value = scaling(values[i]);
+            channel.values[i] += factor * (how.curve.empty() ? value : how.curve(value));
+        }
     }
 
     // From the unit of the column to that of the channel, which is fixed for the channels that tread has.
@@ -110,6 +113,8 @@ private:
     void reportFactors(const ImportChannel& how, std::size_t columns) {
         if (columns > 1) note("mean", how.channel, fmt::format("mean of {} columns", columns));
         if (how.sign < 0) note("sign", how.channel, "sign turned");
+        if (!how.curve.empty())
+            note("curve", how.channel, fmt::format("by a curve of {} points", how.curve.points.size()));
         if (how.scale != 1) note("scale", how.channel, "multiplied by " + numberText(how.scale));
         if (how.rolling_radius) {
             note("scale", how.channel, "speed over a rolling radius of " + numberText(*how.rolling_radius) + " m");

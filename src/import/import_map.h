@@ -7,11 +7,13 @@
 #include <string_view>
 #include <vector>
 
+#include "tread/curve.h"
 #include "tread/describe.h"
 
 namespace tread {
 
-// One channel: value = sign * scale * (foreign value in SI units) / rolling_radius + offset, read `delay` later.
+// One channel: value = sign * scale * (foreign value in SI units) / rolling_radius + offset, read `delay` later. With a
+// curve, its value over the foreign value in place of that value.
 struct ImportChannel {
     std::string channel;
     std::string from;
@@ -19,6 +21,7 @@ struct ImportChannel {
     std::string unit;
     std::string time;
     int sign = 1;
+    Curve curve{};
     double scale = 1;
     std::optional<double> rolling_radius;
     double offset = 0;
@@ -34,6 +37,11 @@ struct ImportChannel {
         field(TREAD_FIELD(time), About{"", "foreign column with this channel's own time, when it has one"});
         field(TREAD_FIELD(sign),
               About{"-", "-1 turns the sign: z down, y right, steering positive to the right", Limits{-1, 1}});
+        field(TREAD_FIELD(curve),
+              About{"unit of the channel",
+                    "characteristic of a sensor or an actuator: value over the foreign value in SI units, bare "
+                    "numbers; held beyond its ends",
+                    kAny, 0, "SI unit of the foreign values"});
         field(TREAD_FIELD(scale), About{"-", "factor: sensor gain, steering ratio"});
         field(TREAD_FIELD(rolling_radius), About{"m", "wheel speed over this is spin", kPositive});
         field(TREAD_FIELD(offset), About{"unit of the channel", "added at last; a bare number"});

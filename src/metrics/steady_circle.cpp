@@ -23,7 +23,7 @@ constexpr double kLeastSpan = 0.5;             // m/s2 between the slowest and t
 constexpr std::size_t kFewestSamples = 10;
 constexpr double kFastestSteering = 0.6;  // rad/s; the slowly increasing steer has 0.24
 constexpr std::size_t kMostSwings = 4;    // of the whole steering; a left and a right turn have up to four
-constexpr double kSlowest = 2.0;          // m/s
+constexpr double kSlowest = 0.5;          // m/s; a car of scale 1:10 corners at 0.1 g from 0.6 m/s on
 constexpr double kPedal = 0.02;           // of the brake pedal; more is no steady state
 constexpr double kConstant = 0.03;        // standard deviation over mean of a speed that is held
 

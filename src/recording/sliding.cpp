@@ -6,7 +6,10 @@
 namespace tread::recording {
 namespace {
 
-constexpr double kSlowestSlide = 5;  // m/s; least speed by which lateral acceleration is divided
+// Least speed by which lateral acceleration is divided: a share of the drive's largest speed, so that a car of any size
+// is judged alike, but not more than kSlowestSlide.
+constexpr double kSlowestShare = 0.5;
+constexpr double kSlowestSlide = 5;  // m/s
 
 }  // namespace
 
@@ -23,8 +26,11 @@ double slideApart(const RecordedDrive& drive, const Eigen::VectorXd& model) {
     const Eigen::Index skipped = ay->rows() - vx->rows();
     if (!std::equal(times.begin(), times.end(), ay->times.begin() + skipped)) return kInfinity;
 
+    const double fastest = drive.measured.segment(vx->first_row, vx->rows()).maxCoeff();
+    const double slowest = std::min(kSlowestShare * fastest, kSlowestSlide);
+    if (!(slowest > 0)) return kInfinity;  // the car never moves forward
     const auto rate = [&](const Eigen::VectorXd& rows, Eigen::Index row) {
-        const double speed = std::max(rows(vx->first_row + row), kSlowestSlide);
+        const double speed = std::max(rows(vx->first_row + row), slowest);
         return rows(ay->first_row + skipped + row) / speed - rows(yaw_rate->first_row + skipped + row);
     };
     const Eigen::Index window = std::lround(std::floor(kSlideWindow / kBlock));

@@ -6,14 +6,15 @@ namespace tread {
 namespace {
 
 // Of passenger cars.
-constexpr double kOverhang = 0.82;        // m, in front of the front axle and behind the rear one
-constexpr double kWidthOverTrack = 0.26;  // m
+constexpr double kOverhang = 0.31;  // over the wheelbase, in front of the front axle and behind the rear one
+constexpr double kWidthOverTrack = 1.17;
 constexpr double kRoofOverHeight = 2.65;  // of the roof over the centre of gravity
 
 CarShape aroundWheels(CarShape shape, double front_distance, double rear_distance, double track) {
-    shape.ahead = front_distance + kOverhang;
-    shape.behind = rear_distance + kOverhang;
-    shape.width = track + kWidthOverTrack;
+    const double overhang = kOverhang * (front_distance + rear_distance);
+    shape.ahead = front_distance + overhang;
+    shape.behind = rear_distance + overhang;
+    shape.width = kWidthOverTrack * track;
     shape.roof = kRoofOverHeight * shape.height;
     return shape;
 }

@@ -9,12 +9,15 @@
 
 #include "base/numbers.h"
 #include "diagnose/catalogue/effect.h"
+#include "diagnose/model/parameter.h"
+#include "diagnose/model/similarity.h"
 #include "recording/subject.h"
 #include "shared/vehicle_run.h"
 
 namespace tread {
 namespace {
 
+namespace model = diagnose::model;
 using diagnose::catalogue::applies;
 using diagnose::catalogue::Direction;
 using diagnose::catalogue::Effect;
@@ -24,8 +27,8 @@ using diagnose::catalogue::move;
 using recording::numberAt;
 using recording::Subject;
 
-const char* const kCars[] = {"compact", "awd_suv",          "electric_hatchback", "liu_compact",
-                             "pickup",  "rear_drive_sedan", "sports_car",         "volvo_s90"};
+const char* const kCars[] = {"compact", "awd_suv",          "dart",       "electric_hatchback", "liu_compact",
+                             "pickup",  "rear_drive_sedan", "sports_car", "volvo_s90"};
 
 Subject subjectOf(const std::string& car) {
     Subject subject;
@@ -166,6 +169,31 @@ TEST(Catalogue, EveryEffectAppliesToEveryShippedCar) {
         const Subject subject = subjectOf(car);
         for (const Effect& effect : effectCatalogue())
             EXPECT_TRUE(applies(effect, subject)) << car << ": " << effect.name;
+    }
+}
+
+TEST(Catalogue, SizesFollowTheScaleOfTheCar) {
+    const VehicleParams road = subjectOf("compact").vehicle, small = subjectOf("dart").vehicle;
+    for (const char* unit : {"m", "N/m", "kg m2", "s"}) EXPECT_EQ(model::atScaleOf(road, 0.06, unit), 0.06) << unit;
+    const double length = 0.1735 / 2.6, mass = 1.58 / 1400;
+    EXPECT_DOUBLE_EQ(model::atScaleOf(small, 0.06, "m"), 0.06 * length);
+    EXPECT_DOUBLE_EQ(model::atScaleOf(small, 20, "kg m2"), 20 * mass * length * length);
+    EXPECT_NEAR(model::atScaleOf(small, 6000, "N/m"), 6000 * mass / length, 1e-9);
+    EXPECT_NEAR(model::atScaleOf(small, 100, "N s/m"), 100 * mass / std::sqrt(length), 1e-9);
+    EXPECT_NEAR(model::atScaleOf(small, 0.012, "rad/(N m)"), 0.012 / (mass * length), 1e-9);
+    EXPECT_NEAR(model::atScaleOf(small, 0.1, "rad/m"), 0.1 / length, 1e-9);
+    for (const char* unit : {"s", "m/s", "rad", "-", "m/s2", "rad/s"})
+        EXPECT_EQ(model::atScaleOf(small, 4, unit), 4) << unit;
+}
+
+TEST(Catalogue, KnobsOfASmallCarAreSmall) {
+    const std::vector<model::Parameter> knobs = model::knobsOf(effectOf("cg_height"), subjectOf("dart"));
+    ASSERT_EQ(knobs.size(), 1u);
+    EXPECT_DOUBLE_EQ(knobs.front().moves.front().by, 0.06 * 0.1735 / 2.6);
+    for (const model::Parameter& one : model::nuisances(subjectOf("dart"), {})) {
+        if (one.name() == "instruments.inertial_unit.x") {
+            EXPECT_LT(one.moves.front().by, 0.001);
+        }
     }
 }
 

@@ -91,8 +91,8 @@ TEST(Disturbances, HatsAreCorrelatedAsTheProcessIs) {
     EXPECT_NEAR(disturbing.heights(impulse)(21), std::exp(-0.5), 1e-12);
 }
 
-// A steady turn at 20 m/s; `slips` rad/s of sideslip from 5 s on.
-RecordedDrive turning(double slips) {
+// A steady turn; `slips` rad/s of sideslip from 5 s on.
+RecordedDrive turning(double slips, double speed = 20) {
     RecordedDrive drive;
     const std::size_t rows = 200;
     std::vector<double> times;
@@ -104,9 +104,9 @@ RecordedDrive turning(double slips) {
     }
     for (std::size_t i = 0; i < rows; ++i) {
         const auto row = static_cast<Eigen::Index>(i), n = static_cast<Eigen::Index>(rows);
-        drive.measured(row) = 20;
+        drive.measured(row) = speed;
         drive.measured(n + row) = 6;
-        drive.measured(2 * n + row) = 0.3 - (times[i] > 5 ? slips : 0);
+        drive.measured(2 * n + row) = 6 / speed - (times[i] > 5 ? slips : 0);
     }
     return drive;
 }
@@ -116,6 +116,21 @@ TEST(Sliding, ADriveEndsWhereTheCarBeginsToSlideAndItsModelDoesNot) {
     // 0.08 rad are reached 0.4 s after the beginning, and the window looks back 1.5 s.
     EXPECT_NEAR(slideApart(drive, model.measured), 5 + 0.4 - 1.5, 0.1);
     EXPECT_NEAR(slideApart(model, drive.measured), 5 + 0.4 - 1.5, 0.1) << "or the other way round";
+}
+
+TEST(Sliding, IsJudgedBySideslipInASlowCarToo) {
+    EXPECT_NEAR(slideApart(turning(0.2, 2), turning(0, 2).measured), 5 + 0.4 - 1.5, 0.1) << "a car of scale 1:10";
+    RecordedDrive more = turning(0, 2), model = turning(0, 2);
+    const Eigen::Index n = more.measured.size() / 3;
+    more.measured.segment(n, n).array() += 0.5;  // of lateral acceleration ...
+    more.measured.tail(n).array() += 0.5 / 2;    // ... and the yaw rate that goes with it: a tighter turn
+    EXPECT_EQ(slideApart(more, model.measured), kInfinity) << "another turn is no slide";
+}
+
+TEST(Sliding, ACarAtRestDoesNotSlide) {
+    RecordedDrive rest = turning(0);
+    rest.measured.setZero();
+    EXPECT_EQ(slideApart(rest, rest.measured), kInfinity);
 }
 
 TEST(Sliding, WhatIsLeftOutIsSaidWithItsTimeAndWhoSlid) {

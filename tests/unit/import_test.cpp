@@ -89,6 +89,18 @@ TEST(Import, FactorsOffsetsMeansAndConstants) {
     EXPECT_EQ(valuesOf(log, "chassis.vx"), (std::vector<double>{25, 25}));
 }
 
+TEST(Import, ACurveStandsForACharacteristicThatIsNotALine) {
+    const ForeignTable table = parseForeignCsv("t [s],s [-]\n0,-2\n1,-0.5\n2,0.25\n3,1\n", "x.csv");
+    const Imported result = importLog(table, mapOf("time: {from: t}\n"
+                                                   "map:\n"
+                                                   "  - {channel: driver.steering_wheel_angle, from: s, unit: rad, "
+                                                   "curve: [[-1, -0.4], [0, 0], [1, 0.2]], scale: 10, offset: 1}\n"));
+    const std::vector<double> angle = valuesOf(result.logs[0], "driver.steering_wheel_angle");
+    const double expected[] = {-3, -1, 1.5, 3};
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(angle[i], expected[i], 1e-12) << i;
+    EXPECT_EQ(countOf(result, "curve"), 4u) << "it is said";
+}
+
 TEST(Import, TakesTheBeginningOutAsZero) {
     const ForeignTable table = parseForeignCsv("t [s],a [m/s2]\n0,0.2\n1,0.4\n2,5\n", "x.csv");
     const Imported result =

@@ -75,9 +75,9 @@ TEST_P(RealDrive, IsRepeated) {
 // fitted to the same drives.
 INSTANTIATE_TEST_SUITE_P(
     , RealDrive,
-    testing::Values(Drive{"liu/liu_dlc1.csv", "liu", "liu_compact", "drive", "chassis.ay", 0.9975, 0.99},
-                    Drive{"liu/liu_dlc2.csv", "liu", "liu_compact", "drive", "chassis.ay", 0.996, 0.99},
-                    Drive{"liu/liu_rampsteer.csv", "liu", "liu_compact", "drive", "chassis.ay", 0.994, 0.988},
+    testing::Values(Drive{"liu/liu_dlc1.csv", "liu", "liu_compact", "drive", "chassis.ay", 0.9975, 0.993},
+                    Drive{"liu/liu_dlc2.csv", "liu", "liu_compact", "drive", "chassis.ay", 0.998, 0.993},
+                    Drive{"liu/liu_rampsteer.csv", "liu", "liu_compact", "drive", "chassis.ay", 0.995, 0.985},
                     Drive{"s90/slalom_30.csv", "s90_csv", "volvo_s90", "volvo_s90", "sensor.vbox_ay", 0.998, 0.972},
                     Drive{"s90/slalom_30.vbo", "s90_vbo", "volvo_s90", "volvo_s90", "sensor.vbox_ay", 0.998, 0.972},
                     Drive{"s90/sweep_50_70.csv", "s90_csv", "volvo_s90", "volvo_s90", "sensor.vbox_ay", 0.99, 0.975}),

@@ -95,6 +95,8 @@ void addIdentify(CLI::App& app, IdentifyRequest& o) {
         ->required();
     app.add_option("--fit", o.fit, "paths of the numbers to fit; * matches any characters (default: fit in the file)")
         ->delimiter(',');
+    app.add_option("--without", o.without,
+                   "recordings to hold out, by name or log: not fitted, but the gap is judged in them");
     app.add_option("--vehicle", o.vehicle,
                    "nominal car (YAML) instead of the vehicle and vehicle_settings of the file");
     app.add_option("--data", o.data, "folder of the logs (default: folder of the file)");

@@ -86,12 +86,13 @@ struct DiagnoseRequest {
 int diagnose(const DiagnoseRequest& request);
 
 struct IdentifyRequest {
-    std::string file;              // diagnosis.yaml
-    std::vector<std::string> fit;  // paths; none: those of the file
-    std::string data;              // folder of its logs; empty: that of the file
-    std::string vehicle;           // nominal car in place of the file's; empty: none
-    std::string output;            // folder
-    int threads = 0;               // 0: one per core
+    std::string file;                  // diagnosis.yaml
+    std::vector<std::string> fit;      // paths; none: those of the file
+    std::vector<std::string> without;  // recordings to hold out, by name or log
+    std::string data;                  // folder of its logs; empty: that of the file
+    std::string vehicle;               // nominal car in place of the file's; empty: none
+    std::string output;                // folder
+    int threads = 0;                   // 0: one per core
     bool json = false;
 };
 int identify(const IdentifyRequest& request);

@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/number_text.h"
 #include "base/yaml_position.h"
+#include "base/yaml_session.h"
 #include "diagnose/answer/diagnosis_json.h"
 #include "diagnose/answer/precheck.h"
 #include "diagnose/catalogue/effect.h"
@@ -30,9 +32,11 @@ using diagnose::answer::visibility;
 using diagnose::catalogue::applies;
 using diagnose::catalogue::Effect;
 using diagnose::catalogue::effectsToConsider;
+using recording::DiagnosisFile;
 using recording::loadDiagnosis;
 using recording::nominalSubject;
 using recording::readRecordings;
+using recording::Recording;
 using recording::checks::DataWarning;
 using recording::checks::dataWarnings;
 
@@ -100,11 +104,32 @@ void locate(const Path& file, const std::function<void()>& judge) {
     }
 }
 
+bool isNamed(const Recording& recording, const std::string& name) {
+    return recording.name == name || Path(recording.log).filename() == Path(name).filename();
+}
+
+// Holds out the named recordings. Throws LoadError for a name that no recording has.
+void holdOut(DiagnosisFile& file, const std::vector<std::string>& names) {
+    std::vector<Problem> problems;
+    for (const std::string& name : names) {
+        bool found = false;
+        for (Recording& recording : file.recordings) {
+            if (!isNamed(recording, name)) continue;
+            recording.hold_out = found = true;
+        }
+        if (!found)
+            problems.push_back({"--without", 0, 0, "", "found " + quote(name) + ", expected a recording of the file"});
+    }
+    throwIfAny(std::move(problems));
+}
+
 }  // namespace
 
-DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const std::string& vehicle) {
+DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const std::string& vehicle,
+                                    const std::vector<std::string>& without) {
     DiagnosisInputs inputs;
     inputs.file = loadDiagnosis(file, data);
+    holdOut(inputs.file, without);
     if (!vehicle.empty()) inputs.file.vehicle = vehicle, inputs.file.vehicle_settings.clear();
     inputs.nominal = nominalSubject(inputs.file);
     locate(file, [&] { inputs.effects = effectsToConsider(inputs.file); });

@@ -14,7 +14,8 @@
 
 namespace tread::program {
 
-// A diagnosis and all that it names, read; with `vehicle`, that is the nominal car. Throws LoadError with every fault.
+// A diagnosis and all that it names, read; with `vehicle`, that is the nominal car. Recordings in `without`, by name or
+// log, are held out. Throws LoadError with every fault.
 struct DiagnosisInputs {
     recording::DiagnosisFile file;
     recording::Subject nominal;
@@ -22,7 +23,8 @@ struct DiagnosisInputs {
     recording::Recorded recorded;
     std::vector<std::string> warnings;  // of reading and of the data checks, one sentence or two each
 };
-DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const std::string& vehicle);
+DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const std::string& vehicle,
+                                    const std::vector<std::string>& without = {});
 
 // Prints warnings to standard error, each behind the name of the command.
 void warn(const char* command, const std::vector<std::string>& warnings);

@@ -42,7 +42,7 @@ int statusOf(const Identification& found) {
 
 int identify(const IdentifyRequest& request) {
     judgePaths(request.fit);
-    DiagnosisInputs inputs = readDiagnosisInputs(request.file, request.data, request.vehicle);
+    DiagnosisInputs inputs = readDiagnosisInputs(request.file, request.data, request.vehicle, request.without);
     if (!request.fit.empty()) inputs.file.fit = request.fit;
     warn("identify", inputs.warnings);
 

@@ -126,6 +126,8 @@ constexpr PlausibleRange kRanges[] = {
     // Instruments
     {"instruments.*.gain", 0.7, 1.4, one, "more would be a wrong unit or a broken instrument"},
     {"instruments.*.delay", -0.1, 0.5, one, "slow GPS receivers; ahead only by a wrong clock"},
+    {"instruments.command.lag", 0, 1, one, "guess: a turbocharged engine"},
+    {"instruments.command.bias", -1, 1, Scale::mass, "guess: creep and drag torque, 1 m/s2"},
     {"instruments.latency", 0, 0.1, one, "buses with a full load"},
     {"instruments.*_rate.bias", -0.1, 0.1, one, "6 deg/s: ten times a bad gyro"},
     {"instruments.ax.bias", -1.5, 1.5, one, "0.15 g: tilted by 9 deg"},

@@ -8,6 +8,7 @@
 #include "base/numbers.h"
 #include "base/pattern.h"
 #include "diagnose/catalogue/plausible.h"
+#include "diagnose/model/similarity.h"
 
 namespace tread::diagnose::model {
 namespace {
@@ -56,12 +57,17 @@ bool differsFromDriveToDrive(const std::string& path) {
                        [&](const KnownWithin& known) { return matches(known.path, path); });
 }
 
-double toleranceOf(const Number& number, const std::vector<KnownWithin>& told) {
-    double tolerance = number.about.tolerance * std::abs(*number.value);
-    for (const auto* list : {&usualTolerances(), &usualInEachDrive(), &told}) {
-        for (const KnownWithin& known : *list) {
-            if (matches(known.path, number.path)) tolerance = known.relative * std::abs(*number.value) + known.absolute;
+double toleranceOf(const Number& number, const VehicleParams& car, const std::vector<KnownWithin>& told) {
+    const double value = std::abs(*number.value);
+    double tolerance = number.about.tolerance * value;
+    for (const auto* usual : {&usualTolerances(), &usualInEachDrive()}) {
+        for (const KnownWithin& known : *usual) {
+            if (matches(known.path, number.path))
+                tolerance = known.relative * value + atScaleOf(car, known.absolute, number.about.unit);
         }
+    }
+    for (const KnownWithin& known : told) {
+        if (matches(known.path, number.path)) tolerance = known.relative * value + known.absolute;
     }
     return tolerance;
 }
@@ -145,7 +151,7 @@ std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<Known
     for (const Number& number : numbers(subject)) {
         if (differsFromDriveToDrive(number.path)) continue;
         const double factor = staysTheSame(number.path) ? same : 1;
-        addNuisance(found, number, toleranceOf(number, tolerances) * factor, nominal.vehicle);
+        addNuisance(found, number, toleranceOf(number, nominal.vehicle, tolerances) * factor, nominal.vehicle);
     }
     return found;
 }
@@ -158,7 +164,8 @@ std::vector<Parameter> nuisancesOfEachDrive(const Subject& nominal, const std::v
         if (!differsFromDriveToDrive(number.path)) continue;
         for (const RecordedDrive& drive : drives) {
             const std::size_t before = found.size();
-            addNuisance(found, number, toleranceOf(number, tolerances) * std::sqrt(drive.runs), nominal.vehicle);
+            addNuisance(found, number, toleranceOf(number, nominal.vehicle, tolerances) * std::sqrt(drive.runs),
+                        nominal.vehicle);
             if (found.size() > before) found.back().only = drive.recording, found.back().only_name = drive.name;
         }
     }
@@ -208,7 +215,9 @@ std::vector<Parameter> knobsOf(const Effect& effect, const Subject& nominal) {
             const auto number = std::find_if(all.begin(), all.end(), [&](const Number& n) { return n.path == path; });
             if (number == all.end()) continue;
             const double share = knob.shares.empty() ? 1 : knob.shares[i];
-            const double by = share * (knob.relative ? knob.typical * *number->value : knob.typical);
+            const double typical = knob.relative ? knob.typical * *number->value
+                                                 : atScaleOf(nominal.vehicle, knob.typical, number->about.unit);
+            const double by = share * typical;
             if (by == 0) continue;
             addMove(parameter, *number, by, nominal.vehicle);
             parameter.instruments_only = parameter.instruments_only && readingOnly(path);
