@@ -140,7 +140,7 @@ DiagnosisFile checkedDiagnosis(const std::filesystem::path& file);
 
 // ---- Files that it names. Each function throws LoadError that lists every fault. ----
 
-// The nominal car with its settings, and the instruments.
+// The nominal car with its settings, and the instruments of the file.
 Subject nominalSubject(const DiagnosisFile& file);
 
 // The recordings in the order of the file: channels under tread's names in SI units, cut to the window, time from 0.

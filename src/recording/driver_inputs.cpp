@@ -7,6 +7,8 @@
 #include <span>
 
 #include "inference/whitening.h"
+#include "log/log_columns.h"
+#include "recording/observation.h"
 
 namespace tread::recording {
 namespace {
@@ -58,18 +60,19 @@ std::vector<double> quietened(const std::vector<double>& values) {
 Log quietInputs(const Log& log) {
     Log inputs;
     for (const Channel& channel : log.channels) {
-        if (channel.name.starts_with("driver.") || channel.name == "chassis.vx")
+        if (channel.name.starts_with("driver.") || quantityOf(channel.name) == "chassis.vx")
             inputs.channels.push_back({channel.name, channel.unit, quietened(channel.values)});
     }
     return inputs;
 }
 
 std::optional<InputGap> firstGap(const RecordedDrive& drive) {
-    std::vector<const char*> needed{"driver.steering_wheel_angle", "driver.clutch"};
-    if (drive.recording->speed == SpeedReplay::followed) needed.push_back("chassis.vx");
-    else needed.insert(needed.end(), {"driver.throttle", "driver.brake"});
+    std::vector<std::string> needed{"driver.steering_wheel_angle", "driver.clutch"};
+    const Channel* speed = measuredAs(drive.log, "chassis.vx");
+    if (drive.recording->speed == SpeedReplay::followed && speed) needed.push_back(speed->name);
+    if (drive.recording->speed == SpeedReplay::pedals) needed.insert(needed.end(), {"driver.throttle", "driver.brake"});
     std::optional<InputGap> first;
-    for (const char* name : needed) {
+    for (const std::string& name : needed) {
         const Channel* channel = drive.log.find(name);
         if (!channel) continue;
         double known = drive.time.front();

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "log/log_columns.h"
 #include "recording/driver_inputs.h"
 #include "recording/observation.h"
+#include "recording/position.h"
 
 namespace tread::recording {
 namespace {
@@ -28,7 +30,7 @@ double atStart(const std::vector<double>& time, const std::vector<double>& value
 }
 
 double startSpeed(const Log& log, const std::vector<double>& time, const std::string& name) {
-    const Channel* speed = log.find("chassis.vx");
+    const Channel* speed = measuredAs(log, "chassis.vx");
     const double value = speed ? atStart(time, speed->values) : kRequired;
     if (std::isfinite(value)) return std::max(0.0, value);
     throw std::invalid_argument(fmt::format(
@@ -37,10 +39,20 @@ double startSpeed(const Log& log, const std::vector<double>& time, const std::st
         name));
 }
 
+// True when the channel follows from this measured position.
+bool isOfPosition(std::string_view position, std::string_view channel) {
+    const std::string_view source = sourceOf(position);
+    return position.starts_with("position.") && sourceOf(channel) == (source.empty() ? kPositionSource : source);
+}
+
 // Standard deviation of a block's mean from the noise that the file states; 0: not stated.
 double toldNoise(const DiagnosisFile& file, const std::string& channel, double sample_interval) {
     for (const MeasuredChannel& told : file.channels) {
         if (told.channel == channel) return told.noise / std::sqrt(std::max(1.0, kBlock / sample_interval));
+        // The mean of a block is the displacement over it, the difference of two positions (or headings).
+        const bool heading = quantityOf(told.channel) == "position.heading";
+        if (isOfPosition(told.channel, channel) && heading == (quantityOf(channel) == "chassis.yaw_rate"))
+            return told.noise / kBlock;
     }
     return 0;
 }
@@ -48,7 +60,30 @@ double toldNoise(const DiagnosisFile& file, const std::string& channel, double s
 // With the speed followed, the controller determines speed and longitudinal acceleration, so their gaps describe the
 // controller and not the car.
 bool isOfTheDriver(const Recording& recording, const std::string& channel) {
-    return recording.speed == SpeedReplay::followed && (channel == "chassis.vx" || channel == "chassis.ax");
+    const std::string_view quantity = quantityOf(channel);
+    return recording.speed == SpeedReplay::followed && (quantity == "chassis.vx" || quantity == "chassis.ax");
+}
+
+// The channels of a log that a diagnosis can use, by quantity; of each quantity the first instrument comes first.
+std::vector<const Channel*> observedChannels(const Log& log) {
+    std::vector<const Channel*> channels;
+    for (const ObservedQuantity& quantity : observedQuantities()) {
+        if (const Channel* first = log.find(quantity.channel)) channels.push_back(first);
+        for (const Channel& channel : log.channels) {
+            if (channel.name != quantity.channel && quantityOf(channel.name) == quantity.channel)
+                channels.push_back(&channel);
+        }
+    }
+    return channels;
+}
+
+// The measured values that show motion within the drive: a delayed instrument shows first what was before it.
+std::vector<double> ofTheDrive(const Channel& measured, const std::vector<double>& time, double delay) {
+    std::vector<double> values = measured.values;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        if (time[i] - delay < -kTimeRounding || time[i] - delay > time.back() + kTimeRounding) values[i] = kRequired;
+    }
+    return values;
 }
 
 }  // namespace
@@ -76,8 +111,9 @@ std::size_t firstLike(Drives drives, std::size_t drive) {
 
 bool wanted(const DiagnosisFile& file, const std::string& channel) {
     if (file.channels.empty()) return true;
-    return std::any_of(file.channels.begin(), file.channels.end(),
-                       [&](const MeasuredChannel& told) { return told.channel == channel; });
+    return std::any_of(file.channels.begin(), file.channels.end(), [&](const MeasuredChannel& told) {
+        return told.channel == channel || isOfPosition(told.channel, channel);
+    });
 }
 
 Eigen::VectorXd blockMeans(const ObservedChannel& channel, const std::vector<double>& time,
@@ -112,14 +148,15 @@ RecordedDrive recordedDrive(const Recording& recording, const Log& log, const Di
     drive.gap = firstGap(drive);
     if (drive.gap) drive.until = drive.gap->from;
     Eigen::Index rows = 0;
-    for (const ObservedQuantity& quantity : observedQuantities()) {
-        const Channel* measured = log.find(quantity.channel);
-        if (!measured || !wanted(file, measured->name) || isOfTheDriver(recording, measured->name)) continue;
-        ObservedChannel channel{.name = measured->name, .measured = measured->values, .times = {}};
+    for (const Channel* measured : observedChannels(log)) {
+        if (!wanted(file, measured->name) || isOfTheDriver(recording, measured->name)) continue;
+        const double delay = instrumentOf(file.instruments, measured->name).delay + file.instruments.latency;
+        ObservedChannel channel{
+            .name = measured->name, .measured = ofTheDrive(*measured, drive.time, delay), .times = {}};
         double last = -1;
         for (std::size_t i = 0; i < drive.time.size(); ++i) {
             const double block = std::floor((drive.time[i] + kTimeRounding) / kBlock);
-            if (!std::isfinite(measured->values[i]) || block == last) continue;
+            if (!std::isfinite(channel.measured[i]) || block == last) continue;
             channel.times.push_back((block + 0.5) * kBlock);
             last = block;
         }

@@ -36,6 +36,11 @@ double speedBehind(double shown, const Instrument& instrument) {
     return std::max(0.0, (shown - instrument.bias) / instrument.gain);
 }
 
+std::string speedChannel(const RecordedDrive& drive) {
+    const Channel* speed = measuredAs(drive.log, "chassis.vx");
+    return speed ? speed->name : "chassis.vx";
+}
+
 Phase driven(const RecordedDrive& drive, const Instruments& instruments) {
     Phase phase;
     phase.name = "the drive";
@@ -44,7 +49,8 @@ Phase driven(const RecordedDrive& drive, const Instruments& instruments) {
     if (!steering.empty()) phase.steering = Table<Angle>{steering};
     if (drive.recording->speed == SpeedReplay::followed) {
         HoldSpeed follow = kFollow;
-        follow.profile = driverInput(drive, "chassis.vx", instruments.speed, {.lowest = 0});
+        const std::string speed = speedChannel(drive);
+        follow.profile = driverInput(drive, speed, instrumentOf(instruments, speed), {.lowest = 0});
         phase.throttle = follow;
     } else {
         const Curve throttle = driverInput(drive, "driver.throttle", instruments.throttle, Pedal::kLimits);
@@ -79,13 +85,14 @@ Scenario replayOf(const RecordedDrive& drive, const Subject& subject, const Repl
     scenario.step = scenario.substep = replayer.step;
     scenario.road = changed(drive.recording->road, subject.road, nominal.road);
     scenario.wind = changed(drive.recording->wind, subject.wind, nominal.wind);
-    scenario.start.speed = drive.speed < kStanding ? 0 : speedBehind(drive.speed, subject.instruments.speed);
+    const Instrument speed = instrumentOf(subject.instruments, speedChannel(drive));
+    scenario.start.speed = drive.speed < kStanding ? 0 : speedBehind(drive.speed, speed);
     scenario.phases.push_back(driven(drive, subject.instruments));
     if (scenario.start.speed == 0) {
         const auto* brake = std::get_if<Table<Pedal>>(&scenario.phases.front().brake);
         scenario.start.brake = brake ? brake->points(0) : kParked;
     }
-    const Channel* yaw_rate = drive.log.find("chassis.yaw_rate");
+    const Channel* yaw_rate = measuredAs(drive.log, "chassis.yaw_rate");
     if (yaw_rate && beginsInTurn(drive.speed, drive.time, yaw_rate->values)) runIntoTurn(scenario);
     scenario.time_limit = drive.duration() + 1;
     scenario.log.rate = 1 / replayer.step;
@@ -104,13 +111,9 @@ Log replayed(const RecordedDrive& drive, const Subject& subject, const Replayer&
 
 Eigen::VectorXd readings(const RecordedDrive& drive, const Log& motion, const Instruments& instruments) {
     Eigen::VectorXd rows(drive.rows());
-    for (const ObservedChannel& channel : drive.channels) {
-        for (const ObservedQuantity& quantity : observedQuantities()) {
-            if (quantity.channel != channel.name) continue;
-            rows.segment(channel.first_row, channel.rows()) =
-                blockMeans(channel, drive.time, readings(motion, instruments, quantity, drive.time));
-        }
-    }
+    for (const ObservedChannel& channel : drive.channels)
+        rows.segment(channel.first_row, channel.rows()) =
+            blockMeans(channel, drive.time, readings(motion, instruments, channel.name, drive.time));
     return rows;
 }
 

@@ -53,9 +53,9 @@ constexpr std::array<const char*, 4> kUncertain{"mass", "inertia.yaw", "front.ty
 constexpr double kTolerance = 0.02;
 
 // Rows that no two of the drives show: less is to be expected of them than stands out.
-const std::set<std::string> kHidden{
-    "ackermann", "aero_lift",       "anti_lock",       "belt_gyroscopics", "bump_stops",           "camber_gain",
-    "conicity",  "pneumatic_trail", "shaft_stiffness", "sideslip_zero",    "tyre_radial_stiffness"};
+const std::set<std::string> kHidden{"ackermann",       "aero_lift",      "anti_lock",     "belt_gyroscopics",
+                                    "bump_stops",      "camber_gain",    "conicity",      "pneumatic_trail",
+                                    "shaft_stiffness", "sideslip_delay", "sideslip_zero", "tyre_radial_stiffness"};
 
 // The compact car with what its file leaves out, so that every row has something to move.
 VehicleParams completeCar() {

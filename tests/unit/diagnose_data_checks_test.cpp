@@ -115,7 +115,7 @@ TEST(DataChecks, ChannelsThatAReferenceHasNotAreNamed) {
     Case wrong = withReferences();
     std::erase_if(wrong.references[0].channels,
                   [](const Channel& one) { return one.name.starts_with("chassis.roll"); });
-    const std::string where = "reference of brake (before/brake.csv), chassis.roll_rate, chassis.roll";
+    const std::string where = "reference of brake (before/brake.csv), chassis.roll, chassis.roll_rate";
     expectOnly(wrong, where, "not measured here");
     wrong.file.channels = {{.channel = "chassis.yaw_rate"}};
     EXPECT_TRUE(wrong.warnings().empty()) << "nobody asked for roll";

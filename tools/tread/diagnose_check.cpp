@@ -18,6 +18,7 @@
 #include "progress.h"
 #include "recording/checks/data_checks.h"
 #include "recording/diagnosis_file.h"
+#include "recording/further_instruments.h"
 
 namespace tread::program {
 namespace {
@@ -30,6 +31,7 @@ using diagnose::answer::visibility;
 using diagnose::catalogue::applies;
 using diagnose::catalogue::Effect;
 using diagnose::catalogue::effectsToConsider;
+using recording::addFurtherInstruments;
 using recording::loadDiagnosis;
 using recording::nominalSubject;
 using recording::readRecordings;
@@ -106,9 +108,10 @@ DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const st
     DiagnosisInputs inputs;
     inputs.file = loadDiagnosis(file, data);
     if (!vehicle.empty()) inputs.file.vehicle = vehicle, inputs.file.vehicle_settings.clear();
+    inputs.recorded = readRecordings(inputs.file);
+    addFurtherInstruments(inputs.file.instruments, inputs.recorded.logs);
     inputs.nominal = nominalSubject(inputs.file);
     locate(file, [&] { inputs.effects = effectsToConsider(inputs.file); });
-    inputs.recorded = readRecordings(inputs.file);
     inputs.warnings = inputs.recorded.notes;
     for (const DataWarning& warning : dataWarnings(inputs.file, inputs.recorded, inputs.nominal))
         inputs.warnings.push_back(toText(warning));

@@ -16,4 +16,8 @@ std::vector<Effect> bodyEffects();
 std::vector<Effect> surroundingsEffects();
 std::vector<Effect> instrumentEffects();
 
+// The rows of the instruments for the further instruments of each source, with their numbers in place of those of the
+// first instruments: "yaw_rate_delay@can" for "yaw_rate_delay".
+std::vector<Effect> furtherInstrumentEffects(const recording::Instruments& instruments);
+
 }  // namespace tread::diagnose::catalogue

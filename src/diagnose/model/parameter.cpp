@@ -5,6 +5,7 @@
 
 #include "base/numbers.h"
 #include "base/pattern.h"
+#include "recording/further_instruments.h"
 
 namespace tread::diagnose::model {
 namespace {
@@ -29,24 +30,31 @@ const std::vector<KnownWithin>& usualTolerances() {
         {"instruments.roll.bias", 0, 2e-3},
         {"instruments.sideslip.bias", 0, 2e-3},
         {"instruments.*.gain", 0.003, 0},
+        {"instruments.latency", 0, 0.005},
         {"instruments.speed.delay", 0, 0.005},
         {"instruments.inertial_unit.x", 0, 0.02},
         {"instruments.inertial_unit.y", 0, 0.02},
         {"instruments.inertial_unit.z", 0, 0.02},
         {"instruments.inertial_unit.roll", 0, 0.003},
         {"instruments.inertial_unit.pitch", 0, 0.003},
+        {"instruments.inertial_unit.yaw", 0, 0.003},
         {"instruments.steering_wheel_angle.bias", 0, 0.005},
     };
     return known;
 }
 
 double toleranceOf(const Number& number, const std::vector<KnownWithin>& told) {
-    double tolerance = number.about.tolerance * std::abs(*number.value);
-    for (const std::vector<KnownWithin>& list : {usualTolerances(), told}) {
+    const double value = std::abs(*number.value);
+    double tolerance = number.about.tolerance * value;
+    const auto take = [&](const std::vector<KnownWithin>& list, const std::string& path) {
         for (const KnownWithin& known : list) {
-            if (matches(known.path, number.path)) tolerance = known.relative * std::abs(*number.value) + known.absolute;
+            if (matches(known.path, path)) tolerance = known.relative * value + known.absolute;
         }
-    }
+    };
+    // A further instrument is usually known as well as the first one of its quantity.
+    const std::string in_first = recording::pathInFirst(number.path);
+    take(usualTolerances(), in_first.empty() ? number.path : in_first);
+    take(told, number.path);
     return tolerance;
 }
 
@@ -133,8 +141,9 @@ std::vector<Parameter> knobsOf(const Effect& effect, const Subject& nominal) {
     std::vector<Parameter> knobs;
     for (const catalogue::Knob& knob : effect.knobs) {
         Parameter parameter;
-        parameter.instruments_only = true;
-        parameter.lowest = -kLargestEffect, parameter.highest = kLargestEffect;
+        parameter.instruments_only = std::all_of(knob.paths.begin(), knob.paths.end(), readingOnly);
+        parameter.highest = parameter.instruments_only ? kLargestReading : kLargestEffect;
+        parameter.lowest = -parameter.highest;
         for (std::size_t i = 0; i < knob.paths.size(); ++i) {
             const std::string& path = knob.paths[i];
             const auto number = std::find_if(all.begin(), all.end(), [&](const Number& n) { return n.path == path; });
@@ -144,7 +153,6 @@ std::vector<Parameter> knobsOf(const Effect& effect, const Subject& nominal) {
             if (by == 0) continue;
             parameter.moves.push_back({path, *number->value, by});
             limit(parameter, number->about.limits, *number->value, by);
-            parameter.instruments_only = parameter.instruments_only && readingOnly(path);
         }
         if (knob.direction == catalogue::Direction::up) parameter.lowest = 0;
         if (knob.direction == catalogue::Direction::down) parameter.highest = 0;

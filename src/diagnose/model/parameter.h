@@ -19,6 +19,9 @@ using recording::Subject;
 // Bounds within which the car can still be replayed: standard deviations of a nuisance parameter, typical sizes of an
 // effect. They decide no verdict: 100 in place of either changes none of the development cases.
 inline constexpr double kLargestTolerance = 4, kLargestEffect = 8;
+// Typical sizes of an effect that changes readings only: the car can be replayed with any of them, and a delay may be
+// 0.5 s where 0.03 s is typical.
+inline constexpr double kLargestReading = 20;
 
 struct Parameter {
     struct Move {
@@ -27,7 +30,7 @@ struct Parameter {
         double by;  // change of the number per unit of the parameter
     };
     std::vector<Move> moves;
-    // Bounds in units: physical limits of the numbers, and kLargestTolerance or kLargestEffect.
+    // Bounds in units: physical limits of the numbers, and kLargestTolerance, kLargestEffect or kLargestReading.
     double lowest = -kLargestTolerance;
     double highest = kLargestTolerance;
     bool instruments_only = false;  // changes the readings only, not the motion
