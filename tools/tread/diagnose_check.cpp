@@ -17,6 +17,8 @@
 #include "output.h"
 #include "progress.h"
 #include "recording/checks/data_checks.h"
+#include "recording/checks/rigid_body.h"
+#include "recording/choose_windows.h"
 #include "recording/diagnosis_file.h"
 #include "recording/further_instruments.h"
 
@@ -32,11 +34,13 @@ using diagnose::catalogue::applies;
 using diagnose::catalogue::Effect;
 using diagnose::catalogue::effectsToConsider;
 using recording::addFurtherInstruments;
+using recording::chooseWindows;
 using recording::loadDiagnosis;
 using recording::nominalSubject;
 using recording::readRecordings;
 using recording::checks::DataWarning;
 using recording::checks::dataWarnings;
+using recording::checks::leaveOutContradictions;
 
 struct Checked {
     std::vector<std::string> warnings;  // about the data, and about drives that the nominal car cannot repeat
@@ -109,12 +113,15 @@ DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const st
     inputs.file = loadDiagnosis(file, data);
     if (!vehicle.empty()) inputs.file.vehicle = vehicle, inputs.file.vehicle_settings.clear();
     inputs.recorded = readRecordings(inputs.file);
+    chooseWindows(inputs.file, inputs.recorded);
     addFurtherInstruments(inputs.file.instruments, inputs.recorded.logs);
     inputs.nominal = nominalSubject(inputs.file);
     locate(file, [&] { inputs.effects = effectsToConsider(inputs.file); });
     inputs.warnings = inputs.recorded.notes;
     for (const DataWarning& warning : dataWarnings(inputs.file, inputs.recorded, inputs.nominal))
         inputs.warnings.push_back(toText(warning));
+    for (std::string& sentence : leaveOutContradictions(inputs.file, inputs.recorded))
+        inputs.warnings.push_back(std::move(sentence));
     return inputs;
 }
 

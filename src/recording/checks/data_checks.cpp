@@ -190,7 +190,9 @@ std::vector<DataWarning> dataWarnings(const DiagnosisFile& file, const Recorded&
     std::vector<DataWarning> found;
     const auto check = [&](const Recording& recording, const Log& log) {
         const LogChecks checks{recording, log, nominal, found};
+        if (standsStill(checks)) return;
         checkInputs(checks);
+        checkDrive(checks);
         checkChannels(checks);
         checkKinematics(checks);
         checkCar(checks);
@@ -201,7 +203,9 @@ std::vector<DataWarning> dataWarnings(const DiagnosisFile& file, const Recorded&
         if (recording.reference.empty()) continue;
         const Recording reference = referenceOf(recording);
         check(reference, recorded.references[i]);
-        checkReference({reference, recorded.references[i], nominal, found}, file, recorded.logs[i]);
+        const LogChecks before{reference, recorded.references[i], nominal, found};
+        checkReference(before, file, recorded.logs[i]);
+        checkSameCar(before, {recording, recorded.logs[i], nominal, found});
     }
     checkNamed(found, file, recorded.logs);
     checkResponses(found, recorded.logs);
