@@ -197,7 +197,9 @@ void judgeDelay(const Claim& claim, double step, std::ptrdiff_t reach, Agreement
     std::erase_if(said.errors, [](const InstrumentError& one) { return one.kind == Kind::place; });
     const Fit late = bestFit(claim, {}, true, reach);
     const double delay = fineDelay(claim, {}, late.later, reach, step);
-    if (std::abs(delay) < kDelayOfSideslip || !(late.square < (1 - kWorthwhile) * said.apart * said.apart)) return;
+    if (std::abs(delay) < kDelayOfSideslip || std::abs(late.later) >= reach ||
+        !(late.square < (1 - kWorthwhile) * said.apart * said.apart))
+        return;
     said.errors = {{Kind::delay, delay, said.channel}};
     said.left = std::sqrt(late.square);
 }
@@ -212,7 +214,13 @@ Agreement explained(const Claim& claim, double step) {
     for (const Column& column : claim.mounting) (claim.said.complete ? open : kinds).push_back(column.kind);
     Agreement said = claim.said;
     said.apart = std::sqrt(fitted(claim, {}, 0, reach).square);
-    Fit now = bestFit(claim, kinds, delayed, reach);
+    Fit now = fitted(claim, kinds, 0, reach);
+    const Fit sign = fitted(claim, {Kind::gain, Kind::bias}, 0, reach);
+    // Too few windows, or a wrong sign, which other checks name.
+    if (!std::isfinite(now.square) || sign.coefficients(0) < -1) {
+        said.complete = false;
+        return said;
+    }
     while (!open.empty()) {
         Fit best;
         auto which = open.end();
