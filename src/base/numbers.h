@@ -16,6 +16,12 @@ struct Number {
     About about;
 };
 
+// Elements of a list that are addressed by a name in place of their index: "instruments.mountings.can.x".
+template <class T>
+concept NamedInPaths = requires(const T& element) {
+    std::string_view(element.pathName());
+};
+
 namespace detail {
 
 template <class T>
@@ -35,7 +41,9 @@ void collectNumbers(T& object, const std::string& prefix, std::vector<Number>& o
             }
         } else if constexpr (IsVector<Value>::value) {
             for (std::size_t i = 0; i < value.size(); ++i) {
-                if constexpr (Described<typename Value::value_type>) {
+                if constexpr (NamedInPaths<typename Value::value_type>) {
+                    collectNumbers(value[i], path + "." + std::string(value[i].pathName()), out);
+                } else if constexpr (Described<typename Value::value_type>) {
                     collectNumbers(value[i], path + "." + std::to_string(i), out);
                 } else if constexpr (std::is_same_v<typename Value::value_type, double>) {
                     out.push_back({path + "." + std::to_string(i), &value[i], about});

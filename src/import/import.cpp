@@ -18,11 +18,13 @@ namespace tread {
 namespace {
 
 bool isChannelName(std::string_view name) {
-    bool begins = true;
+    bool begins = true, of_source = false;
     for (const char c : name) {
         const bool letter = c >= 'a' && c <= 'z', digit = c >= '0' && c <= '9';
-        if (!letter && (begins || !(digit || c == '_' || c == '.'))) return false;
-        begins = c == '.';
+        const bool divides = !of_source && (c == '.' || c == '@');
+        if (!letter && (begins || !(digit || c == '_' || divides))) return false;
+        begins = divides;
+        of_source = of_source || c == '@';
     }
     return !begins;
 }
@@ -84,7 +86,8 @@ void checkNames(const ImportMap& map) {
             problems.push_back({"", 0, 0, path,
                                 "found " + quote(name) +
                                     ", expected the name of a channel in small letters, digits, _ "
-                                    "and dots: chassis.ay, can.yaw_rate"});
+                                    "and dots, with the word for a further source behind @: chassis.ay, "
+                                    "chassis.ay@can"});
         } else if (!seen.insert(name).second) {
             problems.push_back(
                 {"", 0, 0, path, "found " + quote(name) + " for the second time; a channel has one source"});

@@ -30,7 +30,9 @@ struct ImportChannel {
     bool spikes = true;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(channel), About{"", "name in the log, chassis.ay, or any other of that form to keep"});
+        field(
+            TREAD_FIELD(channel),
+            About{"", "name in the log: chassis.ay, chassis.ay@can of a further instrument, or another of that form"});
         field(TREAD_FIELD(from), About{"", "name of the foreign column"});
         field(TREAD_FIELD(mean_with), About{"", "further foreign columns: the channel is the mean of all"});
         field(TREAD_FIELD(unit), About{"", "unit of the foreign values; none: what the file says"});

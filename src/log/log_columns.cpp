@@ -28,6 +28,15 @@ Header headerOf(const std::string& file) {
 
 }  // namespace
 
+std::string_view quantityOf(std::string_view channel) {
+    return channel.substr(0, channel.find('@'));
+}
+
+std::string_view sourceOf(std::string_view channel) {
+    const std::size_t at = channel.find('@');
+    return at == std::string_view::npos ? std::string_view() : channel.substr(at + 1);
+}
+
 std::optional<std::string_view> logUnit(const std::string& name) {
     static const auto units = [] {
         LogColumns columns;
@@ -35,7 +44,7 @@ std::optional<std::string_view> logUnit(const std::string& name) {
         for (const Number& number : numbers(columns)) by_name.emplace(number.path, number.about.unit);
         return by_name;
     }();
-    const auto found = units.find(name);
+    const auto found = units.find(std::string(quantityOf(name)));
     return found == units.end() ? std::nullopt : std::optional(found->second);
 }
 

@@ -102,6 +102,12 @@ struct KnownWithin {
 };
 static_assert(describesEveryMember<KnownWithin>());
 
+// Treatment of a channel that cannot belong to the same rigid body as the others.
+enum class Contradictions { leave_out, keep };
+constexpr auto enumNames(Contradictions) {
+    return std::array<std::string_view, 2>{"leave_out", "keep"};
+}
+
 struct DiagnosisFile {
     std::string vehicle;
     std::vector<std::string> vehicle_settings = {};
@@ -114,6 +120,8 @@ struct DiagnosisFile {
     std::string own_effects;
     std::vector<std::string> fit = {};
     double step = 0.004;
+    Contradictions contradictions = Contradictions::leave_out;
+    double windows = 6;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(vehicle), About{"", "file of the nominal car, relative to this file"});
@@ -130,6 +138,13 @@ struct DiagnosisFile {
         field(TREAD_FIELD(fit),
               About{"", "numbers that `tread identify` fits; * matches any characters, e.g. front.tyre.lambda.Ky"});
         field(TREAD_FIELD(step), About{"s", "time step of the replay", {1e-4, 0.01}});
+        field(TREAD_FIELD(contradictions),
+              About{"", "leave_out: channels that contradict the others as motion of one rigid body are not used"});
+        field(TREAD_FIELD(windows),
+              About{"-",
+                    "number of windows of 20 s that are used of a recording of more than 180 s: those with the largest "
+                    "accelerations; 0: the whole recording",
+                    {0, 1000}});
     }
 
     static void check(const auto& self, auto&& complain) {
@@ -148,7 +163,7 @@ DiagnosisFile checkedDiagnosis(const std::filesystem::path& file);
 
 // ---- Files that it names. Each function throws LoadError that lists every fault. ----
 
-// The nominal car with its settings, and the instruments.
+// The nominal car with its settings, and the instruments of the file.
 Subject nominalSubject(const DiagnosisFile& file);
 
 // The recordings in the order of the file: channels under tread's names in SI units, cut to the window, time from 0.

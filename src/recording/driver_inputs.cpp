@@ -9,6 +9,8 @@
 
 #include "base/lag.h"
 #include "inference/whitening.h"
+#include "log/log_columns.h"
+#include "recording/observation.h"
 
 namespace tread::recording {
 namespace {
@@ -76,7 +78,8 @@ std::vector<double> quietened(const std::vector<double>& values) {
 Log quietInputs(const Log& log) {
     Log inputs;
     for (const Channel& channel : log.channels) {
-        if (channel.name.starts_with("driver.") || channel.name.starts_with("command.") || channel.name == "chassis.vx")
+        const std::string_view quantity = quantityOf(channel.name);
+        if (channel.name.starts_with("driver.") || channel.name.starts_with("command.") || quantity == "chassis.vx")
             inputs.channels.push_back({channel.name, channel.unit, quietened(channel.values)});
     }
     return inputs;
@@ -84,12 +87,13 @@ Log quietInputs(const Log& log) {
 
 std::optional<InputGap> firstGap(const RecordedDrive& drive) {
     std::vector<std::string> needed{"driver.steering_wheel_angle", "driver.clutch"};
+    const Channel* speed = measuredAs(drive.log, "chassis.vx");
     switch (drive.recording->speed) {
         case SpeedReplay::pedals:
             needed.insert(needed.end(), {"driver.throttle", "driver.brake"});
             break;
         case SpeedReplay::followed:
-            needed.push_back("chassis.vx");
+            if (speed) needed.push_back(speed->name);
             break;
         case SpeedReplay::command:
             needed.push_back(commandOf(drive.log));
@@ -144,8 +148,10 @@ Curve commandedForce(const RecordedDrive& drive, const ForceActuator& actuator, 
     return force;
 }
 
-Curve followedSpeed(const RecordedDrive& drive, const Instrument& instrument) {
-    const Curve recorded = driverInput(drive, "chassis.vx", instrument, {});
+Curve followedSpeed(const RecordedDrive& drive, const Instruments& instruments) {
+    const Channel* speed = measuredAs(drive.log, "chassis.vx");
+    if (!speed) return {};
+    const Curve recorded = driverInput(drive, speed->name, instrumentOf(instruments, speed->name), {});
     const std::vector<Curve::Point>& points = recorded.points;
     Curve smooth;
     for (std::size_t i = 0, first = 0, end = 0; i < points.size(); ++i) {

@@ -29,7 +29,7 @@ Curve driverInput(const RecordedDrive& drive, const std::string& channel, const 
 
 // The speed behind the recorded one, as a car can follow it: the middle of a parabola through 0.4 s about each sample,
 // so that what is left of the noise does not become acceleration.
-Curve followedSpeed(const RecordedDrive& drive, const Instrument& instrument);
+Curve followedSpeed(const RecordedDrive& drive, const Instruments& instruments);
 
 // The channel that commands the longitudinal motion; empty without one.
 std::string commandOf(const Log& log);

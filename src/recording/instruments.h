@@ -1,5 +1,9 @@
-// Instruments of a measured car, one per group of channels.
+// Instruments of a measured car: one per group of channels, and further ones of the same quantities.
 #pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "tread/describe.h"
 
@@ -22,7 +26,7 @@ static_assert(describesEveryMember<Instrument>());
 // Position and misalignment of the inertial unit.
 struct InertialUnit {
     double x = 0, y = 0, z = 0;
-    double roll = 0, pitch = 0;
+    double roll = 0, pitch = 0, yaw = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(x), About{"m", "position forward of the centre of gravity"});
@@ -30,6 +34,7 @@ struct InertialUnit {
         field(TREAD_FIELD(z), About{"m", "position above the centre of gravity"});
         field(TREAD_FIELD(roll), About{"rad", "roll misalignment, positive with the right side down"});
         field(TREAD_FIELD(pitch), About{"rad", "pitch misalignment, positive with the nose down"});
+        field(TREAD_FIELD(yaw), About{"rad", "yaw misalignment, positive when turned to the left"});
     }
 };
 static_assert(describesEveryMember<InertialUnit>());
@@ -51,14 +56,45 @@ struct ForceActuator {
 };
 static_assert(describesEveryMember<ForceActuator>());
 
+// A further instrument of a quantity. Its channel bears the word for its source behind @: chassis.yaw_rate@can.
+struct FurtherInstrument {
+    std::string channel;
+    Instrument instrument;
+
+    std::string_view pathName() const { return channel; }
+
+    // Its numbers have the paths of those of any instrument.
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(channel), About{"", "channel with the word for its source behind @: chassis.yaw_rate@can"});
+        Instrument::describe(self.instrument, field);
+    }
+};
+
+// Position and misalignment of the further instruments of one source; of a measured position: of the tracked point.
+struct Mounting {
+    std::string source;
+    InertialUnit unit;
+
+    std::string_view pathName() const { return source; }
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(source), About{"", "word behind @ in its channels, e.g. can"});
+        InertialUnit::describe(self.unit, field);
+    }
+};
+
 struct Instruments {
+    double latency = 0;
     InertialUnit inertial_unit;
     Instrument ax, ay, yaw_rate, roll_rate, roll, speed, sideslip, wheel_speed;
     Instrument steering_wheel_angle;  // used in reverse: the replayed input is computed from the recorded one
     Instrument throttle, brake;
     ForceActuator command;
+    std::vector<FurtherInstrument> further;
+    std::vector<Mounting> mountings;
 
     static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(latency), About{"s", "delay common to all readings, in addition to their own", {-1, 1}});
         field(TREAD_FIELD(inertial_unit), About{"", "position and misalignment of the accelerometers"});
         field(TREAD_FIELD(ax), About{"", "longitudinal acceleration"});
         field(TREAD_FIELD(ay), About{"", "lateral acceleration"});
@@ -72,6 +108,8 @@ struct Instruments {
         field(TREAD_FIELD(throttle), About{"", "recorded throttle pedal position, an input of the replay"});
         field(TREAD_FIELD(brake), About{"", "recorded brake pedal position, an input of the replay"});
         field(TREAD_FIELD(command), About{"", "from the recorded command to the force, an input of the replay"});
+        field(TREAD_FIELD(further), About{"", "further instruments of the same quantities"});
+        field(TREAD_FIELD(mountings), About{"", "position and misalignment of the further instruments by source"});
     }
 };
 static_assert(describesEveryMember<Instruments>());

@@ -7,6 +7,7 @@
 #include "base/yaml_position.h"
 #include "log/log_columns.h"
 #include "recording/diagnosis_file.h"
+#include "recording/further_instruments.h"
 #include "recording/subject_paths.h"
 #include "tread/load.h"
 
@@ -53,6 +54,9 @@ void judgeNames(Faults& faults, const DiagnosisFile& diagnosis, bool with_logs) 
         faults.add(at("channels", i, "channel"), channelFault(diagnosis.channels[i].channel));
     for (std::size_t i = 0; i < diagnosis.tolerances.size(); ++i)
         faults.add(at("tolerances", i, "path"), pathFault(diagnosis.tolerances[i].path));
+    for (std::size_t i = 0; i < diagnosis.instruments.further.size(); ++i)
+        faults.add(at("instruments.further", i, "channel"),
+                   furtherChannelFault(diagnosis.instruments.further[i].channel));
     for (std::size_t i = 0; i < diagnosis.fit.size(); ++i)
         faults.add("fit." + std::to_string(i), pathFault(diagnosis.fit[i]));
     faults.addUnlessThere("vehicle", diagnosis.vehicle);

@@ -5,6 +5,8 @@
 #include <span>
 #include <stdexcept>
 
+#include "log/log_columns.h"
+#include "recording/position.h"
 #include "tread/vehicle_output.h"
 
 namespace tread::recording {
@@ -39,6 +41,10 @@ std::vector<double> acceleration(const Log& motion, const InertialUnit& unit, bo
     std::vector<double> values = column(motion, lateral ? "chassis.ay" : "chassis.ax");
     const double lean = lateral ? unit.roll : -unit.pitch;
     for (double& value : values) value += kStandardGravity * lean;
+    if (unit.yaw != 0) {
+        const std::vector<double>& across = column(motion, lateral ? "chassis.ax" : "chassis.ay");
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] += (lateral ? -unit.yaw : unit.yaw) * across[i];
+    }
     if (unit.x == 0 && unit.y == 0 && unit.z == 0) return values;
     const std::vector<double>& yaw_rate = column(motion, "chassis.yaw_rate");
     const std::vector<double> yaw = derivative(yaw_rate, rows_per_second);
@@ -50,6 +56,38 @@ std::vector<double> acceleration(const Log& motion, const InertialUnit& unit, bo
                              : -yaw[i] * unit.y - squared * unit.x + tilt[i] * unit.z;
     }
     return values;
+}
+
+// Velocity of the point at which a further instrument measures it, along the axes of that instrument (D4).
+std::vector<double> velocity(const Log& motion, const InertialUnit& point, bool lateral) {
+    std::vector<double> values = column(motion, lateral ? "chassis.vy" : "chassis.vx");
+    const double arm = lateral ? point.x : -point.y, skew = lateral ? -point.yaw : point.yaw;
+    if (arm == 0 && skew == 0) return values;
+    const std::vector<double>& yaw_rate = column(motion, "chassis.yaw_rate");
+    const std::vector<double>& across = column(motion, lateral ? "chassis.vx" : "chassis.vy");
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] += arm * yaw_rate[i] + skew * across[i];
+    return values;
+}
+
+InertialUnit mountingOf(const Instruments& instruments, std::string_view channel) {
+    const std::string_view source = sourceOf(channel);
+    if (source.empty()) return instruments.inertial_unit;
+    for (const Mounting& mounting : instruments.mountings) {
+        if (mounting.source == source) return mounting.unit;
+    }
+    return {};
+}
+
+// What an ideal instrument would show without delay.
+std::vector<double> shownBy(const Log& motion, const Instruments& instruments, std::string_view channel,
+                            double rows_per_second) {
+    const std::string quantity(quantityOf(channel));
+    const InertialUnit unit = mountingOf(instruments, channel);
+    if (quantity == "chassis.ax" || quantity == "chassis.ay")
+        return acceleration(motion, unit, quantity == "chassis.ay", rows_per_second);
+    if (quantity != channel && (quantity == "chassis.vx" || quantity == "chassis.vy"))
+        return velocity(motion, unit, quantity == "chassis.vy");
+    return column(motion, quantity);
 }
 
 }  // namespace
@@ -78,22 +116,44 @@ std::string observedQuantitiesListed() {
     return list;
 }
 
-std::vector<double> readings(const Log& motion, const Instruments& instruments, const ObservedQuantity& quantity,
+const ObservedQuantity* observedQuantity(std::string_view channel) {
+    const auto& all = observedQuantities();
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const ObservedQuantity& one) { return one.channel == quantityOf(channel); });
+    return found == all.end() ? nullptr : &*found;
+}
+
+const Channel* measuredAs(const Log& log, std::string_view quantity) {
+    if (const Channel* first = log.find(quantity)) return first;
+    if (const Channel* tracked = log.find(std::string(quantity) + "@" + std::string(kPositionSource))) return tracked;
+    const auto found = std::find_if(log.channels.begin(), log.channels.end(),
+                                    [&](const Channel& channel) { return quantityOf(channel.name) == quantity; });
+    return found == log.channels.end() ? nullptr : &*found;
+}
+
+Instrument instrumentOf(const Instruments& instruments, std::string_view channel) {
+    if (sourceOf(channel).empty()) return instruments.*observedQuantity(channel)->instrument;
+    for (const FurtherInstrument& one : instruments.further) {
+        if (one.channel == channel) return one.instrument;
+    }
+    return {};
+}
+
+std::vector<double> readings(const Log& motion, const Instruments& instruments, std::string_view channel,
                              const std::vector<double>& times) {
     const std::vector<double>& time = column(motion, "time");
     const double rows_per_second = time.size() > 1 ? 1 / (time[1] - time[0]) : 1;
-    const Instrument& instrument = instruments.*quantity.instrument;
-    const bool ax = quantity.channel == "chassis.ax", ay = quantity.channel == "chassis.ay";
-    const std::vector<double> shown = ax || ay ? acceleration(motion, instruments.inertial_unit, ay, rows_per_second)
-                                               : column(motion, quantity.channel);
+    const Instrument instrument = instrumentOf(instruments, channel);
+    const double delay = instrument.delay + instruments.latency;
+    const std::vector<double> shown = shownBy(motion, instruments, channel, rows_per_second);
     std::vector<double> result(times.size());
     for (std::size_t i = 0; i < times.size(); ++i)
-        result[i] = instrument.gain * at(shown, rows_per_second, times[i] - instrument.delay) + instrument.bias;
+        result[i] = instrument.gain * at(shown, rows_per_second, times[i] - delay) + instrument.bias;
     // The bias is that of the sideslip angle, so lateral velocity has bias * vx instead of the bias added above.
-    if (quantity.channel == "chassis.vy" && instrument.bias != 0) {
+    if (quantityOf(channel) == "chassis.vy" && instrument.bias != 0) {
         const std::vector<double>& vx = column(motion, "chassis.vx");
         for (std::size_t i = 0; i < times.size(); ++i)
-            result[i] += instrument.bias * (at(vx, rows_per_second, times[i] - instrument.delay) - 1);
+            result[i] += instrument.bias * (at(vx, rows_per_second, times[i] - delay) - 1);
     }
     return result;
 }

@@ -9,6 +9,7 @@
 #include "import/import.h"
 #include "log/csv.h"
 #include "log/log_columns.h"
+#include "recording/position.h"
 #include "recording/reference.h"
 
 namespace tread::recording {
@@ -113,7 +114,9 @@ Recorded readRecordings(const DiagnosisFile& file) {
     std::vector<Problem> problems;
     const auto read = [&](const Recording& recording) {
         try {
-            return windowed(readLogOf(recording, file, recorded.notes), recording);
+            Log log = readLogOf(recording, file, recorded.notes);
+            addVelocities(log);
+            return windowed(log, recording);
         } catch (const LoadError& error) {
             problems.insert(problems.end(), error.problems().begin(), error.problems().end());
             return Log{};

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "log/log_columns.h"
 #include "recording/driver_inputs.h"
 #include "recording/observation.h"
+#include "recording/position.h"
 
 namespace tread::recording {
 namespace {
@@ -28,7 +30,7 @@ double atStart(const std::vector<double>& time, const std::vector<double>& value
 }
 
 double startSpeed(const Log& log, const std::vector<double>& time, const std::string& name) {
-    const Channel* speed = log.find("chassis.vx");
+    const Channel* speed = measuredAs(log, "chassis.vx");
     const double value = speed ? atStart(time, speed->values) : kRequired;
     if (std::isfinite(value)) return std::max(0.0, value);
     throw std::invalid_argument(fmt::format(
@@ -37,24 +39,58 @@ double startSpeed(const Log& log, const std::vector<double>& time, const std::st
         name));
 }
 
+// True when the channel follows from this measured position.
+bool isOfPosition(std::string_view position, std::string_view channel) {
+    const std::string_view source = sourceOf(position);
+    return position.starts_with("position.") && sourceOf(channel) == (source.empty() ? kPositionSource : source);
+}
+
 // Standard deviation of a block's mean from the noise that the file states; 0: not stated.
 double toldNoise(const DiagnosisFile& file, const std::string& channel, double sample_interval) {
     for (const MeasuredChannel& told : file.channels) {
         if (told.channel == channel) return told.noise / std::sqrt(std::max(1.0, kBlock / sample_interval));
+        // The mean of a block is the displacement over it, the difference of two positions (or headings).
+        const bool heading = quantityOf(told.channel) == "position.heading";
+        if (isOfPosition(told.channel, channel) && heading == (quantityOf(channel) == "chassis.yaw_rate"))
+            return told.noise / kBlock;
     }
     return 0;
+}
+
+// The channels of a log that a diagnosis can use, by quantity; of each quantity the first instrument comes first.
+std::vector<const Channel*> observedChannels(const Log& log) {
+    std::vector<const Channel*> channels;
+    for (const ObservedQuantity& quantity : observedQuantities()) {
+        if (const Channel* first = log.find(quantity.channel)) channels.push_back(first);
+        for (const Channel& channel : log.channels) {
+            if (channel.name != quantity.channel && quantityOf(channel.name) == quantity.channel)
+                channels.push_back(&channel);
+        }
+    }
+    return channels;
+}
+
+// The measured values that show motion within the drive: a delayed instrument shows first what was before it.
+std::vector<double> ofTheDrive(const Channel& measured, const std::vector<double>& time, double delay) {
+    std::vector<double> values = measured.values;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        if (time[i] - delay < -kTimeRounding || time[i] - delay > time.back() + kTimeRounding) values[i] = kRequired;
+    }
+    return values;
 }
 
 // Time from which a channel is compared, s. While the speed is followed, speed and longitudinal acceleration are those
 // of the recording whatever the car.
 double comparedFrom(const Recording& recording, const std::string& channel) {
-    if (channel != "chassis.vx" && channel != "chassis.ax") return 0;
+    const std::string_view quantity = quantityOf(channel);
+    if (quantity != "chassis.vx" && quantity != "chassis.ax") return 0;
     return recording.speed == SpeedReplay::followed ? kInfinity : recording.followed_for;
 }
 
 // A channel with its blocks, as far as it is compared.
-ObservedChannel observed(const Channel& measured, const std::vector<double>& time, double compared_from) {
-    ObservedChannel channel{.name = measured.name, .measured = measured.values, .times = {}};
+ObservedChannel observed(const Channel& measured, const std::vector<double>& time, double delay,
+                         double compared_from) {
+    ObservedChannel channel{.name = measured.name, .measured = ofTheDrive(measured, time, delay), .times = {}};
     for (std::size_t i = 0; i < time.size() && time[i] < compared_from; ++i) channel.measured[i] = std::nan("");
     double last = -1;
     for (std::size_t i = 0; i < time.size(); ++i) {
@@ -76,7 +112,8 @@ void expectCommand(const RecordedDrive& drive) {
             "command; name its column (import, channels) or set speed: followed",
             drive.name));
     const auto answers = [](const ObservedChannel& channel) {
-        return channel.name == "chassis.vx" || channel.name == "chassis.ax";
+        const std::string_view quantity = quantityOf(channel.name);
+        return quantity == "chassis.vx" || quantity == "chassis.ax";
     };
     if (std::none_of(drive.channels.begin(), drive.channels.end(), answers))
         throw std::invalid_argument(fmt::format(
@@ -110,8 +147,9 @@ std::size_t firstLike(Drives drives, std::size_t drive) {
 
 bool wanted(const DiagnosisFile& file, const std::string& channel) {
     if (file.channels.empty()) return true;
-    return std::any_of(file.channels.begin(), file.channels.end(),
-                       [&](const MeasuredChannel& told) { return told.channel == channel; });
+    return std::any_of(file.channels.begin(), file.channels.end(), [&](const MeasuredChannel& told) {
+        return told.channel == channel || isOfPosition(told.channel, channel);
+    });
 }
 
 Eigen::VectorXd blockMeans(const ObservedChannel& channel, const std::vector<double>& time,
@@ -146,10 +184,11 @@ RecordedDrive recordedDrive(const Recording& recording, const Log& log, const Di
     drive.gap = firstGap(drive);
     if (drive.gap) drive.until = drive.gap->from;
     Eigen::Index rows = 0;
-    for (const ObservedQuantity& quantity : observedQuantities()) {
-        const Channel* measured = log.find(quantity.channel);
-        if (!measured || !wanted(file, measured->name)) continue;
-        ObservedChannel channel = observed(*measured, drive.time, comparedFrom(recording, measured->name));
+    for (const Channel* measured : observedChannels(log)) {
+        if (!wanted(file, measured->name)) continue;
+        const double delay = instrumentOf(file.instruments, measured->name).delay + file.instruments.latency;
+        ObservedChannel channel =
+            observed(*measured, drive.time, delay, comparedFrom(recording, measured->name));
         if (channel.times.empty()) continue;
         channel.noise = toldNoise(file, channel.name, drive.duration() / static_cast<double>(drive.time.size() - 1));
         channel.first_row = rows;

@@ -117,9 +117,7 @@ bool beforeTheChange(DiagnosisFile& file, Recorded& recorded) {
 Log withChannelsOf(const Log& log, const Log& reference) {
     Log common = log;
     std::erase_if(common.channels, [&](const Channel& channel) {
-        const bool observed = std::any_of(observedQuantities().begin(), observedQuantities().end(),
-                                          [&](const ObservedQuantity& one) { return one.channel == channel.name; });
-        return observed && !reference.find(channel.name);
+        return observedQuantity(channel.name) && !reference.find(channel.name);
     });
     return common;
 }

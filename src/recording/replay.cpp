@@ -34,11 +34,16 @@ double speedBehind(double shown, const Instrument& instrument) {
     return std::max(0.0, (shown - instrument.bias) / instrument.gain);
 }
 
+std::string speedChannel(const RecordedDrive& drive) {
+    const Channel* speed = measuredAs(drive.log, "chassis.vx");
+    return speed ? speed->name : "chassis.vx";
+}
+
 // What feet or commands do in the drive.
 void takePedals(Phase& phase, const RecordedDrive& drive, const Instruments& instruments, double nominal_mass) {
     switch (drive.recording->speed) {
         case SpeedReplay::followed:
-            phase.throttle = FollowSpeed{followedSpeed(drive, instruments.speed)};
+            phase.throttle = FollowSpeed{followedSpeed(drive, instruments)};
             return;
         case SpeedReplay::command:
             phase.throttle = CommandedForce{commandedForce(drive, instruments.command, nominal_mass)};
@@ -86,7 +91,7 @@ std::vector<Phase> phasesOf(const RecordedDrive& drive, const Instruments& instr
     if (followed == 0 || drive.recording->speed == SpeedReplay::followed) return {whole};
     Phase first = whole;
     first.name = "the speed is followed";
-    first.throttle = FollowSpeed{followedSpeed(drive, instruments.speed)};
+    first.throttle = FollowSpeed{followedSpeed(drive, instruments)};
     first.brake = Keep{};
     first.until.duration = followed;
     if (followed == drive.duration()) return {first};
@@ -114,13 +119,14 @@ Scenario replayOf(const RecordedDrive& drive, const Subject& subject, const Repl
     scenario.step = scenario.substep = replayer.step;
     scenario.road = changed(drive.recording->road, subject.road, nominal.road);
     scenario.wind = changed(drive.recording->wind, subject.wind, nominal.wind);
-    scenario.start.speed = drive.speed < kStanding ? 0 : speedBehind(drive.speed, subject.instruments.speed);
+    const Instrument speed = instrumentOf(subject.instruments, speedChannel(drive));
+    scenario.start.speed = drive.speed < kStanding ? 0 : speedBehind(drive.speed, speed);
     scenario.phases = phasesOf(drive, subject.instruments, nominal.vehicle.mass);
     if (scenario.start.speed == 0) {
         const auto* brake = std::get_if<Table<Pedal>>(&scenario.phases.front().brake);
         scenario.start.brake = brake ? brake->points(0) : kParked;
     }
-    const Channel* yaw_rate = drive.log.find("chassis.yaw_rate");
+    const Channel* yaw_rate = measuredAs(drive.log, "chassis.yaw_rate");
     if (yaw_rate && beginsInTurn(drive.speed, drive.time, yaw_rate->values)) runIntoTurn(scenario);
     scenario.time_limit = drive.duration() + 1;
     scenario.log.rate = 1 / replayer.step;
@@ -139,13 +145,9 @@ Log replayed(const RecordedDrive& drive, const Subject& subject, const Replayer&
 
 Eigen::VectorXd readings(const RecordedDrive& drive, const Log& motion, const Instruments& instruments) {
     Eigen::VectorXd rows(drive.rows());
-    for (const ObservedChannel& channel : drive.channels) {
-        for (const ObservedQuantity& quantity : observedQuantities()) {
-            if (quantity.channel != channel.name) continue;
-            rows.segment(channel.first_row, channel.rows()) =
-                blockMeans(channel, drive.time, readings(motion, instruments, quantity, drive.time));
-        }
-    }
+    for (const ObservedChannel& channel : drive.channels)
+        rows.segment(channel.first_row, channel.rows()) =
+            blockMeans(channel, drive.time, readings(motion, instruments, channel.name, drive.time));
     return rows;
 }
 

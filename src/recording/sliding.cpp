@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+
+#include "log/log_columns.h"
 
 namespace tread::recording {
 namespace {
@@ -14,9 +17,13 @@ constexpr double kSlowestSlide = 5;  // m/s
 }  // namespace
 
 double slideApart(const RecordedDrive& drive, const Eigen::VectorXd& model) {
-    const auto find = [&](const char* name) {
-        return std::find_if(drive.channels.begin(), drive.channels.end(),
-                            [&](const ObservedChannel& channel) { return channel.name == name; });
+    const auto find = [&](std::string_view quantity) {
+        const auto& all = drive.channels;
+        const auto first = std::find_if(all.begin(), all.end(),
+                                        [&](const ObservedChannel& channel) { return channel.name == quantity; });
+        if (first != all.end()) return first;
+        return std::find_if(all.begin(), all.end(),
+                            [&](const ObservedChannel& channel) { return quantityOf(channel.name) == quantity; });
     };
     const auto ay = find("chassis.ay"), yaw_rate = find("chassis.yaw_rate"), vx = find("chassis.vx");
     const auto none = drive.channels.end();

@@ -24,9 +24,15 @@ const std::map<std::string, ReferenceRow, std::less<>>& rows() {
     return all;
 }
 
-// "gears.3" as "gears.0", the entry that describes all elements.
+// "gears.3" as "gears.0" and "instruments.mountings.can.x" as "instruments.mountings.0.x", the entries that describe
+// all elements.
 std::string firstOfList(std::string_view path) {
     std::string out;
+    for (const std::string_view list : {"instruments.further.", "instruments.mountings."}) {
+        const std::size_t number = path.rfind('.') + 1;
+        if (path.starts_with(list) && number > list.size())
+            return std::string(list) + "0." + std::string(path.substr(number));
+    }
     while (!path.empty()) {
         const std::string_view name = takeName(path);
         const bool index = std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c); });

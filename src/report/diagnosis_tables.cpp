@@ -11,6 +11,7 @@
 #include "diagnose/answer/words.h"
 #include "diagnose/catalogue/effect.h"
 #include "diagnose/settings.h"
+#include "log/log_columns.h"
 #include "recording/subject_paths.h"
 #include "report/text.h"
 
@@ -50,7 +51,7 @@ std::string probability(double p) {
 
 std::string questionOf(const std::string& effect) {
     for (const Effect& known : effectCatalogue()) {
-        if (known.name == effect) return known.question;
+        if (known.name == quantityOf(effect)) return known.question;
     }
     return {};
 }

@@ -72,7 +72,9 @@ constexpr std::array kSpreads{
     Spread{"instruments.*.delay", 0, 0.001, "", "filters set alike; drivers' inputs off the bus", true},
     Spread{"instruments.inertial_unit.roll", 0, 0.002, "", "spirit level"},
     Spread{"instruments.inertial_unit.pitch", 0, 0.002, "", "spirit level"},
-    Spread{"instruments.inertial_unit.*", 0, 0.015, "survey", "tape; x, y, z"},
+    Spread{"instruments.inertial_unit.x", 0, 0.015, "survey", "tape"},
+    Spread{"instruments.inertial_unit.y", 0, 0.015, "survey", "tape"},
+    Spread{"instruments.inertial_unit.z", 0, 0.015, "survey", "tape"},
 };
 
 // Adds a mass `behind` the front axle and `above` the road (m).

@@ -115,7 +115,7 @@ TEST(DataChecks, ChannelsThatAReferenceHasNotAreNamed) {
     Case wrong = withReferences();
     std::erase_if(wrong.references[0].channels,
                   [](const Channel& one) { return one.name.starts_with("chassis.roll"); });
-    const std::string where = "reference of brake (before/brake.csv), chassis.roll_rate, chassis.roll";
+    const std::string where = "reference of brake (before/brake.csv), chassis.roll, chassis.roll_rate";
     expectOnly(wrong, where, "not measured here");
     wrong.file.channels = {{.channel = "chassis.yaw_rate"}};
     EXPECT_TRUE(wrong.warnings().empty()) << "nobody asked for roll";
@@ -197,12 +197,12 @@ Log withSideslip() {
 TEST(DataChecks, DelayBetweenChannelsIsMeasured) {
     Case wrong = right();
     auto& ay = of(wrong.logs[1], "chassis.ay");
-    std::rotate(ay.rbegin(), ay.rbegin() + 8, ay.rend());
-    std::fill(ay.begin(), ay.begin() + 8, ay[8]);
-    expectOnly(wrong, "sine, chassis.ay", "is late by 1");  // 80 ms and what sideslip adds, about 20
+    std::rotate(ay.rbegin(), ay.rbegin() + 20, ay.rend());
+    std::fill(ay.begin(), ay.begin() + 20, ay[20]);
+    expectOnly(wrong, "sine, chassis.ay", "is late by 2");  // 200 ms and what sideslip adds, about 20
     // With the lateral velocity sideslip is known.
     wrong.logs[1].channels.push_back(withSideslip().channels.at(1));
-    expectOnly(wrong, "sine, chassis.ay", "is late by 8");
+    expectOnly(wrong, "sine, chassis.ay", "is late by 20");
 }
 
 TEST(DataChecks, GapsSpikesStuckHeldAndSaturatedSensorsAreNamed) {
@@ -259,6 +259,79 @@ TEST(DataChecks, FileOfAnotherCarIsNamed) {
     Case wrong = right();
     wrong.nominal.vehicle.steering.ratio = 40;
     expectOnly(wrong, "sine, chassis.yaw_rate", "steering ratio and wheelbase");
+}
+
+bool anyOf(const std::vector<DataWarning>& warnings, const std::string& what) {
+    return std::any_of(warnings.begin(), warnings.end(),
+                       [&](const DataWarning& one) { return toText(one).find(what) != std::string::npos; });
+}
+
+TEST(DataChecks, LockedAndSpinningWheelsAreNoWrongUnit) {
+    Case locked = right();
+    const auto& brake = of(locked.logs[0], "driver.brake");
+    for (std::size_t i = 0; i < brake.size(); ++i) {
+        if (brake[i] > 0) of(locked.logs[0], "wheel.rear_left.spin")[i] *= 0.02;
+    }
+    EXPECT_FALSE(anyOf(locked.warnings(), "rolling radius"));
+    Case spinning = right();
+    auto& front = of(spinning.logs[0], "wheel.front_left.spin");
+    for (std::size_t i = front.size() / 2; i < front.size(); ++i) front[i] *= 3;
+    const auto& ax = of(spinning.logs[0], "chassis.ax");
+    for (std::size_t i = 0; i < front.size(); ++i)
+        if (std::abs(ax[i]) < 1.5 && i >= front.size() / 2) front[i] /= 3;
+    EXPECT_FALSE(anyOf(spinning.warnings(), "rolling radius"));
+}
+
+TEST(DataChecks, ASpinIsNoWrongSign) {
+    // The car swaps ends for the last quarter of the slalom: the yaw rate is opposed to steering and acceleration
+    // there.
+    Case spin = right();
+    auto& yaw_rate = of(spin.logs[1], "chassis.yaw_rate");
+    for (std::size_t i = yaw_rate.size() * 3 / 4; i < yaw_rate.size(); ++i) yaw_rate[i] *= -6;
+    EXPECT_FALSE(anyOf(spin.warnings(), "opposite sign")) << "the rest of the drive shows that the signs are right";
+}
+
+TEST(DataChecks, OfSeveralSignsThatDisagreeTheOddChannelIsNamed) {
+    Case wrong = right();
+    for (double& value : of(wrong.logs[1], "chassis.yaw_rate")) value = -value;
+    expectOnly(wrong, "sine, chassis.yaw_rate", "has the opposite sign of");
+    EXPECT_FALSE(anyOf(wrong.warnings(), "sine, chassis.ay: has the opposite sign"));
+    EXPECT_FALSE(anyOf(wrong.warnings(), "sine, driver.steering_wheel_angle: has the opposite sign"));
+}
+
+TEST(DataChecks, ARecordingAtRestIsSaidInOneSentence) {
+    Case rest = right();
+    for (Channel& channel : rest.logs[1].channels) {
+        if (channel.name != "time") std::fill(channel.values.begin(), channel.values.end(), 0.0);
+    }
+    expectOnly(rest, "sine", "the car stands still in the whole recording");
+    const auto warnings = rest.warnings();
+    EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
+                            [](const DataWarning& one) { return one.where.starts_with("sine"); }),
+              1);
+}
+
+TEST(DataChecks, ACarOfAnotherScaleIsNamed) {
+    Case small = right();
+    for (Log& log : small.logs) {
+        for (const char* channel : {"chassis.vx", "chassis.ax", "chassis.ay"})
+            for (double& value : of(log, channel)) value *= 0.01;
+    }
+    EXPECT_TRUE(anyOf(small.warnings(), "sine, chassis.vx: over yaw rate gives turns of"));
+}
+
+TEST(DataChecks, CommandsInPlaceOfMeasuredInputsAreNamed) {
+    Case command = right();
+    auto& steer = of(command.logs[2], "driver.steering_wheel_angle");
+    for (std::size_t i = 0; i < steer.size(); ++i) steer[i] = i < 110 ? 0 : 0.9;
+    expectOnly(command, "step, driver.steering_wheel_angle", "jumps within one sample");
+}
+
+TEST(DataChecks, AReferenceOfAnotherCarIsNamed) {
+    Case wrong = withReferences();
+    for (double& value : of(wrong.references[1], "chassis.yaw_rate")) value *= 1.8;
+    for (double& value : of(wrong.references[1], "chassis.ay")) value *= 1.8;
+    EXPECT_TRUE(anyOf(wrong.warnings(), "the yaw rate per speed and steering-wheel angle is 1.8 times that"));
 }
 
 TEST(DataChecks, SetsThatTellLittleAreNamed) {

@@ -2,6 +2,7 @@
 // into a log whose channels fit one another.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -10,12 +11,15 @@
 #include "base/read_yaml.h"
 #include "import/import.h"
 #include "places/places.h"
+#include "recording/checks/rigid_body.h"
+#include "recording/position.h"
 #include "shared/import_problems.h"
 
 namespace tread {
 namespace {
 
 namespace fs = std::filesystem;
+using recording::checks::InstrumentError;
 
 class LogsOfOthers : public testing::Test {
 protected:
@@ -123,6 +127,47 @@ TEST_F(LogsOfOthers, Chrono) {
         ++files;
     }
     EXPECT_GE(files, 15u);
+}
+
+// The error of an instrument that explains how a channel differs from the others; nothing if there is none of that
+// kind.
+std::optional<double> errorOf(const Log& log, const std::string& channel, InstrumentError::Kind kind) {
+    for (const auto& one : recording::checks::agreements(log, {})) {
+        for (const InstrumentError& error : one.errors)
+            if (one.channel == channel && error.kind == kind) return error.size;
+    }
+    return std::nullopt;
+}
+
+TEST_F(LogsOfOthers, S90HasTwoSetsOfInstrumentsAndTheCanIsLate) {
+    const Log log = import("s90/sweep_50_70.csv", "s90_csv").logs[0];
+    // Lags of 29 to 38 ms, depending on how they are estimated.
+    EXPECT_NEAR(errorOf(log, "chassis.yaw_rate@can", InstrumentError::Kind::delay).value_or(0), 0.035, 0.01);
+    EXPECT_NEAR(errorOf(log, "chassis.ax@can", InstrumentError::Kind::delay).value_or(0), 0.035, 0.01);
+}
+
+TEST_F(LogsOfOthers, LiuLateralVelocityContradictsItsAcceleration) {
+    for (const char* file : {"liu/liu_dlc1.csv", "liu/liu_dlc2.csv", "liu/liu_rampsteer.csv"}) {
+        const auto all = recording::checks::agreements(import(file, "liu").logs[0], {});
+        ASSERT_EQ(all.size(), 1u);
+        EXPECT_TRUE(all[0].contradicts) << toText(all[0]);
+        EXPECT_GT(all[0].left, 0.4);
+    }
+}
+
+TEST_F(LogsOfOthers, DartGyroIsLateAgainstMotionCapture) {
+    for (const char* file : {"dart/rubber_floor/14_30_56_steer_03.csv", "dart/taped_floor/18_05_10_steer_03.csv"}) {
+        Log log = import(file, "dart").logs[0];
+        EXPECT_NE(valuesOf(log, "position.x")[0], 0) << "rows before the sensors send are cut";
+        recording::addVelocities(log);
+        const auto all = recording::checks::agreements(log, {});
+        const auto gyro = std::find_if(all.begin(), all.end(), [](const auto& one) {
+            return one.channel == "chassis.yaw_rate@position" && !one.errors.empty();
+        });
+        ASSERT_NE(gyro, all.end());
+        EXPECT_EQ(gyro->errors[0].channel, "chassis.yaw_rate");
+        EXPECT_NEAR(gyro->errors[0].size, 0.08, 0.03) << toText(*gyro);
+    }
 }
 
 }  // namespace

@@ -192,6 +192,8 @@ TEST(Import, FaultsOfTheMappingComeAllAtOnceWithTheirPath) {
         });
     };
     EXPECT_EQ(named("a"), "map.1.channel: found \"a\" for the second time; a channel has one source");
+    EXPECT_EQ(named("chassis.vx@gps.2").find("map.0.channel: found"), 0u) << "the source is one word";
+    EXPECT_EQ(named("chassis.vx@").find("map.0.channel: found"), 0u);
     EXPECT_EQ(named("Chassis.vx").find("map.0.channel: found \"Chassis.vx\", expected the name of a channel"), 0u);
     EXPECT_EQ(faultsOf([] { importLog(drive(), mapOf("time: {from: Time}\n")); }).find("map: found no channel"), 0u);
 }

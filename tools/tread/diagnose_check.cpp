@@ -19,7 +19,10 @@
 #include "output.h"
 #include "progress.h"
 #include "recording/checks/data_checks.h"
+#include "recording/checks/rigid_body.h"
+#include "recording/choose_windows.h"
 #include "recording/diagnosis_file.h"
+#include "recording/further_instruments.h"
 
 namespace tread::program {
 namespace {
@@ -32,6 +35,8 @@ using diagnose::answer::visibility;
 using diagnose::catalogue::applies;
 using diagnose::catalogue::Effect;
 using diagnose::catalogue::effectsToConsider;
+using recording::addFurtherInstruments;
+using recording::chooseWindows;
 using recording::DiagnosisFile;
 using recording::loadDiagnosis;
 using recording::nominalSubject;
@@ -39,6 +44,7 @@ using recording::readRecordings;
 using recording::Recording;
 using recording::checks::DataWarning;
 using recording::checks::dataWarnings;
+using recording::checks::leaveOutContradictions;
 
 struct Checked {
     std::vector<std::string> warnings;  // about the data, and about drives that the nominal car cannot repeat
@@ -131,12 +137,16 @@ DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const st
     inputs.file = loadDiagnosis(file, data);
     holdOut(inputs.file, without);
     if (!vehicle.empty()) inputs.file.vehicle = vehicle, inputs.file.vehicle_settings.clear();
+    inputs.recorded = readRecordings(inputs.file);
+    chooseWindows(inputs.file, inputs.recorded);
+    addFurtherInstruments(inputs.file.instruments, inputs.recorded.logs);
     inputs.nominal = nominalSubject(inputs.file);
     locate(file, [&] { inputs.effects = effectsToConsider(inputs.file); });
-    inputs.recorded = readRecordings(inputs.file);
     inputs.warnings = inputs.recorded.notes;
     for (const DataWarning& warning : dataWarnings(inputs.file, inputs.recorded, inputs.nominal))
         inputs.warnings.push_back(toText(warning));
+    for (std::string& sentence : leaveOutContradictions(inputs.file, inputs.recorded))
+        inputs.warnings.push_back(std::move(sentence));
     return inputs;
 }
 

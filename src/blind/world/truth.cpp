@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string_view>
 
 #include "base/enum_named.h"
 #include "blind/world/draws.h"
@@ -16,12 +18,17 @@ using diagnose::model::nuisances;
 using diagnose::model::Parameter;
 using recording::Subject;
 
-// Errors as the diagnosis assumes them: every number of car and instruments that has a tolerance is drawn from a
+// Errors that the instruments of these cases do not have: their units have no latency in common and are not askew.
+constexpr std::string_view kExact[] = {"instruments.latency", "instruments.inertial_unit.yaw"};
+
+// Errors as the diagnosis assumes them: every other number of car and instruments that has a tolerance is drawn from a
 // uniform distribution of that half-width.
 void errAsAssumed(Subject& car, Random& random) {
     const double most = std::sqrt(3.0);  // half-width of a uniform distribution over its standard deviation
-    for (const Parameter& uncertain : nuisances(car, {}))
+    for (const Parameter& uncertain : nuisances(car, {})) {
+        if (std::find(std::begin(kExact), std::end(kExact), uncertain.name()) != std::end(kExact)) continue;
         move(car, uncertain, std::clamp(between(random, -most, most), uncertain.lowest, uncertain.highest));
+    }
 }
 
 }  // namespace

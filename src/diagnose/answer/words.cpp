@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "log/log_columns.h"
 #include "recording/observation.h"
 
 namespace tread::diagnose::answer {
@@ -55,9 +56,10 @@ std::string separatesInWords(const NextDrive& next) {
 }
 
 std::string channelInWords(const std::string& channel) {
-    for (const recording::ObservedQuantity& quantity : recording::observedQuantities())
-        if (quantity.channel == channel) return quantity.subsystem;
-    return channel;
+    const recording::ObservedQuantity* quantity = recording::observedQuantity(channel);
+    if (!quantity) return channel;
+    const std::string source(sourceOf(channel));
+    return source.empty() ? quantity->subsystem : quantity->subsystem + " (" + source + ")";
 }
 
 std::string probabilityInWords(double p) {

@@ -21,4 +21,8 @@ std::vector<Effect> instrumentEffects();
 // Names of the effects that can imitate this one; the relation is symmetric.
 std::vector<std::string> alikeTo(std::string_view name);
 
+// The rows of the instruments for the further instruments of each source, with their numbers in place of those of the
+// first instruments: "yaw_rate_delay@can" for "yaw_rate_delay".
+std::vector<Effect> furtherInstrumentEffects(const recording::Instruments& instruments);
+
 }  // namespace tread::diagnose::catalogue

@@ -6,11 +6,14 @@
 #include "base/number_text.h"
 #include "base/pattern.h"
 #include "base/yaml_session.h"
+#include "diagnose/catalogue/catalogue.h"
 
 namespace tread::diagnose::catalogue {
 
 std::vector<Effect> effectsToConsider(const recording::DiagnosisFile& file) {
     std::vector<Effect> all = effectCatalogue();
+    const std::vector<Effect> further = furtherInstrumentEffects(file.instruments);
+    all.insert(all.end(), further.begin(), further.end());
     if (!file.own_effects.empty()) {
         const std::vector<Effect> own = loadOwnEffects(file.own_effects);
         all.insert(all.end(), own.begin(), own.end());
@@ -22,8 +25,10 @@ std::vector<Effect> effectsToConsider(const recording::DiagnosisFile& file) {
     std::vector<Problem> problems;
     for (std::size_t i = 0; i < file.effects.size(); ++i) {
         const std::string& pattern = file.effects[i];
-        if (std::any_of(names.begin(), names.end(), [&](std::string_view name) { return matches(pattern, name); }))
-            continue;
+        // The logs decide which further instruments there are, so that only the part before @ can be judged here.
+        const std::string known = pattern.substr(0, pattern.find('@'));
+        const auto fits = [&](std::string_view name) { return matches(pattern, name) || matches(known, name); };
+        if (std::any_of(names.begin(), names.end(), fits)) continue;
         const std::string suggestion = didYouMean(pattern, names);
         problems.push_back({"", 0, 0, "effects." + std::to_string(i),
                             "found " + quote(pattern) + ", expected the name of an effect" +

@@ -1,8 +1,43 @@
 // Effects of the instruments that recorded the car. They change the readings, or the recorded inputs, but not the car.
 
+#include <algorithm>
+#include <map>
+
+#include "base/numbers.h"
 #include "diagnose/catalogue/catalogue.h"
+#include "recording/further_instruments.h"
 
 namespace tread::diagnose::catalogue {
+namespace {
+
+// Numbers of the further instruments of one source by the paths of the same numbers of the first instruments.
+using NumbersOfSource = std::multimap<std::string, std::string>;
+
+std::map<std::string, NumbersOfSource> bySource(recording::Instruments instruments) {
+    std::map<std::string, NumbersOfSource> sources;
+    for (const Number& number : numbers(instruments, "instruments")) {
+        const std::string source(recording::sourceOfPath(number.path));
+        if (!source.empty()) sources[source].emplace(recording::pathInFirst(number.path), number.path);
+    }
+    return sources;
+}
+
+Effect ofSource(const Effect& effect, const std::string& source, const NumbersOfSource& numbers) {
+    Effect further = effect;
+    further.name += "@" + source;
+    further.question += " (instruments of " + source + ")";
+    for (Knob& knob : further.knobs) {
+        knob.paths.clear();
+        for (const std::string& path : effect.knobs[static_cast<std::size_t>(&knob - further.knobs.data())].paths) {
+            const auto [first, last] = numbers.equal_range(path);
+            std::transform(first, last, std::back_inserter(knob.paths), [](const auto& one) { return one.second; });
+        }
+    }
+    std::erase_if(further.knobs, [](const Knob& knob) { return knob.paths.empty(); });
+    return further;
+}
+
+}  // namespace
 
 std::vector<Effect> instrumentEffects() {
     return {
@@ -36,6 +71,30 @@ std::vector<Effect> instrumentEffects() {
                               "instruments.roll_rate.delay"},
                     .typical = 0.03,
                     .direction = Direction::up}}},
+        {.name = "yaw_rate_delay",
+         .question = "Does the yaw rate lag behind the other signals?",
+         .source = "guess: 10 to 50 ms",
+         .knobs = {{.paths = {"instruments.yaw_rate.delay"}, .typical = 0.03, .direction = Direction::up}}},
+        {.name = "acceleration_delay",
+         .question = "Do the accelerations lag behind the other signals?",
+         .source = "guess: 10 to 50 ms",
+         .knobs = {{.paths = {"instruments.ax.delay", "instruments.ay.delay"},
+                    .typical = 0.03,
+                    .direction = Direction::up}}},
+        {.name = "roll_delay",
+         .question = "Do roll angle and roll rate lag behind the other signals?",
+         .source = "guess: 10 to 50 ms",
+         .knobs = {{.paths = {"instruments.roll.delay", "instruments.roll_rate.delay"},
+                    .typical = 0.03,
+                    .direction = Direction::up}}},
+        {.name = "sideslip_delay",
+         .question = "Does the sideslip angle or lateral velocity lag behind the other signals?",
+         .source = "guess: 10 to 50 ms",
+         .knobs = {{.paths = {"instruments.sideslip.delay"}, .typical = 0.03, .direction = Direction::up}}},
+        {.name = "wheel_speed_delay",
+         .question = "Do the wheel speeds lag behind the other signals?",
+         .source = "guess: 10 to 50 ms",
+         .knobs = {{.paths = {"instruments.wheel_speed.delay"}, .typical = 0.03, .direction = Direction::up}}},
         {.name = "speed_scale",
          .question = "Does the speed over ground have a scale error?",
          .source = "guess: 2 to 3 % for wheel pulses; GPS is better",
@@ -53,6 +112,17 @@ std::vector<Effect> instrumentEffects() {
          .source = "guess: 0.5 deg",
          .knobs = {{.paths = {"instruments.sideslip.bias"}, .typical = 0.01}}},
     };
+}
+
+std::vector<Effect> furtherInstrumentEffects(const recording::Instruments& instruments) {
+    std::vector<Effect> effects;
+    for (const auto& [source, numbers] : bySource(instruments)) {
+        for (const Effect& effect : instrumentEffects()) {
+            Effect further = ofSource(effect, source, numbers);
+            if (!further.knobs.empty()) effects.push_back(std::move(further));
+        }
+    }
+    return effects;
 }
 
 }  // namespace tread::diagnose::catalogue

@@ -9,6 +9,7 @@
 #include "base/pattern.h"
 #include "diagnose/catalogue/plausible.h"
 #include "diagnose/model/similarity.h"
+#include "recording/further_instruments.h"
 
 namespace tread::diagnose::model {
 namespace {
@@ -33,12 +34,14 @@ const std::vector<KnownWithin>& usualTolerances() {
         {"instruments.roll.bias", 0, 2e-3},
         {"instruments.sideslip.bias", 0, 2e-3},
         {"instruments.*.gain", 0.003, 0},
+        {"instruments.latency", 0, 0.005},
         {"instruments.speed.delay", 0, 0.005},
         {"instruments.inertial_unit.x", 0, 0.02},
         {"instruments.inertial_unit.y", 0, 0.02},
         {"instruments.inertial_unit.z", 0, 0.02},
         {"instruments.inertial_unit.roll", 0, 0.003},
         {"instruments.inertial_unit.pitch", 0, 0.003},
+        {"instruments.inertial_unit.yaw", 0, 0.003},
         {"instruments.steering_wheel_angle.bias", 0, 0.005},
         {"instruments.command.bias", 0, 100},  // N: a slope of 0.5 % under a car
     };
@@ -60,9 +63,11 @@ bool differsFromDriveToDrive(const std::string& path) {
 double toleranceOf(const Number& number, const VehicleParams& car, const std::vector<KnownWithin>& told) {
     const double value = std::abs(*number.value);
     double tolerance = number.about.tolerance * value;
+    // A further instrument is usually known as well as the first one of its quantity.
+    const std::string in_first = recording::pathInFirst(number.path);
     for (const auto* usual : {&usualTolerances(), &usualInEachDrive()}) {
         for (const KnownWithin& known : *usual) {
-            if (matches(known.path, number.path))
+            if (matches(known.path, in_first.empty() ? number.path : in_first))
                 tolerance = known.relative * value + atScaleOf(car, known.absolute, number.about.unit);
         }
     }

@@ -1,37 +1,37 @@
-// Checks of channels against each other. Kinematic relations reveal wrong signs and units, swapped channels and delays.
+// Checks of channels against each other. Kinematic relations reveal wrong signs and units and swapped channels. A
+// finding must hold in the whole recording and in its gentler half, because in a spin, a drift, or with locked or
+// spinning wheels sound channels break these relations.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
-#include <optional>
 
-#include "compare/time_shift.h"
+#include "base/median.h"
 #include "recording/checks/log_checks.h"
+#include "recording/checks/rigid_body.h"
 
 namespace tread::recording::checks {
 namespace {
 
-constexpr double kLongestDelay = 0.2;     // s, range of the search
-constexpr double kDelay = 0.025;          // s; shorter delays are not reported
-constexpr double kDelayOfSideslip = 0.1;  // s; sideslip can make lateral acceleration look late by this much
-constexpr double kMuchLikelier = 3;       // factor by which a reported delay reduces the unexplained variance
-constexpr double kUnlike = 0.02;          // least share of the variance that must be unexplained without the delay
-constexpr double kBraking = 1.5;          // m/s2
-constexpr double kFactor = 0.25;          // relative difference that wheel slip cannot explain
-constexpr double kMuch = 1.5;             // relative difference that no car can explain
+constexpr double kRolling = 1;    // m/s2; at a larger change of speed, wheels may slip
+constexpr double kFactor = 0.25;  // relative difference between a rolling wheel and the speed that tyres can explain
+constexpr double kMuch = 1.5;     // relative difference that no car can explain
 
 using Values = std::vector<double>;
+using Use = std::function<bool(std::size_t)>;
 
 struct Pair {
     std::string channel;  // channel that a warning names
+    std::string other;    // the channel whose sign is compared with its own
     std::string says;     // what it is compared with
     const Values* measured;
     Values expected;
     double least;              // least standard deviation of the expected values for a conclusion
     double tolerance = kMuch;  // relative difference in size that is not reported; 0: size is not checked
-    double delay = 0;          // s, delay that is not reported; 0: delay is not checked
+    Use use = [](std::size_t) { return true; };
 };
 
 Values derivative(const Values& time, const Values& values) {
@@ -44,9 +44,9 @@ Values derivative(const Values& time, const Values& values) {
     return rates;
 }
 
-Values product(const Values& a, const Values& b, double factor = 1) {
+Values product(const Values& a, const Values& b) {
     Values out(a.size());
-    for (std::size_t i = 0; i < a.size(); ++i) out[i] = factor * a[i] * b[i];
+    for (std::size_t i = 0; i < a.size(); ++i) out[i] = a[i] * b[i];
     return out;
 }
 
@@ -60,109 +60,179 @@ std::string lookOf(double factor) {
     return "";
 }
 
-// Share of the measured variance that the expected values leave unexplained when delayed by `later` samples.
-double unlikeness(const Pair& pair, std::ptrdiff_t later) {
-    const Values &x = pair.expected, &y = *pair.measured;
-    const auto size = static_cast<std::ptrdiff_t>(x.size());
-    Values a, b;
-    for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, later); i < std::min(size, size + later); ++i) {
-        a.push_back(x[static_cast<std::size_t>(i - later)]);
-        b.push_back(y[static_cast<std::size_t>(i)]);
-    }
-    const double correlation = relation(a, b).correlation;
-    return 1 - correlation * correlation;
-}
+// The pair over the samples that may be used, and over the gentler half of them. `clear`: both show the same quantity.
+struct Related {
+    Relation all, gentle;
+    bool clear = false;
+    double sign() const { return all.correlation < 0 ? -1 : 1; }
+};
 
-void checkDelay(const LogChecks& checks, Pair pair) {
-    // Under braking sideslip adds to vx times yaw rate, which looks like a delay, so these samples are set to 0.
-    Values measured_values = *pair.measured;
-    if (pair.channel == "chassis.ay") {
-        const Values rates = derivative(checks.time(), *checks.values("chassis.vx"));
-        for (std::size_t i = 0; i < rates.size(); ++i) {
-            if (std::abs(rates[i]) > kBraking) measured_values[i] = pair.expected[i] = 0;
-        }
-        pair.measured = &measured_values;
-    }
-    const Log expected{{{"time", "s", checks.time()}, {"x", "", pair.expected}}};
-    const Log measured{{{"time", "s", checks.time()}, {"x", "", *pair.measured}}};
-    const auto shift = estimateTimeShift(expected, measured, "x", kLongestDelay);
-    if (!shift || std::abs(*shift) < pair.delay) return;
-    const double now = unlikeness(pair, 0), shifted = unlikeness(pair, std::lround(*shift * checks.rate()));
-    if (now < kUnlike || now < kMuchLikelier * shifted) return;
-    checks.warn(pair.channel,
-                fmt::format("{} by {:.0f} ms relative to {}", *shift > 0 ? "is late" : "is early",
-                            1000 * std::abs(*shift), pair.says),
-                "A delay between channels looks like a lag of the car",
-                "Specify the delay of the later channel (instruments, or delay in the import mapping)");
-}
-
-void check(const LogChecks& checks, const Pair& pair) {
+Related related(const LogChecks& checks, const Pair& pair) {
     const Values* vx = checks.values("chassis.vx");
-    const Relation r =
-        relation(pair.expected, *pair.measured, [&](std::size_t i) { return !vx || (*vx)[i] > LogChecks::kMoving; });
-    if (r.samples < Relation::kFewest || r.spread < pair.least) return;
-    if (r.correlation < -Relation::kCorrelated) {
-        checks.warn(pair.channel,
-                    fmt::format("has the opposite sign of {} (correlation {:.2f})", pair.says, r.correlation),
-                    "A channel with the wrong sign cannot be compared with the model",
-                    "Reverse the sign on import: ISO 8855, x forward, y left, z up");
-        return;
-    }
-    if (r.correlation < Relation::kCorrelated) return;
-    const double factor = std::abs(r.factor);
-    const std::string look = lookOf(factor);
-    if (pair.tolerance > 0 && (!look.empty() || std::abs(std::log(factor)) > std::log1p(pair.tolerance))) {
-        checks.warn(pair.channel, fmt::format("is {:.3g} times {}{}", factor, pair.says, look),
-                    "A wrong unit or scale factor is taken for a difference of the car",
-                    "Check the units of both signals (channels, import)");
-    }
-    if (pair.delay > 0) checkDelay(checks, pair);
+    const Use moving = [&](std::size_t i) { return pair.use(i) && (!vx || (*vx)[i] > LogChecks::kMoving); };
+    Values sizes;
+    for (std::size_t i = 0; i < pair.expected.size(); ++i)
+        if (moving(i)) sizes.push_back(std::abs(pair.expected[i]));
+    const double middle = median(std::move(sizes));
+    Related found{relation(pair.expected, *pair.measured, moving),
+                  relation(pair.expected, *pair.measured,
+                           [&](std::size_t i) { return moving(i) && std::abs(pair.expected[i]) <= middle; })};
+    const auto shows = [](const Relation& r, double correlation) {
+        return r.samples >= Relation::kFewest && std::abs(r.correlation) > correlation;
+    };
+    // Noise has more weight in the gentler half.
+    found.clear = shows(found.all, Relation::kCorrelated) && found.all.spread >= pair.least &&
+                  shows(found.gentle, 0.5 * Relation::kCorrelated) &&
+                  found.all.correlation * found.gentle.correlation > 0;
+    return found;
 }
 
-std::vector<Pair> pairsOf(const LogChecks& checks) {
-    const auto get = [&](const char* channel) { return checks.values(channel); };
-    const Values *vx = get("chassis.vx"), *ax = get("chassis.ax"), *ay = get("chassis.ay"),
-                 *yaw_rate = get("chassis.yaw_rate"), *steer = get("driver.steering_wheel_angle");
-    const VehicleParams& car = checks.nominal.vehicle;
-    std::vector<Pair> pairs;
-    const auto add = [&](Pair pair) { pairs.push_back(std::move(pair)); };
-    if (vx && yaw_rate && ay) {
-        Values expected = product(*vx, *yaw_rate);
-        const Values* vy = get("chassis.vy");
-        const Values sideways = vy ? derivative(checks.time(), *vy) : Values(expected.size(), 0);
-        for (std::size_t i = 0; i < expected.size(); ++i) expected[i] += sideways[i];
-        add({"chassis.ay", vy ? "vx times yaw rate plus the derivative of vy" : "vx times yaw rate", ay, expected, 0.4,
-             kMuch, vy ? kDelay : kDelayOfSideslip});
+void checkSize(const LogChecks& checks, const Pair& pair, const Related& found) {
+    if (!found.clear || found.sign() < 0 || pair.tolerance == 0) return;
+    const double factor = std::abs(found.all.factor), gentle = std::abs(found.gentle.factor);
+    const auto off = [&](double one) { return std::abs(std::log(one)) > std::log1p(pair.tolerance); };
+    const std::string look = lookOf(factor);
+    if (look.empty() ? !(off(factor) && off(gentle)) : look != lookOf(gentle) && !off(gentle)) return;
+    checks.warn(pair.channel, fmt::format("is {:.3g} times {}{}", factor, pair.says, look),
+                "A wrong unit or scale factor is taken for a difference of the car",
+                "Check the units of both signals (channels, import)");
+}
+
+// The wrong one of two channels with opposite signs is the one that disagrees with more of its other partners.
+void checkSigns(const LogChecks& checks, const std::vector<Pair>& pairs, const std::vector<Related>& found) {
+    std::map<std::string, int> votes;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (!found[i].clear) continue;
+        for (const std::string& member : {pairs[i].channel, pairs[i].other})
+            votes[member] += found[i].sign() < 0 ? 1 : -1;
     }
-    if (vx && ax) add({"chassis.ax", "the derivative of vx", ax, derivative(checks.time(), *vx), 0.4, kMuch, kDelay});
-    if (yaw_rate && get("chassis.yaw"))
-        add({"chassis.yaw_rate", "the derivative of the heading", yaw_rate,
-             derivative(checks.time(), *get("chassis.yaw")), 0.05, kMuch, kDelay});
-    if (ay && get("chassis.roll")) add({"chassis.roll", "ay", get("chassis.roll"), *ay, 0.5, 0});
-    if (get("chassis.roll") && get("chassis.roll_rate"))
-        add({"chassis.roll_rate", "the derivative of the roll angle", get("chassis.roll_rate"),
-             derivative(checks.time(), *get("chassis.roll")), 0.02, kMuch, kDelay});
-    if (vx && get("chassis.vy") && get("chassis.sideslip")) {
-        Values expected = *get("chassis.vy");
+    std::map<std::string, std::size_t> named;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (!found[i].clear || found[i].sign() > 0) continue;
+        const bool other = votes[pairs[i].other] > votes[pairs[i].channel];
+        named.emplace(other ? pairs[i].other : pairs[i].channel, i);
+    }
+    for (const auto& [channel, i] : named) {
+        const Pair& pair = pairs[i];
+        const bool either = votes[pair.channel] == votes[pair.other];
+        const std::string partner = channel == pair.channel ? pair.says : pair.channel;
+        checks.warn(channel,
+                    fmt::format("has the opposite sign of {} (correlation {:.2f})", partner, found[i].all.correlation),
+                    "A channel with the wrong sign cannot be compared with the model",
+                    either ? fmt::format("Reverse the sign of {} or of {} on import: no other channel tells which is "
+                                         "wrong. ISO 8855, x forward, y left, z up",
+                                         pair.channel, pair.other)
+                           : "Reverse the sign on import: ISO 8855, x forward, y left, z up");
+    }
+}
+
+class Pairs {
+public:
+    explicit Pairs(const LogChecks& checks)
+        : checks_(checks),
+          vx_(checks.values("chassis.vx")),
+          yaw_rate_(checks.values("chassis.yaw_rate")),
+          ay_(checks.values("chassis.ay")) {}
+
+    std::vector<Pair> all() {
+        accelerations();
+        angles();
+        wheels();
+        steering();
+        return std::move(pairs_);
+    }
+
+private:
+    const Values* get(const std::string& channel) const { return checks_.values(channel); }
+    void add(Pair pair) { pairs_.push_back(std::move(pair)); }
+
+    void accelerations() {
+        if (vx_ && yaw_rate_ && ay_) {
+            Values expected = product(*vx_, *yaw_rate_);
+            const Values* vy = get("chassis.vy");
+            const Values sideways = vy ? derivative(checks_.time(), *vy) : Values(expected.size(), 0);
+            for (std::size_t i = 0; i < expected.size(); ++i) expected[i] += sideways[i];
+            add({"chassis.ay", "chassis.yaw_rate",
+                 vy ? "vx times yaw rate plus the derivative of vy" : "vx times yaw rate", ay_, std::move(expected),
+                 0.4});
+        }
+        if (const Values* ax = get("chassis.ax"); vx_ && ax)
+            add({"chassis.ax", "chassis.vx", "the derivative of vx", ax, derivative(checks_.time(), *vx_), 0.4});
+    }
+
+    void angles() {
+        const Values *roll = get("chassis.roll"), *roll_rate = get("chassis.roll_rate"), *yaw = get("chassis.yaw"),
+                     *vy = get("chassis.vy"), *sideslip = get("chassis.sideslip");
+        if (yaw_rate_ && yaw)
+            add({"chassis.yaw_rate", "chassis.yaw", "the derivative of the heading", yaw_rate_,
+                 derivative(checks_.time(), *yaw), 0.05});
+        if (ay_ && roll) add({"chassis.roll", "chassis.ay", "ay", roll, *ay_, 0.5, 0});
+        if (roll && roll_rate)
+            add({"chassis.roll_rate", "chassis.roll", "the derivative of the roll angle", roll_rate,
+                 derivative(checks_.time(), *roll), 0.02});
+        if (!vx_ || !vy || !sideslip) return;
+        Values expected = *vy;
         for (std::size_t i = 0; i < expected.size(); ++i)
-            expected[i] = std::atan2(expected[i], std::max((*vx)[i], 0.1));
-        add({"chassis.sideslip", "the sideslip angle from vy and vx", get("chassis.sideslip"), std::move(expected),
+            expected[i] = std::atan2(expected[i], std::max((*vx_)[i], 0.1));
+        add({"chassis.sideslip", "chassis.vy", "the sideslip angle from vy and vx", sideslip, std::move(expected),
              0.005});
     }
-    for (const char* wheel : {"front_left", "front_right", "rear_left", "rear_right"}) {
-        const std::string channel = std::string("wheel.") + wheel + ".spin";
-        const Values* spin = checks.values(channel);
-        const double radius = (wheel[0] == 'f' ? car.front : car.rear).tyre.parameters.Re;
-        if (vx && spin) {
-            Values expected = *vx;
-            for (double& value : expected) value /= radius;
-            add({channel, "vx divided by the rolling radius", spin, std::move(expected), 0.5, kFactor});
+
+    // Wheels tell about units only where they roll: neither braked nor driven much.
+    void wheels() {
+        const Values change = vx_ ? derivative(checks_.time(), *vx_) : Values{};
+        for (const char* wheel : {"front_left", "front_right", "rear_left", "rear_right"}) {
+            const std::string channel = std::string("wheel.") + wheel + ".spin";
+            const Values* spin = get(channel);
+            const VehicleParams& car = checks_.nominal.vehicle;
+            if (!vx_ || !spin) continue;
+            Values expected = *vx_;
+            for (double& value : expected) value /= (wheel[0] == 'f' ? car.front : car.rear).tyre.parameters.Re;
+            add({channel, "chassis.vx", "vx divided by the rolling radius", spin, std::move(expected), 0.5, kFactor,
+                 [change](std::size_t i) { return std::abs(change[i]) < kRolling; }});
         }
     }
-    if (steer && (yaw_rate || ay))
-        add({"driver.steering_wheel_angle", yaw_rate ? "the yaw rate" : "ay", steer, yaw_rate ? *yaw_rate : *ay,
-             yaw_rate ? 0.03 : 0.5, 0});
-    return pairs;
+
+    // Beyond the grip of the front tyres a driver may steer against the turn.
+    void steering() {
+        const Values* steer = get("driver.steering_wheel_angle");
+        if (!steer) return;
+        if (yaw_rate_)
+            add({"driver.steering_wheel_angle", "chassis.yaw_rate", "the yaw rate", steer, *yaw_rate_, 0.03, 0,
+                 [vx = vx_, r = yaw_rate_](std::size_t i) {
+                     return !vx || std::abs((*vx)[i] * (*r)[i]) < LogChecks::kSliding;
+                 }});
+        if (ay_)
+            add({"driver.steering_wheel_angle", "chassis.ay", "ay", steer, *ay_, 0.5, 0,
+                 [ay = ay_](std::size_t i) { return std::abs((*ay)[i]) < LogChecks::kSliding; }});
+    }
+
+    const LogChecks& checks_;
+    const Values *vx_, *yaw_rate_, *ay_;
+    std::vector<Pair> pairs_;
+};
+
+// What the channels say as motion of one rigid body. A sign or a unit that is wrong is left to the checks above.
+void checkRigidBody(const LogChecks& checks) {
+    constexpr double kWrongUnit = 0.5;  // relative error of a gain
+    const std::vector<Agreement> all = agreements(checks.log, checks.nominal.instruments);
+    for (const Agreement& one : all) {
+        const bool wrong_unit = std::any_of(one.errors.begin(), one.errors.end(), [](const InstrumentError& error) {
+            return error.kind == InstrumentError::Kind::gain && std::abs(error.size) > kWrongUnit;
+        });
+        if (wrong_unit) continue;
+        if (one.contradicts) {
+            checks.warn(one.channel, toText(one),
+                        "No body can move like this, so that at least one of the channels is wrong",
+                        fmt::format("Check {}, which is the least certain of them", oddChannel(all)));
+        } else if (!one.errors.empty()) {
+            const InstrumentError& error = one.errors.front();
+            const bool delay = error.kind == InstrumentError::Kind::delay;
+            checks.warn(one.channel, toText(one), "Such an error looks like a difference of the car",
+                        fmt::format("If it is one of the instrument, state it (instruments{})",
+                                    delay ? fmt::format(", {} delay: {:.3f}", error.channel, error.size) : ""));
+        }
+    }
 }
 
 // Checks that the outer wheel is the faster one in a turn.
@@ -221,9 +291,14 @@ Relation relation(const Values& x, const Values& y, const std::function<bool(std
 }
 
 void checkKinematics(const LogChecks& checks) {
-    for (const Pair& pair : pairsOf(checks)) check(checks, pair);
+    const std::vector<Pair> pairs = Pairs(checks).all();
+    std::vector<Related> found;
+    for (const Pair& pair : pairs) found.push_back(related(checks, pair));
+    for (std::size_t i = 0; i < pairs.size(); ++i) checkSize(checks, pairs[i], found[i]);
+    checkSigns(checks, pairs, found);
     checkSwappedWheels(checks);
     checkSwappedAccelerations(checks);
+    checkRigidBody(checks);
 }
 
 }  // namespace tread::recording::checks

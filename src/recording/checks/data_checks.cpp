@@ -18,14 +18,15 @@ constexpr double kLateral = 1;    // m/s2; less shows little of tyres and steeri
 constexpr double kSpeeds = 3;     // m/s, least difference between lowest and highest speed
 constexpr double kAlike = 0.995;  // correlation of the steering-wheel angle in recordings of the same manoeuvre
 
+// True when any instrument has measured the quantity.
 bool has(const Log& log, std::string_view name) {
-    const Channel* channel = log.find(name);
+    const Channel* channel = measuredAs(log, name);
     return channel && std::any_of(channel->values.begin(), channel->values.end(),
                                   [](double value) { return std::isfinite(value); });
 }
 
 double range(const Log& log, std::string_view name) {
-    const Channel* channel = log.find(name);
+    const Channel* channel = measuredAs(log, name);
     double lowest = kInfinity, highest = -kInfinity;
     if (channel) {
         for (const double value : channel->values) {
@@ -58,9 +59,9 @@ void checkInputs(const LogChecks& checks) {
 // Channels that the reference lacks cannot be used after the change either.
 void checkReference(const LogChecks& checks, const DiagnosisFile& file, const Log& after) {
     std::vector<std::string> missing;
-    for (const ObservedQuantity& one : observedQuantities()) {
-        if (wanted(file, one.channel) && has(after, one.channel) && !has(checks.log, one.channel))
-            missing.push_back(one.channel);
+    for (const Channel& channel : after.channels) {
+        if (observedQuantity(channel.name) && wanted(file, channel.name) && !checks.log.find(channel.name))
+            missing.push_back(channel.name);
     }
     if (missing.empty()) return;
     checks.warn(fmt::format("{}", fmt::join(missing, ", ")), "not measured here, but measured in the recording itself",
@@ -111,7 +112,7 @@ void checkExcitation(std::vector<DataWarning>& found, const std::vector<Log>& lo
     for (const Log& log : logs) {
         turning_known = turning_known || has(log, "chassis.ay") || has(log, "chassis.yaw_rate");
         lateral = std::max(lateral, 0.5 * range(log, "chassis.ay"));
-        const Channel *vx = log.find("chassis.vx"), *yaw_rate = log.find("chassis.yaw_rate");
+        const Channel *vx = measuredAs(log, "chassis.vx"), *yaw_rate = measuredAs(log, "chassis.yaw_rate");
         if (!vx) continue;
         speeds = std::max(speeds, range(log, "chassis.vx"));
         for (std::size_t i = 0; i < vx->values.size(); ++i) {
@@ -189,7 +190,9 @@ std::vector<DataWarning> dataWarnings(const DiagnosisFile& file, const Recorded&
     std::vector<DataWarning> found;
     const auto check = [&](const Recording& recording, const Log& log) {
         const LogChecks checks{recording, log, nominal, found};
+        if (standsStill(checks)) return;
         checkInputs(checks);
+        checkDrive(checks);
         checkChannels(checks);
         checkKinematics(checks);
         checkCar(checks);
@@ -200,7 +203,9 @@ std::vector<DataWarning> dataWarnings(const DiagnosisFile& file, const Recorded&
         if (recording.reference.empty()) continue;
         const Recording reference = referenceOf(recording);
         check(reference, recorded.references[i]);
-        checkReference({reference, recorded.references[i], nominal, found}, file, recorded.logs[i]);
+        const LogChecks before{reference, recorded.references[i], nominal, found};
+        checkReference(before, file, recorded.logs[i]);
+        checkSameCar(before, {recording, recorded.logs[i], nominal, found});
     }
     checkNamed(found, file, recorded.logs);
     checkResponses(found, recorded.logs);

@@ -28,7 +28,16 @@ struct LogChecks {
 // Each channel by itself: gaps, stuck, held or saturated values, spikes; and the time base.
 void checkChannels(const LogChecks& checks);
 
-// Channels against each other: signs, units, swapped channels, delays.
+// True, with a warning, when the car never moves: the other checks then say nothing about it.
+bool standsStill(const LogChecks& checks);
+
+// The drive as a whole: a car of another scale, commands in place of measured inputs.
+void checkDrive(const LogChecks& checks);
+
+// Whether a reference seems to be of another car than the recording `after` the change.
+void checkSameCar(const LogChecks& reference, const LogChecks& after);
+
+// Channels against each other: signs, units, swapped channels, and whether they move as one rigid body.
 void checkKinematics(const LogChecks& checks);
 
 // Checks that the named car fits the recording. In gentle cornering yaw rate = vx steer / (ratio (l + K vx^2)).
