@@ -1,6 +1,7 @@
 // Instruments of a measured car: one per group of channels, and further ones of the same quantities.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -85,6 +86,16 @@ struct Mounting {
 
 struct Instruments {
     double latency = 0;
+
+// Point of the car to which the recorded motion refers when a load is added to the nominal car. Instruments are fixed
+// to the body; a simulator may compute its channels at the centre of gravity, which the load moves.
+enum class ReadAt { body, centre_of_gravity };
+constexpr auto enumNames(ReadAt) {
+    return std::array<std::string_view, 2>{"body", "centre_of_gravity"};
+}
+
+struct Instruments {
+    ReadAt read_at = ReadAt::body;
     InertialUnit inertial_unit;
     Instrument ax, ay, yaw_rate, roll_rate, roll, speed, sideslip, wheel_speed;
     Instrument steering_wheel_angle;  // used in reverse: the replayed input is computed from the recorded one
@@ -95,6 +106,10 @@ struct Instruments {
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(latency), About{"s", "delay common to all readings, in addition to their own", {-1, 1}});
+        field(TREAD_FIELD(read_at),
+              About{"",
+                    "body: at the centre of gravity of the nominal car, whatever load is added (instruments); "
+                    "centre_of_gravity: at that of the car with the load (channels of a simulator)"});
         field(TREAD_FIELD(inertial_unit), About{"", "position and misalignment of the accelerometers"});
         field(TREAD_FIELD(ax), About{"", "longitudinal acceleration"});
         field(TREAD_FIELD(ay), About{"", "lateral acceleration"});

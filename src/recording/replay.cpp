@@ -136,7 +136,8 @@ Scenario replayOf(const RecordedDrive& drive, const Subject& subject, const Repl
 }
 
 Log replayed(const RecordedDrive& drive, const Subject& subject, const Replayer& replayer, const Pushing& pushing) {
-    VehicleParams vehicle = subject.vehicle;
+    const bool moves_with_load = subject.instruments.read_at == ReadAt::centre_of_gravity;
+    VehicleParams vehicle = moves_with_load ? loaded(subject.vehicle) : subject.vehicle;
     holdGear(vehicle, drive);
     Log motion;
     replayer.simulate(vehicle, replayOf(drive, subject, replayer), recorderInto(motion), pushing);
