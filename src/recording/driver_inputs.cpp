@@ -149,9 +149,9 @@ Curve commandedForce(const RecordedDrive& drive, const ForceActuator& actuator, 
 }
 
 Curve followedSpeed(const RecordedDrive& drive, const Instruments& instruments) {
-    const Channel* speed = measuredAs(drive.log, "chassis.vx");
-    if (!speed) return {};
-    const Curve recorded = driverInput(drive, speed->name, instrumentOf(instruments, speed->name), {});
+    const Channel* measured = measuredAs(drive.log, "chassis.vx");
+    if (!measured) return {};
+    const Curve recorded = driverInput(drive, measured->name, instrumentOf(instruments, measured->name), {});
     const std::vector<Curve::Point>& points = recorded.points;
     Curve smooth;
     for (std::size_t i = 0, first = 0, end = 0; i < points.size(); ++i) {

@@ -84,9 +84,6 @@ struct Mounting {
     }
 };
 
-struct Instruments {
-    double latency = 0;
-
 // Point of the car to which the recorded motion refers when a load is added to the nominal car. Instruments are fixed
 // to the body; a simulator may compute its channels at the centre of gravity, which the load moves.
 enum class ReadAt { body, centre_of_gravity };
@@ -95,6 +92,7 @@ constexpr auto enumNames(ReadAt) {
 }
 
 struct Instruments {
+    double latency = 0;
     ReadAt read_at = ReadAt::body;
     InertialUnit inertial_unit;
     Instrument ax, ay, yaw_rate, roll_rate, roll, speed, sideslip, wheel_speed;
