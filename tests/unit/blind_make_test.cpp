@@ -175,11 +175,11 @@ TEST(BlindMake, AssumedCasesAreThoseOfBefore) {
         double numbers, readings;
     };
     const std::vector<Before> list{
-        {CaseKind::one, "late_gyro", 530.73169712289257, 432.11549012067445},
-        {CaseKind::two, "late_gyro+heavier", 530.73189752918745, 432.77784064602656},
-        {CaseKind::none, "", 530.68549620478836, 432.1158471726539},
-        {CaseKind::outside, "wheel_speed_lag", 530.68549620478836, 432.25802011407404},
-        {CaseKind::small, "late_gyro", 530.6898161952073, 432.11581708070196},
+        {CaseKind::one, "ratio", 584.41347940704645, 431.48221829613033},
+        {CaseKind::two, "ratio+heavier", 584.41365059992881, 432.09463902541404},
+        {CaseKind::none, "", 584.42118756186937, 432.1158471726539},
+        {CaseKind::outside, "cubic_steering_ratio", 584.42118756186937, 432.28249965643005},
+        {CaseKind::small, "ratio", 584.42052908163407, 432.0625226217004},
     };
     const std::vector<Drive> drives = caseDrives();
     const std::vector<CaseRecording> recordings = recordingsOf(drives, 7, 2);

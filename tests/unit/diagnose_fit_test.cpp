@@ -183,7 +183,7 @@ TEST(Search, OfOneTrueEffectAddsNoSecond) {
 
 // Yaw rate of this car is speed times angle over ratio times wheelbase: which of them is larger cannot be told.
 TEST(Search, EffectAndItsTwinHaveTheSameEvidenceAndNeitherIsBlamedAlone) {
-    simple_car::Case made = simple_car::recorded(15.6, simple_car::Case{}.nominal.vehicle.aero.drag_area, 3);
+    simple_car::Case made = simple_car::recorded(16.4, simple_car::Case{}.nominal.vehicle.aero.drag_area, 3);
     made.file.tolerances = {{.path = "*"}};
     const std::vector<Effect> effects{effect("ratio", "steering.ratio"), effect("wheelbase", "wheelbase"),
                                       effect("drag", "aero.drag_area")};
