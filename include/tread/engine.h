@@ -73,6 +73,8 @@ struct MotorParams {
     double torque = kRequired;
     double power = kRequired;
     double speed_limit = kRequired;
+    double no_load_speed = 0;
+    double throttle_dead_band = 0;
     double inertia = kRequired;
     Curve drag{};
     double lift_off_regeneration = 0;
@@ -84,6 +86,13 @@ struct MotorParams {
         field(TREAD_FIELD(torque), About{"N m", "largest torque, driving and regenerating", kPositive, 0.05});
         field(TREAD_FIELD(power), About{"W", "largest power at the shaft, driving and regenerating", kPositive, 0.05});
         field(TREAD_FIELD(speed_limit), About{"rad/s", "speed at which it stops driving", kPositive});
+        field(TREAD_FIELD(no_load_speed),
+              About{"rad/s",
+                    "speed to which the driving torque falls linearly, by the back-voltage of a motor without current "
+                    "control; 0: it does not fall",
+                    kNonNegative});
+        field(TREAD_FIELD(throttle_dead_band),
+              About{"-", "throttle up to which it does not drive", {0, 1, false, true}});
         field(TREAD_FIELD(inertia), About{"kg m2", "inertia of the rotor", kPositive, 0.2});
         field(TREAD_FIELD(drag), About{"N m", "drag torque of the unpowered motor", kNonNegative, 0.3, "rad/s"});
         field(TREAD_FIELD(lift_off_regeneration),

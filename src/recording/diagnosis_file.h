@@ -48,6 +48,7 @@ struct Recording {
     double to = kInfinity;
     std::string repeat_group = {};
     std::string reference = {};
+    double reference_later = 0;
     bool hold_out = false;
     RoadParams road = {};
     WindParams wind = {};
@@ -71,6 +72,8 @@ struct Recording {
               About{"",
                     "log of the same drive before the car was changed, if there is one; the gap "
                     "between model and reference is subtracted"});
+        field(TREAD_FIELD(reference_later),
+              About{"s", "time by which the same moment of the drive is later in the reference than in the log"});
         field(TREAD_FIELD(hold_out), About{"", "used only to judge how far the gap shrinks, not to find the cause"});
         field(TREAD_FIELD(road), About{"", "known properties of the road"});
         field(TREAD_FIELD(wind), About{"", "known wind"});
@@ -80,6 +83,8 @@ struct Recording {
         if (self.log.empty()) complain("log", "found no log, expected the file name of a log");
         if (!(self.from < self.to))
             complain("to", "found a window that does not end after its start, expected from < to");
+        if (self.reference.empty() && self.reference_later != 0)
+            complain("reference_later", "found a time without a reference, expected the log of the reference");
     }
 };
 static_assert(describesEveryMember<Recording>());

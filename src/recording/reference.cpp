@@ -94,6 +94,9 @@ Recording referenceOf(const Recording& recording) {
     Recording reference = recording;
     reference.name = fmt::format("reference of {} ({})", recording.name, recording.reference);
     reference.log = recording.reference;
+    reference.from += recording.reference_later;
+    reference.to += recording.reference_later;
+    reference.reference_later = 0;
     reference.reference.clear();
     return reference;
 }

@@ -47,6 +47,19 @@ TEST(ModelCar, AxleSideForcesAreThoseThatItsMakersFitted) {
     }
 }
 
+TEST(ModelCar, ForceAtItsWheelsIsThatWhichItsMakersFitted) {
+    const MotorParams& motor = *dart().driveline.motor;
+    const double radius = dart().front.tyre.parameters.Re, ratio = dart().driveline.gearbox.final_drive;
+    const double rolling = dart().front.tyre.parameters.qy1 / dart().front.tyre.parameters.Ro * 1.58 * 9.81;  // N
+    for (const double v : {0.5, 1.0, 2.0, 3.0}) {
+        const double resistance = 1.266 * std::tanh(7.666 * v) + 0.7393 * v - 0.1123 * v * v;
+        for (const double throttle : {0.3, 0.5, 1.0}) {
+            const double force = motorTorque(motor, throttle, 0, v / radius * ratio).total * ratio / radius - rolling;
+            EXPECT_NEAR(force, (25.358 - 4.815 * v) * (throttle - 0.1638) - resistance, 0.3) << v << ", " << throttle;
+        }
+    }
+}
+
 TEST(ModelCar, StandsAsItsAxleLoadsSay) {
     Scenario stand = scenario("parked_on_slope");
     stand.road.grade = 0;

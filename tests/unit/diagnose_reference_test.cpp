@@ -80,6 +80,16 @@ TEST(Reference, WhatChangedIsNamedWithItsSize) {
     EXPECT_NEAR(ratio.value, 15, 3 * ratio.sd);
 }
 
+TEST(Reference, MayHaveAnotherClock) {
+    const Recording drive{.log = "after.csv", .from = 2, .to = 9, .reference = "before.csv", .reference_later = 12.5};
+    const Recording before = recording::referenceOf(drive);
+    EXPECT_EQ(before.log, "before.csv");
+    EXPECT_DOUBLE_EQ(before.from, 14.5);
+    EXPECT_DOUBLE_EQ(before.to, 21.5);
+    EXPECT_EQ(before.reference_later, 0);
+    EXPECT_EQ(recording::referenceOf({.log = "after.csv", .reference = "before.csv"}).to, kInfinity);
+}
+
 // Both runs have their own noise.
 TEST(Reference, RowsAreAsNoisyAsTwoRuns) {
     simple_car::Case made = compared(15);

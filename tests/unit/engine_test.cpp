@@ -109,6 +109,28 @@ TEST(Motor, GivesItsTorqueThenItsPowerThenNothing) {
     EXPECT_DOUBLE_EQ(motorTorque(m, 1, 0, 1200).total, 0);
 }
 
+TEST(Motor, WithoutCurrentControlItsTorqueFallsToNoneAtTheSpeedWithoutLoad) {
+    MotorParams m = motor();
+    m.drag = {};
+    m.no_load_speed = 1000;
+    for (const double speed : {0.0, 100.0, 1000.0})
+        EXPECT_NEAR(motorTorque(m, 1, 0, speed).total, 200 * (1 - speed / 1000), 1e-12);
+    EXPECT_EQ(motorTorque(m, 1, 0, 1100).total, 0) << "beyond, it does not brake";
+    EXPECT_DOUBLE_EQ(motorTorque(m, 1, 0, -100).total, 200) << "backwards, its largest torque is the limit";
+    m.power = 20000;
+    EXPECT_DOUBLE_EQ(motorTorque(m, 1, 0, 500).total, 40) << "and so is its power";
+}
+
+TEST(Motor, DoesNotDriveWithinItsDeadBand) {
+    MotorParams m = motor();
+    m.throttle_dead_band = 0.2;
+    m.lift_off_regeneration = 0;
+    m.drag = {};
+    EXPECT_EQ(motorTorque(m, 0.2, 0, 100).total, 0);
+    EXPECT_DOUBLE_EQ(motorTorque(m, 0.6, 0, 100).total, 100);
+    EXPECT_DOUBLE_EQ(motorTorque(m, 1, 0, 100).total, 200);
+}
+
 TEST(Motor, RecoversAtClosedThrottleAndNotAtStandstill) {
     const MotorParams m = motor();
     EXPECT_NEAR(motorTorque(m, 0, 0, 250).total, -0.3 * 200 - m.drag(250), 1e-12);
@@ -132,6 +154,11 @@ TEST(Motor, ThrottleForATorqueIsTheInverse) {
         for (const double t : {0.0, 0.4, 1.0})
             EXPECT_NEAR(throttleFor(m, motorTorque(m, t, 0, speed).total, speed), t, 1e-12);
     }
+    MotorParams voltage = m;
+    voltage.no_load_speed = 1000;
+    voltage.throttle_dead_band = 0.2;
+    for (const double t : {0.3, 1.0})
+        EXPECT_NEAR(throttleFor(voltage, motorTorque(voltage, t, 0, 700).total, 700), t, 1e-12);
 }
 
 }  // namespace

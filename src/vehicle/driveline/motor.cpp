@@ -19,22 +19,27 @@ Range rangeAt(const MotorParams& motor, double speed) {
     const double most = size * motor.torque > motor.power ? motor.power / size : motor.torque;
     const double moving = std::clamp(speed / motor.regeneration_speed, -1.0, 1.0);
     const double recover = most * std::max(moving, 0.0);
-    return {speed >= motor.speed_limit ? 0 : most, -motor.lift_off_regeneration * recover, recover,
-            motor.drag(size) * moving};
+    const double by_voltage = motor.no_load_speed > 0 ? motor.torque * (1 - speed / motor.no_load_speed) : most;
+    const double full = speed >= motor.speed_limit ? 0 : std::clamp(by_voltage, 0.0, most);
+    return {full, -motor.lift_off_regeneration * recover, recover, motor.drag(size) * moving};
 }
 
 }  // namespace
 
 MotorTorque motorTorque(const MotorParams& motor, double throttle, double brake, double speed) {
     const Range r = rangeAt(motor, speed);
-    const double pedal = throttle * r.full + (1 - throttle) * r.closed;
+    const double band = motor.throttle_dead_band;
+    const double open = std::max(throttle - band, 0.0) / (1 - band);
+    const double pedal = open * r.full + (1 - open) * r.closed;
     const double for_brake = std::clamp(brake, 0.0, std::max(r.most + std::min(pedal, 0.0), 0.0));
     return {pedal - for_brake - r.drag, for_brake};
 }
 
 double throttleFor(const MotorParams& motor, double torque, double speed) {
     const Range r = rangeAt(motor, speed);
-    return r.full > r.closed ? (torque + r.drag - r.closed) / (r.full - r.closed) : 0;
+    if (r.full <= r.closed) return 0;
+    const double open = (torque + r.drag - r.closed) / (r.full - r.closed), band = motor.throttle_dead_band;
+    return band > 0 && open > 0 ? band + open * (1 - band) : open;
 }
 
 }  // namespace tread
