@@ -138,11 +138,11 @@ struct Settings {
               About{"-", "probability below which alternatives are named, and that the credible set holds"});
     }
 
-    // Prior probability of this many causes of the catalogue, at most three. One, two and three share what no cause and
-    // an unknown one leave (D28).
+    // Prior probability of this many causes of the catalogue, at most three. One, two and three share what no cause
+    // leaves (D28).
     constexpr double prior(std::size_t causes) const {
         if (causes == 0) return none;
-        double share = (1 - none - unknown_cause) / (1 + rarer + rarer * rarer);
+        double share = (1 - none) / (1 + rarer + rarer * rarer);
         for (std::size_t i = 1; i < causes; ++i) share *= rarer;
         return share;
     }

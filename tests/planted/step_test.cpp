@@ -73,7 +73,7 @@ TEST(Step, OfReplaysLooksLikeNoEffectWhateverTheCarHas) {
         for (std::size_t d = 0; d < usual.size(); ++d) {
             ASSERT_EQ(usual[d].size(), fine[d].size()) << name;
             ASSERT_GT(fine[d].size(), 0) << name;
-            squares += squaresOf(uncertainty, d, uncertainty.noise[d].over(usual[d] - fine[d]));
+            squares += squaresOf(uncertainty, d, uncertainty.noise[d].over(usual[d] - fine[d]), uncertainty.sizes);
         }
         EXPECT_LT(0.5 * squares, kMostNats) << name;
     }

@@ -64,6 +64,12 @@ inline diagnose::answer::Diagnosis sampleDiagnosis() {
             d.where.channels_of_recording[recording][channel] = share * part;
     }
     d.how_far = {{4.1, 2.9, 1.08, 1}, {3.6, 2.7, 1.12, 1}, 0.92, 0.88, 0.95, false};
+    d.training = {.gap = 17,
+                  .tolerances = {0.5, 0.41, 0.57},
+                  .causes = {0.43, 0.36, 0.5},
+                  .remainder = {0.01, 0, 0.02},
+                  .noise = {0.06, 0.05, 0.08},
+                  .each = {{"tyre_relaxation", {0.43, 0.36, 0.5}, {0.43, 0.36, 0.5}}}};
     d.nuisance = {{"mass", {1362, 14, 0.8}},
                   {"inertia.yaw", {2010, 30, 1.8}},
                   {"brakes.front_share", {0.82, 0.02, 0.1}},
@@ -75,8 +81,9 @@ inline diagnose::answer::Diagnosis sampleDiagnosis() {
     d.next = {{"scenarios/sine_sweep.yaml", {"tyre_relaxation"}, {"steering_delay"}, 34},
               {"scenarios/straight_braking_100.yaml", {"brake_gain"}, {}, 120}};
     d.unexplained = {0.02, "lateral", {"sine_sweep", 3.2}};
+    d.unexplained.sizes = {{"lateral", 1.3}, {"yaw error", 0.6}};
+    d.unexplained.beyond_ordinary = 0.4;
     d.credible_set = {"tyre_relaxation"};
-    d.constancy = {{"tyre_relaxation", 0.44}, {"steering_delay", 0.002}};
     d.baselines = {"steering_delay", "tyre_relaxation"};
     d.data_warnings = {
         "coast_down, chassis.roll: changes only at about 20 Hz: a slower signal, held between its samples."};

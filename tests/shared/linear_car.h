@@ -25,15 +25,19 @@ inline double ofSpeed(double t) {
     return 0.01 * std::exp(-t);
 }
 
-inline void drive(const VehicleParams& car, const Scenario& scenario, const Recorder& recorder, const Pushing&) {
+// The same car, of which a roll moment changes the yaw rate at once. Its yaw rate remains linear in all of its numbers.
+inline void drivePushed(const VehicleParams& car, const Scenario& scenario, const Recorder& recorder,
+                        const Pushing& pushing) {
+    constexpr double kYielding = 2e-5;  // rad/s per N m
     const std::vector<Column> columns = recordedColumns(scenario.log.channels);
     recorder.begin(columns);
     const Phase& phase = scenario.phases.back();
     const auto rows = static_cast<int>(*phase.until.duration / scenario.step) + 1;
     for (int k = 0; k <= rows; ++k) {
         const double t = k * scenario.step, speed = scenario.start.speed;
+        const double pushed = pushing ? kYielding * pushing(t, {}, {}).moment.x() : 0;
         const double rate = car.wheelbase * ofWheelbase(t) + car.steering.ratio * ofRatio(t) +
-                            car.aero.drag_area * ofDrag(t) + car.steering.play * speed * ofSpeed(t);
+                            car.aero.drag_area * ofDrag(t) + car.steering.play * speed * ofSpeed(t) + pushed;
         const std::map<std::string, double> shown{{"time", t},
                                                   {"driver.steering_wheel_angle", valueAt(phase.steering, 0, t)},
                                                   {"chassis.vx", speed},
@@ -44,14 +48,19 @@ inline void drive(const VehicleParams& car, const Scenario& scenario, const Reco
         recorder.row(row);
     }
 }
+inline void drive(const VehicleParams& car, const Scenario& scenario, const Recorder& recorder, const Pushing&) {
+    drivePushed(car, scenario, recorder, {});
+}
 
 inline VehicleParams nominal() {
     return simple_car::Case{}.nominal.vehicle;
 }
 
 // Two drives of a true car, of which the yaw rate alone is compared. Of its numbers only the wheelbase is uncertain.
-inline simple_car::Case recorded(const VehicleParams& truth, std::uint64_t seed) {
-    simple_car::Case made = simple_car::recorded(truth, {simple_car::slalom(15), simple_car::slalom(22)}, seed, drive);
+inline simple_car::Case recorded(const VehicleParams& truth, std::uint64_t seed,
+                                 const recording::Simulate& simulate = drive) {
+    simple_car::Case made =
+        simple_car::recorded(truth, {simple_car::slalom(15), simple_car::slalom(22)}, seed, simulate);
     made.nominal.vehicle.steering.play = truth.steering.play;
     made.file.channels = {{.channel = "chassis.yaw_rate"}};
     made.file.step = 0.002;  // samples of the logs fall on steps of the replay

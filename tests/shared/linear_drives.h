@@ -7,18 +7,23 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/model/remainder.h"
 #include "diagnose/select/search.h"
 
 namespace tread::linear_drives {
 
 using diagnose::model::Disturbed;
+using diagnose::model::Sizes;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 struct LinearDrive {
-    MatrixXd nuisances, effects;  // a column each; every effect has one parameter
-    VectorXd measured;            // less what the nominal car does
-    MatrixXd disturbances;        // columns of the usual size
+    MatrixXd nuisances, effects;        // a column each; every effect has one parameter
+    VectorXd measured;                  // less what the nominal car does
+    MatrixXd disturbances;              // columns of the usual size
+    std::vector<Disturbed> kinds = {};  // of these columns; empty: all lateral
+
+    Disturbed kindOf(Eigen::Index column) const { return kinds.empty() ? Disturbed::lateral : kinds[column]; }
 };
 
 inline diagnose::model::Problem problemOf(const std::vector<LinearDrive>& drives) {
@@ -42,10 +47,10 @@ inline diagnose::model::Problem problemOf(const std::vector<LinearDrive>& drives
     return problem;
 }
 
-inline diagnose::model::Uncertainty uncertaintyOf(const std::vector<LinearDrive>& drives, double size,
-                                                  Disturbed kind = Disturbed::lateral) {
+// Kinds that act in the drives have so many times their usual size.
+inline diagnose::model::Uncertainty uncertaintyOf(const std::vector<LinearDrive>& drives, double size) {
     diagnose::model::Uncertainty uncertainty;
-    uncertainty.sizes.fill(size);
+    uncertainty.sizes.fill(1);
     for (const LinearDrive& told : drives) {
         const Eigen::Index rows = told.measured.size(), impulses = told.disturbances.cols();
         diagnose::model::RowNoise& noise = uncertainty.noise.emplace_back();
@@ -54,7 +59,11 @@ inline diagnose::model::Uncertainty uncertaintyOf(const std::vector<LinearDrive>
         std::iota(noise.ends.begin(), noise.ends.end(), 1);
         noise.expected = static_cast<double>(rows);
         uncertainty.until.push_back(kInfinity);
-        uncertainty.disturbing.emplace_back().kinds.assign(impulses, kind);
+        diagnose::model::Disturbances& disturbing = uncertainty.disturbing.emplace_back();
+        for (Eigen::Index i = 0; i < impulses; ++i) {
+            disturbing.kinds.push_back(told.kindOf(i));
+            uncertainty.sizes[placeOf(told.kindOf(i))] = size;
+        }
         MatrixXd& directions = uncertainty.directions.emplace_back(MatrixXd::Zero(rows, impulses + 1));
         directions.leftCols(impulses) = told.disturbances;  // the speed at the start changes nothing
         uncertainty.bare.push_back(inference::productsOf(MatrixXd(rows, 0), directions));
@@ -81,14 +90,16 @@ inline diagnose::select::Calibration calibrationOf(const diagnose::model::Proble
     return car;
 }
 
-// The fit of the nuisances and these effects: one step leads there.
-inline diagnose::select::Fit fitOf(const diagnose::select::Calibration& car, const std::vector<std::size_t>& effects) {
+// The fit of the nuisances and these effects, with a remainder of these sizes: one step leads there.
+inline diagnose::select::Fit fitOf(const diagnose::select::Calibration& car, const std::vector<std::size_t>& effects,
+                                   const Sizes& sizes) {
     const diagnose::model::Problem& problem = car.problem;
     diagnose::select::Fit fit;
     fit.at = problem.replays.origin();
     for (const std::size_t e : effects) fit.knobs.push_back(problem.knobs[e].front());
     fit.free = diagnose::model::joined(problem.nuisances, fit.knobs);
     fit.rows = car.nominal;
+    fit.sizes = sizes;
     const auto look = [&] {
         fit.products.clear(), fit.columns.clear();
         for (std::size_t d = 0; d < problem.drives.size(); ++d) {
@@ -97,16 +108,57 @@ inline diagnose::select::Fit fitOf(const diagnose::select::Calibration& car, con
             fit.columns.emplace_back(all.leftCols(all.cols() - 1));
             fit.products.push_back(diagnose::model::productsOf(car.uncertainty, d, all));
         }
-        return diagnose::select::quadraticAt(fit, car.uncertainty, car.uncertainty.sizes);
+        return diagnose::select::quadraticAt(fit, car.uncertainty);
     };
     fit.at(fit.free) = inference::bestStep(look());
     for (std::size_t d = 0; d < fit.rows.size(); ++d) fit.rows[d] = car.about.about.columns[d] * fit.at;
     const inference::QuadraticModel there = look();
     const Eigen::Index n = std::ssize(fit.free);
     fit.covariance = inference::factorOfPriorAnd(there.information).solve(MatrixXd::Identity(n, n));
-    fit.log_evidence = inference::logEvidence(there, VectorXd::Zero(n));
+    fit.log_evidence = inference::logEvidence(there, VectorXd::Zero(n)) +
+                       diagnose::model::logPrior(sizes, diagnose::model::kWidePrior);
     fit.converged = true;
     return fit;
+}
+inline diagnose::select::Fit fitOf(const diagnose::select::Calibration& car, const std::vector<std::size_t>& effects) {
+    return fitOf(car, effects, car.uncertainty.sizes);
+}
+
+// The same with the sizes of the largest evidence.
+inline diagnose::select::Fit resizedFitOf(const diagnose::select::Calibration& car,
+                                          const std::vector<std::size_t>& effects) {
+    constexpr int kEnough = 200;
+    diagnose::select::Fit fit = fitOf(car, effects);
+    for (int i = 0; i < kEnough; ++i)
+        fit = fitOf(car, effects, diagnose::model::improvedSizes(car.uncertainty, fit.products, fit.sizes, 1));
+    return fit;
+}
+
+// Logarithm of the density of all rows, without the constant -rows/2 log(2 pi): from their full covariance, in which
+// everything but the noise is marginalised.
+inline double logDensity(const std::vector<LinearDrive>& drives, const std::vector<std::size_t>& effects,
+                         const Sizes& sizes) {
+    Eigen::Index rows = 0, first = 0;
+    for (const LinearDrive& drive : drives) rows += drive.measured.size();
+    const Eigen::Index nuisances = drives.front().nuisances.cols();
+    MatrixXd shared(rows, nuisances + std::ssize(effects)), covariance = MatrixXd::Identity(rows, rows);
+    VectorXd measured(rows);
+    for (const LinearDrive& drive : drives) {
+        const Eigen::Index count = drive.measured.size();
+        measured.segment(first, count) = drive.measured;
+        shared.block(first, 0, count, nuisances) = drive.nuisances;
+        for (std::size_t e = 0; e < effects.size(); ++e)
+            shared.col(nuisances + static_cast<Eigen::Index>(e)).segment(first, count) =
+                drive.effects.col(static_cast<Eigen::Index>(effects[e]));
+        for (Eigen::Index i = 0; i < drive.disturbances.cols(); ++i) {
+            const VectorXd column = sizes[placeOf(drive.kindOf(i))] * drive.disturbances.col(i);
+            covariance.block(first, first, count, count) += column * column.transpose();
+        }
+        first += count;
+    }
+    covariance += shared * shared.transpose();
+    const Eigen::LLT<MatrixXd> factor(covariance);
+    return -0.5 * measured.dot(factor.solve(measured)) - MatrixXd(factor.matrixL()).diagonal().array().log().sum();
 }
 
 inline diagnose::select::Candidate candidateOf(const diagnose::select::Calibration& car,

@@ -90,7 +90,8 @@ TEST(ExpectedEvidence, GainsOfDrawnCarsAreDistributedAsItSays) {
         double sum = 0, squares = 0, found = 0;
         for (int i = 0; i < kDraws; ++i) {
             drawn.draw(size, random);
-            const double gain = gainsOver(drawn.car, drawn.car.about, drawn.car.fit).front();
+            const double gain =
+                gainsOver(drawn.car, drawn.car.about, drawn.car.fit, drawn.car.uncertainty.sizes).front();
             sum += gain, squares += gain * gain;
             found += gain >= kEnough ? 1 : 0;
         }

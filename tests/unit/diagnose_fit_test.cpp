@@ -14,6 +14,7 @@ namespace {
 
 using diagnose::catalogue::Direction;
 using diagnose::catalogue::Effect;
+using diagnose::model::Disturbed;
 using diagnose::model::nominalCar;
 using diagnose::model::Problem;
 using diagnose::model::problemOf;
@@ -25,6 +26,7 @@ using diagnose::select::fitted;
 using diagnose::select::screen;
 using diagnose::select::search;
 using diagnose::select::Search;
+using diagnose::select::SizePrior;
 using simple_car::effect;
 
 using Eigen::Index;
@@ -34,6 +36,9 @@ using Eigen::VectorXd;
 const diagnose::Progress kQuiet = [](double, const std::string&) {};
 
 constexpr double kStartSpeed = 0.1;  // m/s, of what is not known of the speed at the start
+
+// Nats: a fit, also that of no effect, ends where a step promises less.
+constexpr double kLastStep = 0.05;
 
 // The parameters of the problem: wheelbase (a nuisance), ratio, drag.
 constexpr Index kWheelbase = 0, kRatio = 1, kDrag = 2;
@@ -120,7 +125,6 @@ TEST(Fit, OfALinearCarIsRidgeRegressionInTheFullCovariance) {
         expectSame(fit->at(free), dense.best(free), 1e-6);
         expectSame(fit->covariance.reshaped(), dense.posterior(free).reshaped(), 1e-8);
         EXPECT_NEAR(fit->log_evidence, dense.logEvidence(free), 1e-6);
-        EXPECT_NEAR(logEvidence(*fit, car.uncertainty, car.uncertainty.sizes), dense.logEvidence(free), 1e-6);
     }
 }
 
@@ -137,14 +141,84 @@ TEST(Fit, KnobThatMayOnlyGrowStaysAtItsLimitWhenLessIsTrue) {
     expectSame(fit->at(std::vector<Index>{kWheelbase, kRatio}), dense.best({kWheelbase, kRatio}), 1e-6);
 }
 
+// With a standard deviation of 20 typical sizes in place of one, and the nuisance as before.
+TEST(Fit, WithoutThePriorOfSizesIsMaximumLikelihoodButForALeastPrior) {
+    const simple_car::Case made = someCase(0.8, 1.25);
+    const Problem problem = problemOfTwo(made);
+    const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
+    const Dense dense(car, made.nominal.vehicle);
+    const std::vector<Index> free{kWheelbase, kRatio, kDrag};
+    const MatrixXd weight = dense.covariance.inverse();
+    const MatrixXd information = dense.columns.transpose() * weight * dense.columns;
+    const VectorXd gradient = dense.columns.transpose() * weight * dense.residual;
+    const auto best = [&](double of_knobs) -> MatrixXd {
+        const VectorXd prior{{1, of_knobs, of_knobs}};
+        return MatrixXd(information + MatrixXd(prior.asDiagonal())).inverse();
+    };
+    const std::optional<Fit> ranked = fitted(problem.replays, problem.drives, car.uncertainty, car.about,
+                                             {kRatio, kDrag}, problem.replays.origin()),
+                             released = fitted(problem.replays, problem.drives, car.uncertainty, car.about,
+                                               {kRatio, kDrag}, problem.replays.origin(), SizePrior::none);
+    ASSERT_TRUE(ranked && released);
+    expectSame(ranked->at(free), best(1) * gradient, 1e-6);
+    expectSame(released->at(free), best(1 / 400.0) * gradient, 1e-6);
+    expectSame(released->covariance.reshaped(), best(1 / 400.0).reshaped(), 1e-8);
+    const VectorXd likeliest = best(0) * gradient;
+    for (const Index knob : {kRatio, kDrag})
+        EXPECT_LT(std::abs(released->at(knob) - likeliest(knob)), 0.01 * std::abs(ranked->at(knob) - likeliest(knob)));
+}
+
+// Covariance of all rows by disturbances of one kind, of the usual size.
+MatrixXd covarianceBy(Disturbed kind, const Calibration& car, Index rows) {
+    MatrixXd all = MatrixXd::Zero(rows, rows);
+    Index first = 0;
+    for (std::size_t d = 0; d < car.drives().size(); ++d) {
+        const std::vector<Disturbed>& kinds = car.uncertainty.disturbing[d].kinds;
+        const MatrixXd& directions = car.uncertainty.directions[d];
+        for (std::size_t i = 0; i < kinds.size(); ++i) {
+            const VectorXd column = directions.col(static_cast<Index>(i));
+            if (kinds[i] == kind) all.block(first, first, column.size(), column.size()) += column * column.transpose();
+        }
+        first += directions.rows();
+    }
+    return all;
+}
+
+TEST(Fit, HasTheSizesOfTheLargestEvidenceAndTheirPriorInIt) {
+    const simple_car::Case made = someCase(0.95, 1.06);
+    diagnose::Options options = linear_car::options();
+    options.simulate = linear_car::drivePushed;
+    const Problem problem = problemOf(made.nominal, made.file, made.recorded,
+                                      {effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")}, options);
+    const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
+    const Dense plain(car, made.nominal.vehicle);
+    const MatrixXd pushed = covarianceBy(Disturbed::roll, car, plain.residual.size());
+    for (const std::vector<Index>& knobs : {std::vector<Index>{}, {kRatio, kDrag}}) {
+        const std::vector<Index> free = diagnose::model::joined({kWheelbase}, knobs);
+        const auto merit = [&](double size) {
+            Dense dense = plain;
+            dense.covariance += size * size * pushed;
+            return dense.logEvidence(free) - 0.5 * std::log(size) * std::log(size);
+        };
+        const std::optional<Fit> fit =
+            fitted(problem.replays, problem.drives, car.uncertainty, car.about, knobs, problem.replays.origin());
+        ASSERT_TRUE(fit);
+        const double size = fit->sizes[placeOf(Disturbed::roll)];
+        EXPECT_NEAR(fit->log_evidence, merit(size), kLastStep);
+        double most = -kInfinity;
+        for (double log_size = -3.5; log_size < 5; log_size += 0.05) most = std::max(most, merit(std::exp(log_size)));
+        EXPECT_LT(most - fit->log_evidence, kLastStep) << size;
+        for (const Disturbed kind :
+             {Disturbed::longitudinal, Disturbed::lateral, Disturbed::steering, Disturbed::roll_error})
+            EXPECT_EQ(fit->sizes[placeOf(kind)], 1) << nameOf(kind) << " changes nothing in the rows";
+    }
+}
+
 const Candidate* candidate(const Search& found, const std::vector<std::size_t>& effects) {
     for (const Candidate& one : found.candidates)
         if (one.effects == effects) return &one;
     return nullptr;
 }
-
-// Nats: a fit, also that of no effect, ends where a step promises less.
-constexpr double kLastStep = 0.05;
 
 TEST(Search, OfTwoEffectsThatAreBothTrueFindsBothWithTheEvidenceOfTheClosedForm) {
     const simple_car::Case made = someCase(0.95, 1.06);

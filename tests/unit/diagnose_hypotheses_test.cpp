@@ -1,11 +1,12 @@
-// The posterior over sets of causes, against an enumeration of all hypotheses by the equations of
-// src/diagnose/README.md: three effects in two drives, whose signatures do not overlap.
+// The posterior over sets of causes and the doubt about their signatures, against an enumeration of all hypotheses by
+// the equations of src/diagnose/README.md: three effects in two drives, whose signatures do not overlap.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
 #include <string>
 
+#include "diagnose/select/doubt.h"
 #include "diagnose/select/posterior.h"
 #include "shared/linear_drives.h"
 
@@ -15,6 +16,7 @@ namespace {
 using diagnose::model::Problem;
 using diagnose::select::Calibration;
 using diagnose::select::Candidate;
+using diagnose::select::doubt;
 using diagnose::select::Hypothesis;
 using diagnose::select::Posterior;
 using diagnose::select::posterior;
@@ -77,28 +79,19 @@ struct ThreeEffects {
         }
         return squares;
     }
-    // (D37) to (D39), of drives that are independent: each has its own value along the fitted direction. Two drives:
-    // one degree of freedom.
-    double resembles(const std::vector<std::size_t>& effects, bool compared) const {
-        double length = 0;
-        for (const std::size_t e : effects) length += sizeOf(e) * sizeOf(e);
-        double weights = 0, weighted = 0, squares = 0;
+    // (D30). What a set explains in a drive is a sum over its effects.
+    double doubted(const std::vector<std::size_t>& effects) const {
+        double sum = 0, squares = 0;
         for (const LinearDrive& drive : drives) {
-            double weight = 0, gradient = 0;
-            for (const std::size_t e : effects) {
-                const double slope = drive.effects(e, e), size = sizeOf(e), along = size / std::sqrt(length);
-                weight += slope * slope * along * along;
-                gradient += slope * along * (drive.measured(e) - slope * size);
-            }
-            weights += weight, weighted += gradient, squares += gradient * gradient / weight;
+            double explained = 0;
+            for (const std::size_t e : effects) explained += std::pow(drive.effects(e, e) * sizeOf(e), 2);
+            sum += explained, squares += explained * explained;
         }
-        const double q = squares - weighted * weighted / weights, w = length * weights;
-        const double narrow = 1 + std::pow(compared ? 0.25 : 0.1, 2) * w / 2, wide = 1 + 0.25 * w / 2;
-        return 0.5 * q * (1 / narrow - 1 / wide) - 0.5 * std::log(wide / narrow);
+        return sum > 0 ? 1 + 0.1 * 0.1 * squares / sum : 1;
     }
 };
 
-using Probabilities = std::map<std::string, double>;  // of hypotheses: "01", "01 resembled", "unknown"
+using Probabilities = std::map<std::string, double>;  // of sets: "01"
 
 std::string nameOf(const std::vector<std::size_t>& effects) {
     std::string name;
@@ -106,34 +99,30 @@ std::string nameOf(const std::vector<std::size_t>& effects) {
     return name;
 }
 
-// (D28) to (D32). `doubted`: nats of each effect after the first that do not count, (D30).
-Probabilities enumerated(const ThreeEffects& three, double birge, double doubted, double unknown, bool compared) {
+// (D28) and (D29).
+Probabilities enumerated(const ThreeEffects& three, double birge, const std::vector<bool>& possible) {
+    constexpr double kOne = 0.75 / (1 + 1.0 / 3 + 1.0 / 9);
     // Three single effects, three pairs, one set of three.
-    const std::vector<double> prior{0.25, 0.45 / 3, 0.15 / 3, 0.05}, alike{0, 0.05 / 3, 0.05 / 3, 0.3};
+    const std::vector<double> prior{0.25, kOne / 3, kOne / 3 / 3, kOne / 9};
+    const std::vector<Candidate>& all = three.found.candidates;
+    double best = 0;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (possible[i]) best = std::max(best, all[i].log_evidence);
     Probabilities weight;
-    double strongest = -1e9;
-    for (const Candidate& one : three.found.candidates) {
-        const std::size_t n = one.effects.size();
-        const double evidence = one.log_evidence - (n > 1 ? static_cast<double>(n - 1) * doubted : 0);
-        strongest = std::max(strongest, evidence);
-        weight[nameOf(one.effects)] = prior[n] * std::exp(evidence / birge);
-        if (n == 0 || !one.fitted) continue;
-        const double gain = three.resembles(one.effects, compared);
-        weight[nameOf(one.effects) + " resembled"] = 0.1 * alike[n] * std::exp((evidence + gain) / birge);
-    }
-    weight["unknown"] = 0.1 * std::exp((strongest + unknown - 6) / birge);
     double sum = 0;
-    for (const auto& [name, value] : weight) sum += value;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!possible[i]) continue;
+        const double divisor = all[i].fitted ? three.doubted(all[i].effects) * birge : birge;
+        sum += weight[nameOf(all[i].effects)] =
+            prior[all[i].effects.size()] * std::exp((all[i].log_evidence - best) / divisor);
+    }
     for (auto& [name, value] : weight) value /= sum;
     return weight;
 }
 
 Probabilities told(const Posterior& posterior) {
     Probabilities all;
-    for (const Hypothesis& one : posterior.hypotheses) {
-        const std::string name = one.candidate ? nameOf(one.candidate->effects) : "unknown";
-        all[one.look_alike ? name + " resembled" : name] = one.probability;
-    }
+    for (const Hypothesis& one : posterior.hypotheses) all[nameOf(one.candidate->effects)] = one.probability;
     return all;
 }
 
@@ -142,6 +131,7 @@ void expectSame(const Probabilities& found, const Probabilities& expected) {
     for (const auto& [name, value] : expected) {
         ASSERT_TRUE(found.contains(name)) << name;
         EXPECT_NEAR(found.at(name), value, 1e-12) << name;
+        EXPECT_GT(value, 1e-9) << name << " must be seen";
     }
 }
 
@@ -150,41 +140,66 @@ TEST(Hypotheses, AreAsProbableAsTheirPriorsAndEvidenceSay) {
     // The best set, of two effects, leaves this of two drives of four rows.
     const double birge = three.leftOf({0, 1}) / 8;
     ASSERT_GT(birge, 1.2);
-    for (const double unknown : {-3.0, 5.0, 20.0}) {
-        const Posterior found = posterior(three.car, three.found, unknown);
+    for (const std::vector<bool>& possible : {std::vector<bool>{true, true, true, true, true, true},
+                                              {false, true, true, true, true, true},
+                                              {true, false, true, false, true, true}}) {
+        const Posterior found = posterior(three.car, three.found, possible);
         EXPECT_NEAR(found.variance_factor, birge, 1e-12);
-        const Probabilities expected = enumerated(three, birge, 0.002 * 14.5, unknown, false);
+        Probabilities expected = enumerated(three, birge, possible);
         expectSame(told(found), expected);
-        EXPECT_NEAR(found.of(0), expected.at("0") + expected.at("01") + expected.at("012"), 1e-12);
-        EXPECT_NEAR(found.of(2), expected.at("2") + expected.at("012"), 1e-12);
-        EXPECT_NEAR(found.ofUnknown(),
-                    expected.at("unknown") + expected.at("0 resembled") + expected.at("1 resembled") +
-                        expected.at("01 resembled") + expected.at("012 resembled"),
-                    1e-12);
-        for (const auto& [name, probability] : expected) EXPECT_GT(probability, 1e-9) << name << " must be seen";
+        EXPECT_NEAR(found.of(0), expected["0"] + expected["01"] + expected["012"], 1e-12);
+        EXPECT_NEAR(found.of(2), expected["2"] + expected["012"], 1e-12);
+        EXPECT_NEAR(found.ofNothing(), expected[""], 1e-12);
     }
 }
 
-// With references, a model of another structure: more nats of further effects are doubted, any size is as good as
-// another, and values may vary more.
-TEST(Hypotheses, OfDrivesWithReferencesDoubtFurtherEffectsMore) {
-    ThreeEffects three;
-    for (recording::RecordedDrive& drive : three.problem.drives) drive.runs = 2;
-    const double birge = three.leftOf({0, 1}) / 8;
-    expectSame(told(posterior(three.car, three.found, 2)), enumerated(three, birge, 0.15 * 14.5, 2, true));
+TEST(Hypotheses, AreDoubtedInProportionToWhatTheyExplainInOneDrive) {
+    const ThreeEffects three;
+    for (const Candidate& one : three.found.candidates) {
+        if (!one.fitted) continue;
+        EXPECT_NEAR(doubt(three.car, one.fit), three.doubted(one.effects), 1e-12) << nameOf(one.effects);
+    }
+    EXPECT_EQ(doubt(three.car, three.found.none().fit), 1);
 }
 
-TEST(Hypotheses, EffectThatHasAnotherValueInEachDriveIsRatherResembled) {
-    // The first drive asks for 1.6, the second for 0.6; both know it well.
-    ThreeEffects three({driveOf(VectorXd{{12, 2, 1}}, VectorXd{{19.2, 1, -1, 1}}),
-                        driveOf(VectorXd{{10, 2, 1}}, VectorXd{{6, -1, 1, -1}})});
-    three.found.candidates.clear();
-    three.add({0}, 40);
-    three.add({}, 0);
-    EXPECT_GT(three.resembles({0}, false), 3);
-    const Probabilities found = told(posterior(three.car, three.found, -3));
-    expectSame(found, enumerated(three, three.leftOf({0}) / 8, 0, -3, false));
-    EXPECT_GT(found.at("0 resembled") / found.at("0"), 2 / 90.0) << "of priors, 0.005 and 0.45, it is 1 / 90";
+TEST(Hypotheses, AreHalfAsDoubtfulWhenTwoDrivesShareWhatIsExplained) {
+    const auto doubtOf = [](const std::vector<double>& measured) {
+        std::vector<LinearDrive> drives;
+        for (const double one : measured) drives.push_back(driveOf(VectorXd{{1e4, 1, 1}}, VectorXd{{one, 0, 0, 0}}));
+        const Problem problem = linear_drives::problemOf(drives);
+        const Calibration car = linear_drives::calibrationOf(problem, drives);
+        return doubt(car, linear_drives::fitOf(car, {0})) - 1;
+    };
+    const double half = 1e5 / std::sqrt(2);
+    EXPECT_NEAR(doubtOf({half, half}) / doubtOf({1e5}), 0.5, 1e-6);
+}
+
+// What disturbances could do as well does not count as explained.
+TEST(Hypotheses, AreDoubtedInTheMetricOfTheirRemainder) {
+    LinearDrive drive = driveOf(VectorXd{{3, 2, 1}}, VectorXd{{4.1, 1.5, 0.4, 3}});
+    drive.disturbances = MatrixXd{{0.8}, {0.3}, {-0.5}, {1}};
+    const std::vector<LinearDrive> drives{drive};
+    const Problem problem = linear_drives::problemOf(drives);
+    const Calibration car = linear_drives::calibrationOf(problem, drives, 2);
+    const auto fit = linear_drives::fitOf(car, {0, 2});
+    const MatrixXd metric =
+        (MatrixXd::Identity(4, 4) + 4 * drive.disturbances * drive.disturbances.transpose()).inverse();
+    const VectorXd explained = drive.effects * fit.at;
+    EXPECT_NEAR(doubt(car, fit), 1 + 0.01 * explained.dot(metric * explained), 1e-12);
+}
+
+// The truth may resemble a rival as far as its signature is wrong: a share of 0.1 of 20 standard deviations is two of
+// them, and an advantage of 12.5 nats, five standard deviations, shrinks to 12.5 / (1 + 4).
+TEST(Hypotheses, RivalOfAStrongEffectKeepsTheProbabilityThatAWrongSignatureLeavesIt) {
+    const std::vector<LinearDrive> drives{driveOf(VectorXd{{20, 20, 1}}, VectorXd{{20, 20, 0, 0}})};
+    const Problem problem = linear_drives::problemOf(drives);
+    const Calibration car = linear_drives::calibrationOf(problem, drives);
+    Search found{{linear_drives::candidateOf(car, {0}), linear_drives::candidateOf(car, {1})}};
+    found.candidates[0].log_evidence = 100, found.candidates[1].log_evidence = 87.5;
+    found.candidates.push_back(linear_drives::candidateOf(car, {}));
+    const Posterior result = posterior(car, found, {true, true, true});
+    const double explained = std::pow(20 * 400 / 401.0, 2), birge = result.variance_factor;
+    EXPECT_NEAR(std::log(result.of(0) / result.of(1)), 12.5 / (1 + 0.01 * explained) / birge, 1e-9);
 }
 
 }  // namespace

@@ -23,7 +23,8 @@ using diagnose::select::Posterior;
 using diagnose::select::posterior;
 using diagnose::select::Search;
 
-constexpr double kNoMore = -1000;
+// (D28): one, two and three causes share what no cause leaves, each a third as likely as one cause less.
+constexpr double kOne = 0.75 / (1 + 1.0 / 3 + 1.0 / 9), kTwo = kOne / 3;
 
 // A question about ten effects without a drive: nothing is left over, and a unit of evidence counts in full.
 Problem askedOf(int effects) {
@@ -41,45 +42,40 @@ Candidate judged(std::vector<std::size_t> effects, double log_evidence) {
     return {.effects = std::move(effects), .log_evidence = log_evidence, .fit = {}, .fitted = false};
 }
 
+TEST(Posterior, PriorsOfAllNumbersOfCausesSumToOne) {
+    EXPECT_NEAR(kSettings.prior(0) + kSettings.prior(1) + kSettings.prior(2) + kSettings.prior(3), 1, 1e-12);
+}
+
 TEST(Posterior, OfOneEffectIsItsShareOfPriorTimesEvidence) {
     const TenEffects ten;
     const Search found{{judged({3}, 5), judged({7}, 2), judged({}, 0)}};
-    const double none = 0.25, first = 0.045 * std::exp(5), second = 0.045 * std::exp(2);
-    const Posterior result = posterior(ten.car, found, kNoMore);
+    const double none = 0.25, first = kOne / 10 * std::exp(5), second = kOne / 10 * std::exp(2);
+    const Posterior result = posterior(ten.car, found, {true, true, true});
     EXPECT_NEAR(result.of(3), first / (none + first + second), 1e-12);
     EXPECT_NEAR(result.of(7), second / (none + first + second), 1e-12);
     EXPECT_EQ(result.of(4), 0);
-    EXPECT_LT(result.ofUnknown(), 1e-12);
+    EXPECT_NEAR(result.ofNothing(), none / (none + first + second), 1e-12);
     EXPECT_EQ(result.hypotheses.front().candidate, &found.candidates.front());
 }
 
 TEST(Posterior, OfAPairCountsForBothAndIsSplitOverAllPairs) {
     const TenEffects ten;
     const Search found{{judged({3, 7}, 12), judged({3}, 5), judged({}, 0)}};
-    const double doubted = kSettings.further_share * 12;
-    const double none = 0.25, one = 0.045 * std::exp(5), two = 0.15 / 45 * std::exp(12 - doubted);
-    const Posterior result = posterior(ten.car, found, kNoMore);
+    const double none = 0.25, one = kOne / 10 * std::exp(5), two = kTwo / 45 * std::exp(12);
+    const Posterior result = posterior(ten.car, found, {true, true, true});
     EXPECT_NEAR(result.of(7), two / (none + one + two), 1e-12);
     EXPECT_NEAR(result.of(3), (one + two) / (none + one + two), 1e-12);
 }
 
-TEST(Posterior, OfUnknownGrowsWithWhatLargerDisturbancesGain) {
+TEST(Posterior, OfWhatIsStruckOffIsSharedByTheOthers) {
     const TenEffects ten;
-    const Search found{{judged({3}, 5), judged({}, 0)}};
-    const double gain = 8;
-    const double none = 0.25, one = 0.045 * std::exp(5), unknown = 0.1 * std::exp(5 + gain - kSettings.clear);
-    const Posterior result = posterior(ten.car, found, gain);
-    EXPECT_NEAR(result.ofUnknown(), unknown / (none + one + unknown), 1e-12);
-}
-
-TEST(Posterior, OfNothingThatShowsCountsWhatHasNotGainedEnough) {
-    const TenEffects ten;
-    const Search found{{judged({3}, kSettings.effect + 0.1), judged({7}, kSettings.effect - 0.1), judged({}, 0)}};
-    const Posterior result = posterior(ten.car, found, 4);
-    EXPECT_TRUE(result.shows(found.candidates[0].log_evidence));
-    EXPECT_FALSE(result.shows(found.candidates[1].log_evidence));
-    EXPECT_GT(result.ofUnknown(), 0.01);
-    EXPECT_NEAR(result.ofNothingThatShows(), 1 - result.of(3) - result.ofUnknown(), 1e-12);
+    const Search found{{judged({3}, 9), judged({7}, 2), judged({}, 0)}};
+    const double none = 0.25, second = kOne / 10 * std::exp(2);
+    const Posterior result = posterior(ten.car, found, {false, true, true});
+    EXPECT_EQ(result.of(3), 0);
+    EXPECT_NEAR(result.of(7), second / (none + second), 1e-12);
+    EXPECT_NEAR(result.of(7) + result.ofNothing(), 1, 1e-12);
+    EXPECT_EQ(result.hypotheses.size(), 2u);
 }
 
 TEST(Thresholds, WhatIsTestableAndDoesNotShowIsSmallerThanTypical) {

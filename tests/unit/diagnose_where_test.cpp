@@ -91,21 +91,6 @@ TEST(Where, EnergyIsWhatIsLeftOverTheNoiseByChannelAndDrive) {
     EXPECT_FALSE(where.channels_of_recording.at("second").contains("chassis.ay")) << "no more than noise";
 }
 
-TEST(Where, FloorIsNoiseAndDisturbancesTogether) {
-    Gaps gaps;
-    gaps.add("drive", {{"chassis.ay", VectorXd{{1, 0, 0, 0}}}}, {0.1});
-    auto& uncertainty = gaps.car.uncertainty;
-    uncertainty.sizes.fill(2);
-    uncertainty.disturbing.front().kinds = {Disturbed::lateral};
-    uncertainty.directions.front() =
-        MatrixXd{{0.5, 0}, {1, 0}, {0, 20}, {0, 0}};  // over the noise; 0.1 m/s at the start
-    const VectorXd floor = diagnose::explain::floorOf(uncertainty, 0);
-    EXPECT_NEAR(floor(0), 0.1 * std::sqrt(1 + 1), kSame);
-    EXPECT_NEAR(floor(1), 0.1 * std::sqrt(1 + 4), kSame);
-    EXPECT_NEAR(floor(2), 0.1 * std::sqrt(1 + 4), kSame) << "of the speed at the start";
-    EXPECT_NEAR(floor(3), 0.1, kSame);
-}
-
 // Rows share the energy of their channel in proportion to their squares.
 TEST(Where, RegimesShareTheEnergyRowByRow) {
     Gaps gaps;

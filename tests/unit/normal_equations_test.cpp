@@ -10,6 +10,8 @@
 namespace tread {
 namespace {
 
+using inference::disturbedProducts;
+using inference::DisturbedProducts;
 using inference::DriveProducts;
 using inference::extended;
 using inference::marginalised;
@@ -50,6 +52,17 @@ TEST(NormalEquations, ProductsAreThoseInTheDenseMetric) {
     const MatrixXd expected = dense.columns.transpose() * dense.metric().inverse() * dense.columns;
     EXPECT_LT((equations.products - expected).cwiseAbs().maxCoeff(), 1e-10);
     EXPECT_NEAR(equations.log_determinant, logDeterminant(dense.metric()), 1e-10);
+}
+
+// The posterior of impulses a ~ N(0, 1), of which each makes `sizes` times its column.
+TEST(NormalEquations, ImpulsesAreEstimatedAsInTheDensePosterior) {
+    const Dense dense;
+    const DisturbedProducts found = disturbedProducts(productsOf(dense.columns, dense.disturbances), dense.sizes);
+    const MatrixXd scaled = dense.disturbances * dense.sizes.asDiagonal();
+    const MatrixXd posterior = (MatrixXd::Identity(6, 6) + scaled.transpose() * scaled).inverse();
+    EXPECT_LT((found.products - dense.equations().products).cwiseAbs().maxCoeff(), 1e-10);
+    EXPECT_LT((found.estimates - posterior * scaled.transpose() * dense.columns).cwiseAbs().maxCoeff(), 1e-10);
+    EXPECT_LT((found.variances - posterior.diagonal()).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(NormalEquations, EvidenceIsThatOfTheDenseCovariance) {

@@ -5,7 +5,7 @@
 
 namespace tread::diagnose::explain {
 
-// Fills training and held_out of a diagnosis (D49).
+// Fills training and held_out of a diagnosis (D48a).
 void decompose(answer::Diagnosis& diagnosis, const select::Calibration& car, const select::Search& found,
                const select::Judgement& judgement, const select::HeldOut& held_out);
 

@@ -124,12 +124,13 @@ FrontAxle frontAxle(const VehicleParams& car) {
     return {2 * slope / std::max(kLightest, compliant), kStandardGravity * at.muy};
 }
 
-// Size of an error of the model's force at each hat, in usual sizes of the disturbance of its kind: in proportion to the
-// acceleration of the car (D12a).
+// Size of an error of the model's force at each hat, in usual sizes of the disturbance of its kind: in proportion to
+// the acceleration of the car (D11a).
 Eigen::VectorXd errorSizes(const Course& course, const VehicleParams& car, Disturbed kind) {
     const std::vector<double>& time = course.motion.channels.front().values;
     const Channel* acceleration = course.motion.find(kind == Disturbed::longitudinal ? "chassis.ax" : "chassis.ay");
-    const double lever = kind == Disturbed::yaw    ? car.front_axle_distance * (1 - car.front_axle_distance / car.wheelbase)
+    const double lever = kind == Disturbed::yaw
+                             ? car.front_axle_distance * (1 - car.front_axle_distance / car.wheelbase)
                          : kind == Disturbed::roll ? car.centre_of_gravity_height
                                                    : 1;
     Eigen::VectorXd sizes = Eigen::VectorXd::Zero(course.hats);

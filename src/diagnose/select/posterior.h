@@ -21,7 +21,7 @@ struct Posterior {
     double ofNothing() const;
 };
 
-// `possible`: of each candidate of the search, whether it can be the answer (D28) to (D32).
+// `possible`: of each candidate of the search, whether it can be the answer (D28), (D29).
 Posterior posterior(const Calibration& car, const Search& found, const std::vector<bool>& possible);
 
 }  // namespace tread::diagnose::select

@@ -18,14 +18,11 @@ double logEvidenceWith(const Fit& fit, const Uncertainty& uncertainty, const Siz
     return inference::logEvidence(here, inference::bestStep(here));
 }
 
-// Sizes that an ordinary drive has: those of the fit, pulled to their usual values.
-Sizes ordinarySizes(const Calibration& car, const Fit& fit) {
-    Sizes sizes;
-    sizes.fill(1);
+// Sizes of the largest evidence under a prior.
+Sizes sizesUnder(const model::SizesPrior& prior, const Calibration& car, const Fit& fit, Sizes sizes) {
     for (int i = 0; i < kSizeSteps; ++i) {
         const Sizes last = sizes;
-        sizes = model::improvedSizes(car.uncertainty, fit.products, last, car.problem.replays.threads,
-                                     model::kOrdinaryPrior);
+        sizes = model::improvedSizes(car.uncertainty, fit.products, last, car.problem.replays.threads, prior);
         if (model::changeOf(last, sizes) < kSizesSettled) break;
     }
     return sizes;
@@ -44,12 +41,14 @@ double Remains::probability() const {
 
 Remains whatRemains(const Calibration& car, const Candidate& model) {
     const Fit& fit = model.fit;
-    const Sizes ordinary = ordinarySizes(car, fit);
-    Remains remains;
-    const auto evidence = [&](const Sizes& sizes, const model::SizesPrior& prior) {
+    Sizes usual;
+    usual.fill(1);
+    const auto evidence = [&](const model::SizesPrior& prior, const Sizes& from) {
+        const Sizes sizes = sizesUnder(prior, car, fit, from);
         return logEvidenceWith(fit, car.uncertainty, sizes) + model::logPrior(sizes, prior);
     };
-    remains.beyond_ordinary = evidence(fit.sizes, model::kLargePrior) - evidence(ordinary, model::kOrdinaryPrior);
+    Remains remains;
+    remains.beyond_ordinary = evidence(model::kLargePrior, fit.sizes) - evidence(model::kOrdinaryPrior, usual);
     answer::ForceLaw law = forceLaw(car, fit);
     if (law.gain > kSettings.clear) remains.law = std::move(law);
     return remains;

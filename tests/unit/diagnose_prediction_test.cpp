@@ -1,0 +1,140 @@
+// What a model predicts of a drive that is left out, against the density of its rows given those of the other drives,
+// from the full covariance of all rows.
+#include "diagnose/select/prediction.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/random.h"
+#include "shared/linear_drives.h"
+
+namespace tread {
+namespace {
+
+using diagnose::model::Disturbed;
+using diagnose::model::Problem;
+using diagnose::model::Sizes;
+using diagnose::select::Calibration;
+using diagnose::select::Fit;
+using diagnose::select::predicted;
+using diagnose::select::Prediction;
+using diagnose::select::predictiveDensities;
+using linear_drives::fitOf;
+using linear_drives::LinearDrive;
+using linear_drives::logDensity;
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+MatrixXd normals(Index rows, Index columns, Random& random) {
+    MatrixXd all(rows, columns);
+    for (double& one : all.reshaped()) one = random.normal();
+    return all;
+}
+
+// Drives of a car with the first of two effects, of these values; columns of drive d are `seen[d]` times as large.
+struct Driven {
+    std::vector<LinearDrive> drives;
+    Problem problem;
+    Calibration car;
+
+    Driven(const std::vector<double>& values, const std::vector<double>& seen, std::uint64_t seed = 1)
+        : drives(drawn(values, seen, seed)),
+          problem(linear_drives::problemOf(drives)),
+          car(linear_drives::calibrationOf(problem, drives)) {}
+
+    static std::vector<LinearDrive> drawn(const std::vector<double>& values, const std::vector<double>& seen,
+                                          std::uint64_t seed) {
+        Random random(seed);
+        std::vector<LinearDrive> all;
+        for (std::size_t d = 0; d < values.size(); ++d) {
+            const auto rows = static_cast<Index>(20 + d);
+            LinearDrive drive{normals(rows, 1, random),
+                              seen[d] * normals(rows, 2, random),
+                              {},
+                              normals(rows, 3, random),
+                              {Disturbed::yaw, Disturbed::yaw, Disturbed::roll_error}};
+            drive.measured = normals(rows, 1, random) + values[d] * drive.effects.col(0) + 0.5 * drive.nuisances +
+                             drive.disturbances * normals(3, 1, random);
+            all.push_back(std::move(drive));
+        }
+        return all;
+    }
+    std::vector<double> densities(const std::vector<std::size_t>& effects, const Sizes& sizes) const {
+        std::vector<double> all;
+        for (std::size_t d = 0; d < drives.size(); ++d) {
+            std::vector<LinearDrive> others = drives;
+            others.erase(others.begin() + static_cast<std::ptrdiff_t>(d));
+            all.push_back(logDensity(drives, effects, sizes) - logDensity(others, effects, sizes));
+        }
+        return all;
+    }
+};
+
+constexpr Sizes kSome{1, 1, 1.7, 1, 1, 1, 1, 1, 0.6}, kOther{1, 1, 2.4, 1, 1, 1, 1, 1, 1.9};
+
+TEST(Prediction, DensityOfADriveIsThatGivenAllOthers) {
+    const Driven driven({1.2, 0.9, 1.1}, {1, 1, 1});
+    for (const std::vector<std::size_t>& effects : {std::vector<std::size_t>{}, {0}, {1}, {0, 1}}) {
+        const std::vector<double> found = predictiveDensities(driven.car, fitOf(driven.car, effects, kSome)),
+                                  expected = driven.densities(effects, kSome);
+        ASSERT_EQ(found.size(), 3u);
+        for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(found[d], expected[d], 1e-9) << "drive " << d;
+    }
+}
+
+// Each model with the sizes of its own remainder.
+TEST(Prediction, GainIsTheSumOverTheDrivesAndItsDeviationThatOfTheirDifferences) {
+    const Driven driven({1.2, 0.9, 1.1}, {1, 1, 1});
+    const Prediction found = predicted(driven.car, fitOf(driven.car, {0}, kSome), fitOf(driven.car, {}, kOther));
+    const std::vector<double> with = driven.densities({0}, kSome), without = driven.densities({}, kOther);
+    double sum = 0, squares = 0;
+    for (std::size_t d = 0; d < 3; ++d) sum += with[d] - without[d];
+    for (std::size_t d = 0; d < 3; ++d) squares += std::pow(with[d] - without[d] - sum / 3, 2);
+    EXPECT_NEAR(found.gain, sum, 1e-9);
+    EXPECT_NEAR(found.sd, std::sqrt(3 * squares / 2), 1e-9);
+    EXPECT_TRUE(found.tested);
+}
+
+TEST(Prediction, OfAnEffectThatIsTheSameInAllDrivesSucceeds) {
+    const Driven driven({3, 3, 3}, {1, 1, 1});
+    const Prediction found = predicted(driven.car, fitOf(driven.car, {0}), fitOf(driven.car, {}));
+    EXPECT_GT(found.gain, 5);
+    EXPECT_FALSE(found.fails());
+}
+
+TEST(Prediction, OfAnEffectWithOppositeValuesFails) {
+    const Driven driven({3, -3}, {1, 1});
+    const Prediction found = predicted(driven.car, fitOf(driven.car, {0}), fitOf(driven.car, {}));
+    EXPECT_LT(found.gain, 0);
+    EXPECT_TRUE(found.fails());
+}
+
+TEST(Prediction, IsNotTestedWhereOneDriveTellsTheValue) {
+    for (const double seen : {1.0, 0.5, 0.02}) {
+        const Driven driven({1, 1}, {1, seen});
+        const Fit with = fitOf(driven.car, {0});
+        // Information about the effect in a drive, disturbances marginalised.
+        const auto information = [&](std::size_t d) {
+            const LinearDrive& drive = driven.drives[d];
+            const Index rows = drive.measured.size();
+            const MatrixXd covariance =
+                MatrixXd::Identity(rows, rows) + drive.disturbances * drive.disturbances.transpose();
+            return drive.effects.col(0).dot(covariance.inverse() * drive.effects.col(0));
+        };
+        const double first = information(0), second = information(1);
+        const Prediction found = predicted(driven.car, with, fitOf(driven.car, {}));
+        EXPECT_EQ(found.tested, std::max(first, second) < 0.9 * (first + second)) << seen;
+        EXPECT_EQ(found.tested, seen > 0.1) << seen;
+    }
+    const Driven single({1}, {1});
+    const Prediction found = predicted(single.car, fitOf(single.car, {0}), fitOf(single.car, {}));
+    EXPECT_FALSE(found.tested);
+    EXPECT_FALSE(found.fails());
+    EXPECT_EQ(found.sd, 0);
+}
+
+}  // namespace
+}  // namespace tread

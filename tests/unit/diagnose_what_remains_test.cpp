@@ -1,0 +1,110 @@
+// Whether a remainder is larger than ordinary, against the largest densities of the rows under both priors of sizes.
+#include "diagnose/select/what_remains.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/random.h"
+#include "shared/linear_drives.h"
+#include "shared/most_probable_sizes.h"
+
+namespace tread {
+namespace {
+
+using diagnose::model::Disturbed;
+using diagnose::model::kLargePrior;
+using diagnose::model::kOrdinaryPrior;
+using diagnose::model::Problem;
+using diagnose::model::Sizes;
+using diagnose::select::Calibration;
+using diagnose::select::Candidate;
+using diagnose::select::Remains;
+using diagnose::select::whatRemains;
+using linear_drives::LinearDrive;
+using linear_drives::logDensity;
+using linear_drives::mostProbableSizes;
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr Disturbed kFirst = Disturbed::lateral, kSecond = Disturbed::yaw_error;
+
+MatrixXd normals(Index rows, Index columns, Random& random) {
+    MatrixXd all(rows, columns);
+    for (double& one : all.reshaped()) one = random.normal();
+    return all;
+}
+
+// Two drives of a car with an effect and disturbances of these sizes.
+std::vector<LinearDrive> drawn(double first, double second) {
+    Random random(11);
+    std::vector<LinearDrive> all;
+    for (int d = 0; d < 2; ++d) {
+        LinearDrive drive{normals(14, 1, random), normals(14, 1, random), {}, normals(14, 8, random), {}};
+        drive.kinds.assign(8, kFirst);
+        std::fill(drive.kinds.begin() + 4, drive.kinds.end(), kSecond);
+        drive.measured = normals(14, 1, random) + 1.5 * drive.effects +
+                         first * drive.disturbances.leftCols(4) * normals(4, 1, random) +
+                         second * drive.disturbances.rightCols(4) * normals(4, 1, random);
+        all.push_back(std::move(drive));
+    }
+    return all;
+}
+
+// (D33), with rows of their full covariance.
+double beyondOrdinary(const std::vector<LinearDrive>& drives) {
+    const auto density = [&](const Sizes& sizes) { return logDensity(drives, {0}, sizes); };
+    const Sizes large = mostProbableSizes(density, kFirst, kSecond, kLargePrior),
+                ordinary = mostProbableSizes(density, kFirst, kSecond, kOrdinaryPrior);
+    double difference = density(large) - density(ordinary);
+    for (const Disturbed kind : {kFirst, kSecond}) {
+        const double up = std::max(0.0, std::log(large[placeOf(kind)])),
+                     narrow = std::max(0.0, std::log(ordinary[placeOf(kind)]));
+        difference += -0.5 * up * up + 0.5 * narrow * narrow / (0.5 * 0.5);
+    }
+    return difference;
+}
+
+Remains remainsOf(const std::vector<LinearDrive>& drives) {
+    const Problem problem = linear_drives::problemOf(drives);
+    const Calibration car = linear_drives::calibrationOf(problem, drives);
+    const Candidate model{.effects = {0}, .fit = linear_drives::resizedFitOf(car, {0}), .fitted = true};
+    return whatRemains(car, model);
+}
+
+// The search for the sizes ends when their logarithms move by less than 0.05; the density is flat at its maximum.
+constexpr double kNearMaximum = 0.05;  // nats
+
+TEST(WhatRemains, IsBeyondOrdinaryByTheEvidenceOfLargerSizes) {
+    for (const auto& [first, second] : {std::pair{1.0, 1.0}, {2.0, 0.1}, {4.0, 1.0}, {0.2, 9.0}, {12.0, 12.0}}) {
+        const std::vector<LinearDrive> drives = drawn(first, second);
+        const Remains found = remainsOf(drives);
+        const double expected = beyondOrdinary(drives);
+        EXPECT_NEAR(found.beyond_ordinary, expected, kNearMaximum) << first << ", " << second;
+        EXPECT_NEAR(found.probability(), 1 / (1 + 9 * std::exp(-found.beyond_ordinary)), 1e-12);
+        EXPECT_EQ(found.seen(), found.beyond_ordinary > 6);
+        EXPECT_TRUE(found.law.follows.empty());
+    }
+}
+
+TEST(WhatRemains, IsSeenWhereItIsManyTimesTheUsual) {
+    EXPECT_TRUE(remainsOf(drawn(12, 12)).seen());
+    EXPECT_FALSE(remainsOf(drawn(1, 1)).seen());
+}
+
+// No more and no less likely than before the drives.
+TEST(WhatRemains, OfLessThanUsualSizeSaysNothingAboutAnUnknownCause) {
+    const Remains found = remainsOf(drawn(0.2, 0.2));
+    EXPECT_NEAR(found.beyond_ordinary, 0, kNearMaximum);
+    EXPECT_NEAR(found.probability(), 0.1, 0.01);
+}
+
+TEST(WhatRemains, IsCertainWhereItsEvidenceIsBeyondAllNumbers) {
+    EXPECT_EQ((Remains{.beyond_ordinary = 1e4, .law = {}}.probability()), 1);
+    EXPECT_EQ((Remains{.beyond_ordinary = -1e4, .law = {}}.probability()), 0);
+}
+
+}  // namespace
+}  // namespace tread
