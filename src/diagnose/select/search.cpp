@@ -109,8 +109,21 @@ private:
             if (!one) one = Candidate{{e}, screen.least_gain[e], {}, false};
             singles.push_back(std::move(*one));
         }
-        sort(singles);
+        fitPromising(singles);
         return singles;
+    }
+
+    // Fits the best of the others as long as the linear model promises more of it than the best fit has.
+    void fitPromising(std::vector<Candidate>& singles) const {
+        while (true) {
+            sort(singles);
+            const auto next = std::find_if(singles.begin(), singles.end(), [](const Candidate& c) { return !c.fitted; });
+            const double best = singles.front().fitted ? singles.front().log_evidence : 0;
+            if (next == singles.end() || next->log_evidence <= std::max(best, kSettings.effect)) return;
+            std::optional<Candidate> one = refit(car_.about, next->effects, car_.fit.at);
+            if (one) *next = std::move(*one);
+            else singles.erase(next);  // the car cannot be driven with this effect
+        }
     }
 
     // Fits the best singles again with the nuisances linearised at each, then adds effects to them.
