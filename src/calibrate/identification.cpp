@@ -201,7 +201,7 @@ void tellGap(Identification& found, const Problem& problem, Settled settled) {
     car.fit.at = problem.replays.origin();
     found.gap.causes = {kChosen};
     found.gap.where = explain::whereItLies(car, explain::missingForce(car));
-    explain::howFar(found.gap, car, {alone, round.fit});
+    explain::howFar(found.gap, car, select::heldOut(car), {alone, round.fit});
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ Diagnosis diagnosisOf(const recording::Subject& nominal, const recording::Diagno
     tellUnexplained(diagnosis, missing, judgement);
     diagnosis.where = explain::whereItLies(car, missing);
     explain::decompose(diagnosis, car, found, judgement, held_out);
-    explain::howFar(diagnosis, car, {found.none().fit.at, judgement.answer});
+    explain::howFar(diagnosis, car, held_out, {found.none().fit.at, judgement.answer});
     diagnosis.next = explain::nextDrives(diagnosis, car, found, options.possible_next);
     diagnosis.answer = answer::inWords(diagnosis);
     progress(1, "done");

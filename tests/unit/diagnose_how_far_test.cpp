@@ -67,7 +67,7 @@ struct Driven {
         answer.at = Deviation::Constant(1, at);
         answer.covariance = MatrixXd::Zero(1, 1);
         Diagnosis diagnosis;
-        howFar(diagnosis, car, {Deviation::Constant(1, calibrated), answer});
+        howFar(diagnosis, car, diagnose::select::heldOut(car), {Deviation::Constant(1, calibrated), answer});
         return diagnosis;
     }
 };
@@ -127,7 +127,7 @@ TEST(HowFar, HeldOutDrivesJudgeWhereThereAreSome) {
     answer.at = Deviation::Constant(1, kTruth);
     answer.covariance = MatrixXd::Zero(1, 1);
     Diagnosis d;
-    howFar(d, car, {car.fit.at, answer});
+    howFar(d, car, diagnose::select::heldOut(car), {car.fit.at, answer});
     EXPECT_FALSE(d.how_far.in_sample);
     EXPECT_GT(d.how_far.held_out.nominal, 1.5);
     EXPECT_NEAR(d.how_far.held_out.extended, 1, 0.3);

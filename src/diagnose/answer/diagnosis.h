@@ -39,12 +39,14 @@ struct RankedEffect {
     double probability = 0;
     double log_evidence = 0;
     std::map<std::string, Estimate> parameters;
+    std::string against = {};
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(name), About{"", "name of the effect"});
         field(TREAD_FIELD(probability), About{"-", "probability that it is one of the causes"});
         field(TREAD_FIELD(log_evidence), About{"nat", "log evidence relative to that of no effect"});
         field(TREAD_FIELD(parameters), About{"", "estimates by path"});
+        field(TREAD_FIELD(against), About{"", "why the effect alone is no answer although it has evidence"});
     }
 };
 static_assert(describesEveryMember<RankedEffect>());
@@ -69,8 +71,8 @@ struct Part {
 };
 static_assert(describesEveryMember<Part>());
 
-// What one cause closes: beside the tolerances alone, and after all other causes. Overlapping causes share a part of the
-// gap, and the two differ.
+// What one cause closes: beside the tolerances alone, and after all other causes. Overlapping causes share a part of
+// the gap, and the two differ.
 struct CausePart {
     std::string name;
     Part first, last;
@@ -154,8 +156,8 @@ struct Unexplained {
     std::string generalised_force;  // longitudinal, lateral, yaw or roll: the largest missing force
     Moment when;                    // moment at which it is largest
     ForceLaw law = {};              // law that it follows, if one was found
-    // Size of each kind of force in the remainder, over that of an ordinary drive: disturbances, and errors in proportion
-    // to the acceleration ("lateral error").
+    // Size of each kind of force in the remainder, over that of an ordinary drive: disturbances, and errors in
+    // proportion to the acceleration ("lateral error").
     std::map<std::string, double> sizes = {};
     double beyond_ordinary = 0;  // nats by which the remainder is larger than ordinary
 };

@@ -72,11 +72,13 @@ std::vector<Effect> brakeEffects() {
         {.name = "anti_lock",
          .question = "Does the car have active anti-lock brakes (ABS) although its file has none?",
          .source = "definition: 1 is full intervention",
-         .knobs = {{.paths = {"brakes.anti_lock.authority_offset"}, .typical = 1, .direction = Direction::up}}},
+         .knobs = {{.paths = {"brakes.anti_lock.authority_offset"}, .typical = 1, .direction = Direction::up}},
+         .at_limit = true},
         {.name = "stability_control",
          .question = "Does the car have active stability control (ESC) although its file has none?",
          .source = "definition: 1 is full intervention",
-         .knobs = {{.paths = {"brakes.stability_control.authority_offset"}, .typical = 1, .direction = Direction::up}}},
+         .knobs = {{.paths = {"brakes.stability_control.authority_offset"}, .typical = 1, .direction = Direction::up}},
+         .at_limit = true},
     };
 }
 

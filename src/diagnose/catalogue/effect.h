@@ -69,6 +69,7 @@ struct Effect {
     std::string source;
     std::vector<Knob> knobs;
     std::vector<std::string> alike = {};
+    bool at_limit = false;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(name), About{"", "name, e.g. tyre_relaxation"});
@@ -76,6 +77,10 @@ struct Effect {
         field(TREAD_FIELD(source), About{"", "source of the typical sizes"});
         field(TREAD_FIELD(knobs), About{"", "free parameters, each with a change of its own"});
         field(TREAD_FIELD(alike), About{"", "names of effects that can imitate this one in many drives"});
+        field(
+            TREAD_FIELD(at_limit),
+            About{"",
+                  "it decides when the car slides: it is tried before a drive is cut where car and model slide apart"});
     }
 
     static void check(const auto& self, auto&& complain) {

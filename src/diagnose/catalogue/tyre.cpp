@@ -12,7 +12,8 @@ Effect tyreAlone(const std::string& axle, const std::string& side) {
             .question = "Does the " + axle + " " + side + " tyre differ from the others (worn, of another make, soft)?",
             .source = "guess: wear and make change stiffness and grip by 10 to 20 %",
             .knobs = {{.paths = {path + ".stiffness"}, .typical = 0.15, .relative = true},
-                      {.paths = {path + ".grip"}, .typical = 0.15, .relative = true}}};
+                      {.paths = {path + ".grip"}, .typical = 0.15, .relative = true}},
+            .at_limit = true};
 }
 
 }  // namespace
@@ -22,12 +23,14 @@ std::vector<Effect> tyreEffects() {
         {.name = "grip",
          .question = "Is the friction between tyres and road higher or lower?",
          .source = "guess: dry roads differ by about 10 % in locked-wheel braking",
-         .knobs = {{.paths = {"road.friction"}, .typical = 0.1, .relative = true}}},
+         .knobs = {{.paths = {"road.friction"}, .typical = 0.1, .relative = true}},
+         .at_limit = true},
         {.name = "grip_left_right",
          .question = "Do the tyres on one side have more grip than those on the other?",
          .source = "guess: worn or different tyres on one side",
          .knobs = {{.paths = {"front.tyre_surroundings.grip_difference", "rear.tyre_surroundings.grip_difference"},
-                    .typical = 0.1}}},
+                    .typical = 0.1}},
+         .at_limit = true},
         {.name = "cornering_stiffness_front",
          .question = "Is the cornering stiffness of the front tyres higher or lower?",
          .source = "guess: tyres of one size differ by about 10 % between makes",
@@ -47,7 +50,8 @@ std::vector<Effect> tyreEffects() {
                               "rear.tyre.lambda.mux"},
                     .typical = 0.1,
                     .relative = true},
-                   {.paths = {"front.tyre.parameters.pDy2", "rear.tyre.parameters.pDy2"}, .typical = 0.06}}},
+                   {.paths = {"front.tyre.parameters.pDy2", "rear.tyre.parameters.pDy2"}, .typical = 0.06}},
+         .at_limit = true},
         tyreAlone("front", "left"),
         tyreAlone("front", "right"),
         tyreAlone("rear", "left"),

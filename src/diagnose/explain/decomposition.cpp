@@ -29,7 +29,7 @@ using GapAt = std::function<std::optional<OfDrives>(const Deviation&)>;
 // The points that a decomposition compares.
 struct Points {
     Deviation nominal, calibrated, answer;
-    std::vector<std::string> names;          // of the causes
+    std::vector<std::string> names;         // of the causes
     std::vector<Deviation> alone, without;  // the fits of each cause alone, and of all others
 };
 
@@ -38,7 +38,8 @@ Deviation pointOf(const std::vector<std::size_t>& effects, const Calibration& ca
                   const select::Fit& answer) {
     if (effects.empty()) return found.none().fit.at;
     const auto same = [&](const Candidate& one) {
-        return one.fitted && std::is_permutation(one.effects.begin(), one.effects.end(), effects.begin(), effects.end());
+        return one.fitted &&
+               std::is_permutation(one.effects.begin(), one.effects.end(), effects.begin(), effects.end());
     };
     const auto known = std::find_if(found.candidates.begin(), found.candidates.end(), same);
     if (known != found.candidates.end()) return known->fit.at;
@@ -48,20 +49,18 @@ Deviation pointOf(const std::vector<std::size_t>& effects, const Calibration& ca
     Deviation from = answer.at;
     for (const Eigen::Index k : answer.knobs)
         if (std::find(knobs.begin(), knobs.end(), k) == knobs.end()) from(k) = 0;
-    const auto fit =
-        select::fitted(car.problem.replays, car.drives(), car.uncertainty, car.about, knobs, from);
+    const auto fit = select::fitted(car.problem.replays, car.drives(), car.uncertainty, car.about, knobs, from);
     return fit ? fit->at : found.none().fit.at;
 }
 
 Points pointsOf(const Calibration& car, const select::Search& found, const select::Judgement& judgement) {
     const std::vector<std::size_t>& effects = judgement.named->effects;
-    Points points{car.problem.replays.origin(), found.none().fit.at, judgement.answer.at,
-                  car.problem.namesOf(effects), {}, {}};
+    Points points{
+        car.problem.replays.origin(), found.none().fit.at, judgement.answer.at, car.problem.namesOf(effects), {}, {}};
     for (const std::size_t e : effects) {
         std::vector<std::size_t> others = effects;
         std::erase(others, e);
-        points.alone.push_back(effects.size() == 1 ? judgement.answer.at
-                                                   : pointOf({e}, car, found, judgement.answer));
+        points.alone.push_back(effects.size() == 1 ? judgement.answer.at : pointOf({e}, car, found, judgement.answer));
         points.without.push_back(pointOf(others, car, found, judgement.answer));
     }
     return points;
@@ -76,13 +75,14 @@ Part partOf(std::size_t drives, const std::function<double(const std::vector<std
     std::vector<double> shares;
     for (int i = 0; i < kResamples && drives > 1; ++i) {
         std::vector<std::size_t> some(drives);
-        for (std::size_t& one : some)
-            one = static_cast<std::size_t>(random.uniform() * static_cast<double>(drives));
+        for (std::size_t& one : some) one = static_cast<std::size_t>(random.uniform() * static_cast<double>(drives));
         shares.push_back(share(some));
     }
     if (shares.empty()) shares = {part.share};
     std::sort(shares.begin(), shares.end());
-    const auto at = [&](double q) { return shares[static_cast<std::size_t>(q * static_cast<double>(shares.size() - 1))]; };
+    const auto at = [&](double q) {
+        return shares[static_cast<std::size_t>(q * static_cast<double>(shares.size() - 1))];
+    };
     part.low = std::min(at(kLow), part.share), part.high = std::max(at(kHigh), part.share);
     return part;
 }
@@ -142,8 +142,8 @@ void decompose(answer::Diagnosis& diagnosis, const Calibration& car, const selec
     };
     diagnosis.training = decomposed(floorOf(car.uncertainty), learnt, points);
     if (held_out.uncertainty.noise.empty()) return;
-    diagnosis.held_out = decomposed(floorOf(held_out.uncertainty),
-                                    [&](const Deviation& at) { return held_out.gapOf(at); }, points);
+    diagnosis.held_out = decomposed(
+        floorOf(held_out.uncertainty), [&](const Deviation& at) { return held_out.gapOf(at); }, points);
 }
 
 }  // namespace tread::diagnose::explain

@@ -212,7 +212,8 @@ void tellLeftOut(answer::Diagnosis& diagnosis, Drives drives, const std::vector<
 
 }  // namespace
 
-void howFar(answer::Diagnosis& diagnosis, const select::Calibration& car, const Stages& stages) {
+void howFar(answer::Diagnosis& diagnosis, const select::Calibration& car, const select::HeldOut& held_out,
+            const Stages& stages) {
     const model::Problem& problem = car.problem;
     const std::array<Deviation, 3> points{problem.replays.origin(), stages.calibrated, stages.answer.at};
     answer::HowFar& how_far = diagnosis.how_far;
@@ -230,16 +231,13 @@ void howFar(answer::Diagnosis& diagnosis, const select::Calibration& car, const 
         closure(how_far, learnt, training, stages.answer);
         return;
     }
-    const std::optional<Rows> here = model::rowsAt(problem.replays, problem.held_out, car.fit.at);
-    if (!here) return;
-    Uncertainty uncertainty =
-        model::uncertaintyAt(problem.replays, problem.held_out, car.fit.at, *here, model::endsOf(problem.held_out));
-    uncertainty.sizes = car.uncertainty.sizes;
-    const Judged held_out{problem.replays, problem.held_out, uncertainty, true};
-    const Gaps gaps = gapsOf(held_out, points, diagnosis.overlays);
+    const Uncertainty& uncertainty = held_out.uncertainty;
+    if (uncertainty.noise.empty()) return;
+    const Judged unseen{problem.replays, problem.held_out, uncertainty, true};
+    const Gaps gaps = gapsOf(unseen, points, diagnosis.overlays);
     how_far.held_out = levels(gaps);
     tellLeftOut(diagnosis, problem.held_out, uncertainty.until);
-    closure(how_far, held_out, gaps, stages.answer);
+    closure(how_far, unseen, gaps, stages.answer);
 }
 
 }  // namespace tread::diagnose::explain

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "diagnose/answer/diagnosis.h"
+#include "diagnose/select/held_out.h"
 #include "diagnose/select/search.h"
 
 namespace tread::diagnose::explain {
@@ -15,6 +16,7 @@ struct Stages {
 
 // Fills how_far, unexplained.share and the overlays of a diagnosis, and adds warnings about parts of the drives that
 // are left out.
-void howFar(answer::Diagnosis& diagnosis, const select::Calibration& car, const Stages& stages);
+void howFar(answer::Diagnosis& diagnosis, const select::Calibration& car, const select::HeldOut& held_out,
+            const Stages& stages);
 
 }  // namespace tread::diagnose::explain

@@ -26,8 +26,8 @@ Left leftOf(const Uncertainty& uncertainty, std::size_t drive, const inference::
     Left left;
     const Eigen::VectorXd squares = here.estimates.rightCols(1).cwiseAbs2();
     // Freedom that the parameters take from the impulses.
-    const Eigen::MatrixXd taken = root.triangularView<Eigen::Lower>().solve(
-        here.estimates.leftCols(here.estimates.cols() - 1).transpose());
+    const Eigen::MatrixXd taken =
+        root.triangularView<Eigen::Lower>().solve(here.estimates.leftCols(here.estimates.cols() - 1).transpose());
     const std::vector<Disturbed>& kinds = uncertainty.disturbing[drive].kinds;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         const auto at = static_cast<Eigen::Index>(i);

@@ -23,6 +23,12 @@ Fit fitOf(const Problem& problem, const Uncertainty& uncertainty, const Linearis
     return std::move(*found);
 }
 
+// Mask for sensitivities: the same drives for each of this many parameters.
+std::vector<std::vector<bool>> onlyDrives(std::size_t parameters, std::vector<bool> drives, bool those) {
+    for (std::size_t d = 0; d < drives.size(); ++d) drives[d] = drives[d] == those;
+    return std::vector(parameters, drives);
+}
+
 // The linearisation of the calibration with the columns of all knobs added. Knobs that move uncertain numbers only are
 // mixtures of the nuisances' columns and need no replay.
 model::Sensitivities withKnobs(const Calibration& car, const std::function<void(double)>& progress) {
@@ -30,9 +36,15 @@ model::Sensitivities withKnobs(const Calibration& car, const std::function<void(
     std::vector<Eigen::Index> own, mixed;
     for (const Eigen::Index knob : problem.allKnobs())
         (car.asNuisances(problem.replays.parameters[knob]).empty() ? own : mixed).push_back(knob);
-    model::Sensitivities about =
-        model::sensitivities(problem.replays, problem.drives, car.fit.at,
-                             {.parameters = own, .step = model::kEffectStep, .elsewhere = &car.about.about}, progress);
+    model::Wanted wanted{.parameters = own, .step = model::kEffectStep, .elsewhere = &car.about.about};
+    if (car.together) wanted.worth = onlyDrives(own.size(), car.together->further, false);
+    model::Sensitivities about = model::sensitivities(problem.replays, problem.drives, car.fit.at, wanted, progress);
+    if (car.together) {
+        wanted.worth = onlyDrives(own.size(), car.together->further, true);
+        wanted.elsewhere = &about;
+        about.columns =
+            model::sensitivities(problem.replays, problem.drives, car.together->at, wanted, progress).columns;
+    }
     for (Eigen::MatrixXd& columns : about.columns) {
         for (const Eigen::Index knob : mixed) {
             columns.col(knob).setZero();
@@ -58,6 +70,25 @@ std::vector<DriveProducts> atBest(const Uncertainty& uncertainty, std::vector<Dr
         one.mixed = (one.mixed * move).eval();
     }
     return products;
+}
+
+// Compares the drives until the car with the effect that keeps them together slides apart.
+void compareFurther(Calibration& car) {
+    const Problem& problem = car.problem;
+    const Deviation& at = car.together->at;
+    const std::vector<Eigen::Index> relevant = car.about.nuisances;
+    model::Sensitivities about =
+        model::sensitivities(problem.replays, problem.drives, at,
+                             {.parameters = relevant,
+                              .worth = onlyDrives(relevant.size(), car.together->further, true),
+                              .elsewhere = &car.about.about});
+    for (std::size_t d = 0; d < about.rows.size(); ++d)
+        if (!car.together->further[d]) about.rows[d] = car.fit.rows[d];
+    car.uncertainty =
+        model::uncertaintyAt(problem.replays, problem.drives, at, about.rows, model::endsOf(problem.drives));
+    car.uncertainty.sizes = car.fit.sizes;
+    car.about = model::linearisation(std::move(about), relevant, car.uncertainty);
+    car.fit = fitOf(problem, car.uncertainty, car.about, car.fit.at);
 }
 
 }  // namespace
@@ -90,6 +121,8 @@ Calibration calibrate(const Problem& problem, model::NominalCar nominal, const P
         car.fit = fitOf(problem, car.uncertainty, car.about, car.fit.at);
         if (car.fit.gained < kSettled) break;
     }
+    car.together = keptTogether(car);
+    if (car.together) compareFurther(car);
     model::Sensitivities with_knobs =
         withKnobs(car, [&](double share) { progress(0.5 + 0.5 * share, "sensitivities to effects"); });
     car.about = model::linearisation(std::move(with_knobs), relevant, car.uncertainty);

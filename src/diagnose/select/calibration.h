@@ -4,6 +4,7 @@
 
 #include "diagnose/model/problem.h"
 #include "diagnose/select/fit.h"
+#include "diagnose/select/together.h"
 
 namespace tread::diagnose::select {
 
@@ -18,6 +19,9 @@ struct Calibration {
     Linearisation about;                  // about the calibrated car: nuisances and all knobs
     Fit fit;                              // of the nuisances; its point is the calibrated car
     std::vector<DriveProducts> products;  // of the nuisances, all knobs and the residual, about the calibrated car
+    // Where an effect keeps car and model together for longer than the calibrated car: that car with the effect. Drives
+    // then end where this one slides apart, and are linearised about it.
+    std::optional<Together> together = {};
 
     Drives drives() const { return problem.drives; }
     // A parameter as a mixture of the relevant nuisances; empty when it is not one.

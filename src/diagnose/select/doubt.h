@@ -5,6 +5,10 @@
 
 namespace tread::diagnose::select {
 
+// What the effects of a fit explain in each drive, squared: the part of their signature that the nuisances cannot
+// imitate.
+std::vector<double> explainedIn(const Calibration& car, const Fit& fit);
+
 // Divisor of the evidence against a model. In each drive the error of its signatures may account for a difference of
 // the size of `signature_error` times what the model explains there. Drives count in proportion to what is explained in
 // them. 1 for the model without effects (D30).

@@ -17,8 +17,8 @@ constexpr double kFirstDamping = 1;          // least damping after a failed ste
 constexpr double kDamped = 5, kEased = 0.2;  // factors on the damping after a failed and after a successful step
 constexpr double kTooShort = 1e-6;  // squared units; a shorter step would amplify rounding errors in Broyden's update
 
-// Information of the prior of an effect's size where it takes no part: a standard deviation of 20 typical sizes, so that
-// what the data do not determine stays bounded.
+// Information of the prior of an effect's size where it takes no part: a standard deviation of 20 typical sizes, so
+// that what the data do not determine stays bounded.
 constexpr double kLeastPrior = 1.0 / 400;
 
 // Times that sizes and point are fitted in turn, steps towards the sizes in each, and the change of the logarithm of a
@@ -82,8 +82,8 @@ struct Fitter {
             const Eigen::VectorXd change = uncertainty.noise[d].over(after[d] - fit.rows[d]);
             const Eigen::VectorXd by = (change - fit.columns[d] * step) / step.squaredNorm();
             inference::updateByRankOne(fit.products[d], fit.columns[d],
-                                       model::residual(drives, uncertainty, fit.rows, d), uncertainty.directions[d],
-                                       by, step);
+                                       model::residual(drives, uncertainty, fit.rows, d), uncertainty.directions[d], by,
+                                       step);
             fit.columns[d] += by * step.transpose();
         });
     }
@@ -91,8 +91,8 @@ struct Fitter {
     void moveTo(Fit& fit, const Deviation& at, Rows rows) const {
         fit.at = at, fit.rows = std::move(rows);
         inParallel(drives.size(), replays.threads, [&](std::size_t d) {
-            inference::replaceLast(fit.products[d], fit.columns[d],
-                                   model::residual(drives, uncertainty, fit.rows, d), uncertainty.directions[d]);
+            inference::replaceLast(fit.products[d], fit.columns[d], model::residual(drives, uncertainty, fit.rows, d),
+                                   uncertainty.directions[d]);
         });
     }
 };
@@ -198,7 +198,8 @@ std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertain
     const inference::QuadraticModel here = quadraticAt(fit, uncertainty);
     const Eigen::Index n = std::ssize(fit.free);
     fit.covariance = inference::factorOfPriorAnd(here.information).solve(Eigen::MatrixXd::Identity(n, n));
-    fit.log_evidence = inference::logEvidence(here, Eigen::VectorXd::Zero(n)) + model::logPrior(fit.sizes, model::kWidePrior);
+    fit.log_evidence =
+        inference::logEvidence(here, Eigen::VectorXd::Zero(n)) + model::logPrior(fit.sizes, model::kWidePrior);
     return fit;
 }
 

@@ -1,6 +1,9 @@
 #include "diagnose/select/held_out.h"
 
+#include <algorithm>
+
 #include "diagnose/model/gap.h"
+#include "diagnose/settings.h"
 
 namespace tread::diagnose::select {
 
@@ -8,10 +11,11 @@ HeldOut heldOut(const Calibration& car) {
     const Problem& problem = car.problem;
     HeldOut drives{problem, {}};
     if (problem.held_out.empty()) return drives;
-    const std::optional<Rows> here = model::rowsAt(problem.replays, problem.held_out, car.fit.at);
+    const Deviation& at = car.together ? car.together->at : car.fit.at;
+    const std::optional<Rows> here = model::rowsAt(problem.replays, problem.held_out, at);
     if (!here) return drives;
     drives.uncertainty =
-        model::uncertaintyAt(problem.replays, problem.held_out, car.fit.at, *here, model::endsOf(problem.held_out));
+        model::uncertaintyAt(problem.replays, problem.held_out, at, *here, model::endsOf(problem.held_out));
     drives.uncertainty.sizes = car.uncertainty.sizes;
     return drives;
 }
@@ -21,6 +25,24 @@ std::optional<std::vector<double>> HeldOut::gapOf(const Deviation& at) const {
     const std::optional<Rows> rows = model::rowsAt(problem.replays, problem.held_out, at);
     if (!rows) return std::nullopt;
     return model::squaredGaps(problem.held_out, uncertainty, *rows);
+}
+
+bool HeldOut::speakAgainst(const Deviation& with, const Deviation& without) const {
+    if (uncertainty.noise.empty()) return false;
+    const std::optional<Rows> after = model::rowsAt(problem.replays, problem.held_out, with);
+    const std::optional<Rows> before = model::rowsAt(problem.replays, problem.held_out, without);
+    if (!after || !before) return !after;
+    double left = 0, was = 0, shown = 0, expected = 0;
+    for (std::size_t d = 0; d < after->size(); ++d) {
+        const auto squares = [&](const Eigen::VectorXd& off) {
+            return model::squaresOf(uncertainty, d, uncertainty.noise[d].over(off), uncertainty.sizes);
+        };
+        left += squares(drives()[d].measured - (*after)[d]), was += squares(drives()[d].measured - (*before)[d]);
+        shown += squares((*after)[d] - (*before)[d]);
+        expected += uncertainty.noise[d].expected;
+    }
+    const double variance = std::max(1.0, std::min(left, was) / expected);
+    return 0.5 * shown > kSettings.clear * variance && left >= was;
 }
 
 }  // namespace tread::diagnose::select

@@ -1,5 +1,5 @@
-// From evidence to probabilities of the hypotheses: sets of effects of the catalogue, the empty set included. Each has its
-// own remainder, so an unknown cause is not a rival of theirs.
+// From evidence to probabilities of the hypotheses: sets of effects of the catalogue, the empty set included. Each has
+// its own remainder, so an unknown cause is not a rival of theirs.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ struct Hypothesis {
 
 struct Posterior {
     std::vector<Hypothesis> hypotheses;  // most probable first
-    double variance_factor = 1;          // squared Birge ratio of the best model: divides evidence, multiplies variances
+    double variance_factor = 1;  // squared Birge ratio of the best model: divides evidence, multiplies variances
 
     double of(std::size_t effect) const;  // that it is one of the causes
     double ofNothing() const;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "diagnose/select/doubt.h"
+
 namespace tread::diagnose::select {
 namespace {
 
@@ -20,18 +22,11 @@ double logEvidenceOf(const Fit& fit, const model::NormalEquations& sum) {
     return inference::logEvidence(model, inference::bestStep(model));
 }
 
-// Share of the drive that tells most about the values of the effects.
+// Share of the drive that tells most about the effects.
 double largestShare(const Calibration& car, const Fit& fit) {
-    const Eigen::Index first = fit.nuisances(), knobs = std::ssize(fit.knobs);
-    const Eigen::VectorXd value = fit.at(fit.knobs);
-    double sum = 0, most = 0;
-    for (std::size_t d = 0; d < fit.products.size(); ++d) {
-        const Eigen::MatrixXd one =
-            model::normalEquations(car.uncertainty, d, fit.products[d], fit.sizes).products;
-        const double told = value.dot(one.block(first, first, knobs, knobs) * value);
-        sum += told, most = std::max(most, told);
-    }
-    return sum > 0 ? most / sum : 1;
+    const std::vector<double> explained = explainedIn(car, fit);
+    const double sum = std::accumulate(explained.begin(), explained.end(), 0.0);
+    return sum > 0 ? *std::max_element(explained.begin(), explained.end()) / sum : 1;
 }
 
 }  // namespace

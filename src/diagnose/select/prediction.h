@@ -9,8 +9,8 @@ namespace tread::diagnose::select {
 // about the fit, with its sizes of the remainder; bounds are ignored (D37).
 std::vector<double> predictiveDensities(const Calibration& car, const Fit& fit);
 
-// Nats that a model gains over another in the drives left out (Vehtari, Gelman & Gabry 2017), with the standard deviation
-// of their sum that the differences between drives suggest (D38).
+// Nats that a model gains over another in the drives left out (Vehtari, Gelman & Gabry 2017), with the standard
+// deviation of their sum that the differences between drives suggest (D38).
 struct Prediction {
     double gain = 0, sd = 0;
     bool tested = false;  // false when a single drive determines the values of the effects

@@ -12,10 +12,10 @@ namespace tread::diagnose::select {
 
 struct Screen {
     std::vector<double> expected_evidence;  // nats at typical size, per effect
-    // Nats over the model without effects, in the linear model, per effect: with the remainder that all effects together
-    // leave, and with that of the model without effects.
+    // Nats over the model without effects, in the linear model, per effect: with the remainder that all effects
+    // together leave, and with that of the model without effects.
     std::vector<double> gain, least_gain;
-    Eigen::MatrixXd products;               // of all knobs, then the residual; nuisances and disturbances marginalised
+    Eigen::MatrixXd products;  // of all knobs, then the residual; nuisances and disturbances marginalised
 };
 // Expected evidence (D43), linear gains (D25) and products about the calibrated car.
 Screen screen(const Calibration& car);

@@ -117,7 +117,8 @@ private:
     void fitPromising(std::vector<Candidate>& singles) const {
         while (true) {
             sort(singles);
-            const auto next = std::find_if(singles.begin(), singles.end(), [](const Candidate& c) { return !c.fitted; });
+            const auto next =
+                std::find_if(singles.begin(), singles.end(), [](const Candidate& c) { return !c.fitted; });
             const double best = singles.front().fitted ? singles.front().log_evidence : 0;
             if (next == singles.end() || next->log_evidence <= std::max(best, kSettings.effect)) return;
             std::optional<Candidate> one = refit(car_.about, next->effects, car_.fit.at);

@@ -58,13 +58,18 @@ const Fit* fitWith(std::size_t effect, const Judgement& judgement, const Posteri
     return nullptr;
 }
 
-void rankEffects(Diagnosis& diagnosis, const Calibration& car, const Search& found, const Posterior& posterior,
+void rankEffects(Diagnosis& diagnosis, const Calibration& car, const Search& found, const Answer& chosen,
                  const Judgement& judgement) {
     const Problem& problem = car.problem;
+    const Posterior& posterior = chosen.posterior;
     for (std::size_t e = 0; e < problem.effects.size(); ++e) {
         answer::RankedEffect ranked{.name = problem.effects[e].name, .probability = posterior.of(e), .parameters = {}};
-        for (const Candidate& one : found.candidates)
-            if (one.effects == std::vector<std::size_t>{e}) ranked.log_evidence = one.log_evidence;
+        for (const Candidate& one : found.candidates) {
+            if (one.effects != std::vector<std::size_t>{e}) continue;
+            ranked.log_evidence = one.log_evidence;
+            if (const auto struck = chosen.struck.find(&one); struck != chosen.struck.end())
+                ranked.against = struck->second;
+        }
         if (const Fit* fit = fitWith(e, judgement, posterior))
             ranked.parameters = estimates(car, *fit, problem.knobs[e], posterior.variance_factor);
         diagnosis.effects.push_back(std::move(ranked));
@@ -97,38 +102,36 @@ bool atBound(const Problem& problem, const Fit& fit) {
     });
 }
 
-double sumOf(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0);
-}
-
-// True when a model may be the answer: its numbers are plausible, it predicts the drives that are left out, and it
-// shrinks the gap of those held out.
-bool mayBe(const Calibration& car, const Candidate& model, const Fit& none, const HeldOut& held_out) {
-    if (model.effects.empty()) return true;
-    if (atBound(car.problem, model.fit) || predicted(car, model.fit, none).fails()) return false;
-    const auto before = held_out.gapOf(none.at), after = held_out.gapOf(model.fit.at);
-    return !before || (after && sumOf(*after) < sumOf(*before));
+// Why a model cannot be the answer; empty when it can: its numbers are plausible, it predicts the drives that are left
+// out, and those held out do not speak against it.
+std::string reasonAgainst(const Calibration& car, const Candidate& model, const Fit& none, const HeldOut& held_out) {
+    if (model.effects.empty()) return {};
+    if (atBound(car.problem, model.fit)) return "a number stands at the end of its plausible range";
+    if (predicted(car, model.fit, none).fails()) return "it does not predict drives that are left out of the fit";
+    if (held_out.speakAgainst(model.fit.at, none.at)) return "it does not shrink the gap of the drives held out";
+    return {};
 }
 
 struct Answer {
     Posterior posterior;
     const Candidate* named = nullptr;
+    std::map<const Candidate*, std::string> struck = {};  // with the reason
 };
 
 // The most probable model that may be the answer. Models that may not are struck off, and the others share their
 // probability.
 Answer answerOf(const Calibration& car, const Search& found, const HeldOut& held_out) {
     std::vector<bool> possible(found.candidates.size(), true);
+    std::map<const Candidate*, std::string> struck;
     while (true) {
         Posterior probable = posterior(car, found, possible);
-        const auto first =
-            std::find_if(probable.hypotheses.begin(), probable.hypotheses.end(),
-                         [](const Hypothesis& one) { return one.candidate->fitted; });
-        if (mayBe(car, *first->candidate, found.none().fit, held_out)) {
-            const Candidate* named = first->candidate;
-            return {std::move(probable), named};
-        }
-        possible[first->candidate - found.candidates.data()] = false;
+        const auto first = std::find_if(probable.hypotheses.begin(), probable.hypotheses.end(),
+                                        [](const Hypothesis& one) { return one.candidate->fitted; });
+        const Candidate* named = first->candidate;
+        std::string against = reasonAgainst(car, *named, found.none().fit, held_out);
+        if (against.empty()) return {std::move(probable), named, std::move(struck)};
+        struck[named] = std::move(against);
+        possible[named - found.candidates.data()] = false;
     }
 }
 
@@ -189,7 +192,7 @@ Judgement judge(answer::Diagnosis& diagnosis, const Calibration& car, const std:
     diagnosis.causes = problem.namesOf(named.effects);
     diagnosis.probability_of_unknown = judgement.remains.probability();
     diagnosis.probability_of_nothing = chosen.posterior.ofNothing() * (1 - diagnosis.probability_of_unknown);
-    rankEffects(diagnosis, car, found, chosen.posterior, judgement);
+    rankEffects(diagnosis, car, found, chosen, judgement);
     for (std::size_t e = 0; e < problem.effects.size(); ++e)
         diagnosis.expected_evidence[problem.effects[e].name] = expected_evidence[e];
     std::set<std::string> names = credible(problem, chosen.posterior);

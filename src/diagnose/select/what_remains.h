@@ -1,5 +1,5 @@
-// What a model leaves: whether its remainder exceeds the disturbances and model errors of an ordinary drive, and which law
-// it follows.
+// What a model leaves: whether its remainder exceeds the disturbances and model errors of an ordinary drive, and which
+// law it follows.
 #pragma once
 
 #include "diagnose/select/force_law.h"
