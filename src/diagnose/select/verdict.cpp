@@ -17,6 +17,13 @@ using answer::Verdict;
 
 constexpr double kNinety = 1.645;  // standard deviations of a 90 % interval
 
+// The set of effects that is named, with the probabilities of all that can be.
+struct Answer {
+    Posterior posterior;
+    const Candidate* named = nullptr;
+    std::map<const Candidate*, std::string> struck = {};  // with the reason
+};
+
 // Estimate of a number from the parameter that moves it; `units` and `sd` are the fitted value of the parameter and its
 // standard deviation (D42).
 Estimate estimateOf(const Parameter& parameter, const Parameter::Move& move, double units, double sd) {
@@ -111,12 +118,6 @@ std::string reasonAgainst(const Calibration& car, const Candidate& model, const 
     if (held_out.speakAgainst(model.fit.at, none.at)) return "it does not shrink the gap of the drives held out";
     return {};
 }
-
-struct Answer {
-    Posterior posterior;
-    const Candidate* named = nullptr;
-    std::map<const Candidate*, std::string> struck = {};  // with the reason
-};
 
 // The most probable model that may be the answer. Models that may not are struck off, and the others share their
 // probability.
