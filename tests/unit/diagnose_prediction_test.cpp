@@ -1,5 +1,5 @@
 // What a model predicts of a drive that is left out, against the density of its rows given those of the other drives,
-// from the full covariance of all rows.
+// from the full covariance of all rows; the nuisances of the drive left out are others than theirs.
 #include "diagnose/select/prediction.h"
 
 #include <gtest/gtest.h>
@@ -65,9 +65,17 @@ struct Driven {
     std::vector<double> densities(const std::vector<std::size_t>& effects, const Sizes& sizes) const {
         std::vector<double> all;
         for (std::size_t d = 0; d < drives.size(); ++d) {
-            std::vector<LinearDrive> others = drives;
+            // The drive left out has nuisances of its own.
+            std::vector<LinearDrive> with = drives;
+            for (std::size_t i = 0; i < with.size(); ++i) {
+                const MatrixXd shared = drives[i].nuisances, none = MatrixXd::Zero(shared.rows(), shared.cols());
+                with[i].nuisances.resize(shared.rows(), 2 * shared.cols());
+                if (i == d) with[i].nuisances << none, shared;
+                else with[i].nuisances << shared, none;
+            }
+            std::vector<LinearDrive> others = with;
             others.erase(others.begin() + static_cast<std::ptrdiff_t>(d));
-            all.push_back(logDensity(drives, effects, sizes) - logDensity(others, effects, sizes));
+            all.push_back(logDensity(with, effects, sizes) - logDensity(others, effects, sizes));
         }
         return all;
     }
@@ -75,7 +83,7 @@ struct Driven {
 
 constexpr Sizes kSome{1, 1, 1.7, 1, 1, 1, 1, 1, 0.6}, kOther{1, 1, 2.4, 1, 1, 1, 1, 1, 1.9};
 
-TEST(Prediction, DensityOfADriveIsThatGivenAllOthers) {
+TEST(Prediction, DensityOfADriveIsThatWithTheEffectsOfAllOthers) {
     const Driven driven({1.2, 0.9, 1.1}, {1, 1, 1});
     for (const std::vector<std::size_t>& effects : {std::vector<std::size_t>{}, {0}, {1}, {0, 1}}) {
         const std::vector<double> found = predictiveDensities(driven.car, fitOf(driven.car, effects, kSome)),

@@ -46,7 +46,7 @@ TEST(VerdictOnAPushedCar, IsExplainedWithoutAPush) {
 }
 
 TEST(VerdictOnAPushedCar, IsPartlyExplainedWhereAnEffectExplainsMost) {
-    const Diagnosis d = diagnosed(pushedCase(1.5, 600));
+    const Diagnosis d = diagnosed(pushedCase(1.3, 200));
     EXPECT_EQ(d.verdict, Verdict::partly_explained) << d.answer;
     EXPECT_EQ(d.causes, std::vector<std::string>{"ratio"});
     EXPECT_EQ(d.answer, "The gap is partly caused by ratio (p > 0.99); the rest is unexplained");

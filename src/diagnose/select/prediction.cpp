@@ -12,14 +12,39 @@ namespace {
 // Largest share of the information about the effects that one drive may hold, for the others to test them.
 constexpr double kOneDrive = 0.9;
 
-double logEvidenceOf(const Fit& fit, const model::NormalEquations& sum) {
-    const Eigen::Index n = std::ssize(fit.free);
-    const inference::QuadraticModel model{.information = sum.products.topLeftCorner(n, n),
-                                          .gradient = sum.products.topRightCorner(n, 1),
-                                          .at = fit.at(fit.free),
-                                          .squared_residual = sum.products(n, n),
-                                          .log_determinant = sum.log_determinant};
-    return inference::logEvidence(model, inference::bestStep(model));
+using inference::factorOfPriorAnd;
+using inference::logDeterminant;
+
+// What drives tell of the effects of a fit: information about a step from its point, that of the prior included, and
+// gradient. The nuisances are marginalised.
+struct Learnt {
+    Eigen::MatrixXd information;
+    Eigen::VectorXd gradient;
+};
+
+Learnt learnt(const Fit& fit, const Eigen::MatrixXd& products) {
+    const Eigen::Index n = fit.nuisances(), k = std::ssize(fit.knobs);
+    const Eigen::VectorXd at = fit.at(fit.free), gradient = products.col(n + k).head(n + k) - at;
+    const Eigen::MatrixXd mixed = products.block(0, n, n, k);
+    const Eigen::MatrixXd imitated = factorOfPriorAnd(products.topLeftCorner(n, n)).solve(mixed);
+    return {Eigen::MatrixXd::Identity(k, k) + products.block(n, n, k, k) - mixed.transpose() * imitated,
+            gradient.tail(k) - imitated.transpose() * gradient.head(n)};
+}
+
+// Logarithm of the density of a drive whose nuisances are as uncertain as before and whose effects are those that other
+// drives tell.
+double logDensity(const Fit& fit, const model::NormalEquations& drive, const Learnt& effects) {
+    const Eigen::Index n = fit.nuisances(), k = std::ssize(fit.knobs);
+    const Eigen::VectorXd nuisances = fit.at(fit.free).head(n);
+    Eigen::MatrixXd information = drive.products.topLeftCorner(n + k, n + k);
+    information.topLeftCorner(n, n).diagonal().array() += 1;
+    information.bottomRightCorner(k, k) += effects.information;
+    Eigen::VectorXd gradient = drive.products.col(n + k).head(n + k);
+    gradient.head(n) -= nuisances, gradient.tail(k) += effects.gradient;
+    const inference::Factor factor(information), told(effects.information);
+    return 0.5 * (gradient.dot(factor.solve(gradient)) - effects.gradient.dot(told.solve(effects.gradient)) +
+                  logDeterminant(told) - logDeterminant(factor) - nuisances.squaredNorm() -
+                  drive.products(n + k, n + k) - drive.log_determinant);
 }
 
 // Share of the drive that tells most about the effects.
@@ -38,14 +63,9 @@ std::vector<double> predictiveDensities(const Calibration& car, const Fit& fit) 
         each.push_back(model::normalEquations(car.uncertainty, d, fit.products[d], fit.sizes));
         all = std::move(all) + each.back();
     }
-    const double together = logEvidenceOf(fit, all);
     std::vector<double> densities;
-    for (const model::NormalEquations& one : each) {
-        model::NormalEquations others = all;
-        others.products -= one.products;
-        others.log_determinant -= one.log_determinant;
-        densities.push_back(together - logEvidenceOf(fit, others));
-    }
+    for (const model::NormalEquations& one : each)
+        densities.push_back(logDensity(fit, one, learnt(fit, all.products - one.products)));
     return densities;
 }
 

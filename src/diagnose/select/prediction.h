@@ -5,8 +5,9 @@
 
 namespace tread::diagnose::select {
 
-// Logarithm of the density of each drive given the others, up to a constant that all models share. In the linear model
-// about the fit, with its sizes of the remainder; bounds are ignored (D37).
+// Logarithm of the density of each drive if its effects are those that the other drives tell, up to a constant that all
+// models share. Its nuisances are as uncertain as before any drive: tolerances explain each drive anew, an effect must
+// have one value in all. In the linear model about the fit, with its sizes of the remainder; bounds are ignored (D37).
 std::vector<double> predictiveDensities(const Calibration& car, const Fit& fit);
 
 // Nats that a model gains over another in the drives left out (Vehtari, Gelman & Gabry 2017), with the standard

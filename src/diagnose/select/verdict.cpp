@@ -119,6 +119,11 @@ std::string reasonAgainst(const Calibration& car, const Candidate& model, const 
     return {};
 }
 
+// Causes that gain too little are not named, however few rivals a catalogue has.
+bool mayBeNamed(const Candidate& model) {
+    return model.effects.empty() || (model.fitted && model.log_evidence >= kSettings.effect);
+}
+
 // The most probable model that may be the answer. Models that may not are struck off, and the others share their
 // probability.
 Answer answerOf(const Calibration& car, const Search& found, const HeldOut& held_out) {
@@ -127,7 +132,7 @@ Answer answerOf(const Calibration& car, const Search& found, const HeldOut& held
     while (true) {
         Posterior probable = posterior(car, found, possible);
         const auto first = std::find_if(probable.hypotheses.begin(), probable.hypotheses.end(),
-                                        [](const Hypothesis& one) { return one.candidate->fitted; });
+                                        [](const Hypothesis& one) { return mayBeNamed(*one.candidate); });
         const Candidate* named = first->candidate;
         std::string against = reasonAgainst(car, *named, found.none().fit, held_out);
         if (against.empty()) return {std::move(probable), named, std::move(struck)};

@@ -48,7 +48,9 @@ Remains whatRemains(const Calibration& car, const Candidate& model) {
         return logEvidenceWith(fit, car.uncertainty, sizes) + model::logPrior(sizes, prior);
     };
     Remains remains;
-    remains.beyond_ordinary = evidence(model::kLargePrior, fit.sizes) - evidence(model::kOrdinaryPrior, usual);
+    const double ratio = std::log(model::birgeRatio(car.drives(), car.uncertainty, fit.rows, fit.sizes));
+    remains.beyond_ordinary = evidence(model::kLargePrior, fit.sizes) - evidence(model::kOrdinaryPrior, usual) -
+                              0.5 * ratio * (model::kLargePrior.pull(ratio) - model::kOrdinaryPrior.pull(ratio));
     answer::ForceLaw law = forceLaw(car, fit);
     if (law.gain > kSettings.clear) remains.law = std::move(law);
     return remains;
