@@ -175,11 +175,11 @@ TEST(BlindMake, AssumedCasesAreThoseOfBefore) {
         double numbers, readings;
     };
     const std::vector<Before> list{
-        {CaseKind::one, "ratio", 584.41347940704645, 431.48221829613033},
-        {CaseKind::two, "ratio+heavier", 584.41365059992881, 432.09463902541404},
-        {CaseKind::none, "", 584.42118756186937, 432.1158471726539},
-        {CaseKind::outside, "cubic_steering_ratio", 584.42118756186937, 432.28249965643005},
-        {CaseKind::small, "ratio", 584.42052908163407, 432.0625226217004},
+        {CaseKind::one, "ratio", 577.79379109972035, 431.48221829613033},
+        {CaseKind::two, "ratio+heavier", 577.79396229260271, 432.09463902541404},
+        {CaseKind::none, "", 577.80149925454327, 432.1158471726539},
+        {CaseKind::outside, "cubic_steering_ratio", 577.80149925454327, 432.28249965643005},
+        {CaseKind::small, "ratio", 577.80084077430797, 432.0625226217004},
     };
     const std::vector<Drive> drives = caseDrives();
     const std::vector<CaseRecording> recordings = recordingsOf(drives, 7, 2);

@@ -31,6 +31,10 @@ const diagnose::Progress kQuiet = [](double, const std::string&) {};
 
 // Parameters: steering ratio and wheelbase are effects, drag is uncertain.
 constexpr Index kDrag = 0, kRatio = 1, kLength = 2;
+constexpr double kLengthSize = 0.03;  // typical size of the change of the wheelbase: its plausible range
+
+const diagnose::catalogue::Effect kLengthens{
+    "length", "", "", {{.paths = {"wheelbase"}, .typical = kLengthSize, .relative = true}}};
 
 // A point: drag, ratio and length in units of their priors.
 Deviation at(double drag, double ratio, double length) {
@@ -52,7 +56,8 @@ struct Driven {
         : made(recorded(drives, hold_out)),
           problem(diagnose::model::problemOf(
               made.nominal, made.file, made.recorded,
-              {simple_car::effect("ratio", "steering.ratio"), simple_car::effect("length", "wheelbase")},
+              {simple_car::effect("ratio", "steering.ratio"),
+               kLengthens},
               linear_car::options())),
           car(diagnose::select::calibrate(problem, nominalCar(problem, kQuiet), kQuiet)),
           held_out(diagnose::select::heldOut(car)) {
@@ -67,7 +72,7 @@ struct Driven {
     static simple_car::Case recorded(std::size_t drives, bool hold_out) {
         VehicleParams truth = linear_car::nominal();
         truth.steering.ratio *= 0.94;
-        truth.wheelbase *= 1.07;
+        truth.wheelbase *= 1 + 0.7 * kLengthSize;
         simple_car::Case all = linear_car::recorded(truth, 3);
         all.file.tolerances = {{.path = "*"}, {.path = "aero.drag_area", .relative = 0.1}};
         all.file.recordings.resize(drives);
@@ -90,7 +95,7 @@ struct Driven {
             linear_car::nominalRows(drive, nominal) +
             0.1 / std::sqrt(3) * point(kDrag) * nominal.aero.drag_area * linear_car::rowsOf(drive, linear_car::ofDrag) +
             0.1 * point(kRatio) * nominal.steering.ratio * linear_car::rowsOf(drive, linear_car::ofRatio) +
-            0.1 * point(kLength) * nominal.wheelbase * linear_car::rowsOf(drive, linear_car::ofWheelbase);
+            kLengthSize * point(kLength) * nominal.wheelbase * linear_car::rowsOf(drive, linear_car::ofWheelbase);
         return (drive.measured - rows).cwiseQuotient(noise).squaredNorm();
     }
     double left(std::size_t d, const Deviation& point) const {

@@ -65,16 +65,16 @@ void drive(const VehicleParams& car, const Scenario& scenario, const Recorder& r
     }
 }
 
-// A slow slalom: between two hats of the disturbances (0.25 s) its forces are nearly straight lines.
-struct Slalom {
+// A slow swing to one side: between two hats of the disturbances (0.25 s) its forces are nearly straight lines.
+struct Swing {
     simple_car::Case made;
     Log nominal;
     Problem problem;
 
-    Slalom() {
+    Swing() {
         Scenario scenario = simple_car::slalom(kSpeed);
-        Curve angle{{{0, 0}}};
-        for (double t = 0.2; t < kDuration; t += 0.05) angle.points.push_back({t, 0.5 * std::sin(0.8 * (t - 0.2))});
+        Curve angle;
+        for (double t = 0; t < kDuration; t += 0.05) angle.points.push_back({t, 0.25 * (1 - std::cos(0.8 * t))});
         scenario.phases.front().steering = Table<Angle>{angle};
         scenario.step = kStep;
         scenario.phases.back().until.duration = kDuration;
@@ -121,13 +121,13 @@ struct Slalom {
 };
 
 TEST(ErrorsOfForces, DoWhatAForceInProportionToTheAccelerationDoes) {
-    const Slalom slalom;
-    const RecordedDrive& drive = slalom.problem.drives.front();
-    const Disturbances told = disturbances(slalom.problem.replays, drive, slalom.made.nominal);
+    const Swing swing;
+    const RecordedDrive& drive = swing.problem.drives.front();
+    const Disturbances told = disturbances(swing.problem.replays, drive, swing.made.nominal);
     const auto read = [&](const Pushing& pushing) {
         const std::optional<Log> motion =
-            motionAt(slalom.problem.replays, drive, slalom.made.nominal, {.pushing = pushing});
-        return readings(drive, motion.value(), slalom.made.nominal.instruments);
+            motionAt(swing.problem.replays, drive, swing.made.nominal, {.pushing = pushing});
+        return readings(drive, motion.value(), swing.made.nominal.instruments);
     };
     const VectorXd before = read({});
     Index first = told.random();
@@ -140,7 +140,7 @@ TEST(ErrorsOfForces, DoWhatAForceInProportionToTheAccelerationDoes) {
             ASSERT_EQ(told.kinds[first + i], kind);
             EXPECT_NEAR(told.times[first + i], kApart * static_cast<double>(i), 1e-12);
             really.col(i) = read([&](double t, const VehicleInput&, const VehicleOutput&) {
-                                return slalom.error(kind, factor, i, t);
+                                return swing.error(kind, factor, i, t);
                             }) -
                             before;
         }

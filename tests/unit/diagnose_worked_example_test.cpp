@@ -142,9 +142,10 @@ TEST(WorkedExample, DoubtAndPosteriorOfACatalogueOfThisEffect) {
     const Search found{{candidateOf(example.car, {0}), candidateOf(example.car, {})}};
     const double value = 106 / 81.0;
     EXPECT_NEAR(found.best().fit.at(1), value, kExact);
-    // What the effect explains: twice and ten times the square of its value.
-    EXPECT_NEAR(doubt(example.car, found.best().fit), 1 + 0.01 * value * value * 104 / 12, kExact);
-    EXPECT_NEAR(doubt(example.car, found.best().fit), 1.14842, 5e-6);
+    // What the effect explains and the nuisance cannot imitate: 14/9 and 6 times the square of its value.
+    const double squares = 14 / 9.0 * 14 / 9.0 + 36;
+    EXPECT_NEAR(doubt(example.car, found.best().fit), 1 + 0.01 * value * value * squares / (14 / 9.0 + 6), kExact);
+    EXPECT_NEAR(doubt(example.car, found.best().fit), 1.08708, 5e-6);
     const Posterior result = posterior(example.car, found, {true, true});
     EXPECT_EQ(result.variance_factor, 1);
     EXPECT_NEAR(result.ofNothing(), 0.000649, 5e-7);
@@ -156,14 +157,14 @@ TEST(WorkedExample, EffectPredictsEachDriveFromTheOther) {
     const Fit with = fitOf(example.car, {0}), without = fitOf(example.car, {});
     const std::vector<double> densities = predictiveDensities(example.car, with),
                               before = predictiveDensities(example.car, without);
-    EXPECT_NEAR(densities[0], -3.37280, 5e-6);
-    EXPECT_NEAR(densities[1], -2.57453, 5e-6);
-    EXPECT_NEAR(before[0], -6.38216, 5e-6);
-    EXPECT_NEAR(before[1], -6.89702, 5e-6);
+    EXPECT_NEAR(densities[0], -4.29865, 5e-6);
+    EXPECT_NEAR(densities[1], -3.50039, 5e-6);
+    EXPECT_NEAR(before[0], -7.65190, 5e-6);
+    EXPECT_NEAR(before[1], -8.16676, 5e-6);
     const Prediction prediction = predicted(example.car, with, without);
-    EXPECT_NEAR(prediction.gain, 7.33185, 5e-6);
+    EXPECT_NEAR(prediction.gain, 8.01962, 5e-6);
     EXPECT_NEAR(prediction.sd, 1.31313, 5e-6);
-    EXPECT_TRUE(prediction.tested) << "the second drive tells 10 of 12";
+    EXPECT_TRUE(prediction.tested) << "the second drive tells 54 of 68";
 }
 
 TEST(WorkedExample, SizesOfTheRemainder) {

@@ -99,6 +99,8 @@ std::optional<CarBefore> carBefore(const model::Subject& nominal, const recordin
     recording::DiagnosisFile before = file;
     recording::Recorded logs = recorded;
     if (!recording::beforeTheChange(before, logs)) return std::nullopt;
+    // What is held out is the car after the change: all references tell what it was before.
+    for (recording::Recording& one : before.recordings) one.hold_out = false;
     const model::Problem problem = model::problemOf(
         nominal, before, logs, [&](model::Drives drives) { return everything(nominal, file, effects, drives); },
         options);
