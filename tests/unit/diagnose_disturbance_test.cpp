@@ -24,7 +24,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kSpeed = 22, kDuration = 8, kStep = 0.01;
-constexpr double kApart = 2.5, kLasts = 5, kShare = 0.02;  // s, s, of the model's force: (D11a)
+constexpr double kApart = 2.5, kLasts = 5, kShare = 0.005;  // s, s, of the model's force: (D11a)
 // Of the largest change: the force is a straight line over each 0.25 s, and a turn of 0.8 rad/s bends by so much in it.
 constexpr double kInterpolated = 0.03;
 constexpr double kRollStiffness = 8e4;  // N m/rad

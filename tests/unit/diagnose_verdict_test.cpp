@@ -14,6 +14,8 @@ using diagnose::answer::Verdict;
 using diagnose::catalogue::Effect;
 using simple_car::effect;
 
+const Effect kRatio{"ratio", "", "", {{.paths = {"steering.ratio"}, .typical = 0.25, .relative = true}}};
+
 // Two drives of a car whose ratio is so many times the nominal one, and which a roll moment pushes that no steering
 // causes, N m.
 simple_car::Case pushedCase(double ratio, double moment) {
@@ -33,8 +35,8 @@ simple_car::Case pushedCase(double ratio, double moment) {
 Diagnosis diagnosed(const simple_car::Case& made) {
     diagnose::Options options = linear_car::options();
     options.simulate = linear_car::drivePushed;
-    return diagnose::diagnosisOf(made.nominal, made.file, made.recorded,
-                                 {effect("ratio", "steering.ratio"), effect("drag", "aero.drag_area")}, options);
+    return diagnose::diagnosisOf(made.nominal, made.file, made.recorded, {kRatio, effect("drag", "aero.drag_area")},
+                                 options);
 }
 
 TEST(VerdictOnAPushedCar, IsExplainedWithoutAPush) {
@@ -46,7 +48,7 @@ TEST(VerdictOnAPushedCar, IsExplainedWithoutAPush) {
 }
 
 TEST(VerdictOnAPushedCar, IsPartlyExplainedWhereAnEffectExplainsMost) {
-    const Diagnosis d = diagnosed(pushedCase(1.3, 200));
+    const Diagnosis d = diagnosed(pushedCase(1.5, 800));
     EXPECT_EQ(d.verdict, Verdict::partly_explained) << d.answer;
     EXPECT_EQ(d.causes, std::vector<std::string>{"ratio"});
     EXPECT_EQ(d.answer, "The gap is partly caused by ratio (p > 0.99); the rest is unexplained");
@@ -58,7 +60,7 @@ TEST(VerdictOnAPushedCar, IsPartlyExplainedWhereAnEffectExplainsMost) {
 }
 
 TEST(VerdictOnAPushedCar, IsUnknownWhereNoEffectActsOrMostRemains) {
-    const Diagnosis pushed = diagnosed(pushedCase(1, 600));
+    const Diagnosis pushed = diagnosed(pushedCase(1, 1800));
     EXPECT_EQ(pushed.verdict, Verdict::unknown) << pushed.answer;
     EXPECT_TRUE(pushed.causes.empty());
     EXPECT_GT(pushed.probability_of_unknown, 0.95);
@@ -68,8 +70,8 @@ TEST(VerdictOnAPushedCar, IsUnknownWhereNoEffectActsOrMostRemains) {
 
 // An effect with opposite values in the two drives explains each of them, and predicts neither.
 TEST(VerdictOnAPushedCar, DoesNotNameAnEffectThatDoesNotPredict) {
-    simple_car::Case made = pushedCase(1.5, 0);
-    made.recorded.logs[1] = pushedCase(0.7, 0).recorded.logs[1];
+    simple_car::Case made = pushedCase(2, 0);
+    made.recorded.logs[1] = pushedCase(0.3, 0).recorded.logs[1];
     const Diagnosis d = diagnosed(made);
     EXPECT_TRUE(d.causes.empty()) << d.answer;
     EXPECT_EQ(d.verdict, Verdict::unknown);

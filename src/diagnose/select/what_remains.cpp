@@ -1,5 +1,6 @@
 #include "diagnose/select/what_remains.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "diagnose/model/remainder.h"
@@ -41,15 +42,19 @@ double Remains::probability() const {
 
 Remains whatRemains(const Calibration& car, const Candidate& model) {
     const Fit& fit = model.fit;
+    const Sizes wide = sizesUnder(model::kLargePrior, car, fit, fit.sizes);
     Sizes usual;
     usual.fill(1);
-    const auto evidence = [&](const model::SizesPrior& prior, const Sizes& from) {
-        const Sizes sizes = sizesUnder(prior, car, fit, from);
-        return logEvidenceWith(fit, car.uncertainty, sizes) + model::logPrior(sizes, prior);
-    };
-    Remains remains;
+    // The iteration is slow where little is known of a size, so the narrow prior is given several starts.
+    double ordinary = -kInfinity;
+    for (const Sizes& sizes :
+         {wide, sizesUnder(model::kOrdinaryPrior, car, fit, wide), sizesUnder(model::kOrdinaryPrior, car, fit, usual)})
+        ordinary = std::max(
+            ordinary, logEvidenceWith(fit, car.uncertainty, sizes) + model::logPrior(sizes, model::kOrdinaryPrior));
     const double ratio = std::log(model::birgeRatio(car.drives(), car.uncertainty, fit.rows, fit.sizes));
-    remains.beyond_ordinary = evidence(model::kLargePrior, fit.sizes) - evidence(model::kOrdinaryPrior, usual) -
+    Remains remains;
+    remains.beyond_ordinary = logEvidenceWith(fit, car.uncertainty, wide) + model::logPrior(wide, model::kLargePrior) -
+                              ordinary -
                               0.5 * ratio * (model::kLargePrior.pull(ratio) - model::kOrdinaryPrior.pull(ratio));
     answer::ForceLaw law = forceLaw(car, fit);
     if (law.gain > kSettings.clear) remains.law = std::move(law);
