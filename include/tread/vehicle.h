@@ -48,6 +48,7 @@ struct LoadParams {
     double mass = 0;
     double x = 0, y = 0, z = 0;
     double moment_x = 0, moment_y = 0, moment_z = 0;
+    bool levelled = false;
 
     bool none() const { return mass == 0 && moment_x == 0 && moment_y == 0 && moment_z == 0; }
 
@@ -59,6 +60,8 @@ struct LoadParams {
         field(TREAD_FIELD(moment_x), About{"kg m", "forward moment of mass, in addition to mass times x"});
         field(TREAD_FIELD(moment_y), About{"kg m", "moment of mass to the left, in addition to mass times y"});
         field(TREAD_FIELD(moment_z), About{"kg m", "upward moment of mass, in addition to mass times z"});
+        field(TREAD_FIELD(levelled),
+              About{"", "the suspension levels the car: it keeps its height, while springs alone sink under the load"});
     }
 };
 static_assert(describesEveryMember<LoadParams>());

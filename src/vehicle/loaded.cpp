@@ -1,5 +1,5 @@
 // A load as part of the car: a point mass fixed to it, by the parallel-axis theorem. Products of inertia other than
-// roll_yaw are left out, as everywhere; the car keeps its ride height.
+// roll_yaw are left out, as everywhere.
 
 #include <algorithm>
 

@@ -26,13 +26,21 @@ double aligningStiffness(const TyreParams& tyre, double load, double caster_trai
     return std::abs(slope) / (2 * kSmall);
 }
 
-Vehicle::Corner cornerOf(const VehicleParams& params, std::size_t wheel, double gravity) {
+// Load of a wheel of the level car at rest.
+double staticLoad(const VehicleParams& params, std::size_t wheel, double gravity) {
+    const bool front = axleOf(wheel) == 0;
+    const double ahead = params.front_axle_distance, behind = params.wheelbase - ahead;
+    const double track = (front ? params.front : params.rear).track;
+    const double side = 0.5 + sideSign(wheel) * params.lateral_offset / track;
+    return side * (front ? behind : ahead) / params.wheelbase * params.mass * gravity;
+}
+
+// `level`: the car whose springs and tyres leave it at its design height.
+Vehicle::Corner cornerOf(const VehicleParams& params, const VehicleParams& level, std::size_t wheel, double gravity) {
     const AxleParams& axle = axleOf(wheel) == 0 ? params.front : params.rear;
     const double rear_axle_distance = params.wheelbase - params.front_axle_distance;
     const bool front = axleOf(wheel) == 0;
-    const double share = (front ? rear_axle_distance : params.front_axle_distance) / params.wheelbase;
-    const double offset = sideSign(wheel) * params.lateral_offset;
-    const double load = (0.5 + offset / axle.track) * share * params.mass * gravity;
+    const double load = staticLoad(params, wheel, gravity), level_load = staticLoad(level, wheel, gravity);
     const WheelParams& own = isLeft(wheel) ? axle.left : axle.right;
     const TyreSurroundingsParams& surroundings =
         own.tyre_surroundings ? *own.tyre_surroundings : axle.tyre_surroundings;
@@ -43,7 +51,7 @@ Vehicle::Corner cornerOf(const VehicleParams& params, std::size_t wheel, double 
     tyre.lambda.Kx *= own.stiffness;
     tyre.lambda.Ky *= own.stiffness;
     const TyreCoefficients& p = tyre.parameters;
-    const double radius = p.Ro - load / radialStiffness(tyre);
+    const double radius = p.Ro - level_load / radialStiffness(tyre);
 
     // The track is measured at the contacts, which lie below the hubs in the plane of the leaning wheels.
     const double camber = axle.suspension.camber;
@@ -53,7 +61,7 @@ Vehicle::Corner cornerOf(const VehicleParams& params, std::size_t wheel, double 
     corner.hub_B = {front ? params.front_axle_distance : -rear_axle_distance,
                     sideSign(wheel) * beside - params.lateral_offset,
                     radius * std::cos(camber) - params.centre_of_gravity_height};
-    corner.static_force = load - axle.unsprung_mass * gravity;
+    corner.static_force = level_load - axle.unsprung_mass * gravity;
     corner.lateral_slope = sideSign(wheel) * axle.suspension.roll_centre_height / (0.5 * axle.track);
     corner.unsprung_mass = axle.unsprung_mass;
     corner.wheel_inertia = axle.wheel_inertia;
@@ -69,12 +77,12 @@ Vehicle::Corner cornerOf(const VehicleParams& params, std::size_t wheel, double 
 Vehicle prepare(const VehicleParams& unloaded, double gravity) {
     Vehicle vehicle;
     vehicle.params = loaded(unloaded);
-    const VehicleParams& params = vehicle.params;
+    const VehicleParams &params = vehicle.params, &level = unloaded.load.levelled ? params : unloaded;
     vehicle.reference_B = {params.front_axle_distance - unloaded.front_axle_distance,
                            unloaded.lateral_offset - params.lateral_offset,
                            unloaded.centre_of_gravity_height - params.centre_of_gravity_height};
     for (std::size_t i = 0; i < kWheels; ++i) {
-        const Vehicle::Corner& corner = vehicle.corners[i] = cornerOf(params, i, gravity);
+        const Vehicle::Corner& corner = vehicle.corners[i] = cornerOf(params, level, i, gravity);
         vehicle.tyres_shifted |= !corner.tyre_shift.none();
         vehicle.tyres_warm |= warms(corner.temperature);
         vehicle.warmth_felt |= feelsWarmth(corner.temperature);

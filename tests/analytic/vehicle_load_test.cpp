@@ -107,7 +107,8 @@ TEST(Load, RestsOnTheWheelsByItsLever) {
     const double x = -1.2, mass = 200;
     const PlaneRoad road;
     const reference::Car without = reference::settled(car, road, {.input = {.brake = 0.3}});
-    const reference::Car with = reference::settled(carWith({.mass = mass, .x = x}), road, {.input = {.brake = 0.3}});
+    const reference::Car with =
+        reference::settled(carWith({.mass = mass, .x = x, .levelled = true}), road, {.input = {.brake = 0.3}});
     const double on_rear = mass * kStandardGravity * (car.front_axle_distance - x) / car.wheelbase;
     const auto loads = [](const reference::Car& one, std::size_t a, std::size_t b) {
         return one.state.wheels[a].load + one.state.wheels[b].load;
@@ -116,6 +117,27 @@ TEST(Load, RestsOnTheWheelsByItsLever) {
     EXPECT_NEAR(loads(with, 0, 1) - loads(without, 0, 1), mass * kStandardGravity - on_rear, 0.1);
     EXPECT_NEAR(with.output().chassis.x, 0, 0.001) << "the car stands where it stood, but for its pitch";
     EXPECT_NEAR(with.output().chassis.z, without.output().chassis.z, 1e-4) << "and at its height";
+}
+
+// Springs and tyres yield by what rests on them, and the wheels toe by the travel.
+TEST(Load, SinksOnItsSprings) {
+    VehicleParams car = reference::compact();
+    car.rear.suspension.toe_by_travel = 0.1;
+    const double x = -1.2, mass = 200;
+    VehicleParams loaded_car = car;
+    loaded_car.load = {.mass = mass, .x = x};
+    const PlaneRoad road;
+    const reference::Car without = reference::settled(car, road, {.input = {.brake = 0.3}}),
+                         with = reference::settled(loaded_car, road, {.input = {.brake = 0.3}});
+    const double on_rear = mass * kStandardGravity * (car.front_axle_distance - x) / car.wheelbase;
+    const auto travel = [](const reference::Car& one, std::size_t wheel) { return one.state.wheels[wheel].travel; };
+    // The body pitches by 0.6 degrees, which moves its mass rearwards: 1 % of the load.
+    const double rear = on_rear / (2 * car.rear.suspension.spring);
+    EXPECT_NEAR(travel(with, 2) - travel(without, 2), rear, 0.03 * rear);
+    const double front = (mass * kStandardGravity - on_rear) / (2 * car.front.suspension.spring);
+    EXPECT_NEAR(travel(with, 0) - travel(without, 0), front, 0.1 * front);
+    EXPECT_LT(with.output().chassis.z,
+              without.output().chassis.z - 0.5 * rear * car.front_axle_distance / car.wheelbase);
 }
 
 std::size_t rowsOf(const Log& log) {
@@ -132,7 +154,7 @@ Log driven(const VehicleParams& car) {
 // The car with a load and the car that is given the numbers of both move alike; channels of the first are those of the
 // place where the centre of gravity was.
 TEST(Load, DrivesAsTheCarThatIsGivenTheNumbersOfBoth) {
-    const VehicleParams car = carWith({.mass = 200, .x = -1.2, .y = -0.1, .z = 0.29});
+    const VehicleParams car = carWith({.mass = 200, .x = -1.2, .y = -0.1, .z = 0.29, .levelled = true});
     const VehicleParams whole = loaded(car);
     const Log with = driven(car), given = driven(whole);
     ASSERT_EQ(rowsOf(with), rowsOf(given));

@@ -103,7 +103,7 @@ private:
             const std::size_t e = order[i];
             const bool hopeless = screen.gain[e] < screen.gain[order.front()] - kHopeless || screen.gain[e] < -1;
             std::optional<Candidate> one;
-            if (i < kFewestRefits || (i < kMostRefits && !hopeless)) one = refit(car_.about, {e}, car_.fit.at);
+            if (i < kFewestRefits || (i < kMostRefits && !hopeless)) one = refitSingle(e, screen.least_gain[e]);
             progress_(0.3 * static_cast<double>(std::min(i, kMostRefits)) / kMostRefits,
                       "fitting " + problem_.effects[e].name);
             if (!one) one = Candidate{{e}, screen.least_gain[e], {}, false};
@@ -111,6 +111,22 @@ private:
         }
         fitPromising(singles);
         return singles;
+    }
+
+    // Fits one effect. Where the fit falls far short of what the linear model promised, it may have gone astray: it is
+    // then started again from either side of the nominal value of the first knob.
+    std::optional<Candidate> refitSingle(std::size_t effect, double promised) const {
+        std::optional<Candidate> best = refit(car_.about, {effect}, car_.fit.at);
+        const Eigen::Index first = problem_.knobs[effect].front();
+        const Parameter& knob = problem_.replays.parameters[first];
+        for (const double size : {1.0, -1.0}) {
+            if (best && best->log_evidence > promised - kHopeless) break;
+            Deviation from = car_.fit.at;
+            from(first) = std::clamp(size, knob.lowest, knob.highest);
+            std::optional<Candidate> again = refit(car_.about, {effect}, from);
+            if (again && (!best || again->log_evidence > best->log_evidence)) best = std::move(again);
+        }
+        return best;
     }
 
     // Fits the best of the others as long as the linear model promises more of it than the best fit has.
@@ -121,7 +137,7 @@ private:
                 std::find_if(singles.begin(), singles.end(), [](const Candidate& c) { return !c.fitted; });
             const double best = singles.front().fitted ? singles.front().log_evidence : 0;
             if (next == singles.end() || next->log_evidence <= std::max(best, kSettings.effect)) return;
-            std::optional<Candidate> one = refit(car_.about, next->effects, car_.fit.at);
+            std::optional<Candidate> one = refitSingle(next->effects.front(), next->log_evidence);
             if (one) *next = std::move(*one);
             else singles.erase(next);  // the car cannot be driven with this effect
         }

@@ -21,6 +21,7 @@ constexpr double kNinety = 1.645;  // standard deviations of a 90 % interval
 struct Answer {
     Posterior posterior;
     const Candidate* named = nullptr;
+    Fit fit;                                              // of the causes, their sizes free of the prior
     std::map<const Candidate*, std::string> struck = {};  // with the reason
 };
 
@@ -109,11 +110,22 @@ bool atBound(const Problem& problem, const Fit& fit) {
     });
 }
 
-// Why a model cannot be the answer; empty when it can: its numbers are plausible, it predicts the drives that are left
-// out, and those held out do not speak against it.
-std::string reasonAgainst(const Calibration& car, const Candidate& model, const Fit& none, const HeldOut& held_out) {
+// The fit of a model in which the sizes of its effects are free of the prior that ranked it.
+Fit released(const Calibration& car, const Candidate& named) {
+    if (named.effects.empty()) return named.fit;
+    Linearisation about = car.about;
+    std::optional<Fit> fit = fitted(car.problem.replays, car.drives(), car.uncertainty, about, named.fit.knobs,
+                                    named.fit.at, SizePrior::none);
+    return fit ? std::move(*fit) : named.fit;
+}
+
+// Why a model cannot be the answer; empty when it can: its numbers are plausible, with the prior of their sizes or
+// without, it predicts the drives that are left out, and those held out do not speak against it.
+std::string reasonAgainst(const Calibration& car, const Candidate& model, const Fit& answer, const Fit& none,
+                          const HeldOut& held_out) {
     if (model.effects.empty()) return {};
-    if (atBound(car.problem, model.fit)) return "a number stands at the end of its plausible range";
+    if (atBound(car.problem, model.fit) || atBound(car.problem, answer))
+        return "a number stands at the end of its plausible range";
     if (predicted(car, model.fit, none).fails()) return "it does not predict drives that are left out of the fit";
     if (held_out.speakAgainst(model.fit.at, none.at)) return "it does not shrink the gap of the drives held out";
     return {};
@@ -134,8 +146,9 @@ Answer answerOf(const Calibration& car, const Search& found, const HeldOut& held
         const auto first = std::find_if(probable.hypotheses.begin(), probable.hypotheses.end(),
                                         [](const Hypothesis& one) { return mayBeNamed(*one.candidate); });
         const Candidate* named = first->candidate;
-        std::string against = reasonAgainst(car, *named, found.none().fit, held_out);
-        if (against.empty()) return {std::move(probable), named, std::move(struck)};
+        Fit answer = released(car, *named);
+        std::string against = reasonAgainst(car, *named, answer, found.none().fit, held_out);
+        if (against.empty()) return {std::move(probable), named, std::move(answer), std::move(struck)};
         struck[named] = std::move(against);
         possible[named - found.candidates.data()] = false;
     }
@@ -153,15 +166,6 @@ void tellAlternatives(Diagnosis& diagnosis, const Problem& problem, const Poster
         alternatives.insert(problem.namesOf(one.candidate->effects));
     }
     if (own < kSettings.sure * (own + rivals)) diagnosis.alternatives.assign(alternatives.begin(), alternatives.end());
-}
-
-// The fit of a model in which the sizes of its effects are free of the prior that ranked it.
-Fit released(const Calibration& car, const Candidate& named) {
-    if (named.effects.empty()) return named.fit;
-    Linearisation about = car.about;
-    std::optional<Fit> fit = fitted(car.problem.replays, car.drives(), car.uncertainty, about, named.fit.knobs,
-                                    named.fit.at, SizePrior::none);
-    return fit ? std::move(*fit) : named.fit;
 }
 
 double gapOf(const Calibration& car, const Rows& rows) {
@@ -191,9 +195,9 @@ Verdict verdictOf(const Diagnosis& diagnosis, const Calibration& car, const Judg
 Judgement judge(answer::Diagnosis& diagnosis, const Calibration& car, const std::vector<double>& expected_evidence,
                 const Search& found, const HeldOut& held_out) {
     const Problem& problem = car.problem;
-    const Answer chosen = answerOf(car, found, held_out);
+    Answer chosen = answerOf(car, found, held_out);
     const Candidate& named = *chosen.named;
-    Judgement judgement{&named, released(car, named), whatRemains(car, named),
+    Judgement judgement{&named, std::move(chosen.fit), whatRemains(car, named),
                         predicted(car, named.fit, found.none().fit)};
     diagnosis.causes = problem.namesOf(named.effects);
     diagnosis.probability_of_unknown = judgement.remains.probability();
