@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "log/log_columns.h"
+#include "log/resample.h"
 
 namespace tread::recording {
 namespace {
@@ -14,35 +15,41 @@ namespace {
 constexpr double kSlowestShare = 0.5;
 constexpr double kSlowestSlide = 5;  // m/s
 
+// The compared channel of this name, or else of this quantity; null when there is none.
+const ObservedChannel* find(const RecordedDrive& drive, std::string_view quantity) {
+    const std::vector<ObservedChannel>& all = drive.channels;
+    auto first = std::find_if(all.begin(), all.end(), [&](const ObservedChannel& one) { return one.name == quantity; });
+    if (first == all.end())
+        first = std::find_if(all.begin(), all.end(),
+                             [&](const ObservedChannel& one) { return quantityOf(one.name) == quantity; });
+    return first == all.end() || first->times.empty() ? nullptr : &*first;
+}
+
 }  // namespace
 
 double slideApart(const RecordedDrive& drive, const Eigen::VectorXd& model) {
-    const auto find = [&](std::string_view quantity) {
-        const auto& all = drive.channels;
-        const auto first = std::find_if(all.begin(), all.end(),
-                                        [&](const ObservedChannel& channel) { return channel.name == quantity; });
-        if (first != all.end()) return first;
-        return std::find_if(all.begin(), all.end(),
-                            [&](const ObservedChannel& channel) { return quantityOf(channel.name) == quantity; });
-    };
-    const auto ay = find("chassis.ay"), yaw_rate = find("chassis.yaw_rate"), vx = find("chassis.vx");
-    const auto none = drive.channels.end();
-    if (ay == none || yaw_rate == none || vx == none) return kInfinity;
-    if (ay->times != yaw_rate->times || ay->rows() < vx->rows()) return kInfinity;
-    const std::vector<double>& times = vx->times;  // begin later where the speed is followed at first
-    const Eigen::Index skipped = ay->rows() - vx->rows();
-    if (!std::equal(times.begin(), times.end(), ay->times.begin() + skipped)) return kInfinity;
+    const ObservedChannel *ay = find(drive, "chassis.ay"), *yaw_rate = find(drive, "chassis.yaw_rate");
+    const Channel* speed = drive.log.find("chassis.vx");
+    if (!ay || !yaw_rate || !speed || ay->times != yaw_rate->times) return kInfinity;
+    const std::vector<double>& times = ay->times;
+    const std::vector<double> measured = resample(drive.time, speed->values, times);
+    // Not compared, or compared only later, where the model follows the measured speed.
+    const ObservedChannel* compared = find(drive, "chassis.vx");
+    const Eigen::Index followed = ay->rows() - (compared ? compared->rows() : 0);
+    if (followed < 0 ||
+        (compared && !std::equal(compared->times.begin(), compared->times.end(), times.begin() + followed)))
+        return kInfinity;
 
-    const double fastest = drive.measured.segment(vx->first_row, vx->rows()).maxCoeff();
+    const double fastest = *std::max_element(measured.begin(), measured.end());
     const double slowest = std::min(kSlowestShare * fastest, kSlowestSlide);
     if (!(slowest > 0)) return kInfinity;  // the car never moves forward
-    const auto rate = [&](const Eigen::VectorXd& rows, Eigen::Index row) {
-        const double speed = std::max(rows(vx->first_row + row), slowest);
-        return rows(ay->first_row + skipped + row) / speed - rows(yaw_rate->first_row + skipped + row);
+    const auto rate = [&](const Eigen::VectorXd& rows, Eigen::Index i) {
+        const double v = i < followed ? measured[i] : rows(compared->first_row + i - followed);
+        return rows(ay->first_row + i) / std::max(v, slowest) - rows(yaw_rate->first_row + i);
     };
     const Eigen::Index window = std::lround(std::floor(kSlideWindow / kBlock));
     std::vector<double> apart(times.size(), 0);
-    for (Eigen::Index i = 1; i < vx->rows(); ++i) {
+    for (Eigen::Index i = 1; i < ay->rows(); ++i) {
         apart[i] = apart[i - 1] + (rate(drive.measured, i) - rate(model, i)) * (times[i] - times[i - 1]);
         const Eigen::Index before = std::max<Eigen::Index>(i - window, 0);
         if (std::abs(apart[i] - apart[before]) > kSlideAngle) return times[before];

@@ -56,11 +56,14 @@ inline VehicleParams nominal() {
     return simple_car::Case{}.nominal.vehicle;
 }
 
-// Two drives of a true car, of which the yaw rate alone is compared. Of its numbers only the wheelbase is uncertain.
+// Drives of a true car at these speeds, m/s, of which the yaw rate alone is compared. Of its numbers only the wheelbase
+// is uncertain.
 inline simple_car::Case recorded(const VehicleParams& truth, std::uint64_t seed,
-                                 const recording::Simulate& simulate = drive) {
-    simple_car::Case made =
-        simple_car::recorded(truth, {simple_car::slalom(15), simple_car::slalom(22)}, seed, simulate);
+                                 const recording::Simulate& simulate = drive,
+                                 const std::vector<double>& speeds = {15, 22}) {
+    std::vector<Scenario> drives;
+    for (const double speed : speeds) drives.push_back(simple_car::slalom(speed));
+    simple_car::Case made = simple_car::recorded(truth, drives, seed, simulate);
     made.nominal.vehicle.steering.play = truth.steering.play;
     made.file.channels = {{.channel = "chassis.yaw_rate"}};
     made.file.step = 0.002;  // samples of the logs fall on steps of the replay

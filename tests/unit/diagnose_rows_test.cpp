@@ -97,6 +97,8 @@ RecordedDrive turning(double slips, double speed = 20) {
     const std::size_t rows = 200;
     std::vector<double> times;
     for (std::size_t i = 0; i < rows; ++i) times.push_back((static_cast<double>(i) + 0.5) * kBlock);
+    drive.time = times;
+    drive.log.channels = {{"time", "s", times}, {"chassis.vx", "m/s", std::vector<double>(rows, speed)}};
     drive.measured.resize(3 * static_cast<Eigen::Index>(rows));
     for (const char* name : {"chassis.vx", "chassis.ay", "chassis.yaw_rate"}) {
         const auto first = static_cast<Eigen::Index>(drive.channels.size() * rows);
@@ -127,8 +129,19 @@ TEST(Sliding, IsJudgedBySideslipInASlowCarToo) {
     EXPECT_EQ(slideApart(more, model.measured), kInfinity) << "another turn is no slide";
 }
 
+// Where the model follows the measured speed, that is not compared.
+TEST(Sliding, IsSeenWhereTheSpeedIsFollowed) {
+    const auto withoutSpeed = [](RecordedDrive drive) {
+        drive.channels.erase(drive.channels.begin());
+        return drive;
+    };
+    const RecordedDrive drive = withoutSpeed(turning(0.2)), model = withoutSpeed(turning(0));
+    EXPECT_NEAR(slideApart(drive, model.measured), 5 + 0.4 - 1.5, 0.1);
+    EXPECT_EQ(slideApart(drive, drive.measured), kInfinity);
+}
+
 TEST(Sliding, ACarAtRestDoesNotSlide) {
-    RecordedDrive rest = turning(0);
+    RecordedDrive rest = turning(0, 0);
     rest.measured.setZero();
     EXPECT_EQ(slideApart(rest, rest.measured), kInfinity);
 }
