@@ -121,11 +121,15 @@ TEST(Load, RestsOnTheWheelsByItsLever) {
 
 // The springs yield by what rests on them.
 TEST(Load, SinksOnItsSprings) {
-    const VehicleParams car = reference::compact();
+    VehicleParams car = reference::compact();
+    car.front.suspension.bump_stop = car.rear.suspension.bump_stop = {};
     const double x = -1.2, mass = 200;
-    const VehicleParams loaded_car = carWith({.mass = mass, .x = x});
+    VehicleParams loaded_car = car;
+    loaded_car.load = {.mass = mass, .x = x};
     const PlaneRoad road;
-    const reference::Car without = reference::settled(car, road, {}), with = reference::settled(loaded_car, road, {});
+    const Start rolling{.speed = 10};  // at rest, tyres that stick to the road hold the wheels apart
+    const reference::Car without = reference::settled(car, road, rolling),
+                         with = reference::settled(loaded_car, road, rolling);
     const double on_rear = mass * kStandardGravity * (car.front_axle_distance - x) / car.wheelbase;
     const auto travel = [](const reference::Car& one, std::size_t wheel) { return one.state.wheels[wheel].travel; };
     // The body pitches by 0.6 degrees, which moves its mass rearwards: 1 % of the load.

@@ -54,11 +54,9 @@ struct Driven {
 
     explicit Driven(std::size_t drives = 2, bool hold_out = false, bool singles = true)
         : made(recorded(drives, hold_out)),
-          problem(diagnose::model::problemOf(
-              made.nominal, made.file, made.recorded,
-              {simple_car::effect("ratio", "steering.ratio"),
-               kLengthens},
-              linear_car::options())),
+          problem(diagnose::model::problemOf(made.nominal, made.file, made.recorded,
+                                             {simple_car::effect("ratio", "steering.ratio"), kLengthens},
+                                             linear_car::options())),
           car(diagnose::select::calibrate(problem, nominalCar(problem, kQuiet), kQuiet)),
           held_out(diagnose::select::heldOut(car)) {
         found.candidates = {{.effects = {0, 1}, .log_evidence = 30, .fit = fitAt(kAnswer), .fitted = true}};
