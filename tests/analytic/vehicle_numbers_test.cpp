@@ -182,6 +182,7 @@ TEST(NumbersOfACar, EachOneOfAHybridWithATorqueConverterIsFelt) {
     params.driveline.motor = MotorParams{.torque = 100,
                                          .power = 25000,
                                          .speed_limit = 385,
+                                         .no_load_speed = 2000,
                                          .inertia = 0.02,
                                          .drag = {{{0, 1}, {700, 3}}},
                                          .lift_off_regeneration = 0.2,
