@@ -152,6 +152,16 @@ bool wanted(const DiagnosisFile& file, const std::string& channel) {
     });
 }
 
+Log withUsedChannels(const Log& log, const DiagnosisFile& file) {
+    const Channel* speed = measuredAs(log, "chassis.vx");
+    const std::string followed = speed ? speed->name : "";
+    Log used = log;
+    std::erase_if(used.channels, [&](const Channel& channel) {
+        return observedQuantity(channel.name) && !wanted(file, channel.name) && channel.name != followed;
+    });
+    return used;
+}
+
 Eigen::VectorXd blockMeans(const ObservedChannel& channel, const std::vector<double>& time,
                            const std::vector<double>& readings) {
     Eigen::VectorXd means(channel.rows());
