@@ -58,8 +58,7 @@ Diagnosis diagnosisOf(const recording::Subject& nominal, const recording::Diagno
     // The drives, and the calibrated car: the nominal car with its nuisance parameters fitted to the recordings.
     recording::DiagnosisFile after = file;
     if (before && !file.before.empty()) after.tolerances = before->tolerances;
-    const model::Problem problem =
-        model::problemOf(before ? before->car : nominal, after, recorded, effects, options);
+    const model::Problem problem = model::problemOf(before ? before->car : nominal, after, recorded, effects, options);
     const select::Calibration car =
         select::calibrate(problem, model::nominalCar(problem, partOf(progress, 0.3, 0.4)), partOf(progress, 0.4, 0.6));
 

@@ -190,9 +190,12 @@ TEST(RigidBody, OddChannelIsLeftOutUnlessTheFileKeepsIt) {
 }
 
 TEST(RigidBody, ChannelsThatAreNotUsedContradictNothing) {
-    const Log wrong = recorded(ay, [](double t) { return 0.5 * std::sin(1.7 * t + 1.2) + 0.3 * std::sin(2.9 * t - 1.5); });
+    const Log wrong =
+        recorded(ay, [](double t) { return 0.5 * std::sin(1.7 * t + 1.2) + 0.3 * std::sin(2.9 * t - 1.5); });
     DiagnosisFile file;
-    file.channels = {{.channel = "chassis.vx"}, {.channel = "chassis.yaw_rate"}, {.channel = "chassis.ay"},
+    file.channels = {{.channel = "chassis.vx"},
+                     {.channel = "chassis.yaw_rate"},
+                     {.channel = "chassis.ay"},
                      {.channel = "chassis.ax"}};
     Recorded logs{.logs = {wrong}, .references = {Log{}}};
     EXPECT_TRUE(leaveOutContradictions(file, logs).empty()) << "lateral velocity is not listed";

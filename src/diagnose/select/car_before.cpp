@@ -61,8 +61,8 @@ model::Differences everything(const model::Subject& nominal, const recording::Di
     return all;
 }
 
-// Tolerances of the file, and in their place for each fitted number: what the fit leaves open, and what changes from day
-// to day.
+// Tolerances of the file, and in their place for each fitted number: what the fit leaves open, and what changes from
+// day to day.
 std::vector<recording::KnownWithin> tolerancesAfter(const model::Subject& nominal, const recording::DiagnosisFile& file,
                                                     const std::map<std::string, answer::NuisanceEstimate>& moved) {
     std::map<std::string, double> between_days;  // standard deviations
@@ -79,10 +79,9 @@ std::optional<Fit> settledFit(const model::Problem& problem, const Progress& pro
     model::Deviation at = problem.replays.origin();
     std::optional<Fit> found;
     for (int round = 0; round < kMostRounds; ++round) {
-        model::Sensitivities about =
-            model::sensitivities(problem.replays, problem.drives, at, {.parameters = problem.nuisances}, [&](double share) {
-                progress((round + share) / kMostRounds, "fitting the car before the change");
-            });
+        model::Sensitivities about = model::sensitivities(
+            problem.replays, problem.drives, at, {.parameters = problem.nuisances},
+            [&](double share) { progress((round + share) / kMostRounds, "fitting the car before the change"); });
         if (round == 0) model::expectDriven(problem.drives, about);
         model::Uncertainty uncertainty =
             model::uncertaintyAt(problem.replays, problem.drives, at, about.rows, model::endsOf(problem.drives));
@@ -92,12 +91,10 @@ std::optional<Fit> settledFit(const model::Problem& problem, const Progress& pro
         const double ratio = model::birgeRatio(problem.drives, uncertainty, about.rows, uncertainty.sizes);
         for (model::RowNoise& noise : uncertainty.noise)
             noise.deviation *= ratio * std::sqrt(kErrorLasts / recording::kBlock);
-        const std::vector<Eigen::Index> relevant =
-            model::relevantNuisances(problem.nuisances, about, uncertainty);
+        const std::vector<Eigen::Index> relevant = model::relevantNuisances(problem.nuisances, about, uncertainty);
         const Rows before = about.rows;
         const Linearisation linear = model::linearisation(std::move(about), relevant, uncertainty);
-        std::optional<Fit> fit =
-            fitted(problem.replays, problem.drives, uncertainty, linear, {}, at);
+        std::optional<Fit> fit = fitted(problem.replays, problem.drives, uncertainty, linear, {}, at);
         if (!fit) break;
         if (round == 0) gap.nominal = levelOf(problem.drives, plain, before);
         gap.calibrated = levelOf(problem.drives, plain, fit->rows);
@@ -117,7 +114,8 @@ std::optional<CarBefore> carBefore(const model::Subject& nominal, const recordin
     recording::Recorded logs = recorded;
     if (!recording::beforeTheChange(before, logs)) return std::nullopt;
     const model::Problem problem = model::problemOf(
-        nominal, before, logs, [&](model::Drives drives) { return everything(nominal, file, effects, drives); }, options);
+        nominal, before, logs, [&](model::Drives drives) { return everything(nominal, file, effects, drives); },
+        options);
     CarBefore result{nominal, {}, {}, {}};
     const std::optional<Fit> fit = settledFit(problem, progress, result.gap);
     if (!fit) return std::nullopt;
