@@ -51,13 +51,14 @@ Diagnosis diagnosisOf(const recording::Subject& nominal, const recording::Diagno
     const auto started = std::chrono::steady_clock::now();
     const Progress& progress = options.progress;
 
-    // The car before the change, if there are references.
+    // The car before the change, if it was driven.
     const std::optional<select::CarBefore> before =
         select::carBefore(nominal, file, recorded, effects, options, partOf(progress, 0, 0.3));
 
     // The drives, and the calibrated car: the nominal car with its nuisance parameters fitted to the recordings.
-    const model::Problem problem =
-        model::problemOf(before ? before->car : nominal, file, recorded, effects, options);
+    recording::DiagnosisFile after = file;
+    if (before && !file.before.empty()) after.tolerances = before->tolerances;
+    const model::Problem problem = model::problemOf(before ? before->car : nominal, after, recorded, effects, options);
     const select::Calibration car =
         select::calibrate(problem, model::nominalCar(problem, partOf(progress, 0.3, 0.4)), partOf(progress, 0.4, 0.6));
 

@@ -85,41 +85,57 @@ Log part(const Log& log, double from) {
     return cut;
 }
 
+// Recordings with their logs, and with those of their references if there are any.
+struct Windowed {
+    std::vector<Recording> recordings = {};
+    std::vector<Log> logs = {};
+    std::vector<Log> references = {};
+};
+
+// The windows that are used of the recordings, at most so many of each.
+Windowed windowsOf(const Windowed& whole, std::size_t most, std::vector<std::string>& notes) {
+    Windowed chosen;
+    const bool referred = !whole.references.empty();
+    for (std::size_t i = 0; i < whole.recordings.size(); ++i) {
+        const Recording& recording = whole.recordings[i];
+        const Log& log = whole.logs[i];
+        const double seconds = log.channels.front().values.back();
+        if (seconds <= kLong) {
+            chosen.recordings.push_back(recording);
+            chosen.logs.push_back(log);
+            if (referred) chosen.references.push_back(whole.references[i]);
+            continue;
+        }
+        std::vector<Window> windows = best(candidates(log, true), most);
+        if (windows.empty()) windows = best(candidates(log, false), most);
+        std::vector<std::string> said;
+        for (const Window& window : windows) {
+            said.push_back(fmt::format("{:g} to {:g} s", window.from, window.from + kWindow));
+            chosen.recordings.push_back(recording);
+            chosen.recordings.back().name = recording.name + ", " + said.back();
+            chosen.logs.push_back(part(log, window.from));
+            if (referred) chosen.references.push_back(part(whole.references[i], window.from));
+        }
+        notes.push_back(fmt::format(
+            "{}: lasts {:.0f} s, of which the windows with the largest accelerations are used: {}; windows: 0 uses the "
+            "whole recording",
+            recording.name, seconds, fmt::join(said, ", ")));
+    }
+    return chosen;
+}
+
 }  // namespace
 
 void chooseWindows(DiagnosisFile& file, Recorded& recorded) {
     const auto most = static_cast<std::size_t>(file.windows);
     if (most == 0) return;
-    std::vector<Recording> recordings;
-    Recorded chosen{.logs = {}, .references = {}, .notes = recorded.notes};
-    for (std::size_t i = 0; i < file.recordings.size(); ++i) {
-        const Recording& recording = file.recordings[i];
-        const Log& log = recorded.logs[i];
-        const double seconds = log.channels.front().values.back();
-        const bool whole = seconds <= kLong;
-        std::vector<Window> windows = best(whole ? std::vector<Window>{} : candidates(log, true), most);
-        if (windows.empty() && !whole) windows = best(candidates(log, false), most);
-        std::vector<std::string> said;
-        for (const Window& window : windows) {
-            recordings.push_back(recording);
-            said.push_back(fmt::format("{:g} to {:g} s", window.from, window.from + kWindow));
-            recordings.back().name = recording.name + ", " + said.back();
-            chosen.logs.push_back(part(log, window.from));
-            chosen.references.push_back(part(recorded.references[i], window.from));
-        }
-        if (whole) {
-            recordings.push_back(recording);
-            chosen.logs.push_back(log);
-            chosen.references.push_back(recorded.references[i]);
-        } else {
-            chosen.notes.push_back(fmt::format(
-                "{}: lasts {:.0f} s, of which the windows with the largest accelerations are used: {}; windows: 0 "
-                "uses the whole recording",
-                recording.name, seconds, fmt::join(said, ", ")));
-        }
-    }
-    file.recordings = std::move(recordings);
-    recorded = std::move(chosen);
+    Windowed after = windowsOf({file.recordings, recorded.logs, recorded.references}, most, recorded.notes);
+    file.recordings = std::move(after.recordings);
+    recorded.logs = std::move(after.logs);
+    recorded.references = std::move(after.references);
+    Windowed before = windowsOf({file.before, recorded.before, {}}, most, recorded.notes);
+    file.before = std::move(before.recordings);
+    recorded.before = std::move(before.logs);
 }
 
 }  // namespace tread::recording

@@ -119,6 +119,7 @@ struct DiagnosisFile {
     std::string import = {};
     std::vector<MeasuredChannel> channels = {};
     std::vector<Recording> recordings;
+    std::vector<Recording> before = {};
     std::vector<KnownWithin> tolerances = {};
     Instruments instruments;
     std::vector<std::string> effects = {};
@@ -136,6 +137,10 @@ struct DiagnosisFile {
             About{"", "mapping for foreign logs (see tread import), relative to this file; none: guessed from names"});
         field(TREAD_FIELD(channels), About{"", "measured channels; none: all channels of the logs that tread knows"});
         field(TREAD_FIELD(recordings), About{"", "drives of the real car"});
+        field(TREAD_FIELD(before),
+              About{"",
+                    "drives of the car before it was changed, to which the nominal car is fitted first; unlike a "
+                    "reference, they may be other drives than the recordings, and nothing is subtracted"});
         field(TREAD_FIELD(tolerances), About{"", "how accurately numbers of the car are known"});
         field(TREAD_FIELD(instruments), About{"", "known properties of the instruments"});
         field(TREAD_FIELD(effects), About{"", "effects to consider; * matches any characters; none: all effects"});
@@ -176,6 +181,7 @@ Subject nominalSubject(const DiagnosisFile& file);
 struct Recorded {
     std::vector<Log> logs;
     std::vector<Log> references = {};  // as many as logs, or none; an empty log where a recording has no reference
+    std::vector<Log> before = {};      // as many as the file names
     std::vector<std::string> notes = {};
 };
 Recorded readRecordings(const DiagnosisFile& file);

@@ -46,10 +46,40 @@ std::string channelFault(const std::string& channel) {
            (suggestion.empty() ? ";" : suggestion) + " `tread describe log` lists all channels";
 }
 
+std::string at(const char* list, std::size_t i, const char* field) {
+    return std::string(list) + "." + std::to_string(i) + "." + field;
+}
+
+// Names of a list of recordings, and the files that they name.
+void judgeRecordings(Faults& faults, const char* list, const std::vector<Recording>& recordings, bool with_logs) {
+    for (std::size_t i = 0; i < recordings.size(); ++i) {
+        const Recording& recording = recordings[i];
+        const std::string& name = recording.name;
+        if (name == "." || name == ".." || name.find_first_of("/\\") != std::string::npos)
+            faults.add(
+                at(list, i, "name"),
+                "found " + quote(name) + ", expected a name without slashes, not . or ..: it is used as a folder name");
+        if (!with_logs) continue;
+        faults.addUnlessThere(at(list, i, "log"), recording.log);
+        faults.addUnlessThere(at(list, i, "reference"), recording.reference);
+        if (recording.reference == recording.log)
+            faults.add(at(list, i, "reference"),
+                       "found the recording itself, expected the log of the same drive before the change");
+    }
+}
+
+void judgeBefore(Faults& faults, const std::vector<Recording>& before) {
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (!before[i].reference.empty())
+            faults.add(at("before", i, "reference"),
+                       "found a reference of a drive of the car before the change, expected none: it is one itself");
+        if (before[i].hold_out)
+            faults.add(at("before", i, "hold_out"),
+                       "found true for a drive of the car before the change, expected false: the car is fitted to it");
+    }
+}
+
 void judgeNames(Faults& faults, const DiagnosisFile& diagnosis, bool with_logs) {
-    const auto at = [](const char* list, std::size_t i, const char* field) {
-        return std::string(list) + "." + std::to_string(i) + "." + field;
-    };
     for (std::size_t i = 0; i < diagnosis.channels.size(); ++i)
         faults.add(at("channels", i, "channel"), channelFault(diagnosis.channels[i].channel));
     for (std::size_t i = 0; i < diagnosis.tolerances.size(); ++i)
@@ -62,34 +92,31 @@ void judgeNames(Faults& faults, const DiagnosisFile& diagnosis, bool with_logs) 
     faults.addUnlessThere("vehicle", diagnosis.vehicle);
     faults.addUnlessThere("import", diagnosis.import);
     faults.addUnlessThere("own_effects", diagnosis.own_effects);
-    for (std::size_t i = 0; i < diagnosis.recordings.size(); ++i) {
-        const std::string& name = diagnosis.recordings[i].name;
-        if (name == "." || name == ".." || name.find_first_of("/\\") != std::string::npos)
-            faults.add(
-                at("recordings", i, "name"),
-                "found " + quote(name) + ", expected a name without slashes, not . or ..: it is used as a folder name");
-    }
-    for (std::size_t i = 0; i < diagnosis.recordings.size() && with_logs; ++i) {
-        faults.addUnlessThere(at("recordings", i, "log"), diagnosis.recordings[i].log);
-        faults.addUnlessThere(at("recordings", i, "reference"), diagnosis.recordings[i].reference);
-        if (diagnosis.recordings[i].reference == diagnosis.recordings[i].log)
-            faults.add(at("recordings", i, "reference"),
-                       "found the recording itself, expected the log of the same drive before the change");
-    }
+    judgeRecordings(faults, "recordings", diagnosis.recordings, with_logs);
+    judgeRecordings(faults, "before", diagnosis.before, with_logs);
+    judgeBefore(faults, diagnosis.before);
     if (std::all_of(diagnosis.recordings.begin(), diagnosis.recordings.end(),
                     [](const Recording& recording) { return recording.hold_out; }))
         faults.add("recordings", "found hold_out: true for every recording, expected at least one recording to fit");
 }
 
+// Every drive that the file names.
+std::vector<Recording*> allRecordings(DiagnosisFile& diagnosis) {
+    std::vector<Recording*> all;
+    for (std::vector<Recording>* list : {&diagnosis.recordings, &diagnosis.before})
+        for (Recording& recording : *list) all.push_back(&recording);
+    return all;
+}
+
 // Gives every recording a name of its own, by which the report tells them apart.
 void nameRecordings(DiagnosisFile& diagnosis) {
     std::vector<std::string> taken;
-    for (Recording& recording : diagnosis.recordings) {
-        std::string name = recording.name.empty() ? Path(recording.log).stem().string() : recording.name;
+    for (Recording* recording : allRecordings(diagnosis)) {
+        std::string name = recording->name.empty() ? Path(recording->log).stem().string() : recording->name;
         const std::string plain = name;
         for (int i = 2; std::find(taken.begin(), taken.end(), name) != taken.end(); ++i)
             name = plain + " (" + std::to_string(i) + ")";
-        recording.name = name;
+        recording->name = name;
         taken.push_back(name);
     }
 }
@@ -100,8 +127,8 @@ DiagnosisFile load(const Path& file, const Path& data, bool with_logs) {
     diagnosis.vehicle = beside(folder, diagnosis.vehicle);
     diagnosis.import = beside(folder, diagnosis.import);
     diagnosis.own_effects = beside(folder, diagnosis.own_effects);
-    for (Recording& recording : diagnosis.recordings) {
-        for (std::string* log : {&recording.log, &recording.reference})
+    for (Recording* recording : allRecordings(diagnosis)) {
+        for (std::string* log : {&recording->log, &recording->reference})
             *log = beside(data.empty() ? folder : data, *log);
     }
     nameRecordings(diagnosis);

@@ -126,6 +126,7 @@ Recorded readRecordings(const DiagnosisFile& file) {
         recorded.logs.push_back(read(recording));
         recorded.references.push_back(recording.reference.empty() ? Log{} : read(referenceOf(recording)));
     }
+    for (const Recording& recording : file.before) recorded.before.push_back(read(recording));
     throwIfAny(std::move(problems));
     return recorded;
 }

@@ -88,8 +88,7 @@ double comparedFrom(const Recording& recording, const std::string& channel) {
 }
 
 // A channel with its blocks, as far as it is compared.
-ObservedChannel observed(const Channel& measured, const std::vector<double>& time, double delay,
-                         double compared_from) {
+ObservedChannel observed(const Channel& measured, const std::vector<double>& time, double delay, double compared_from) {
     ObservedChannel channel{.name = measured.name, .measured = ofTheDrive(measured, time, delay), .times = {}};
     for (std::size_t i = 0; i < time.size() && time[i] < compared_from; ++i) channel.measured[i] = std::nan("");
     double last = -1;
@@ -152,6 +151,16 @@ bool wanted(const DiagnosisFile& file, const std::string& channel) {
     });
 }
 
+Log withUsedChannels(const Log& log, const DiagnosisFile& file) {
+    const Channel* speed = measuredAs(log, "chassis.vx");
+    const std::string followed = speed ? speed->name : "";
+    Log used = log;
+    std::erase_if(used.channels, [&](const Channel& channel) {
+        return observedQuantity(channel.name) && !wanted(file, channel.name) && channel.name != followed;
+    });
+    return used;
+}
+
 Eigen::VectorXd blockMeans(const ObservedChannel& channel, const std::vector<double>& time,
                            const std::vector<double>& readings) {
     Eigen::VectorXd means(channel.rows());
@@ -187,8 +196,7 @@ RecordedDrive recordedDrive(const Recording& recording, const Log& log, const Di
     for (const Channel* measured : observedChannels(log)) {
         if (!wanted(file, measured->name)) continue;
         const double delay = instrumentOf(file.instruments, measured->name).delay + file.instruments.latency;
-        ObservedChannel channel =
-            observed(*measured, drive.time, delay, comparedFrom(recording, measured->name));
+        ObservedChannel channel = observed(*measured, drive.time, delay, comparedFrom(recording, measured->name));
         if (channel.times.empty()) continue;
         channel.noise = toldNoise(file, channel.name, drive.duration() / static_cast<double>(drive.time.size() - 1));
         channel.first_row = rows;

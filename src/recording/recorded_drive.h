@@ -64,6 +64,10 @@ inline constexpr double kBlock = 0.05;  // s, length of a block
 // True when the file names this channel, or names no channels at all.
 bool wanted(const DiagnosisFile& file, const std::string& channel);
 
+// The log without the readings that the diagnosis does not use: those of channels that are not wanted. The speed that
+// is followed stays.
+Log withUsedChannels(const Log& log, const DiagnosisFile& file);
+
 // Prepares a recording with all channels of the log that a diagnosis can use. Throws std::invalid_argument when there
 // are fewer than two samples, no start speed or no such channel.
 RecordedDrive recordedDrive(const Recording& recording, const Log& log, const DiagnosisFile& file);

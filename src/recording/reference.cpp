@@ -110,10 +110,14 @@ bool beforeTheChange(DiagnosisFile& file, Recorded& recorded) {
         recordings.back().name = file.recordings[i].name;
         logs.push_back(recorded.references[i]);
     }
+    recordings.insert(recordings.end(), file.before.begin(), file.before.end());
+    logs.insert(logs.end(), recorded.before.begin(), recorded.before.end());
     if (recordings.empty()) return false;
     file.recordings = std::move(recordings);
+    file.before.clear();
     recorded.logs = std::move(logs);
     recorded.references.clear();
+    recorded.before.clear();
     return true;
 }
 

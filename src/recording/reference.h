@@ -10,8 +10,8 @@ namespace tread::recording {
 // The reference of a recording as a recording of its own, with a name that says so.
 Recording referenceOf(const Recording& recording);
 
-// Reduces a diagnosis to the car before the change: keeps only recordings with a reference, and replaces them by it.
-// Returns false and changes nothing when no recording has one.
+// Reduces a diagnosis to the car before the change: its recordings become the references, and the drives under
+// `before`. Returns false and changes nothing when there are none.
 bool beforeTheChange(DiagnosisFile& file, Recorded& recorded);
 
 // The log without those measured channels that the reference lacks.

@@ -137,6 +137,42 @@ TEST(DiagnosisFile, NamesOfNothingAreRefusedWithASuggestion) {
     EXPECT_NE(faults[3].find("did you mean \"chassis.yaw_rate\"?"), std::string::npos) << faults[3];
 }
 
+TEST(DiagnosisFile, DrivesBeforeTheChangeAreReadLikeRecordings) {
+    const Scratch scratch;
+    writeLog(scratch.path("a.csv"), turn());
+    const std::string file = scratch.file("diagnosis.yaml", compact() +
+                                                                "recordings: [{log: a.csv}]\n"
+                                                                "before: [{log: a.csv, from: 1, to: 2.5}]\n");
+    const DiagnosisFile loaded = loadDiagnosis(file);
+    ASSERT_EQ(loaded.before.size(), 1u);
+    EXPECT_EQ(loaded.before[0].log, scratch.path("a.csv"));
+    EXPECT_EQ(loaded.before[0].name, "a (2)");
+    const Recorded recorded = readRecordings(loaded);
+    ASSERT_EQ(recorded.before.size(), 1u);
+    EXPECT_EQ(recorded.before[0].samples(), 151u);
+}
+
+TEST(DiagnosisFile, DrivesBeforeTheChangeHaveNoReferenceAndAreNotHeldOut) {
+    const Scratch scratch;
+    writeLog(scratch.path("a.csv"), turn());
+    writeLog(scratch.path("b.csv"), turn());
+    const std::string file = scratch.file("diagnosis.yaml", compact() +
+                                                                "recordings: [{log: a.csv}]\n"
+                                                                "before:\n"
+                                                                "  - {log: a.csv, reference: b.csv}\n"
+                                                                "  - {log: b.csv, hold_out: true}\n"
+                                                                "  - {log: none.csv}\n");
+    const auto faults = faultsOf([&] { loadDiagnosis(file); });
+    ASSERT_EQ(faults.size(), 3u);
+    EXPECT_NE(faults[0].find(":6:10: before.2.log: found"), std::string::npos) << faults[0];
+    EXPECT_NE(faults[1].find(":4:29: before.0.reference: found a reference of a drive of the car before the change"),
+              std::string::npos)
+        << faults[1];
+    EXPECT_NE(faults[2].find(":5:28: before.1.hold_out: found true for a drive of the car before the change"),
+              std::string::npos)
+        << faults[2];
+}
+
 TEST(DiagnosisFile, EffectsAreChosenByPatternsAndUnknownOnesRefused) {
     DiagnosisFile file;
     EXPECT_EQ(effectsToConsider(file).size(), effectCatalogue().size());

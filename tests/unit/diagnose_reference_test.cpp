@@ -136,6 +136,49 @@ TEST(Reference, AnotherDriveIsRefused) {
     EXPECT_THROW(diagnosed(made), std::invalid_argument);
 }
 
+// Slaloms of a car whose ratio became another, and other slaloms of it before. The nominal car has neither ratio.
+simple_car::Case changed(double from, double to) {
+    VehicleParams car = simple_car::Case{}.nominal.vehicle;
+    car.steering.ratio = from;
+    const simple_car::Case before = simple_car::recorded(car, {simple_car::slalom(12), simple_car::slalom(18)}, 4);
+    car.steering.ratio = to;
+    simple_car::Case made =
+        simple_car::recorded(car, {simple_car::slalom(15), simple_car::slalom(20), simple_car::slalom(25)}, 3);
+    made.file.before = before.file.recordings;
+    made.recorded.before = before.recorded.logs;
+    return made;
+}
+
+TEST(DrivesBefore, WhatTheNominalCarLackedAlreadyIsNoCause) {
+    simple_car::Case same = changed(14.5, 14.5);
+    const Diagnosis d = diagnosed(same);
+    EXPECT_EQ(d.verdict, Verdict::nothing) << d.answer;
+    EXPECT_NEAR(d.before.moved.at("steering.ratio").value, 14.5, 0.1);
+    EXPECT_FALSE(d.compared) << "nothing is subtracted";
+    same.file.before.clear();
+    same.recorded.before.clear();
+    EXPECT_EQ(diagnosed(same).causes, std::vector<std::string>{"ratio"});
+}
+
+TEST(DrivesBefore, WhatChangedIsNamedAsAChangeOfTheCarBefore) {
+    const Diagnosis d = diagnosed(changed(14.5, 13.5));
+    ASSERT_EQ(d.causes, std::vector<std::string>{"ratio"}) << d.answer;
+    const Estimate ratio = d.effects.front().parameters.at("steering.ratio");
+    EXPECT_NEAR(ratio.value, 13.5, 3 * ratio.sd);
+    EXPECT_NEAR(ratio.neutral, 14.5, 0.1);
+}
+
+TEST(DrivesBefore, JoinTheReferences) {
+    simple_car::Case made = compared(15);
+    made.file.before = {{.log = "other.csv", .name = "other"}};
+    made.recorded.before = {made.recorded.logs[0]};
+    ASSERT_TRUE(recording::beforeTheChange(made.file, made.recorded));
+    ASSERT_EQ(made.file.recordings.size(), 4u);
+    EXPECT_EQ(made.file.recordings.back().name, "other");
+    EXPECT_EQ(made.recorded.logs.size(), 4u);
+    EXPECT_TRUE(made.file.before.empty() && made.recorded.before.empty());
+}
+
 TEST(Reference, OnlyChannelsOfBothAreCompared) {
     const Log log{{{"time", "s", {0}}, {"chassis.ay", "m/s2", {1}}, {"chassis.vx", "m/s", {1}}, {"own", "", {1}}}};
     const Log common = withChannelsOf(log, {{{"time", "s", {0}}, {"chassis.vx", "m/s", {1}}}});

@@ -189,5 +189,21 @@ TEST(RigidBody, OddChannelIsLeftOutUnlessTheFileKeepsIt) {
         << "one bad recording of three does not condemn a channel";
 }
 
+TEST(RigidBody, ChannelsThatAreNotUsedContradictNothing) {
+    const Log wrong =
+        recorded(ay, [](double t) { return 0.5 * std::sin(1.7 * t + 1.2) + 0.3 * std::sin(2.9 * t - 1.5); });
+    DiagnosisFile file;
+    file.channels = {{.channel = "chassis.vx"},
+                     {.channel = "chassis.yaw_rate"},
+                     {.channel = "chassis.ay"},
+                     {.channel = "chassis.ax"}};
+    Recorded logs{.logs = {wrong}, .references = {Log{}}};
+    EXPECT_TRUE(leaveOutContradictions(file, logs).empty()) << "lateral velocity is not listed";
+    logs.before = {wrong};
+    file.channels.push_back({.channel = "chassis.vy"});
+    EXPECT_EQ(leaveOutContradictions(file, logs).size(), 1u);
+    EXPECT_EQ(logs.before[0].find("chassis.vy"), nullptr) << "left out of all drives";
+}
+
 }  // namespace
 }  // namespace tread

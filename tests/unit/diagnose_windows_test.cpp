@@ -53,6 +53,18 @@ TEST(ChosenWindows, AreThoseWithTheLargestAccelerationsAndDoNotOverlap) {
     EXPECT_NE(recorded.notes[0].find("long: lasts 1800 s"), std::string::npos) << recorded.notes[0];
 }
 
+TEST(ChosenWindows, AreThoseOfTheCarBeforeAsWell) {
+    Recorded recorded = halfAnHour({200});
+    recorded.before = halfAnHour({900}).logs;
+    DiagnosisFile file = fileOf("long");
+    file.before = {{.log = "before", .name = "before"}};
+    file.windows = 1;
+    chooseWindows(file, recorded);
+    ASSERT_EQ(recorded.before.size(), 1u);
+    EXPECT_NEAR(recorded.before[0].channels[0].values.back(), 20, 0.06);
+    EXPECT_EQ(file.before[0].name.find("before, 9"), 0u) << file.before[0].name;
+}
+
 TEST(ChosenWindows, ShortRecordingsAndAllWithoutWindowsStayWhole) {
     Recorded recorded = halfAnHour({200});
     DiagnosisFile file = fileOf("long");

@@ -140,6 +140,7 @@ DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const st
     inputs.recorded = readRecordings(inputs.file);
     chooseWindows(inputs.file, inputs.recorded);
     addFurtherInstruments(inputs.file.instruments, inputs.recorded.logs);
+    addFurtherInstruments(inputs.file.instruments, inputs.recorded.before);
     inputs.nominal = nominalSubject(inputs.file);
     locate(file, [&] { inputs.effects = effectsToConsider(inputs.file); });
     inputs.warnings = inputs.recorded.notes;

@@ -9,6 +9,7 @@
 #include "diagnose/model/gap.h"
 #include "diagnose/model/remainder.h"
 #include "diagnose/select/fit.h"
+#include "diagnose/settings.h"
 #include "recording/reference.h"
 
 namespace tread::diagnose::select {
@@ -60,6 +61,19 @@ model::Differences everything(const model::Subject& nominal, const recording::Di
     return all;
 }
 
+// Tolerances of the file, and in their place for each fitted number: what the fit leaves open, and what changes from
+// day to day.
+std::vector<recording::KnownWithin> tolerancesAfter(const model::Subject& nominal, const recording::DiagnosisFile& file,
+                                                    const std::map<std::string, answer::NuisanceEstimate>& moved) {
+    std::map<std::string, double> between_days;  // standard deviations
+    for (const model::Parameter& known : model::nuisances(nominal, file.tolerances, kSettings.between_days))
+        between_days[known.path()] = known.moves.front().by;
+    std::vector<recording::KnownWithin> all = file.tolerances;
+    for (const auto& [path, estimate] : moved)
+        all.push_back({path, 0, std::sqrt(3.0) * std::hypot(estimate.sd, between_days[path])});
+    return all;
+}
+
 // Fits in turn with new linearisations.
 std::optional<Fit> settledFit(const model::Problem& problem, const Progress& progress, answer::GapLevels& gap) {
     model::Deviation at = problem.replays.origin();
@@ -67,7 +81,7 @@ std::optional<Fit> settledFit(const model::Problem& problem, const Progress& pro
     for (int round = 0; round < kMostRounds; ++round) {
         model::Sensitivities about = model::sensitivities(
             problem.replays, problem.drives, at, {.parameters = problem.nuisances},
-            [&](double share) { progress((round + share) / kMostRounds, "fitting the car to the references"); });
+            [&](double share) { progress((round + share) / kMostRounds, "fitting the car before the change"); });
         if (round == 0) model::expectDriven(problem.drives, about);
         model::Uncertainty uncertainty =
             model::uncertaintyAt(problem.replays, problem.drives, at, about.rows, model::endsOf(problem.drives));
@@ -104,7 +118,7 @@ std::optional<CarBefore> carBefore(const model::Subject& nominal, const recordin
     const model::Problem problem = model::problemOf(
         nominal, before, logs, [&](model::Drives drives) { return everything(nominal, file, effects, drives); },
         options);
-    CarBefore result{nominal, {}, {}};
+    CarBefore result{nominal, {}, {}, {}};
     const std::optional<Fit> fit = settledFit(problem, progress, result.gap);
     if (!fit) return std::nullopt;
     for (Eigen::Index i = 0; i < std::ssize(fit->free); ++i) {
@@ -115,6 +129,7 @@ std::optional<CarBefore> carBefore(const model::Subject& nominal, const recordin
         const model::Parameter::Move& one = parameter.moves.front();
         result.moved[one.path] = {one.nominal + units * one.by, sd * std::abs(one.by), units};
     }
+    result.tolerances = tolerancesAfter(nominal, file, result.moved);
     return result;
 }
 

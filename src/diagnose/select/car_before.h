@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "diagnose/answer/diagnosis.h"
 #include "diagnose/model/problem.h"
@@ -13,10 +14,13 @@ namespace tread::diagnose::select {
 struct CarBefore {
     model::Subject car;
     std::map<std::string, answer::NuisanceEstimate> moved;  // numbers of the nominal car that the fit moved
-    answer::GapLevels gap;                                  // in the references: nominal, and fitted
+    answer::GapLevels gap;                                  // in the drives of the car before: nominal, and fitted
+    // How well its numbers are known in drives from which no reference is subtracted: as the fit leaves them, and as a
+    // car differs from itself on another day.
+    std::vector<recording::KnownWithin> tolerances;
 };
 // Frees all uncertain numbers. Those that no data sheet tells are as uncertain as the catalogue says: the typical sizes
-// of the effects that move them. Nothing when no recording has a reference.
+// of the effects that move them. Nothing when the file has neither references nor other drives of the car before.
 std::optional<CarBefore> carBefore(const model::Subject& nominal, const recording::DiagnosisFile& file,
                                    const recording::Recorded& recorded, const std::vector<catalogue::Effect>& effects,
                                    const Options& options, const Progress& progress);

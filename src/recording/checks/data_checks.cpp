@@ -9,6 +9,7 @@
 
 #include "recording/checks/log_checks.h"
 #include "recording/observation.h"
+#include "recording/recorded_drive.h"
 #include "recording/reference.h"
 
 namespace tread::recording::checks {
@@ -188,7 +189,8 @@ std::string toText(const DataWarning& warning) {
 
 std::vector<DataWarning> dataWarnings(const DiagnosisFile& file, const Recorded& recorded, const Subject& nominal) {
     std::vector<DataWarning> found;
-    const auto check = [&](const Recording& recording, const Log& log) {
+    const auto check = [&](const Recording& recording, const Log& whole) {
+        const Log log = withUsedChannels(whole, file);
         const LogChecks checks{recording, log, nominal, found};
         if (standsStill(checks)) return;
         checkInputs(checks);
@@ -207,6 +209,7 @@ std::vector<DataWarning> dataWarnings(const DiagnosisFile& file, const Recorded&
         checkReference(before, file, recorded.logs[i]);
         checkSameCar(before, {recording, recorded.logs[i], nominal, found});
     }
+    for (std::size_t i = 0; i < recorded.before.size(); ++i) check(file.before[i], recorded.before[i]);
     checkNamed(found, file, recorded.logs);
     checkResponses(found, recorded.logs);
     checkExcitation(found, recorded.logs);

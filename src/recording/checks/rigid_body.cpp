@@ -17,6 +17,7 @@
 #include "recording/checks/windows.h"
 #include "recording/observation.h"
 #include "recording/position.h"
+#include "recording/recorded_drive.h"
 
 namespace tread::recording::checks {
 namespace {
@@ -490,21 +491,22 @@ std::vector<std::string> leaveOutContradictions(const DiagnosisFile& file, Recor
     std::vector<std::string> sentences;
     if (file.contradictions == Contradictions::keep) return sentences;
     for (;;) {
-        std::map<std::string, int> odd;
-        for (const Log& log : recorded.logs) ++odd[oddChannel(agreements(log, file.instruments))];
+        std::map<std::string, int> odd, shown;
+        for (const std::vector<Log>* logs : {&recorded.logs, &recorded.before}) {
+            for (const Log& log : *logs) {
+                ++odd[oddChannel(agreements(withUsedChannels(log, file), file.instruments))];
+                for (const Channel& channel : log.channels) ++shown[channel.name];
+            }
+        }
         odd.erase("");
-        const auto shown = [&](const std::string& channel) {
-            return static_cast<int>(std::count_if(recorded.logs.begin(), recorded.logs.end(),
-                                                  [&](const Log& log) { return log.find(channel) != nullptr; }));
-        };
         const auto worst =
             std::max_element(odd.begin(), odd.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-        if (worst == odd.end() || 2 * worst->second < shown(worst->first)) return sentences;
+        if (worst == odd.end() || 2 * worst->second < shown[worst->first]) return sentences;
         sentences.push_back(
             fmt::format("{} is left out: it contradicts the other channels in {} of {} recordings. Set contradictions: "
                         "keep to use it all the same.",
-                        worst->first, worst->second, shown(worst->first)));
-        for (std::vector<Log>* logs : {&recorded.logs, &recorded.references}) {
+                        worst->first, worst->second, shown[worst->first]));
+        for (std::vector<Log>* logs : {&recorded.logs, &recorded.references, &recorded.before}) {
             for (Log& log : *logs)
                 std::erase_if(log.channels, [&](const Channel& one) { return one.name == worst->first; });
         }
