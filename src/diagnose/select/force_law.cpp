@@ -148,6 +148,27 @@ Eigen::MatrixXd columnsOf(const std::vector<History>& histories, const Calibrati
     return all;
 }
 
+// Coefficients of a law, in multiples of its unit, beside the remainder that it leaves: one estimated without the law
+// has part of it. `columns`: per drive, those of all laws, then the residual.
+Eigen::VectorXd unitsBeside(const Calibration& car, const Fit& fit, const std::vector<Eigen::MatrixXd>& columns,
+                            Eigen::Index first, Eigen::Index count) {
+    std::vector<Eigen::MatrixXd> own;
+    std::vector<DriveProducts> products;
+    for (std::size_t d = 0; d < columns.size(); ++d) {
+        Eigen::MatrixXd all(columns[d].rows(), count + 1);
+        all << columns[d].middleCols(first, count), columns[d].rightCols(1);
+        const Eigen::MatrixXd& directions = car.uncertainty.directions[d];
+        products.push_back(
+            inference::extended(inference::productsOf(fit.columns[d], directions), fit.columns[d], directions, all));
+        own.push_back(std::move(all));
+    }
+    const Sizes sizes = sizesWithAllFree(car.problem, car.uncertainty, products);
+    const Eigen::MatrixXd sum = productsBeside(car, fit, own, sizes);
+    return inference::bestStep({.information = sum.topLeftCorner(count, count),
+                                .gradient = sum.topRightCorner(count, 1),
+                                .at = Eigen::VectorXd::Zero(count)});
+}
+
 // The law with its coefficients; `units` are these in multiples of `unit`.
 answer::ForceLaw lawOf(const Law& law, const Eigen::VectorXd& units, double unit, double gain,
                        const VehicleParams& car) {
@@ -184,7 +205,8 @@ answer::ForceLaw forceLaw(const Calibration& car, const Fit& fit) {
         const double choices = static_cast<double>(laws().size());
         const double gain = inference::logEvidence(forces, units) - std::log(choices);
         if (histories[l].unit == 0 || gain <= best.gain) continue;
-        best = lawOf(law, units, histories[l].unit, gain, car.problem.replays.nominal().vehicle);
+        const Eigen::VectorXd beside = unitsBeside(car, fit, columns, at - n, n);
+        best = lawOf(law, beside, histories[l].unit, gain, car.problem.replays.nominal().vehicle);
     }
     return best;
 }
