@@ -69,9 +69,9 @@ struct Settings {
 
     // ---- Errors of the model's structure
 
-    // Sensitivities are differences at one point of a model of the same structure: guess. Raising it weakens evidence
-    // with references and lets true effects vary more between drives.
-    double signature_error = 0.1;
+    // Guess: the signatures of a model of the same structure are wrong by 10 %, of which about half points towards a
+    // rival. Raising it weakens the evidence against rivals and hides weak effects beside strong ones.
+    double signature_error = 0.05;
     // Guess: larger because the disturbances of two drives differ. Raising it weakens all evidence.
     double reference_inflation = 1;
     // Guess: tank, tyres and load change, the car does not. Raising it lets tolerances explain a change.
@@ -119,9 +119,7 @@ struct Settings {
         field(TREAD_FIELD(ordinary_spread),
               About{"-", "the same for disturbances and model errors of an ordinary drive"});
         field(TREAD_FIELD(signature_error),
-              About{"-",
-                    "relative error of an effect's signature: spread of a true effect's value between drives, and "
-                    "share of the gap that counts as noise where drives have references: guess"});
+              About{"-", "relative error of an effect's signature in the direction of a rival: guess"});
         field(TREAD_FIELD(reference_inflation),
               About{"-", "factor on noise and disturbances where drives have references: guess"});
         field(TREAD_FIELD(between_days),

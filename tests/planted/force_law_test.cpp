@@ -79,7 +79,8 @@ TEST(ForceLaw, OfAMassThatSwingsAcrossTheCarIsFoundWithItsMass) {
     EXPECT_NEAR(d.unexplained.law.coefficients.at("lateral"), kMass, 0.2 * kMass);
 }
 
-TEST(ForceLaw, OfARearAxleThatPushesAsideInEveryTurnIsFoundWithItsSize) {
+// A force in proportion to the lateral acceleration is an error of the model's forces, and is told as one.
+TEST(ForceLaw, OfARearAxleThatPushesAsideInEveryTurnIsAnErrorOfTheForces) {
     constexpr double kForce = 80, kArm = 1.4;  // N per m/s2, m
     const Diagnosis d = diagnosed([] {
         return [](double, const VehicleInput&, const VehicleOutput& car) {
@@ -88,10 +89,10 @@ TEST(ForceLaw, OfARearAxleThatPushesAsideInEveryTurnIsFoundWithItsSize) {
         };
     });
     EXPECT_EQ(d.verdict, Verdict::unknown) << d.answer;
-    EXPECT_NE(d.unexplained.law.follows.find("the magnitude of the lateral acceleration"), std::string::npos)
-        << d.answer;
-    EXPECT_NEAR(d.unexplained.law.coefficients.at("yaw"), -kArm * kForce, 0.2 * kArm * kForce);
-    EXPECT_NEAR(d.unexplained.law.coefficients.at("lateral"), kForce, 0.4 * kForce);
+    const auto largest = std::max_element(d.unexplained.sizes.begin(), d.unexplained.sizes.end(),
+                                          [](const auto& a, const auto& b) { return a.second < b.second; });
+    EXPECT_TRUE(largest->first == "yaw error" || largest->first == "lateral error") << largest->first;
+    EXPECT_GT(largest->second, 7);
 }
 
 TEST(ForceLaw, IsNotSeenInACarThatIsAsItsFileSays) {

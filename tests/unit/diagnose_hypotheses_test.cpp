@@ -185,7 +185,7 @@ TEST(Hypotheses, AreDoubtedInTheMetricOfTheirRemainder) {
     const MatrixXd metric =
         (MatrixXd::Identity(4, 4) + 4 * drive.disturbances * drive.disturbances.transpose()).inverse();
     const VectorXd explained = drive.effects * fit.at;
-    EXPECT_NEAR(doubt(car, fit), 1 + 0.01 * explained.dot(metric * explained), 1e-12);
+    EXPECT_NEAR(doubt(car, fit), 1 + 0.0025 * explained.dot(metric * explained), 1e-12);
 }
 
 // The truth may resemble a rival as far as its signature is wrong: a share of 0.1 of 20 standard deviations is two of
@@ -199,7 +199,7 @@ TEST(Hypotheses, RivalOfAStrongEffectKeepsTheProbabilityThatAWrongSignatureLeave
     found.candidates.push_back(linear_drives::candidateOf(car, {}));
     const Posterior result = posterior(car, found, {true, true, true});
     const double explained = std::pow(20 * 400 / 401.0, 2), birge = result.variance_factor;
-    EXPECT_NEAR(std::log(result.of(0) / result.of(1)), 12.5 / (1 + 0.01 * explained) / birge, 1e-9);
+    EXPECT_NEAR(std::log(result.of(0) / result.of(1)), 12.5 / (1 + 0.0025 * explained) / birge, 1e-9);
 }
 
 }  // namespace

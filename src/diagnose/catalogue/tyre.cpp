@@ -22,8 +22,8 @@ std::vector<Effect> tyreEffects() {
     return {
         {.name = "grip",
          .question = "Is the friction between tyres and road higher or lower?",
-         .source = "guess: dry roads differ by about 10 % in locked-wheel braking",
-         .knobs = {{.paths = {"road.friction"}, .typical = 0.1, .relative = true}},
+         .source = "guess: dry roads differ by about 10 %, wet asphalt has 0.6 to 0.8 of the friction of dry asphalt",
+         .knobs = {{.paths = {"road.friction"}, .typical = 0.25, .relative = true}},
          .at_limit = true},
         {.name = "grip_left_right",
          .question = "Do the tyres on one side have more grip than those on the other?",

@@ -93,6 +93,10 @@ void limit(Parameter& parameter, const Limits& limits, double nominal, double by
 // Adds a number that the parameter moves by so much per unit.
 void addMove(Parameter& parameter, const Number& number, double by, const VehicleParams& car) {
     parameter.moves.push_back({number.path, *number.value, by});
+    Parameter physical;
+    limit(physical, number.about.limits, *number.value, by);
+    parameter.physical_lowest = std::max(parameter.physical_lowest, physical.lowest);
+    parameter.physical_highest = std::min(parameter.physical_highest, physical.highest);
     limit(parameter, number.about.limits, *number.value, by);
     limit(parameter, catalogue::plausibleLimits(number.path, *number.value, car), *number.value, by);
 }
@@ -125,6 +129,12 @@ void addNuisance(std::vector<Parameter>& found, const Number& number, double tol
 }
 
 }  // namespace
+
+bool Parameter::implausibleAt(double units) const {
+    constexpr double kNear = 1e-6;  // units
+    return (units < lowest + kNear && lowest > physical_lowest + kNear) ||
+           (units > highest - kNear && highest < physical_highest - kNear);
+}
 
 void move(Subject& subject, const Parameter& parameter, double units) {
     if (units == 0) return;

@@ -34,8 +34,12 @@ struct Parameter {
     // Bounds in units: where all numbers are within their physical limits and plausible ranges (D15).
     double lowest = -kInfinity;
     double highest = kInfinity;
+    double physical_lowest = -kInfinity;  // the same by the physical limits alone
+    double physical_highest = kInfinity;
     bool instruments_only = false;  // changes the readings only, not the motion
 
+    // True at an end of the plausible ranges. A physical limit is a value as any other: a bar that is not there.
+    bool implausibleAt(double units) const;
     const std::string& path() const { return moves.front().path; }
     std::string name() const { return only ? path() + " in " + only_name : path(); }
     bool concerns(const RecordedDrive& drive) const { return !only || only == drive.recording; }

@@ -18,8 +18,9 @@ namespace {
 constexpr std::array<std::string_view, 4> kStructure{"tyre.", "tyre_surroundings.", "suspension.", "steering."};
 // s, time over which an error of the model's structure lasts: of the rows within it, one counts.
 constexpr double kErrorLasts = 1;
-constexpr int kMostRounds = 2;   // fits, each about the point of the one before
-constexpr double kSettled = 15;  // nats; a fit that gains less is the last
+constexpr int kMostRounds = 4;   // fits, each about the point of the one before
+constexpr double kSettled = 15;  // nats; a fit that gains less is the last ...
+constexpr double kLowers = 0.7;  // ... unless it lowers the Birge ratio by this factor, and with it the noise
 
 // True for numbers that no data sheet tells: of tyres, suspension, steering, driveline and brakes.
 bool isOfTheStructure(const std::string& path) {
@@ -100,7 +101,8 @@ std::optional<Fit> settledFit(const model::Problem& problem, const Progress& pro
         gap.calibrated = levelOf(problem.drives, plain, fit->rows);
         at = fit->at;
         found = std::move(*fit);
-        if (found->gained < kSettled) break;
+        const double left = model::birgeRatio(problem.drives, plain, found->rows, plain.sizes);
+        if (found->gained < kSettled && left > kLowers * ratio) break;
     }
     return found;
 }

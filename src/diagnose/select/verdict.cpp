@@ -28,11 +28,10 @@ struct Answer {
 // Estimate of a number from the parameter that moves it; `units` and `sd` are the fitted value of the parameter and its
 // standard deviation (D42).
 Estimate estimateOf(const Parameter& parameter, const Parameter::Move& move, double units, double sd) {
-    constexpr double kNear = 1e-6;  // units
     Estimate one{.value = move.nominal + units * move.by,
                  .sd = sd * std::abs(move.by),
                  .neutral = move.nominal,
-                 .at_bound = units < parameter.lowest + kNear || units > parameter.highest - kNear};
+                 .at_bound = parameter.implausibleAt(units)};
     const double a = move.nominal + std::max(parameter.lowest, units - kNinety * sd) * move.by;
     const double b = move.nominal + std::min(parameter.highest, units + kNinety * sd) * move.by;
     one.low = std::min(a, b), one.high = std::max(a, b);
@@ -100,13 +99,10 @@ std::set<std::string> credible(const Problem& problem, const Posterior& posterio
     return names;
 }
 
-bool atBound(const Problem& problem, const Fit& fit) {
-    constexpr double kNear = 1e-6;  // units
+bool implausible(const Problem& problem, const Fit& fit) {
     return std::any_of(fit.knobs.begin(), fit.knobs.end(), [&](Eigen::Index k) {
-        const Parameter& knob = problem.replays.parameters[k];
-        const double at = fit.at(k);
         // A knob at 0 has found nothing, which is no reason against the others.
-        return at != 0 && (at < knob.lowest + kNear || at > knob.highest - kNear);
+        return fit.at(k) != 0 && problem.replays.parameters[k].implausibleAt(fit.at(k));
     });
 }
 
@@ -124,7 +120,7 @@ Fit released(const Calibration& car, const Candidate& named) {
 std::string reasonAgainst(const Calibration& car, const Candidate& model, const Fit& answer, const Fit& none,
                           const HeldOut& held_out) {
     if (model.effects.empty()) return {};
-    if (atBound(car.problem, model.fit) || atBound(car.problem, answer))
+    if (implausible(car.problem, model.fit) || implausible(car.problem, answer))
         return "a number stands at the end of its plausible range";
     if (predicted(car, model.fit, none).fails()) return "it does not predict drives that are left out of the fit";
     if (held_out.speakAgainst(model.fit.at, none.at)) return "it does not shrink the gap of the drives held out";
