@@ -167,9 +167,9 @@ void tellNumbers(Identification& found, const Problem& problem, const Fit& fit) 
     for (Eigen::Index i = 0; i < std::ssize(fit.free); ++i) {
         const Parameter& parameter = problem.replays.parameters[fit.free[i]];
         const double units = fit.at(fit.free[i]), sd = std::sqrt(fit.covariance(i, i));
-        const FittedNumber number = numberOf(parameter, units, sd);
-        if (i < fit.nuisances()) found.gap.nuisance[parameter.name()] = {number.value, number.sd, units};
-        else found.numbers.push_back(number);
+        if (i < fit.nuisances())
+            found.gap.nuisance[parameter.name()] = diagnose::select::numberOf(fit, problem.replays, i);
+        else found.numbers.push_back(numberOf(parameter, units, sd));
     }
 }
 

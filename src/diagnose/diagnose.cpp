@@ -1,9 +1,8 @@
 #include "diagnose/diagnose.h"
 
 #include <chrono>
-#include <cmath>
 
-#include "diagnose/answer/words.h"
+#include "diagnose/answer/headline.h"
 #include "diagnose/explain/decomposition.h"
 #include "diagnose/explain/how_far.h"
 #include "diagnose/explain/missing_force.h"
@@ -21,11 +20,8 @@ using answer::Diagnosis;
 // Values of the nuisance parameters in the best model.
 void tellNuisances(Diagnosis& diagnosis, const model::Problem& problem, const select::Fit& fit) {
     for (Eigen::Index i = 0; i < fit.nuisances(); ++i) {
-        const Eigen::Index p = fit.free[i];
-        const model::Parameter& parameter = problem.replays.parameters[p];
-        const model::Parameter::Move& one = parameter.moves.front();
-        const double sd = std::sqrt(fit.covariance(i, i));
-        diagnosis.nuisance[parameter.name()] = {one.nominal + fit.at(p) * one.by, sd * std::abs(one.by), fit.at(p)};
+        const std::string name = problem.replays.parameters[fit.free[i]].name();
+        diagnosis.nuisance[name] = select::numberOf(fit, problem.replays, i);
     }
 }
 
@@ -82,7 +78,7 @@ Diagnosis diagnosisOf(const recording::Subject& nominal, const recording::Diagno
     explain::decompose(diagnosis, car, found, judgement, held_out);
     explain::howFar(diagnosis, car, held_out, {found.none().fit.at, judgement.answer});
     diagnosis.next = explain::nextDrives(diagnosis, car, found, options.possible_next);
-    diagnosis.answer = answer::inWords(diagnosis);
+    diagnosis.answer = answer::headline(diagnosis);
     progress(1, "done");
     diagnosis.simulations = problem.replays.simulations.value();
     diagnosis.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();

@@ -203,6 +203,14 @@
     setTimeout(drawNext);
     button.addEventListener('click', resetZoom);
 
+    // A chart that is folded away has no width until its section is opened.
+    document.addEventListener('toggle', event => {
+        for (const figure of event.target.querySelectorAll('.time-chart')) {
+            const drawn = charts[Number(figure.id.slice(1))];
+            if (drawn) drawn.chart.resize();
+        }
+    }, true);
+
     // Paper has another width than the window.
     const resizeAll = () => charts.forEach(each => each.chart.resize());
     window.addEventListener('beforeprint', resizeAll);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 
 #include "diagnose/answer/diagnosis.h"
@@ -16,46 +17,51 @@ namespace {
 using diagnose::answer::Diagnosis;
 using diagnose::answer::Overlay;
 
-constexpr std::size_t kChannels = 3;    // channels shown: those with the largest shares of the gap
-constexpr std::size_t kRecordings = 4;  // recordings shown, held-out ones first
+constexpr double kMatters = 0.05;       // share of the gap from which a channel is drawn
+constexpr std::size_t kChannels = 4;    // channels drawn of a drive: those with the largest parts of its gap
+constexpr std::size_t kRecordings = 3;  // drives that are not folded away: those with the largest gaps
 constexpr double kDeviations = 2;       // half width of the tolerance band, in standard deviations
 
-// Channels with the largest shares of the gap among those recorded in some drive.
-std::vector<std::string> worstChannels(const Diagnosis& diagnosis) {
-    std::vector<std::pair<double, std::string>> order;
-    for (const auto& [name, share] : diagnosis.where.channels) order.push_back({share, name});
-    std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+double sumOf(const std::map<std::string, double>& gap) {
+    double sum = 0;
+    for (const auto& [channel, squares] : gap) sum += squares;
+    return sum;
+}
+
+// Channels that have a noteworthy share of the gap of all drives; all channels where there is no gap.
+std::vector<std::string> channelsThatMatter(const std::vector<Overlay>& overlays) {
+    std::map<std::string, double> gap;
+    for (const Overlay& overlay : overlays)
+        for (const auto& [channel, squares] : overlay.gap) gap[channel] += squares;
+    const double all = sumOf(gap);
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < std::min(order.size(), kChannels); ++i) names.push_back(order[i].second);
+    for (const auto& [channel, squares] : gap)
+        if (squares >= kMatters * all) names.push_back(channel);
     return names;
 }
 
-// Held-out drives first, because they test the model; then those with the largest shares of the gap.
-std::vector<const Overlay*> shownOverlays(const Diagnosis& diagnosis) {
-    std::vector<const Overlay*> order;
-    for (const Overlay& overlay : diagnosis.overlays) order.push_back(&overlay);
-    const auto share = [&](const Overlay* overlay) {
-        const auto found = diagnosis.where.recordings.find(overlay->recording);
-        return found == diagnosis.where.recordings.end() ? 0.0 : found->second;
+std::vector<std::string> channelsOf(const Overlay& overlay, const std::vector<std::string>& matter) {
+    std::vector<std::string> names;
+    for (const std::string& channel : matter)
+        if (overlay.measured.find(channel)) names.push_back(channel);
+    const auto gap = [&](const std::string& channel) {
+        const auto found = overlay.gap.find(channel);
+        return found == overlay.gap.end() ? 0.0 : found->second;
     };
-    std::stable_sort(order.begin(), order.end(), [&](const Overlay* a, const Overlay* b) {
-        return a->hold_out != b->hold_out ? a->hold_out : share(a) > share(b);
-    });
-    order.resize(std::min(order.size(), kRecordings));
-    return order;
+    std::stable_sort(names.begin(), names.end(),
+                     [&](const std::string& a, const std::string& b) { return gap(a) > gap(b); });
+    names.resize(std::min(names.size(), kChannels));
+    return names;
 }
 
-struct Look {
-    const char* name;  // nullptr: given by the caller
-    const Log Overlay::*log;
-    Colour colour;
-    bool dashed;
-    double width;
-};
-constexpr Look kLooks[] = {{"measured", &Overlay::measured, Colour::grey, false, 2.5},
-                           {"nominal", &Overlay::nominal, Colour::vermillion, true, 1.5},
-                           {"calibrated", &Overlay::calibrated, Colour::amber, false, 1.5},
-                           {nullptr, &Overlay::extended, Colour::blue, false, 2}};
+// Drives with the largest gaps first.
+std::vector<const Overlay*> inOrder(const std::vector<Overlay>& overlays) {
+    std::vector<const Overlay*> order;
+    for (const Overlay& overlay : overlays) order.push_back(&overlay);
+    std::stable_sort(order.begin(), order.end(),
+                     [](const Overlay* a, const Overlay* b) { return sumOf(a->gap) > sumOf(b->gap); });
+    return order;
+}
 
 // Values of a channel of another log at the times of the measured one. They stay valid while the page is built.
 class Curves {
@@ -76,6 +82,29 @@ private:
     std::deque<std::vector<double>> kept_;
 };
 
+// A stage of the model as it is drawn.
+struct Look {
+    std::string name;
+    const Log Overlay::*log;
+    Colour colour;
+    bool dashed;
+    double width;
+};
+
+std::vector<Look> looksOf(const StageNames& names) {
+    std::vector<Look> looks{{"nominal", &Overlay::nominal, Colour::vermillion, true, 1.5}};
+    if (!names.calibrated.empty()) looks.push_back({names.calibrated, &Overlay::calibrated, Colour::amber, false, 1.5});
+    looks.push_back({names.extended, &Overlay::extended, Colour::blue, false, 2});
+    return looks;
+}
+
+// The time after which a drive is not compared.
+std::vector<double> cutOf(const Diagnosis& diagnosis, const Overlay& overlay) {
+    for (const diagnose::answer::Cut& cut : diagnosis.cuts)
+        if (cut.recording == overlay.recording) return {cut.until};
+    return {};
+}
+
 // Band of the nominal car for numbers elsewhere within their tolerances.
 std::optional<TimeChart::Envelope> allowedOf(const Overlay& overlay, const std::string& channel, double scale,
                                              Curves& curves) {
@@ -91,37 +120,69 @@ std::optional<TimeChart::Envelope> allowedOf(const Overlay& overlay, const std::
                                .low = curves.kept(std::move(low)),
                                .high = curves.kept(std::move(high)),
                                .scale = scale,
-                               .colour = kLooks[1].colour};
+                               .colour = Colour::vermillion};
 }
 
-TimeChart chartOf(const Overlay& overlay, const std::string& channel, const char* extended, Curves& curves) {
-    const Log& measured = overlay.measured;
-    const DisplayUnit shown = displayUnit(measured.find(channel)->unit, channel);
+// What the charts of one drive share.
+struct Drawn {
+    const Overlay& overlay;
+    const std::vector<Look>& looks;
+    std::vector<double> cut;
+};
+
+TimeChart overlayOf(const Drawn& drive, const std::string& channel, Curves& curves) {
+    const Overlay& overlay = drive.overlay;
+    const Channel& measured = *overlay.measured.find(channel);
+    const DisplayUnit shown = displayUnit(measured.unit, channel);
     TimeChart chart{.title = overlay.recording + (overlay.hold_out ? " (held out)" : "") + ": " + shownName(channel),
                     .unit = shown.unit,
-                    .time = measured.channels.front().values,
-                    .curves = {}};
-    for (const Look& look : kLooks) {
-        if (const auto* values = curves.on(measured.channels.front().values, overlay.*look.log, channel))
-            chart.curves.push_back(
-                {look.name ? look.name : extended, *values, shown.scale, look.colour, look.dashed, look.width});
+                    .time = overlay.measured.channels.front().values,
+                    .curves = {{"measured", measured.values, shown.scale, Colour::grey, false, 2.5}}};
+    for (const Look& look : drive.looks) {
+        if (const auto* values = curves.on(overlay.measured.channels.front().values, overlay.*look.log, channel))
+            chart.curves.push_back({look.name, *values, shown.scale, look.colour, look.dashed, look.width});
     }
     chart.envelope = allowedOf(overlay, channel, shown.scale, curves);
+    chart.marks = drive.cut;
     return chart;
 }
 
-}  // namespace
-
-void addOverlays(HtmlPage& page, const Diagnosis& diagnosis, const char* extended) {
-    Curves curves;
-    std::vector<TimeChart> charts;
-    for (const Overlay* overlay : shownOverlays(diagnosis)) {
-        for (const std::string& channel : worstChannels(diagnosis)) {
-            if (overlay->measured.find(channel)) charts.push_back(chartOf(*overlay, channel, extended, curves));
-        }
+// Measured minus model, as far as they are compared, and the band that noise and usual disturbances cause.
+TimeChart residualOf(const Drawn& drive, const std::string& channel, Curves& curves) {
+    const Overlay& overlay = drive.overlay;
+    const Channel *rows = overlay.rows.find(channel), *floor = overlay.floor.find(channel);
+    TimeChart chart{.title = "Measured minus model", .unit = {}, .time = {}, .curves = {}};
+    if (!rows || !floor) return chart;
+    const DisplayUnit shown = displayUnit(rows->unit, channel);
+    chart.unit = shown.unit;
+    chart.time = overlay.rows.channels.front().values;
+    std::vector<double> high = floor->values;
+    for (double& value : high)
+        if (!std::isfinite(value)) value = kRequired;
+    for (const Look& look : drive.looks) {
+        const Channel* model = (overlay.*look.log).find(channel);
+        if (!model || model->values.size() != rows->values.size()) continue;
+        std::vector<double> left(rows->values);
+        for (std::size_t i = 0; i < left.size(); ++i)
+            left[i] = std::isfinite(high[i]) ? left[i] - model->values[i] : kRequired;
+        chart.curves.push_back(
+            {look.name, curves.kept(std::move(left)), shown.scale, look.colour, look.dashed, look.width});
     }
+    std::vector<double> low(high);
+    for (double& value : low) value = -value;
+    chart.envelope = TimeChart::Envelope{.name = "noise and usual disturbances (1 sd)",
+                                         .low = curves.kept(std::move(low)),
+                                         .high = curves.kept(std::move(high)),
+                                         .scale = shown.scale,
+                                         .colour = Colour::green};
+    chart.marks = drive.cut;
+    return chart;
+}
+
+void addWords(HtmlPage& page, const Diagnosis& diagnosis) {
     const bool bands = std::any_of(diagnosis.overlays.begin(), diagnosis.overlays.end(),
                                    [](const Overlay& overlay) { return !overlay.allowed.channels.empty(); });
+    page.text("Drives with the largest gaps first. The logs next to this page contain all channels.");
     if (bands)
         page.text(
             "Shaded: range of the nominal car for its numbers within their tolerances. The tolerances hardly explain a "
@@ -129,11 +190,30 @@ void addOverlays(HtmlPage& page, const Diagnosis& diagnosis, const char* extende
     if (diagnosis.compared)
         page.text(
             "Measured: minus the gap between the nominal car and the reference, the same drive before the change.");
-    if (diagnosis.overlays.size() > kRecordings)
-        page.text(
-            "Held-out drives first, then those with the largest shares of the gap. The logs next to this page contain "
-            "all drives.");
-    page.timeCharts(charts);
+    if (!diagnosis.cuts.empty()) page.text("Dashed vertical line: not compared from there on.");
+}
+
+}  // namespace
+
+void addOverlays(HtmlPage& page, const Diagnosis& diagnosis, const StageNames& names) {
+    addWords(page, diagnosis);
+    Curves curves;
+    const std::vector<Look> looks = looksOf(names);
+    const std::vector<std::string> matter = channelsThatMatter(diagnosis.overlays);
+    std::vector<std::vector<TimeChart>> open, folded;
+    const std::vector<const Overlay*> order = inOrder(diagnosis.overlays);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Drawn drive{*order[i], looks, cutOf(diagnosis, *order[i])};
+        for (const std::string& channel : channelsOf(*order[i], matter))
+            (i < kRecordings ? open : folded)
+                .push_back({overlayOf(drive, channel, curves), residualOf(drive, channel, curves)});
+    }
+    page.stackedTimeCharts(open);
+    if (folded.empty()) return;
+    const std::size_t others = order.size() - kRecordings;
+    page.fold(fmt::format("{} other drive{}", others, others == 1 ? "" : "s"));
+    page.stackedTimeCharts(folded);
+    page.unfold();
 }
 
 }  // namespace tread

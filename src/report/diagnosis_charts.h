@@ -1,13 +1,18 @@
-// Time histories: measured, nominal, calibrated and with the effect.
+// Time histories: measured and simulated, and below them what each stage of the model leaves.
 #pragma once
+
+#include <string>
 
 #include "diagnose/answer/diagnosis.h"
 #include "report/html.h"
 
 namespace tread {
 
-// `extended`: name of the last stage of the model.
-void addOverlays(HtmlPage& page, const diagnose::answer::Diagnosis& diagnosis,
-                 const char* extended = "with the effect");
+// Names of the stages of the model after the nominal car; a stage without a name is not drawn.
+struct StageNames {
+    std::string calibrated, extended;
+};
+
+void addOverlays(HtmlPage& page, const diagnose::answer::Diagnosis& diagnosis, const StageNames& names);
 
 }  // namespace tread

@@ -1,24 +1,34 @@
-// Tables of a diagnosis.
+// Bars and tables of a diagnosis.
 #pragma once
 
+#include <map>
 #include <string>
-#include <vector>
 
 #include "diagnose/answer/diagnosis.h"
 #include "report/html.h"
 
 namespace tread {
 
-// Names in readable form: "tyre relaxation", "yaw rate".
+// Name of an effect, a channel, a phase or a manoeuvre for people: "tyre relaxation", "yaw rate".
 std::string shownName(std::string_view name);
-std::vector<std::string> shownNames(const std::vector<std::string>& names);
 
-void addEffects(HtmlPage& page, const diagnose::answer::Diagnosis& diagnosis);
-// `extended`: name of the last stage of the model.
-void addLevels(HtmlPage& page, const diagnose::answer::HowFar& how_far, const char* extended = "with the effect");
+// What the gap consists of: a bar and a table for the drives that were fitted, and for those held out.
+void addParts(HtmlPage& page, const diagnose::answer::Diagnosis& diagnosis);
+// What the named causes change, number by number.
+void addChanges(HtmlPage& page, const diagnose::answer::Diagnosis& diagnosis);
+// Numbers that moved within their tolerances.
+void addMoved(HtmlPage& page, const std::map<std::string, diagnose::answer::NuisanceEstimate>& numbers);
+// The nominal car fitted to the references.
+void addCarBefore(HtmlPage& page, const diagnose::answer::FittedBefore& before);
+// Effects by probability, and pairs that are hard to tell apart.
+void addRivals(HtmlPage& page, const diagnose::answer::Diagnosis& diagnosis);
+// Ends of drives that are not compared, and warnings about the data.
+void addLeftOut(HtmlPage& page, const diagnose::answer::Diagnosis& diagnosis);
+// What no cause explains, and where it acts.
+void addRemainder(HtmlPage& page, const diagnose::answer::Diagnosis& diagnosis);
 void addWhere(HtmlPage& page, const diagnose::answer::WhereItLies& where);
-void addLimits(HtmlPage& page, const diagnose::answer::Diagnosis& diagnosis);
-void addNuisances(HtmlPage& page, const diagnose::answer::Diagnosis& diagnosis);
+// Manoeuvres to drive, and effects that these drives would not show.
+void addNextDrives(HtmlPage& page, const diagnose::answer::Diagnosis& diagnosis);
 // Priors and thresholds of the diagnosis.
 void addSettings(HtmlPage& page);
 

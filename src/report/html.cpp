@@ -44,6 +44,29 @@ std::string shading(const Cell& cell) {
     return {};
 }
 
+// The classes of the style sheet.
+std::string_view classOf(Fill fill) {
+    switch (fill) {
+        case Fill::none:
+            return "";
+        case Fill::pale:
+            return "pale";
+        case Fill::blue:
+            return "blue";
+        case Fill::sky:
+            return "sky";
+        case Fill::purple:
+            return "purple";
+        case Fill::striped:
+            return "striped";
+        case Fill::warm:
+            return "warm";
+        case Fill::dotted:
+            return "dotted";
+    }
+    return "";
+}
+
 bool drawable(const TimeChart& chart) {
     if (chart.time.empty() || chart.curves.empty()) return false;
     for (const auto& curve : chart.curves) {
@@ -54,7 +77,8 @@ bool drawable(const TimeChart& chart) {
 
 }  // namespace
 
-HtmlPage::HtmlPage(std::string title) : title_(std::move(title)) {}
+HtmlPage::HtmlPage(std::string title, std::string_view headline)
+    : title_(std::move(title)), window_title_(title_ + (headline.empty() ? "" : ": " + std::string(headline))) {}
 
 void HtmlPage::answer(std::string_view sentence, std::string_view verdict, bool good) {
     std::string badge;
@@ -114,7 +138,9 @@ void HtmlPage::table(const std::vector<std::string>& header, const std::vector<s
     for (const auto& row : rows) {
         place() += "<tr>";
         for (const Cell& cell : row) {
-            const std::string text = escapeMarkup(cell.text);
+            const std::string swatch =
+                cell.fill == Fill::none ? "" : fmt::format("<i class=\"swatch {}\"></i>", classOf(cell.fill));
+            const std::string text = swatch + escapeMarkup(cell.text);
             place() += fmt::format(
                 "<td class=\"{}{}\"{}>{}</td>", cell.number ? "number " : "", cell.alarm ? "alarm" : "", shading(cell),
                 cell.link.empty() ? text : fmt::format("<a href=\"{}\">{}</a>", escapeMarkup(cell.link), text));
@@ -159,6 +185,40 @@ void HtmlPage::figures(const std::vector<Chart>& charts) {
         place() += "</figure>\n";
     }
     place() += "</div>\n";
+}
+
+// For screen readers the bar is one picture whose description lists the parts.
+void HtmlPage::bar(const PartedBar& bar) {
+    constexpr double kReadable = 0.08;  // length from which a part has its number in it
+    std::string spoken, drawn;
+    for (const PartedBar::Piece& piece : bar.pieces) {
+        spoken += fmt::format("{}{} {}", spoken.empty() ? "" : ", ", piece.name, piece.value);
+        if (piece.length <= 0) continue;
+        const std::string name = escapeMarkup(piece.name), value = escapeMarkup(piece.value);
+        const std::string label = piece.length < kReadable ? "" : fmt::format("<b>{}<span> {}</span></b>", value, name);
+        drawn += fmt::format("<span class=\"piece {}\" style=\"flex-grow:{:.4f}\" title=\"{} {}\">{}</span>",
+                             classOf(piece.fill), piece.length, name, value, label);
+    }
+    const std::string title = escapeMarkup(bar.title);
+    place() += fmt::format(
+        "<figure class=\"parts\"><figcaption>{0}</figcaption><div class=\"track\" role=\"img\" "
+        "aria-label=\"{0}: {1}\">{2}</div></figure>\n",
+        title, escapeMarkup(spoken), drawn);
+}
+
+void HtmlPage::fold(std::string_view title) {
+    place() += fmt::format("<details><summary>{}</summary>\n", escapeMarkup(title));
+}
+
+void HtmlPage::unfold() {
+    place() += "</details>\n";
+}
+
+void HtmlPage::bullets(const std::vector<std::string>& sentences) {
+    if (sentences.empty()) return;
+    place() += "<ul>\n";
+    for (const std::string& sentence : sentences) place() += fmt::format("<li>{}</li>\n", escapeMarkup(sentence));
+    place() += "</ul>\n";
 }
 
 void HtmlPage::collapsible(std::string_view title, std::string_view verbatim) {
@@ -207,9 +267,9 @@ std::string HtmlPage::finish() const {
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n<title>{}</title>\n<style>\n{}{}</style>\n"
         "{}</head>\n<body>\n<header>\n<h1>{}</h1>\n{}</header>\n",
-        kPolicy, escapeMarkup(title_), charts ? withoutStyleMap(embedded::kDygraphsStyle) : "", embedded::kPageStyle,
-        replay_.empty() ? "" : fmt::format("<style>\n{}</style>\n", embedded::kReplayStyle), escapeMarkup(title_),
-        head_);
+        kPolicy, escapeMarkup(window_title_), charts ? withoutStyleMap(embedded::kDygraphsStyle) : "",
+        embedded::kPageStyle, replay_.empty() ? "" : fmt::format("<style>\n{}</style>\n", embedded::kReplayStyle),
+        escapeMarkup(title_), head_);
     if (sections_ > 1) out += "<nav>" + contents_ + "</nav>\n";
     if (charts) out += kHints;
     out += "<main>\n" + body_ + (sections_ > 0 ? "</section>\n" : "") + "</main>\n";

@@ -44,18 +44,35 @@ struct Card {  // one number to see first
     std::string unit;
 };
 
+// Filling of a part of a bar: a colour and a pattern, which differ in grey too.
+enum class Fill { none, pale, blue, sky, purple, striped, warm, dotted };
+
+// One horizontal bar of several parts.
+struct PartedBar {
+    struct Piece {
+        std::string name;
+        std::string value;  // as written: "43 %"
+        double length = 0;  // 0 to 1
+        Fill fill = Fill::none;
+    };
+    std::string title;
+    std::vector<Piece> pieces;
+};
+
 struct Cell {
     std::string text;
-    bool number = false;    // aligned to the right
-    bool alarm = false;     // drawn as bad news
-    std::string link = {};  // address, relative to the page
-    double heat = 0;        // 0 to 1: strength of the cell's colour, in a heat map
-    double bar = 0;         // 0 to 1: length of a bar behind the text
+    bool number = false;     // aligned to the right
+    bool alarm = false;      // drawn as bad news
+    std::string link = {};   // address, relative to the page
+    double heat = 0;         // 0 to 1: strength of the cell's colour, in a heat map
+    double bar = 0;          // 0 to 1: length of a bar behind the text
+    Fill fill = Fill::none;  // of a small square before the text
 };
 
 class HtmlPage {
 public:
-    explicit HtmlPage(std::string title);
+    // `headline`: follows the title in the title of the window.
+    explicit HtmlPage(std::string title, std::string_view headline = {});
 
     // The top of the page: the answer in one sentence; `verdict` (may be empty) is a word that is green when good, else
     // red.
@@ -75,12 +92,18 @@ public:
     void figures(const std::vector<Chart>& charts);
     // Cars on their road, from replayData(); at most one on a page.
     void replay(std::string data);
+    void bar(const PartedBar& bar);
+    // What follows is folded away under a title, until unfold().
+    void fold(std::string_view title);
+    void unfold();
+    void bullets(const std::vector<std::string>& sentences);
     void collapsible(std::string_view title, std::string_view verbatim);
 
     std::string finish() const;
 
 private:
     std::string title_;
+    std::string window_title_;
     std::string head_;      // answer, cards, key values, warnings
     std::string contents_;  // links to the sections
     std::string body_;      // the sections

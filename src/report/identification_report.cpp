@@ -88,6 +88,31 @@ void addCorrelation(HtmlPage& page, const Identification& found) {
     page.table(header, rows);
 }
 
+void addLevels(HtmlPage& page, const HowFar& how_far) {
+    std::vector<std::vector<Cell>> rows;
+    const auto add = [&](const char* drives, const GapLevels& levels) {
+        const double most = std::max({levels.nominal, levels.calibrated, levels.extended, levels.floor, 1e-9});
+        const std::pair<const char*, double> stages[] = {{"nominal", levels.nominal},
+                                                         {"calibrated", levels.calibrated},
+                                                         {"within tolerance", levels.extended},
+                                                         {"noise floor", levels.floor}};
+        for (const auto& [stage, value] : stages) {
+            Cell bar{stage};
+            bar.bar = value / most;
+            rows.push_back({{stage == stages[0].first ? drives : ""}, bar, {formatNumber(value, 3), true}});
+        }
+    };
+    add("Drives used for fitting", how_far.training);
+    if (!how_far.in_sample) add("Held-out drives", how_far.held_out);
+    page.table({"Drives", "Model", "Gap"}, rows);
+    const auto percent = [](double share) { return fmt::format("{:.0f} %", 100 * share); };
+    page.text(fmt::format("{} of the closable gap is closed within tolerance (90 %: {} to {}){}.",
+                          percent(how_far.closure), percent(how_far.closure_low), percent(how_far.closure_high),
+                          how_far.in_sample ? "; judged in the fitted drives because none was held out, which is too "
+                                              "optimistic"
+                                            : ", in drives that were not used for fitting"));
+}
+
 }  // namespace
 
 std::string identificationReport(const std::string& vehicle, const std::string& version, const Identification& found) {
@@ -106,7 +131,7 @@ std::string identificationReport(const std::string& vehicle, const std::string& 
         "Root mean square of measured minus simulated, in units of the noise; a perfect model leaves 1. "
         "Nominal: the car as described by its file. Calibrated: with the fitted numbers only, as in calibrated.yaml. "
         "Within tolerance: all other uncertain numbers fitted as well.");
-    addLevels(page, found.gap.how_far, "within tolerance");
+    addLevels(page, found.gap.how_far);
     if (const std::string others = otherNumbersInWords(found); !others.empty())
         page.text(fmt::format("Note: {}.", others));
 
@@ -115,11 +140,11 @@ std::string identificationReport(const std::string& vehicle, const std::string& 
 
     if (!found.gap.overlays.empty()) {
         page.section("Measured and simulated");
-        addOverlays(page, found.gap, "within tolerance");
+        addOverlays(page, found.gap, {.calibrated = "calibrated", .extended = "within tolerance"});
     }
 
     page.section("Other numbers of the car within their tolerances");
-    addNuisances(page, found.gap);
+    addMoved(page, found.gap.nuisance);
     return page.finish();
 }
 

@@ -78,8 +78,9 @@ void addHeatMap(HtmlPage& page, const WhereItLies& where) {
 
 void addWhere(HtmlPage& page, const WhereItLies& where) {
     page.text(
-        "Shares of the squared gap of the nominal car, in noise units: by recording and channel, then by driving "
-        "phase, frequency, operating regime and missing force.");
+        "Shares of the squared gap of the nominal car, in units of what noise and usual disturbances cause: by "
+        "recording "
+        "and channel, then by driving phase, frequency, operating regime and missing force.");
     addHeatMap(page, where);
     addShares(page, {{"Phase", &where.phases},
                      {"Frequency", &where.bands},

@@ -87,7 +87,7 @@ struct ThreeEffects {
             for (const std::size_t e : effects) explained += std::pow(drive.effects(e, e) * sizeOf(e), 2);
             sum += explained, squares += explained * explained;
         }
-        return sum > 0 ? 1 + 0.1 * 0.1 * squares / sum : 1;
+        return sum > 0 ? 1 + 0.05 * 0.05 * squares / sum : 1;
     }
 };
 
@@ -188,8 +188,8 @@ TEST(Hypotheses, AreDoubtedInTheMetricOfTheirRemainder) {
     EXPECT_NEAR(doubt(car, fit), 1 + 0.0025 * explained.dot(metric * explained), 1e-12);
 }
 
-// The truth may resemble a rival as far as its signature is wrong: a share of 0.1 of 20 standard deviations is two of
-// them, and an advantage of 12.5 nats, five standard deviations, shrinks to 12.5 / (1 + 4).
+// The truth may resemble a rival as far as its signature is wrong: a share of 0.05 of 20 standard deviations is one of
+// them, and an advantage of 12.5 nats, five standard deviations, shrinks to 12.5 / (1 + 1).
 TEST(Hypotheses, RivalOfAStrongEffectKeepsTheProbabilityThatAWrongSignatureLeavesIt) {
     const std::vector<LinearDrive> drives{driveOf(VectorXd{{20, 20, 1}}, VectorXd{{20, 20, 0, 0}})};
     const Problem problem = linear_drives::problemOf(drives);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "diagnose/answer/diagnosis.h"
@@ -40,26 +41,80 @@ bool contains(const std::string& text, const std::string& what) {
 
 TEST(DiagnosisPage, SaysTheAnswerFirstAndWhatItRestsOn) {
     const std::string html = page(shared::sampleDiagnosis());
-    for (const char* said :
-         {"The gap is caused by tyre_relaxation (p = 0.97).", "▶ tyre relaxation", "an unknown cause",
-          "front.tyre.parameters.cFy = 105000 ± 6000 N/m (90 %: 95100 to 114900; nominal 141800)",
-          "92 % of the closable gap is closed with the effect (90 %: 88 % to 95 %)", "Held-out drives",
-          "(held out): yaw rate", "sine_sweep", "scenarios/straight_braking_100.yaml", "brake fade, brake gain",
-          "a slower signal, held", "2310 simulations in 41 s"})
+    for (const char* said : {"<title>Diagnosis: Mostly tyre relaxation (p = 0.97); 1 % of the gap",
+                             "▶ tyre relaxation",
+                             "an unknown cause",
+                             "lateral carcass stiffness, front and rear",
+                             "141800 → 105000 ± 6000 N/m",
+                             "-26 %",
+                             "front.tyre.parameters.cFy, rear.tyre.parameters.cFy; 90 %: 95100 to 114900 N/m",
+                             "Drives used for fitting: the gap is 17.0 times that of a perfect model",
+                             "Drives held out: the gap is 13.0",
+                             "36 % to 50 %",
+                             "(held out): yaw rate",
+                             "1920 ± 50 → 2010",
+                             "+2.4",
+                             "at the end of its plausible range",
+                             "scenarios/straight_braking_100.yaml",
+                             "brake fade, brake gain",
+                             "a slower signal, held",
+                             "6.5 s",
+                             "Lateral disturbances",
+                             "2310 simulations in 41 s"})
         EXPECT_TRUE(contains(html, said)) << said;
-    EXPECT_LT(html.find("The gap is caused by"), html.find("Which effect"));
+    EXPECT_LT(html.find("Mostly tyre relaxation"), html.find("Parts of the gap"));
+    EXPECT_FALSE(contains(html, "The car before"));
 }
 
-TEST(DiagnosisPage, BlamesAndAlarmsOnlyWhatDeservesIt) {
+// Lengths of the parts of the bars on a page.
+std::vector<double> lengthsOf(const std::string& html) {
+    const std::string sign = "flex-grow:";
+    std::vector<double> lengths;
+    for (std::size_t at = html.find(sign); at != std::string::npos; at = html.find(sign, at + 1))
+        lengths.push_back(std::stod(html.substr(at + sign.size())));
+    return lengths;
+}
+
+TEST(DiagnosisPage, DrawsTheGapAsABarOfItsParts) {
+    Diagnosis d = shared::sampleDiagnosis();
+    d.held_out = {};
+    const std::string html = page(d);
+    EXPECT_EQ(lengthsOf(html), (std::vector<double>{0.5, 0.43, 0.01, 0.06}));
+    EXPECT_TRUE(contains(html, ": tolerances 50 %, tyre relaxation 43 %, unexplained 1 %, noise 6 %\">"));
+    EXPECT_TRUE(contains(html, "No drive is held out"));
+}
+
+TEST(DiagnosisPage, SaysOfACauseThatItMakesTheGapLarger) {
+    Diagnosis d = shared::sampleDiagnosis();
+    EXPECT_FALSE(contains(page(d), "makes the gap larger"));
+    d.held_out.causes = d.held_out.each[0].first = d.held_out.each[0].last = {-0.06, -0.1, 0};
+    d.held_out.remainder.share = 0.52;
+    EXPECT_TRUE(contains(page(d), "Tyre relaxation makes the gap larger, by 6 % of that of the nominal car."));
+    double sum = 0;
+    for (const double length : lengthsOf(page(d))) sum += length;
+    EXPECT_NEAR(sum, 2, 1e-3) << "two bars";
+}
+
+TEST(DiagnosisPage, BlamesOnlyWhatDeservesIt) {
     Diagnosis d = shared::sampleDiagnosis();
     d.causes.clear();
+    d.training.each.clear();
+    d.held_out = {};
     d.verdict = Verdict::nothing;
-    d.how_far.in_sample = true;
     const std::string html = page(d);
     EXPECT_FALSE(contains(html, "▶"));
     EXPECT_TRUE(contains(html, "nothing found"));
-    EXPECT_TRUE(contains(html, "because none was held out"));
-    EXPECT_FALSE(contains(html, "Held-out drives"));
+    EXPECT_FALSE(contains(html, "What the causes mean"));
+    EXPECT_TRUE(contains(html, "tolerances fitted"));
+    EXPECT_FALSE(contains(html, "with the causes"));
+}
+
+TEST(DiagnosisPage, TellsOfTheCarBefore) {
+    Diagnosis d = shared::sampleDiagnosis();
+    d.before = {.nominal = 9.1, .fitted = 2.3, .moved = {{"mass", {1700, 9, 1684, 10, 1.6, false}}}};
+    EXPECT_TRUE(contains(page(d), "9.1 for the nominal car, 2.3 after the fit"));
+    EXPECT_TRUE(contains(page(d), "1684 ± 10 → 1700"));
+    EXPECT_TRUE(contains(diagnosisText(d), "references 9.1 -> 2.3 of the floor; mass 1684 -> 1700 (+1.6 sd)"));
 }
 
 TEST(DiagnosisPage, TellsTheLawThatAForceOfUnknownCauseFollows) {
@@ -76,7 +131,7 @@ TEST(DiagnosisPage, TellsTheLawThatAForceOfUnknownCauseFollows) {
     d.causes.clear();
     d.effects.clear();
     d.unexplained.law.generalised_force = "yaw";
-    EXPECT_TRUE(contains(page(d), std::string("A force acts that no effect of the catalogue explains: ") + said));
+    EXPECT_TRUE(contains(page(d), std::string("<p>A") + (said + 1)));
     EXPECT_TRUE(contains(diagnosisText(d), std::string("no effect of the catalogue; ") + said));
 }
 
@@ -89,21 +144,28 @@ TEST(DiagnosisPage, IsMadeOfAnEmptyDiagnosisToo) {
 TEST(DiagnosisPage, NamesOfTheUserCannotBreakIt) {
     Diagnosis d = shared::sampleDiagnosis();
     d.effects[1].name = "<script>alert(1)</script>";
+    d.causes = {"<i>cause</i>"};
+    d.training.each[0].name = d.effects[0].name = "<i>cause</i>";
+    d.cuts[0].recording = "<u>";
     d.where.recordings = {{"<b>", 1}};
     d.where.channels_of_recording = {{"<b>", {{"chassis.ay", 1}}}};
     d.overlays[0].recording = "</figure>";
     const std::string html = page(d);
     EXPECT_FALSE(contains(html, "<script>alert"));
     EXPECT_FALSE(contains(html, "<td class=\"\"><b>"));
+    EXPECT_FALSE(contains(html, "<i>cause"));
+    EXPECT_TRUE(contains(html, "&lt;i&gt;cause&lt;/i&gt; 43 %"));
+    EXPECT_FALSE(contains(html, "<u>"));
     EXPECT_TRUE(contains(html, "&lt;/figure&gt; (held out)"));
 }
 
 TEST(DiagnosisPage, ShadesWhatTheTolerancesAllowWhereThatIsKnown) {
-    const std::string html = page(shared::sampleDiagnosis());
-    const nlohmann::json charts = chartsOf(html);
-    ASSERT_EQ(charts.size(), 4u);
-    for (const nlohmann::json& chart : charts) {
+    const nlohmann::json charts = chartsOf(page(shared::sampleDiagnosis()));
+    ASSERT_EQ(charts.size(), 8u) << "two channels of two drives, and below each what is left";
+    for (std::size_t c = 0; c < charts.size(); c += 2) {
+        const nlohmann::json& chart = charts[c];
         const bool held_out = chart.at("title").get<std::string>().find("(held out)") != std::string::npos;
+        EXPECT_EQ(held_out, c >= 4) << "the drive with the larger gap comes first";
         ASSERT_EQ(chart.contains("envelope"), !held_out) << chart.at("title");
         if (held_out) continue;
         EXPECT_EQ(chart.at("envelope").at("name"), "what the tolerances allow (2 sd)");
@@ -118,6 +180,35 @@ TEST(DiagnosisPage, ShadesWhatTheTolerancesAllowWhereThatIsKnown) {
             EXPECT_NEAR(nominal[i] - low[i], half, 1e-4);
         }
     }
+}
+
+TEST(DiagnosisPage, ShowsWhatEachStageLeavesBesideTheNoise) {
+    const Diagnosis d = shared::sampleDiagnosis();
+    const nlohmann::json charts = chartsOf(page(d));
+    const nlohmann::json& left = charts.at(1);
+    EXPECT_EQ(left.at("title"), "Measured minus model");
+    EXPECT_EQ(left.at("marks"), nlohmann::json::array({6.5})) << "not compared from there on";
+    EXPECT_EQ(left.at("curves").at(0).at("name"), "nominal");
+    EXPECT_EQ(left.at("curves").at(1).at("name"), "with the causes");
+    const Overlay& drive = d.overlays[1];
+    const auto nominal = unpacked<float>(left.at("curves").at(0).at("values")),
+               high = unpacked<float>(left.at("envelope").at("high"));
+    const auto& measured = drive.measured.find("chassis.yaw_rate")->values;
+    const auto& model = drive.nominal.find("chassis.yaw_rate")->values;
+    ASSERT_EQ(nominal.size(), measured.size());
+    constexpr double kDegrees = 180 / std::numbers::pi;
+    for (std::size_t i = 0; i < measured.size(); i += 50) {
+        EXPECT_NEAR(nominal[i], kDegrees * (measured[i] - model[i]), 1e-4);
+        EXPECT_NEAR(high[i], kDegrees * 0.004, 1e-4);
+    }
+}
+
+TEST(DiagnosisPage, FoldsAwayTheDrivesWithTheSmallestGaps) {
+    Diagnosis d = shared::sampleDiagnosis();
+    EXPECT_FALSE(contains(page(d), "<details><summary>"));
+    for (const char* name : {"a", "b"}) d.overlays.push_back(d.overlays[0]), d.overlays.back().recording = name;
+    EXPECT_TRUE(contains(page(d), "<summary>1 other drive</summary>"));
+    EXPECT_LT(page(d).find("1 other drive"), page(d).find("b (held out): yaw rate"));
 }
 
 TEST(DiagnosisPage, HasNoShadingInItsWordsWithoutOneInItsCharts) {
@@ -140,7 +231,8 @@ TEST(DiagnosisPage, NamesWhatElseItCouldBeWholeAndTheJsonEveryEffectOfItOnce) {
     Diagnosis d = shared::sampleDiagnosis();
     d.causes = {"tyre_relaxation", "damping"};
     d.alternatives = {{"damping", "steering_delay"}, {"steering_delay", "grip"}};
-    EXPECT_TRUE(contains(page(d), "damping and steering delay, steering delay and grip"));
+    EXPECT_TRUE(contains(page(d), "Could also be damping and steering delay, or steering delay and grip."));
+    EXPECT_EQ(diagnosisJson(d).at("rivals").size(), 2u);
     EXPECT_EQ(diagnosisJson(d).at("alternatives"), nlohmann::ordered_json::array({"grip", "steering_delay"}));
 }
 
@@ -158,6 +250,37 @@ TEST(DiagnosisPage, SaysWhatIsTakenOffWhereItComparedWithReferences) {
     d.compared = true;
     EXPECT_TRUE(contains(page(d), "Measured: minus the gap between the nominal car and the reference"));
     EXPECT_TRUE(contains(page(d), "Compared with"));
+}
+
+TEST(DiagnosisText, IsShortAndInTheOrderOfTheAnswer) {
+    Diagnosis d = shared::sampleDiagnosis();
+    d.alternatives = {{"steering_delay"}};
+    for (int i = 0; i < 30; ++i) {
+        d.expected_evidence["hidden_" + std::to_string(i)] = 1;
+        d.cuts.push_back({"drive", 3, 0.4});
+    }
+    const std::string text = diagnosisText(d);
+    std::size_t at = 0;
+    for (const char* headline : {"Mostly tyre relaxation", "\nGAP       17.0 times", "\nWHERE     ",
+                                 "\nWHICH     tyre_", "\nMOVED     ", "\nREMAINS   1 % of the gap",
+                                 "\nRIVALS    steering delay", "\nLEFT OUT  sine_sweep after 6.5 s: 19 % of its rows",
+                                 "\nNEXT      scenarios/", "\nNOT SEEN  32 of 35 effects"}) {
+        const std::size_t next = text.find(headline, at);
+        ASSERT_NE(next, std::string::npos) << headline << "\n" << text;
+        at = next;
+    }
+    EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 25);
+    EXPECT_TRUE(contains(text, "tolerances 50 %, tyre relaxation 43 %, unexplained 1 %, noise 6 %")) << text;
+    EXPECT_TRUE(contains(text, "lateral carcass stiffness, front and rear 141800 -> 105000 +- 6000 N/m (-26 %)"))
+        << text;
+}
+
+TEST(DiagnosisJson, HasThePartsTheCutsAndWhereTheRestIs) {
+    const auto json = diagnosisJson(shared::sampleDiagnosis());
+    EXPECT_EQ(json.at("parts").at("training").at(1).at("part"), "tyre relaxation");
+    EXPECT_EQ(json.at("cuts").at(0).at("share"), 0.19);
+    EXPECT_EQ(json.at("nuisance").at("mass").at("nominal"), 1350);
+    EXPECT_NEAR(json.at("unexplained").at("channels").at("chassis.yaw_rate").get<double>(), 0.75, 1e-12);
 }
 
 TEST(DiagnosisText, NothingIsCertain) {

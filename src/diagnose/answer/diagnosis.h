@@ -114,15 +114,48 @@ struct HowFar {
     bool in_sample = false;                                 // true when no recording was held out
 };
 
+// A number of car, road or instruments that is known within a tolerance, as a fit found it.
 struct NuisanceEstimate {
-    double value = 0, sd = 0, z = 0;
-};
+    double value = 0, sd = 0, nominal = 0, prior_sd = 0, z = 0;
+    bool at_bound = false;
 
-// The nominal car fitted to the references.
-struct FittedBefore {
-    double nominal = 0, fitted = 0;                 // level of the gap in the references
-    std::map<std::string, NuisanceEstimate> moved;  // by path; z in prior standard deviations
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(value), About{"-", "best estimate, SI units"});
+        field(TREAD_FIELD(sd), About{"-", "standard deviation"});
+        field(TREAD_FIELD(nominal), About{"-", "value of the nominal car"});
+        field(TREAD_FIELD(prior_sd), About{"-", "standard deviation of its tolerance"});
+        field(TREAD_FIELD(z), About{"-", "change in standard deviations of its tolerance"});
+        field(TREAD_FIELD(at_bound), About{"", "the estimate is at the end of its plausible range"});
+    }
 };
+static_assert(describesEveryMember<NuisanceEstimate>());
+
+// The nominal car fitted to the references. Levels: root mean square of the gap, over that of a perfect model (D46).
+struct FittedBefore {
+    double nominal = 0, fitted = 0;
+    std::map<std::string, NuisanceEstimate> moved = {};
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(nominal), About{"-", "gap of the nominal car in the references; 1: a perfect model"});
+        field(TREAD_FIELD(fitted), About{"-", "the same after the fit; 0: no references"});
+        field(TREAD_FIELD(moved), About{"", "numbers of the fit, by path"});
+    }
+};
+static_assert(describesEveryMember<FittedBefore>());
+
+// The end of a drive that is not compared.
+struct Cut {
+    std::string recording;
+    double until = 0;
+    double share = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(recording), About{"", "name of the recording"});
+        field(TREAD_FIELD(until), About{"s", "time after which it is not compared"});
+        field(TREAD_FIELD(share), About{"-", "share of its measured rows that is left out"});
+    }
+};
+static_assert(describesEveryMember<Cut>());
 
 struct ConfusablePair {
     std::string a, b;
@@ -152,7 +185,6 @@ struct Moment {
 };
 
 struct Unexplained {
-    double share = 0;               // share of the gap that the best answer leaves
     std::string generalised_force;  // longitudinal, lateral, yaw or roll: the largest missing force
     Moment when;                    // moment at which it is largest
     ForceLaw law = {};              // law that it follows, if one was found
@@ -181,7 +213,12 @@ struct Overlay {
     std::string recording;
     bool hold_out = false;
     Log measured, nominal, calibrated, extended;
+    Log rows = {};     // measured, as it is compared: means over blocks
+    Log floor = {};    // standard deviation of these rows by noise and usual disturbances; none where not compared
     Log allowed = {};  // standard deviation of the nominal rows due to tolerances; empty for held-out drives
+    // By channel: squared difference of the nominal car, and of the car with the causes, beyond that of a perfect model
+    // (D46).
+    std::map<std::string, double> gap = {}, remainder = {};
 };
 
 struct Diagnosis {
@@ -204,6 +241,7 @@ struct Diagnosis {
     std::vector<std::string> credible_set;
     Baselines baselines;
     bool compared = false;  // true when every recording has a reference
+    std::vector<Cut> cuts;  // drives that are not compared to their end
     std::vector<std::string> data_warnings;
     double seconds = 0;
     int simulations = 0;

@@ -1,5 +1,6 @@
 #include "diagnose/answer/diagnosis_json.h"
 
+#include "diagnose/answer/parts.h"
 #include "diagnose/answer/words.h"
 #include "diagnose/settings.h"
 #include "store/described_json.h"
@@ -31,10 +32,27 @@ Json listOf(const std::vector<T>& values, ToJson to_json) {
     return list;
 }
 
-Json numbersOf(const std::map<std::string, NuisanceEstimate>& numbers) {
-    Json all = Json::object();
-    for (const auto& [path, n] : numbers) all[path] = {{"value", n.value}, {"sd", n.sd}, {"z", n.z}};
-    return all;
+// The parts of a gap, as the report draws them.
+Json partsJson(const Decomposition& gap) {
+    return listOf(toldParts(gap), [](const ToldPart& part) {
+        return Json{{"part", partInWords(part)}, {"share", part.share}};
+    });
+}
+
+// What no cause explains, and where it acts.
+Json unexplainedOf(const Diagnosis& d) {
+    const Unexplained& rest = d.unexplained;
+    return {{"generalised_force", rest.generalised_force},
+            {"channels", remainderOfChannels(d)},
+            {"recordings", remainderOfRecordings(d)},
+            {"sizes", rest.sizes},
+            {"beyond_ordinary", rest.beyond_ordinary},
+            {"when", momentInWords(rest.when)},
+            {"law",
+             {{"follows", rest.law.follows},
+              {"unit", rest.law.unit},
+              {"coefficients", rest.law.coefficients},
+              {"gain", rest.law.gain}}}};
 }
 
 }  // namespace
@@ -56,12 +74,14 @@ Json diagnosisJson(const Diagnosis& d) {
         {"verdict", nameOf(d.verdict)},
         {"causes", d.causes},
         {"alternatives", namesOnlyIn(d.alternatives, d.causes)},
+        {"rivals", d.alternatives},
         {"effects", jsonOf(d.effects)},
         {"probability_of_nothing", d.probability_of_nothing},
         {"probability_of_unknown", d.probability_of_unknown},
         {"where", whereOf(d.where)},
         {"training", jsonOf(d.training)},
         {"held_out", jsonOf(d.held_out)},
+        {"parts", {{"training", partsJson(d.training)}, {"held_out", partsJson(d.held_out)}}},
         {"how_far",
          {{"training", levelsOf(d.how_far.training)},
           {"held_out", levelsOf(d.how_far.held_out)},
@@ -69,28 +89,19 @@ Json diagnosisJson(const Diagnosis& d) {
           {"closure_low", d.how_far.closure_low},
           {"closure_high", d.how_far.closure_high},
           {"in_sample", d.how_far.in_sample}}},
-        {"nuisance", numbersOf(d.nuisance)},
+        {"nuisance", jsonOf(d.nuisance)},
         {"expected_evidence", d.expected_evidence},
         {"confusable", confusableJson(d.confusable)},
         {"next", listOf(d.next,
                         [](const NextDrive& n) {
                             return Json{{"scenario", n.scenario}, {"separates", separatesInWords(n)}, {"nats", n.nats}};
                         })},
-        {"before", {{"nominal", d.before.nominal}, {"fitted", d.before.fitted}, {"moved", numbersOf(d.before.moved)}}},
-        {"unexplained",
-         {{"share", d.unexplained.share},
-          {"generalised_force", d.unexplained.generalised_force},
-          {"sizes", d.unexplained.sizes},
-          {"beyond_ordinary", d.unexplained.beyond_ordinary},
-          {"when", momentInWords(d.unexplained.when)},
-          {"law",
-           {{"follows", d.unexplained.law.follows},
-            {"unit", d.unexplained.law.unit},
-            {"coefficients", d.unexplained.law.coefficients},
-            {"gain", d.unexplained.law.gain}}}}},
+        {"before", jsonOf(d.before)},
+        {"unexplained", unexplainedOf(d)},
         {"credible_set", d.credible_set},
         {"baselines", jsonOf(d.baselines)},
         {"compared", d.compared},
+        {"cuts", jsonOf(d.cuts)},
         {"data_warnings", d.data_warnings},
         {"settings", jsonOf(kSettings)},
         {"seconds", d.seconds},

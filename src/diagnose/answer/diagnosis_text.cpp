@@ -1,9 +1,12 @@
 #include "diagnose/answer/diagnosis_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "diagnose/answer/changed_numbers.h"
+#include "diagnose/answer/parts.h"
 #include "diagnose/answer/words.h"
 #include "diagnose/settings.h"
 
@@ -11,8 +14,16 @@ namespace tread::diagnose::answer {
 namespace {
 
 constexpr double kWorthNaming = 0.05;  // share of the gap, or probability of an effect
+constexpr double kLarger = 0.005;      // share of the gap: a part that is less than zero by more makes it larger
 constexpr double kMostly = 0.5;        // share of side forces in the missing force from which the axle is named
-constexpr std::size_t kMostShares = 3, kMostEffects = 5;  // entries printed
+constexpr std::size_t kMostListed = 3, kMostHidden = 8;  // entries of a list that are printed
+
+// Lines below one headline.
+std::string paragraph(const char* headline, const std::vector<std::string>& lines) {
+    std::string text;
+    for (std::size_t i = 0; i < lines.size(); ++i) text += fmt::format("{:<10}{}\n", i == 0 ? headline : "", lines[i]);
+    return text;
+}
 
 // "yaw rate 62 %, lateral acceleration 30 %"
 std::string largest(const Shares& shares, bool channels = false) {
@@ -20,7 +31,7 @@ std::string largest(const Shares& shares, bool channels = false) {
     for (const auto& [name, share] : shares) sorted.push_back({-share, name});
     std::sort(sorted.begin(), sorted.end());
     std::string list;
-    for (std::size_t i = 0; i < sorted.size() && i < kMostShares; ++i) {
+    for (std::size_t i = 0; i < sorted.size() && i < kMostListed; ++i) {
         if (-sorted[i].first < kWorthNaming) break;
         list += fmt::format("{}{} {:.0f} %", i > 0 ? ", " : "",
                             channels ? channelInWords(sorted[i].second) : sorted[i].second, -100 * sorted[i].first);
@@ -41,62 +52,145 @@ std::string axleOf(const WhereItLies& where) {
                        100 * std::max(front, 1 - front));
 }
 
-std::string parametersOf(const RankedEffect& effect) {
-    std::string list;
-    for (const auto& [path, e] : effect.parameters)
-        list += fmt::format("{}{} {:.4g} +- {:.2g} (nominal {:.4g})", list.empty() ? "" : ", ", path, e.value, e.sd,
-                            e.neutral);
-    return list;
+// "tolerances 50 %, tyre relaxation 43 %, unexplained 1 %, noise 6 %"
+std::string partsInWords(const Decomposition& gap) {
+    std::vector<std::string> parts;
+    for (const ToldPart& part : toldParts(gap))
+        parts.push_back(fmt::format("{} {}{}", partInWords(part), roundedPercent(part.share),
+                                    part.share < -kLarger ? " (makes it larger)" : ""));
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string gapOf(const Diagnosis& d) {
+    const Decomposition& gap = d.training;
+    if (!(gap.gap > 0)) return {};
+    std::vector<std::string> lines{fmt::format(
+        "{:.1f} times that of a perfect model{}: {}", gap.gap,
+        d.compared ? ", beside that of the same drives before the car was changed" : "", partsInWords(gap))};
+    if (d.held_out.gap > 0)
+        lines.push_back(
+            fmt::format("in the drives held out, {:.1f} times: {}", d.held_out.gap, partsInWords(d.held_out)));
+    else lines.emplace_back("no drive is held out: judged in-sample, in the fitted drives, which is too optimistic");
+    return paragraph("GAP", lines);
+}
+
+std::string whereOf(const WhereItLies& where) {
+    const std::string gap = where.channels.empty() ? "no single channel exceeds the usual disturbances"
+                                                   : fmt::format("{} of the gap; {}; {}", largest(where.channels, true),
+                                                                 largest(where.phases), largest(where.bands));
+    return paragraph("WHERE", {fmt::format("{}; force: {}{}", gap, largest(where.generalised_force), axleOf(where))});
+}
+
+// "front share of the brake torque 0.5 -> 0.341 +- 0.004 (-32 %)"
+std::string changeInWords(const ChangedNumber& number) {
+    const Estimate& e = number.estimate;
+    const std::string unit = unitOf(number.paths.front()), percent = changeInPercent(e.value, e.neutral);
+    return fmt::format("{} {} -> {} +- {}{}{}{}", numberInWords(number.paths), shortNumber(e.neutral),
+                       shortNumber(e.value), shortNumber(e.sd, 2), unit == "-" ? "" : " " + unit,
+                       percent.empty() ? "" : " (" + percent + ")",
+                       atItsEnd(e) ? ", at the end of its plausible range" : "");
 }
 
 std::string whichOf(const Diagnosis& d) {
-    std::string text;
-    std::size_t rank = 0;
-    for (const RankedEffect& effect : d.effects) {
-        const bool named = std::find(d.causes.begin(), d.causes.end(), effect.name) != d.causes.end();
-        if (!named && (rank >= kMostEffects || effect.probability < kWorthNaming)) continue;
-        text += fmt::format("{}{}. {:<28} {}   {}\n", rank == 0 ? "WHICH     " : "          ", rank + 1, effect.name,
-                            probabilityInWords(effect.probability), parametersOf(effect));
-        ++rank;
+    std::vector<std::string> lines;
+    for (const RankedEffect* effect : namedEffects(d)) {
+        std::vector<std::string> changes;
+        for (const ChangedNumber& number : changedNumbers(*effect)) changes.push_back(changeInWords(number));
+        lines.push_back(fmt::format("{} ({}): {}", effect->name, probabilityInWords(effect->probability),
+                                    fmt::join(changes, "; ")));
     }
-    if (!text.empty()) return text;
+    if (!lines.empty()) return paragraph("WHICH", lines);
     const std::string law = lawInWords(d.unexplained.law);
-    return fmt::format("WHICH     no effect of the catalogue{}{}\n", law.empty() ? "" : "; ", law);
+    return paragraph("WHICH", {"no effect of the catalogue" + (law.empty() ? "" : "; " + law)});
 }
 
-std::string howFarOf(const Diagnosis& d) {
-    const GapLevels& level = d.how_far.in_sample ? d.how_far.training : d.how_far.held_out;
-    std::string text = fmt::format("HOW FAR   gap {:.2f} -> {:.2f} (tolerances alone {:.2f}, noise floor {:.2f})",
-                                   level.nominal, level.extended, level.calibrated, level.floor);
-    text += d.how_far.in_sample ? "; in-sample because no recording is held out:" : "; in held-out drives:";
-    text += fmt::format(" {:.0f} % of the gap closed [{:.0f}, {:.0f}]\n", 100 * d.how_far.closure,
-                        100 * d.how_far.closure_low, 100 * d.how_far.closure_high);
-    return text;
+// "mass 1362 (+0.8 sd), inertia.yaw 2010 (+1.8 sd), and 3 others"
+std::string movedInWords(const std::map<std::string, NuisanceEstimate>& numbers) {
+    const std::vector<MovedNumber> moved = movedNumbers(numbers);
+    if (moved.empty()) return fmt::format("none of {} numbers by one standard deviation", numbers.size());
+    std::string list;
+    for (std::size_t i = 0; i < std::min(moved.size(), kMostListed); ++i) {
+        const NuisanceEstimate& e = moved[i].estimate;
+        list += fmt::format("{}{} {} -> {} ({:+.1f} sd{})", i > 0 ? ", " : "", moved[i].name, shortNumber(e.nominal),
+                            shortNumber(e.value), e.z, e.at_bound ? ", at its end" : "");
+    }
+    if (moved.size() > kMostListed) list += fmt::format(" and {} others", moved.size() - kMostListed);
+    return list;
+}
+
+std::string movedOf(const Diagnosis& d) {
+    if (d.nuisance.empty()) return {};
+    std::vector<std::string> lines{"within tolerances: " + movedInWords(d.nuisance)};
+    if (d.before.fitted > 0)
+        lines.push_back(fmt::format("the car before: gap in the references {:.1f} -> {:.1f} of the floor; {}",
+                                    d.before.nominal, d.before.fitted, movedInWords(d.before.moved)));
+    return paragraph("MOVED", lines);
+}
+
+std::string remainsOf(const Diagnosis& d) {
+    if (!(d.training.gap > 0)) return {};
+    std::string text = percentInWords(d.training.remainder.share) + " of the gap";
+    const auto large = largeForces(d.unexplained);
+    for (std::size_t i = 0; i < std::min(large.size(), kMostListed); ++i)
+        text += fmt::format("; {}: {:.1f} usual sizes", kindOfForceInWords(large[i].second), large[i].first);
+    if (large.empty()) text += "; no force is larger than in an ordinary drive";
+    const std::string law = d.causes.empty() ? "" : lawInWords(d.unexplained.law);
+    return paragraph("REMAINS", {law.empty() ? text : text + "; " + law});
+}
+
+std::string rivalsOf(const Diagnosis& d) {
+    std::vector<std::string> lines;
+    std::vector<std::string> rivals, others;
+    for (const std::string& name : namesOnlyIn(d.alternatives, d.causes)) rivals.push_back(certainly(d, name));
+    if (!rivals.empty()) lines.push_back(fmt::format("{}", fmt::join(rivals, ", ")));
+    for (const RankedEffect& effect : otherEffects(d, kWorthNaming))
+        others.push_back(fmt::format("{} ({})", effect.name, probabilityInWords(effect.probability)));
+    if (!others.empty()) lines.push_back(fmt::format("others: {}", fmt::join(others, ", ")));
+    for (const ConfusablePair& pair : pairsOfCauses(d))
+        lines.push_back(fmt::format("{} and {} are hard to tell apart; mostly {} does", effectInWords(pair.a),
+                                    effectInWords(pair.b), pair.manoeuvre));
+    lines.resize(std::min(lines.size(), kMostListed));
+    return paragraph("RIVALS", lines);
+}
+
+std::string leftOutOf(const Diagnosis& d) {
+    std::vector<std::string> lines;
+    for (const Cut& cut : d.cuts)
+        lines.push_back(
+            fmt::format("{} after {:.1f} s: {:.0f} % of its rows", cut.recording, cut.until, 100 * cut.share));
+    if (lines.size() > kMostListed) {
+        const std::size_t others = lines.size() - kMostListed;
+        lines.resize(kMostListed);
+        lines.back() += fmt::format(", and parts of {} other drive{}", others, others == 1 ? "" : "s");
+    }
+    return paragraph("LEFT OUT", lines);
+}
+
+std::string nextOf(const Diagnosis& d) {
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < std::min(d.next.size(), kMostListed); ++i)
+        lines.push_back(fmt::format("{} would separate {} by {:.0f} nats", d.next[i].scenario,
+                                    separatesInWords(d.next[i]), d.next[i].nats));
+    return paragraph("NEXT", lines);
 }
 
 std::string hiddenOf(const Diagnosis& d) {
-    std::string list;
+    std::vector<std::string> hidden;
     for (const auto& [name, nats] : d.expected_evidence)
-        if (nats < kTestable) list += (list.empty() ? "" : ", ") + name;
-    return list.empty() ? "" : "NOT SEEN  excited too weakly in these drives: " + list + "\n";
+        if (nats < kTestable) hidden.push_back(name);
+    if (hidden.empty()) return {};
+    const std::size_t all = hidden.size();
+    hidden.resize(std::min(all, kMostHidden));
+    return paragraph("NOT SEEN", {fmt::format("{} of {} effects, excited too weakly in these drives: {}{}", all,
+                                              d.expected_evidence.size(), fmt::join(hidden, ", "),
+                                              all > kMostHidden ? ", ..." : "")});
 }
 
 }  // namespace
 
 std::string diagnosisText(const Diagnosis& d) {
-    std::string text = d.answer + "\n";
-    if (d.compared) text += "COMPARED  with the same drives before the car was changed\n";
-    text += "WHERE     ";
-    text += d.where.channels.empty() ? "no single channel exceeds the usual disturbances"
-                                     : fmt::format("{} of the gap; {}; {}", largest(d.where.channels, true),
-                                                   largest(d.where.phases), largest(d.where.bands));
-    text += fmt::format("; force: {}{}\n", largest(d.where.generalised_force), axleOf(d.where));
-    text += whichOf(d) + howFarOf(d);
-    for (std::size_t i = 0; i < d.next.size(); ++i) {
-        text += fmt::format("{}{} would separate {} by {:.0f} nats\n", i == 0 ? "NEXT      " : "          ",
-                            d.next[i].scenario, separatesInWords(d.next[i]), d.next[i].nats);
-    }
-    return text + hiddenOf(d);
+    return d.answer + "\n" + gapOf(d) + whereOf(d.where) + whichOf(d) + movedOf(d) + remainsOf(d) + rivalsOf(d) +
+           leftOutOf(d) + nextOf(d) + hiddenOf(d);
 }
 
 }  // namespace tread::diagnose::answer

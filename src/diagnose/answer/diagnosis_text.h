@@ -1,5 +1,5 @@
-// The answer of a diagnosis as printed: where the gap is, which effects cause it, how far they close it, what to drive
-// next.
+// The answer of a diagnosis as printed: the headline, the parts of the gap, where it is, which effects cause it, what
+// remains, what was left out, and what to drive next.
 #pragma once
 
 #include <string>

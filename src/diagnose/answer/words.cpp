@@ -1,9 +1,10 @@
 #include "diagnose/answer/words.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <set>
 
 #include "log/log_columns.h"
@@ -12,37 +13,102 @@
 namespace tread::diagnose::answer {
 namespace {
 
-// Probability of the least certain cause.
-double probabilityOfCauses(const Diagnosis& d) {
-    double p = 1;
-    for (const RankedEffect& effect : d.effects) {
-        if (std::find(d.causes.begin(), d.causes.end(), effect.name) != d.causes.end())
-            p = std::min(p, effect.probability);
-    }
-    return p;
+constexpr double kUsual = 2;  // sizes of a force in the remainder up to which it is usual
+
+std::string words(std::string_view name) {
+    std::string out(name);
+    std::replace(out.begin(), out.end(), '_', ' ');
+    return out;
+}
+
+// " and " between the last two, commas between the others.
+std::string listed(const std::vector<std::string>& all) {
+    std::string list;
+    for (std::size_t i = 0; i < all.size(); ++i) list += (i == 0 ? "" : i + 1 == all.size() ? " and " : ", ") + all[i];
+    return list;
+}
+
+bool sameSet(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+    return a.size() == b.size() && std::is_permutation(a.begin(), a.end(), b.begin());
 }
 
 }  // namespace
 
-std::string inWords(const Diagnosis& d) {
-    switch (d.verdict) {
-        case Verdict::explained:
-            return fmt::format("The gap is caused by {} ({})", together(d.causes),
-                               probabilityInWords(probabilityOfCauses(d)));
-        case Verdict::ambiguous:
-            return fmt::format("The gap is caused by {} or {}: these drives cannot separate them", together(d.causes),
-                               fmt::join(eachTogether(d.alternatives), " or "));
-        case Verdict::nothing:
-            return "No effect found: the model explains the recordings within its tolerances";
-        case Verdict::unknown:
-            return fmt::format("The cause is unknown: no effect of the catalogue explains the missing force ({}){}{}",
-                               d.unexplained.generalised_force,
-                               d.unexplained.law.follows.empty() ? "" : "; it follows ", d.unexplained.law.follows);
-        case Verdict::partly_explained:
-            return fmt::format("The gap is partly caused by {} ({}); the rest is unexplained", together(d.causes),
-                               probabilityInWords(probabilityOfCauses(d)));
-        case Verdict::not_testable:
-            return "Not testable: these drives excite all effects too weakly";
+std::string effectInWords(std::string_view name) {
+    const std::string_view source = sourceOf(name);
+    if (source.empty()) return words(name);
+    return words(quantityOf(name)) + " (" + words(source) + ")";
+}
+
+std::string capitalised(std::string sentence) {
+    if (!sentence.empty() && sentence[0] >= 'a' && sentence[0] <= 'z')
+        sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
+    return sentence;
+}
+
+std::string roundedPercent(double share) {
+    return fmt::format("{:.0f} %", std::round(100 * share) + 0.0);  // no negative zero
+}
+
+std::string percentInWords(double share) {
+    constexpr double kLeast = 0.005;
+    return share > 0 && share < kLeast ? "less than 1 %" : roundedPercent(share);
+}
+
+std::string shortNumber(double value, int significant_digits) {
+    constexpr double kLong = 1e6;  // up to it, whole numbers read better than powers of ten
+    const std::string text = fmt::format("{:.{}g}", value, significant_digits);
+    const bool power = text.find('e') != std::string::npos && std::abs(value) >= 1 && std::abs(value) < kLong;
+    return power ? fmt::format("{:.0f}", value) : text;
+}
+
+std::string kindOfForceInWords(const std::string& kind) {
+    static const std::map<std::string, std::string> known{
+        {"longitudinal", "longitudinal disturbances"},
+        {"lateral", "lateral disturbances"},
+        {"yaw", "disturbances in yaw"},
+        {"roll", "disturbances in roll"},
+        {"steering", "tremor of the road wheels"},
+        {"longitudinal error", "errors of the longitudinal forces, in proportion to the longitudinal acceleration"},
+        {"lateral error", "errors of the side forces, in proportion to the lateral acceleration"},
+        {"yaw error", "errors of the yaw moment, in proportion to the lateral acceleration"},
+        {"roll error", "errors of the roll moment, in proportion to the lateral acceleration"}};
+    const auto found = known.find(kind);
+    return found == known.end() ? kind : found->second;
+}
+
+std::vector<std::pair<double, std::string>> largeForces(const Unexplained& unexplained) {
+    std::vector<std::pair<double, std::string>> large;
+    for (const auto& [kind, size] : unexplained.sizes)
+        if (size > kUsual) large.push_back({size, kind});
+    std::stable_sort(large.begin(), large.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    return large;
+}
+
+bool isCause(const Diagnosis& d, const std::string& effect) {
+    return std::find(d.causes.begin(), d.causes.end(), effect) != d.causes.end();
+}
+
+std::vector<std::string> causesInOrder(const Diagnosis& d) {
+    std::vector<std::string> causes = d.causes;
+    const auto share = [&](const std::string& name) {
+        for (const CausePart& one : d.training.each)
+            if (one.name == name) return one.first.share;
+        return 0.0;
+    };
+    std::stable_sort(causes.begin(), causes.end(), [&](const auto& a, const auto& b) { return share(a) > share(b); });
+    return causes;
+}
+
+std::string tellingDrive(const Diagnosis& d) {
+    const auto isRival = [&](const std::vector<std::string>& set) {
+        return std::any_of(d.alternatives.begin(), d.alternatives.end(),
+                           [&](const auto& one) { return sameSet(one, set); });
+    };
+    for (const NextDrive& next : d.next) {
+        const bool tells = (sameSet(next.one, d.causes) && isRival(next.other)) ||
+                           (sameSet(next.other, d.causes) && isRival(next.one));
+        if (tells) return next.scenario;
     }
     return {};
 }
@@ -52,7 +118,7 @@ std::string momentInWords(const Moment& moment) {
 }
 
 std::string separatesInWords(const NextDrive& next) {
-    return together(next.one) + " from " + (next.other.empty() ? "none" : together(next.other));
+    return together(next.one) + " from " + (next.other.empty() ? "no effect" : together(next.other));
 }
 
 std::string channelInWords(const std::string& channel) {
@@ -77,13 +143,40 @@ std::string lawInWords(const ForceLaw& law) {
 }
 
 std::string together(const std::vector<std::string>& causes) {
-    return fmt::format("{}", fmt::join(causes, " and "));
+    std::vector<std::string> names;
+    for (const std::string& cause : causes) names.push_back(effectInWords(cause));
+    return listed(names);
 }
 
 std::vector<std::string> eachTogether(const std::vector<std::vector<std::string>>& alternatives) {
     std::vector<std::string> words;
     for (const auto& alternative : alternatives) words.push_back(together(alternative));
     return words;
+}
+
+std::string certainly(const Diagnosis& d, const std::string& cause) {
+    for (const RankedEffect& effect : d.effects)
+        if (effect.name == cause)
+            return fmt::format("{} ({})", effectInWords(cause), probabilityInWords(effect.probability));
+    return effectInWords(cause);
+}
+
+std::vector<RankedEffect> otherEffects(const Diagnosis& d, double least_probability) {
+    const std::vector<std::string> rivals = namesOnlyIn(d.alternatives, d.causes);
+    std::vector<RankedEffect> others;
+    for (const RankedEffect& effect : d.effects) {
+        const bool named =
+            isCause(d, effect.name) || std::find(rivals.begin(), rivals.end(), effect.name) != rivals.end();
+        if (!named && effect.probability >= least_probability) others.push_back(effect);
+    }
+    return others;
+}
+
+std::vector<ConfusablePair> pairsOfCauses(const Diagnosis& d) {
+    std::vector<ConfusablePair> pairs;
+    for (const ConfusablePair& pair : d.confusable)
+        if (isCause(d, pair.a) || isCause(d, pair.b)) pairs.push_back(pair);
+    return pairs;
 }
 
 std::vector<std::string> namesOnlyIn(const std::vector<std::vector<std::string>>& alternatives,

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 
 #include "base/parallel.h"
 #include "base/random.h"
+#include "diagnose/model/gap.h"
 #include "log/resample.h"
 #include "recording/checks/left_out.h"
 
@@ -98,6 +100,20 @@ Log measuredOverlay(const RecordedDrive& drive) {
     return log;
 }
 
+// Squared difference of a model in each channel of a drive, beyond that of a perfect model (D46).
+std::map<std::string, double> gapByChannel(const RecordedDrive& drive, const Eigen::VectorXd& rows,
+                                           const Eigen::VectorXd& floor) {
+    std::map<std::string, double> gap;
+    if (rows.size() == 0) return gap;
+    const Eigen::VectorXd over = (drive.measured - rows).cwiseQuotient(floor);
+    for (const ObservedChannel& channel : drive.channels) {
+        const auto compared = floor.segment(channel.first_row, channel.rows()).array().isFinite().count();
+        const double squares = over.segment(channel.first_row, channel.rows()).squaredNorm();
+        gap[channel.name] = std::max(0.0, squares - static_cast<double>(compared));
+    }
+    return gap;
+}
+
 // Drives every stage of the model and adds its time histories to the overlays.
 Gaps gapsOf(const Judged& judged, const std::array<Deviation, 3>& stages, std::vector<Overlay>& overlays) {
     const std::size_t n = judged.drives.size();
@@ -113,6 +129,9 @@ Gaps gapsOf(const Judged& judged, const std::array<Deviation, 3>& stages, std::v
         here[d].recording = drive.name;
         here[d].hold_out = judged.hold_out;
         here[d].measured = measuredOverlay(drive);
+        const Eigen::VectorXd floor = model::floorOf(judged.uncertainty, d);
+        here[d].rows = logOf(drive, drive.measured);
+        here[d].floor = logOf(drive, floor);
         for (std::size_t stage = 0; stage < stages.size(); ++stage) {
             const recording::Subject subject = judged.replays.subjectAt(stages[stage], drive);
             const std::optional<Log> motion = model::motionAt(judged.replays, drive, subject);
@@ -122,6 +141,8 @@ Gaps gapsOf(const Judged& judged, const std::array<Deviation, 3>& stages, std::v
             const Eigen::VectorXd off = motion ? drive.measured - rows : drive.measured;
             each[stage]->off[d] = model::squaresOf(judged.uncertainty, d, noise.over(off), judged.uncertainty.sizes);
         }
+        here[d].gap = gapByChannel(drive, gaps.nominal.rows[d], floor);
+        here[d].remainder = gapByChannel(drive, gaps.extended.rows[d], floor);
     });
     overlays.insert(overlays.end(), here.begin(), here.end());
     return gaps;
@@ -205,8 +226,13 @@ void closure(answer::HowFar& how_far, const Judged& judged, const Gaps& gaps, co
     how_far.closure_high = std::max(at(kHigh), how_far.closure);
 }
 
-void tellLeftOut(answer::Diagnosis& diagnosis, Drives drives, const std::vector<double>& until) {
-    const std::vector<std::string> sentences = recording::checks::leftOut(drives, until);
+void tellLeftOut(answer::Diagnosis& diagnosis, Drives drives, const Uncertainty& uncertainty) {
+    for (std::size_t d = 0; d < drives.size(); ++d) {
+        const auto rows = static_cast<double>(drives[d].rows());
+        const double left_out = rows - model::comparedRows(uncertainty, d);
+        if (left_out > 0) diagnosis.cuts.push_back({drives[d].name, uncertainty.until[d], left_out / rows});
+    }
+    const std::vector<std::string> sentences = recording::checks::leftOut(drives, uncertainty.until);
     diagnosis.data_warnings.insert(diagnosis.data_warnings.end(), sentences.begin(), sentences.end());
 }
 
@@ -222,11 +248,8 @@ void howFar(answer::Diagnosis& diagnosis, const select::Calibration& car, const 
     for (std::size_t d = 0; d < car.allowed.size(); ++d)
         diagnosis.overlays[d].allowed = logOf(problem.drives[d], car.allowed[d]);
     how_far.training = levels(training);
-    tellLeftOut(diagnosis, problem.drives, car.uncertainty.until);
+    tellLeftOut(diagnosis, problem.drives, car.uncertainty);
     how_far.in_sample = problem.held_out.empty();
-    const double floor = sum(training.floor);
-    const double nominal = sum(training.nominal.off) - floor, left = sum(training.extended.off) - floor;
-    diagnosis.unexplained.share = nominal > 0 ? std::clamp(left / nominal, 0.0, 1.0) : 0;
     if (how_far.in_sample) {
         closure(how_far, learnt, training, stages.answer);
         return;
@@ -236,7 +259,7 @@ void howFar(answer::Diagnosis& diagnosis, const select::Calibration& car, const 
     const Judged unseen{problem.replays, problem.held_out, uncertainty, true};
     const Gaps gaps = gapsOf(unseen, points, diagnosis.overlays);
     how_far.held_out = levels(gaps);
-    tellLeftOut(diagnosis, problem.held_out, uncertainty.until);
+    tellLeftOut(diagnosis, problem.held_out, uncertainty);
     closure(how_far, unseen, gaps, stages.answer);
 }
 

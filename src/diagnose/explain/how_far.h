@@ -14,8 +14,8 @@ struct Stages {
     const select::Fit& answer;
 };
 
-// Fills how_far, unexplained.share and the overlays of a diagnosis, and adds warnings about parts of the drives that
-// are left out.
+// Fills how_far, the cuts and the overlays of a diagnosis, and adds warnings about parts of the drives that are left
+// out.
 void howFar(answer::Diagnosis& diagnosis, const select::Calibration& car, const select::HeldOut& held_out,
             const Stages& stages);
 

@@ -124,12 +124,11 @@ std::optional<CarBefore> carBefore(const model::Subject& nominal, const recordin
     const std::optional<Fit> fit = settledFit(problem, progress, result.gap);
     if (!fit) return std::nullopt;
     for (Eigen::Index i = 0; i < std::ssize(fit->free); ++i) {
-        const model::Parameter& parameter = problem.replays.parameters[fit->free[i]];
-        const double units = fit->at(fit->free[i]), sd = std::sqrt(fit->covariance(i, i));
+        const Eigen::Index p = fit->free[i];
+        const model::Parameter& parameter = problem.replays.parameters[p];
         if (parameter.only) continue;  // not of the car
-        model::move(result.car, parameter, units);
-        const model::Parameter::Move& one = parameter.moves.front();
-        result.moved[one.path] = {one.nominal + units * one.by, sd * std::abs(one.by), units};
+        model::move(result.car, parameter, fit->at(p));
+        result.moved[parameter.path()] = numberOf(*fit, problem.replays, i);
     }
     result.tolerances = tolerancesAfter(nominal, file, result.moved);
     return result;

@@ -174,6 +174,20 @@ bool resize(Fit& fit, const Fitter& fitter) {
 
 }  // namespace
 
+answer::NuisanceEstimate numberOf(const Fit& fit, const Replays& replays, Eigen::Index i) {
+    constexpr double kNear = 1e-6;  // units
+    const Eigen::Index p = fit.free[i];
+    const model::Parameter& parameter = replays.parameters[p];
+    const model::Parameter::Move& move = parameter.moves.front();
+    const double units = fit.at(p), by = std::abs(move.by);
+    return {.value = move.nominal + units * move.by,
+            .sd = std::sqrt(fit.covariance(i, i)) * by,
+            .nominal = move.nominal,
+            .prior_sd = by,
+            .z = units,
+            .at_bound = units < parameter.lowest + kNear || units > parameter.highest - kNear};
+}
+
 inference::QuadraticModel quadraticAt(const Fit& fit, const Uncertainty& uncertainty) {
     std::vector<inference::Metric> metric;
     for (std::size_t d = 0; d < fit.products.size(); ++d)

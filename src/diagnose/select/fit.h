@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "diagnose/answer/diagnosis.h"
 #include "diagnose/model/linearisation.h"
 #include "inference/laplace.h"
 
@@ -39,6 +40,9 @@ struct Fit {
 
     Eigen::Index nuisances() const { return std::ssize(free) - std::ssize(knobs); }
 };
+
+// The i-th free parameter of a fit, as the number that it moves first.
+answer::NuisanceEstimate numberOf(const Fit& fit, const Replays& replays, Eigen::Index i);
 
 // Quadratic model of the log posterior about the point of a fit.
 inference::QuadraticModel quadraticAt(const Fit& fit, const Uncertainty& uncertainty);

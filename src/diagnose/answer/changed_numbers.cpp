@@ -1,0 +1,115 @@
+#include "diagnose/answer/changed_numbers.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string_view>
+
+#include "diagnose/answer/parts.h"
+#include "diagnose/answer/words.h"
+#include "recording/subject_paths.h"
+
+namespace tread::diagnose::answer {
+namespace {
+
+constexpr double kNoteworthy = 1;  // change of a number, in standard deviations of its tolerance
+
+// Without " in " and the name of a recording.
+std::string pathOf(const std::string& name) {
+    return name.substr(0, name.find(' '));
+}
+
+// The description of a number, without the equation of the tyre model in brackets at its end.
+std::string meaningOf(const std::string& path) {
+    const ReferenceRow* row = recording::subjectNumber(path);
+    if (!row) return path;
+    std::string meaning = row->meaning;
+    const std::size_t open = meaning.rfind(" (");
+    if (open == std::string::npos || meaning.back() != ')') return meaning;
+    const bool number = std::isdigit(static_cast<unsigned char>(meaning[open + 2])) != 0;
+    return number ? meaning.substr(0, open) : meaning;
+}
+
+// "front", "rear left", or the name of an instrument; empty for a number that the car has once.
+std::string placeOf(const std::string& path) {
+    constexpr std::string_view kInstruments = "instruments.";
+    const std::size_t dot = path.find('.');
+    if (path.starts_with(kInstruments)) {
+        std::string instrument = path.substr(kInstruments.size());
+        instrument.resize(std::min(instrument.rfind('.'), instrument.size()));
+        for (const std::string_view list : {"further.", "mountings."})
+            if (instrument.starts_with(list)) instrument.erase(0, list.size());
+        return channelInWords(instrument) == instrument ? effectInWords(instrument) : channelInWords(instrument);
+    }
+    const std::string axle = path.substr(0, dot);
+    if (dot == std::string::npos || (axle != "front" && axle != "rear")) return {};
+    for (const std::string side : {"left", "right"})
+        if (path.starts_with(axle + "." + side + ".")) return axle + " " + side;
+    return axle;
+}
+
+bool alike(const Estimate& a, const Estimate& b) {
+    return a.value == b.value && a.sd == b.sd && a.neutral == b.neutral;
+}
+
+}  // namespace
+
+std::string unitOf(const std::string& path) {
+    const ReferenceRow* row = recording::subjectNumber(pathOf(path));
+    return row ? row->unit : "-";
+}
+
+bool atItsEnd(const Estimate& estimate) {
+    return estimate.at_bound && estimate.value != estimate.neutral;
+}
+
+std::vector<ChangedNumber> changedNumbers(const RankedEffect& effect) {
+    std::vector<ChangedNumber> numbers;
+    for (const auto& [path, estimate] : effect.parameters) {
+        const auto same = std::find_if(numbers.begin(), numbers.end(), [&](const ChangedNumber& one) {
+            return alike(one.estimate, estimate) && meaningOf(one.paths.front()) == meaningOf(path);
+        });
+        if (same != numbers.end()) same->paths.push_back(path);
+        else numbers.push_back({{path}, estimate});
+    }
+    return numbers;
+}
+
+std::vector<const RankedEffect*> namedEffects(const Diagnosis& diagnosis) {
+    std::vector<const RankedEffect*> named;
+    for (const std::string& cause : causesInOrder(diagnosis)) {
+        for (const RankedEffect& effect : diagnosis.effects)
+            if (effect.name == cause) named.push_back(&effect);
+    }
+    return named;
+}
+
+std::string numberInWords(const std::vector<std::string>& paths) {
+    std::vector<std::string> places;
+    for (const std::string& path : paths)
+        if (const std::string place = placeOf(pathOf(path)); !place.empty()) places.push_back(place);
+    const std::string& first = paths.front();
+    const std::string of = first.substr(pathOf(first).size());
+    return meaningOf(pathOf(first)) + (places.empty() ? "" : fmt::format(", {}", fmt::join(places, " and "))) + of;
+}
+
+std::string changeInPercent(double value, double nominal) {
+    if (nominal == 0) return {};
+    const double change = 100 * (value - nominal) / std::abs(nominal);
+    return std::abs(change) < 9.5 ? fmt::format("{:+.2g} %", change) : fmt::format("{:+.0f} %", change);
+}
+
+std::vector<MovedNumber> movedNumbers(const std::map<std::string, NuisanceEstimate>& numbers) {
+    std::vector<MovedNumber> moved;
+    for (const auto& [name, number] : numbers)
+        if (std::abs(number.z) >= kNoteworthy || (number.at_bound && number.z != 0)) moved.push_back({name, number});
+    std::stable_sort(moved.begin(), moved.end(), [](const MovedNumber& a, const MovedNumber& b) {
+        return std::abs(a.estimate.z) > std::abs(b.estimate.z);
+    });
+    return moved;
+}
+
+}  // namespace tread::diagnose::answer

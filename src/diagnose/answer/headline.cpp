@@ -1,0 +1,116 @@
+#include "diagnose/answer/headline.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/answer/parts.h"
+#include "diagnose/answer/words.h"
+
+namespace tread::diagnose::answer {
+namespace {
+
+constexpr double kFar = 3;       // standard deviations of its tolerance beyond which a number is doubtful: 1 in 400
+constexpr double kMostly = 0.5;  // share of what tolerances and noise leave, above which a cause is the main one
+
+bool isDecomposed(const Decomposition& gap) {
+    return gap.gap > 0;
+}
+
+// "grip (p = 0.97), with mass (p = 0.8) and drag (p = 0.7)"
+std::string ranked(const Diagnosis& d, const std::vector<std::string>& causes) {
+    std::vector<std::string> others;
+    for (std::size_t i = 1; i < causes.size(); ++i) others.push_back(certainly(d, causes[i]));
+    return certainly(d, causes.front()) + (others.empty() ? "" : fmt::format(", with {}", fmt::join(others, " and ")));
+}
+
+// "grip or mass: these drives cannot tell them apart; straight_braking_100 would"
+std::string rivals(const Diagnosis& d, const std::vector<std::string>& causes) {
+    const std::string drive = tellingDrive(d);
+    return fmt::format("{} or {}: these drives cannot tell them apart{}", together(causes),
+                       fmt::join(eachTogether(d.alternatives), " or "), drive.empty() ? "" : "; " + drive + " would");
+}
+
+// Share of the leading cause, or of the family of rivals, in what tolerances and noise leave.
+double leadingShare(const Diagnosis& d) {
+    const Decomposition& gap = d.training;
+    if (gap.each.empty()) return 0;
+    return shareOfTheRest(gap, d.alternatives.empty() ? inOrder(gap).front().first.share : gap.causes.share);
+}
+
+// "12 % of the gap remains unexplained (15 % in the drives held out)"
+std::string remainder(const Diagnosis& d) {
+    if (!isDecomposed(d.training)) return {};
+    const double share = d.training.remainder.share, held_out = d.held_out.remainder.share;
+    std::string text = (share > 0 ? percentInWords(share) + " of the gap" : "nothing") + " remains unexplained";
+    if (isDecomposed(d.held_out) && (share > 0 || held_out > 0))
+        text += fmt::format(" ({} in the drives held out)", percentInWords(held_out));
+    return text;
+}
+
+// "explains 20 % of the gap"
+std::string effectOf(const Part& causes) {
+    return causes.share < 0 ? "makes the gap " + percentInWords(-causes.share) + " larger"
+                            : "explains " + percentInWords(causes.share) + " of the gap";
+}
+
+std::string ofCauses(const Diagnosis& d) {
+    const std::vector<std::string> causes = causesInOrder(d);
+    std::string text = d.alternatives.empty() ? ranked(d, causes) : rivals(d, causes);
+    const bool mostly = leadingShare(d) > kMostly;
+    text = mostly ? "Mostly " + text : capitalised(text);
+    if (!mostly && isDecomposed(d.training))
+        text += (d.alternatives.empty() ? " " : "; it ") + effectOf(d.training.causes);
+    const std::string rest = remainder(d);
+    return text + (rest.empty() ? "" : "; " + rest);
+}
+
+std::string ofUnknown(const Diagnosis& d) {
+    const std::string rest = remainder(d);
+    std::string text = "Mostly unknown" + (rest.empty() ? "" : ": " + rest);
+    if (d.causes.empty()) text += "; no effect of the catalogue explains it";
+    else text += fmt::format("; {} {}", ranked(d, causesInOrder(d)), effectOf(d.training.causes));
+    if (!d.unexplained.generalised_force.empty())
+        text += fmt::format("; missing force: {}", d.unexplained.generalised_force);
+    const std::string& law = d.unexplained.law.follows;
+    return text + (law.empty() ? "" : ", it follows " + law);
+}
+
+// Tolerances that explain a gap only because they are too narrow are no explanation.
+std::string doubtOfTolerances(const Diagnosis& d) {
+    const auto far = std::count_if(d.nuisance.begin(), d.nuisance.end(),
+                                   [](const auto& one) { return std::abs(one.second.z) > kFar; });
+    if (far == 0) return {};
+    return fmt::format("; but {} number{} moved by more than {:.0f} standard deviations of {}", far,
+                       far == 1 ? "" : "s", kFar, far == 1 ? "its tolerance" : "their tolerances");
+}
+
+std::string ofNothing(const Diagnosis& d) {
+    const Decomposition& gap = d.training;
+    if (!isDecomposed(gap)) return "Nothing found: the model explains the recordings within its tolerances";
+    return fmt::format("Nothing found: tolerances explain {} of the gap, {} is noise, {}{}",
+                       percentInWords(std::max(0.0, gap.tolerances.share)), percentInWords(gap.noise.share),
+                       remainder(d), doubtOfTolerances(d));
+}
+
+}  // namespace
+
+std::string headline(const Diagnosis& d) {
+    switch (d.verdict) {
+        case Verdict::explained:
+        case Verdict::ambiguous:
+        case Verdict::partly_explained:
+            return ofCauses(d);
+        case Verdict::nothing:
+            return ofNothing(d);
+        case Verdict::unknown:
+            return ofUnknown(d);
+        case Verdict::not_testable:
+            return "Not testable: these drives excite all effects too weakly";
+    }
+    return {};
+}
+
+}  // namespace tread::diagnose::answer
