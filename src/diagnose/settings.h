@@ -1,37 +1,5 @@
 // The numbers that decide a verdict: what each stands on, and what follows from it. The equations are those of
 // README.md beside this file.
-//
-// What half and double of each change: the number of verdicts or named causes, and the largest change of a
-// probability; `sure` at 0.8 and 0.95.
-//   setting              cases  half      double
-//   block                    3  0, 0.06   0, 0.31
-//   slide_angle              3  0, 0      0, 0
-//   correlation_time         3  1, 0.83   1, 0.87
-//   longitudinal             3  0, 0.04   0, 0.03
-//   lateral                  3  1, 0.98   0, 0.05
-//   yaw                      3  0, 0.01   0, 0.01
-//   roll                     3  0, 0.03   0, 0.10
-//   steering                 3  0, 0.05   0, 0.00
-//   size_spread              3  0, 0.22   0, 0.00
-//   largest_size             3  1, 0.99   0, 0.12
-//   signature_error         12  0, 0.01   0, 0.22
-//   reference_inflation      3  1, 0.99   0, 0.05
-//   between_days             3  0, 0.04   0, 0.22
-//   structure               12  0, 0.00   0, 0.01
-//   structure_share         12  1, 0.62   0, 0.29
-//   further_share           12  0, 0.00   0, 0.01
-//   none                    12  0, 0.00   0, 0.00
-//   unknown_cause           12  0, 0.06   0, 0.10
-//   rarer                   12  0, 0.14   0, 0.16
-//   look_alike              12  0, 0.01   0, 0.01
-//   three_look_alike        12  0, 0.06   0, 0.09
-//   varied                  12  0, 0.05   0, 0.04
-//   effect                   3  0, 0.00   0, 0.00
-//   clear                   12  0, 0.00   0, 0.00
-//   sure                    12  0, 0      0, 0
-// Measured on development cases of four drives each: four of `tread blind make --world assumed`, five of its own world
-// (seeds 901, 903) and three of the second generator with references (seed 902). Settings that enter the fits were
-// varied on three of them: one effect in either world, and one with references.
 #pragma once
 
 #include <algorithm>
@@ -88,8 +56,7 @@ struct Settings {
     double rarer = 1.0 / 3;
     // ---- Thresholds
 
-    // In development cases without a cause, the best effect never gained 3 nats. By chance, one effect gains 5 nats
-    // with a probability of 2e-4, the best of 75 with at most 0.013.
+    // By chance, one effect gains 5 nats with a probability of 2e-4, the best of 84 with at most 0.015.
     double effect = 5;
     // Odds of 400 to 1.
     double clear = 6;
