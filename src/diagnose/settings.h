@@ -56,7 +56,7 @@ struct Settings {
     double rarer = 1.0 / 3;
     // ---- Thresholds
 
-    // By chance, one effect gains 5 nats with a probability of 2e-4, the best of 84 with at most 0.015.
+    // By chance, one effect gains 5 nats with a probability of 2e-4, the best of 89 with at most 0.02.
     double effect = 5;
     // Odds of 400 to 1.
     double clear = 6;
