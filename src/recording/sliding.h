@@ -14,8 +14,8 @@ inline constexpr double kSlideAngle = 0.08;
 inline constexpr double kSlideWindow = 1.5;  // s
 
 // Time, s, at which car and model start to slide apart; infinity if they do not. `model`: rows of a model in the drive.
-// The change of the sideslip angle follows from lateral acceleration, yaw rate and speed; infinity when one of them is
-// missing or has gaps (D6).
+// The change of the sideslip angle follows from lateral velocity and speed, or else from lateral acceleration, yaw rate
+// and speed; infinity when one of them is missing or has gaps (D6).
 double slideApart(const RecordedDrive& drive, const Eigen::VectorXd& model);
 
 }  // namespace tread::recording

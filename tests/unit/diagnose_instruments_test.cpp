@@ -160,6 +160,17 @@ TEST(FurtherInstrument, CatalogueHasRowsForThoseThatTheLogsHold) {
     EXPECT_EQ(diagnose::catalogue::effectsToConsider(file).size(), 1u);
 }
 
+TEST(FurtherInstrument, MotionFromPositionsHasNoScaleToBeWrong) {
+    recording::DiagnosisFile file;
+    file.instruments.further = {{"chassis.yaw_rate@position", {}}, {"chassis.vx@position", {}}};
+    std::vector<std::string> names;
+    for (const Effect& effect : diagnose::catalogue::furtherInstrumentEffects(file.instruments))
+        names.push_back(effect.name);
+    const auto has = [&](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+    EXPECT_TRUE(has("yaw_rate_delay@position") && has("speed_delay@position"));
+    EXPECT_FALSE(has("gyro_scale@position") || has("gyro_bias@position") || has("speed_scale@position"));
+}
+
 TEST(FurtherInstrument, RowsBeginWhereTheDelayedReadingShowsTheDrive) {
     Log log = motion();
     for (const char* name : {"chassis.yaw_rate@can", "chassis.yaw_rate@other"})

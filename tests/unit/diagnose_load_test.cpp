@@ -164,13 +164,10 @@ TEST(DiagnosisFile, DrivesBeforeTheChangeHaveNoReferenceAndAreNotHeldOut) {
                                                                 "  - {log: none.csv}\n");
     const auto faults = faultsOf([&] { loadDiagnosis(file); });
     ASSERT_EQ(faults.size(), 3u);
-    EXPECT_NE(faults[0].find(":4:29: before.0.reference: found a reference of a drive of the car before the change"),
-              std::string::npos)
-        << faults[0];
-    EXPECT_NE(faults[1].find(":5:28: before.1.hold_out: found true for a drive of the car before the change"),
-              std::string::npos)
-        << faults[1];
-    EXPECT_NE(faults[2].find(":6:11: before.2.log: found"), std::string::npos) << faults[2];
+    const char* const expected[] = {
+        ":4:29: before.0.reference: found a reference of a drive of the car before the change",
+        ":5:28: before.1.hold_out: found true for a drive of the car before the change", ":6:11: before.2.log: found"};
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NE(faults[i].find(expected[i]), std::string::npos) << faults[i];
 }
 
 TEST(DiagnosisFile, EffectsAreChosenByPatternsAndUnknownOnesRefused) {

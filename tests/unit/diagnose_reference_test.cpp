@@ -136,12 +136,12 @@ TEST(Reference, AnotherDriveIsRefused) {
     EXPECT_THROW(diagnosed(made), std::invalid_argument);
 }
 
-// Slaloms of a car whose ratio became another, and other slaloms of it before. The nominal car has neither ratio.
-simple_car::Case changed(double from, double to) {
+// Slaloms of a car whose drag became another, and other slaloms of it before. The nominal car has another ratio.
+simple_car::Case changed(double drag_area) {
     VehicleParams car = simple_car::Case{}.nominal.vehicle;
-    car.steering.ratio = from;
+    car.steering.ratio = 15.5;
     const simple_car::Case before = simple_car::recorded(car, {simple_car::slalom(12), simple_car::slalom(18)}, 4);
-    car.steering.ratio = to;
+    car.aero.drag_area = drag_area;
     simple_car::Case made =
         simple_car::recorded(car, {simple_car::slalom(15), simple_car::slalom(20), simple_car::slalom(25)}, 3);
     made.file.before = before.file.recordings;
@@ -150,22 +150,22 @@ simple_car::Case changed(double from, double to) {
 }
 
 TEST(DrivesBefore, WhatTheNominalCarLackedAlreadyIsNoCause) {
-    simple_car::Case same = changed(14.5, 14.5);
+    simple_car::Case same = changed(simple_car::Case{}.nominal.vehicle.aero.drag_area);
     const Diagnosis d = diagnosed(same);
     EXPECT_EQ(d.verdict, Verdict::nothing) << d.answer;
-    EXPECT_NEAR(d.before.moved.at("steering.ratio").value, 14.5, 0.1);
+    EXPECT_NEAR(d.before.moved.at("steering.ratio").value, 15.5, 0.1);
+    EXPECT_LT(d.how_far.training.nominal, 1.5) << "about the car before";
     EXPECT_FALSE(d.compared) << "nothing is subtracted";
     same.file.before.clear();
     same.recorded.before.clear();
-    EXPECT_EQ(diagnosed(same).causes, std::vector<std::string>{"ratio"});
+    EXPECT_GT(diagnosed(same).how_far.training.nominal, 3);
 }
 
-TEST(DrivesBefore, WhatChangedIsNamedAsAChangeOfTheCarBefore) {
-    const Diagnosis d = diagnosed(changed(14.5, 13.5));
-    ASSERT_EQ(d.causes, std::vector<std::string>{"ratio"}) << d.answer;
-    const Estimate ratio = d.effects.front().parameters.at("steering.ratio");
-    EXPECT_NEAR(ratio.value, 13.5, 3 * ratio.sd);
-    EXPECT_NEAR(ratio.neutral, 14.5, 0.1);
+TEST(DrivesBefore, WhatChangedIsNamed) {
+    const Diagnosis d = diagnosed(changed(1.2));
+    ASSERT_EQ(d.causes, std::vector<std::string>{"drag"}) << d.answer;
+    const Estimate drag = d.effects.front().parameters.at("aero.drag_area");
+    EXPECT_NEAR(drag.value, 1.2, 3 * drag.sd);
 }
 
 TEST(DrivesBefore, JoinTheReferences) {

@@ -140,6 +140,25 @@ TEST(Sliding, IsSeenWhereTheSpeedIsFollowed) {
     EXPECT_EQ(slideApart(drive, drive.measured), kInfinity);
 }
 
+// The same drives with their lateral velocity measured too.
+RecordedDrive withLateralVelocity(RecordedDrive drive, double slip_rate) {
+    const std::vector<double> times = drive.channels.front().times;
+    const auto rows = static_cast<Eigen::Index>(times.size());
+    drive.channels.push_back({.name = "chassis.vy", .measured = {}, .first_row = 3 * rows, .times = times});
+    drive.measured.conservativeResize(4 * rows);
+    for (Eigen::Index i = 0; i < rows; ++i)
+        drive.measured(3 * rows + i) = drive.measured(i) * slip_rate * std::max(0.0, times[i] - 5);
+    return drive;
+}
+
+TEST(Sliding, LateralVelocityShowsItWhereItIsMeasured) {
+    const RecordedDrive model = withLateralVelocity(turning(0), 0);
+    EXPECT_NEAR(slideApart(withLateralVelocity(turning(0), 0.2), model.measured), 5 + 0.4 - 1.5, 0.1);
+    RecordedDrive skewed = model;
+    skewed.measured.segment(200, 200).array() *= 1.3;  // 1.8 m/s2 too much, 0.09 rad/s
+    EXPECT_EQ(slideApart(skewed, model.measured), kInfinity) << "a wrong accelerometer is no slide";
+}
+
 TEST(Sliding, ACarAtRestDoesNotSlide) {
     RecordedDrive rest = turning(0, 0);
     rest.measured.setZero();

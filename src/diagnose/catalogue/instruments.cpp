@@ -1,11 +1,14 @@
 // Effects of the instruments that recorded the car. They change the readings, or the recorded inputs, but not the car.
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <string_view>
 
 #include "base/numbers.h"
 #include "diagnose/catalogue/catalogue.h"
 #include "recording/further_instruments.h"
+#include "recording/position.h"
 
 namespace tread::diagnose::catalogue {
 namespace {
@@ -13,11 +16,24 @@ namespace {
 // Numbers of the further instruments of one source by the paths of the same numbers of the first instruments.
 using NumbersOfSource = std::multimap<std::string, std::string>;
 
+// True for numbers that cannot be wrong by as much as those of other instruments: a heading grows by a whole turn in a
+// whole turn and does not drift, and GPS and motion capture measure lengths to a thousandth.
+bool isCertain(std::string_view path) {
+    constexpr std::array<std::string_view, 4> kCertain{"chassis.yaw_rate@position.gain",
+                                                       "chassis.yaw_rate@position.bias", "chassis.vx@position.gain",
+                                                       "chassis.vy@position.gain"};
+    static_assert(recording::kPositionSource == "position");
+    return std::any_of(kCertain.begin(), kCertain.end(), [&](std::string_view one) {
+        return path.starts_with("instruments.further.") && path.ends_with(one);
+    });
+}
+
 std::map<std::string, NumbersOfSource> bySource(recording::Instruments instruments) {
     std::map<std::string, NumbersOfSource> sources;
     for (const Number& number : numbers(instruments, "instruments")) {
         const std::string source(recording::sourceOfPath(number.path));
-        if (!source.empty()) sources[source].emplace(recording::pathInFirst(number.path), number.path);
+        if (!source.empty() && !isCertain(number.path))
+            sources[source].emplace(recording::pathInFirst(number.path), number.path);
     }
     return sources;
 }
