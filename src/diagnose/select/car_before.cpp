@@ -62,7 +62,7 @@ model::Differences everything(const model::Subject& nominal, const recording::Di
 }
 
 // Tolerances of the file, and in their place for each fitted number: what the fit leaves open, and what changes from
-// day to day.
+// day to day (D45a).
 std::vector<recording::KnownWithin> tolerancesAfter(const model::Subject& nominal, const recording::DiagnosisFile& file,
                                                     const std::map<std::string, answer::NuisanceEstimate>& moved) {
     std::map<std::string, double> between_days;  // standard deviations
