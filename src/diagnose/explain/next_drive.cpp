@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "diagnose/explain/open_question.h"
 #include "diagnose/settings.h"
+#include "log/log_columns.h"
 
 namespace tread::diagnose::explain {
 namespace {
@@ -22,13 +23,22 @@ using select::Fit;
 constexpr int kMostSimulations = 150;  // simulations after which no further manoeuvre is studied in detail
 constexpr double kLoggedRate = 100;    // Hz, sampling rate of imagined recordings
 
+// Gives a log of the model the channels of further instruments; a rehearsal needs only their times.
+void addChannels(Log& log, const std::vector<ObservedChannel>& channels) {
+    for (const ObservedChannel& channel : channels) {
+        const Channel* quantity = log.find(quantityOf(channel.name));
+        if (quantity && !log.find(channel.name))
+            log.channels.push_back({channel.name, quantity->unit, std::vector<double>(quantity->values)});
+    }
+}
+
 // Log of a manoeuvre driven by the nominal car as its scenario says; without channels when it cannot be driven.
 Log imagined(const recording::Replayer& replayer, const Scenario& told, const std::vector<ObservedChannel>& channels) {
     Scenario scenario = told;
     scenario.log.rate = kLoggedRate;
     scenario.log.channels = {"driver.*", "driveline.gear", "chassis.vx", "chassis.yaw_rate"};
     scenario.log.sensors = {};
-    for (const ObservedChannel& channel : channels) scenario.log.channels.push_back(channel.name);
+    for (const ObservedChannel& channel : channels) scenario.log.channels.emplace_back(quantityOf(channel.name));
     Log log;
     try {
         replayer.simulate(replayer.nominal.vehicle, scenario, recorderInto(log), {});
@@ -37,6 +47,7 @@ Log imagined(const recording::Replayer& replayer, const Scenario& told, const st
     } catch (const SimulationError&) {
         log.channels.clear();
     }
+    addChannels(log, channels);
     return log;
 }
 
