@@ -24,7 +24,9 @@ using diagnose::answer::Shares;
 using diagnose::answer::ToldPart;
 using diagnose::answer::Unexplained;
 
+// Empty where there is none: a single drive does not tell how much drives differ.
 std::string intervalOf(const Part& part) {
+    if (part.low == part.high) return {};
     return fmt::format("{} to {}", roundedPercent(part.low), roundedPercent(part.high));
 }
 
@@ -74,8 +76,9 @@ void addTable(HtmlPage& page, const Decomposition& gap) {
 }
 
 void addGap(HtmlPage& page, const char* drives, const Decomposition& gap) {
-    PartedBar bar{.title = fmt::format("{}: the gap is {:.1f} times that of a perfect model", drives, gap.gap),
-                  .pieces = {}};
+    PartedBar bar{
+        .title = fmt::format("{}: the gap is {} times that of a perfect model", drives, formatNumber(gap.gap, 3)),
+        .pieces = {}};
     const std::vector<ToldPart> parts = toldParts(gap);
     for (std::size_t i = 0; i < parts.size(); ++i)
         bar.pieces.push_back(

@@ -169,10 +169,10 @@ TEST(Parts, ThatMakeTheGapLargerAreDrawnAsNothingAndSaid) {
     EXPECT_NEAR(sumOf(parts, &ToldPart::drawn), 1, 1e-12);
     EXPECT_EQ(parts[0].drawn, 0);
     EXPECT_NEAR(parts[4].drawn, 0.7 / 1.3, 1e-12);
-    EXPECT_EQ(
-        enlargingInWords(gap),
-        (std::vector<std::string>{"Fitting the tolerances makes the gap larger, by 20 % of that of the nominal car.",
-                                  "Roll stiffness makes the gap larger, by 10 % of that of the nominal car."}));
+    EXPECT_EQ(enlargingInWords(gap),
+              (std::vector<std::string>{
+                  "Fitting the tolerances alone makes the gap larger, by 20 % of that of the nominal car.",
+                  "Roll stiffness makes the gap larger, by 10 % of that of the nominal car."}));
 }
 
 TEST(Parts, WithoutACauseAreTolerancesRemainderAndNoise) {
@@ -189,15 +189,17 @@ TEST(Numbers, OfBothAxlesThatChangeAlikeAreOne) {
         softer{90000, 6000, 80000, 99000, 141800, false};
     const RankedEffect both{"a", 1, 1, {{"front.tyre.parameters.cFy", stiffer}, {"rear.tyre.parameters.cFy", stiffer}}};
     ASSERT_EQ(changedNumbers(both).size(), 1u);
-    EXPECT_EQ(numberInWords(changedNumbers(both).front().paths), "lateral carcass stiffness, front and rear");
+    EXPECT_EQ(numberInWords(changedNumbers(both).front().paths), "front, rear: lateral carcass stiffness");
     const RankedEffect each{"a", 1, 1, {{"front.tyre.parameters.cFy", stiffer}, {"rear.tyre.parameters.cFy", softer}}};
     EXPECT_EQ(changedNumbers(each).size(), 2u);
 }
 
 TEST(Numbers, AreSaidInTheWordsOfTheirDescription) {
-    EXPECT_EQ(numberInWords({"front.tyre.lambda.Ky"}), "scales the cornering stiffness, front");
-    EXPECT_EQ(numberInWords({"rear.left.grip"}), "factor on the friction of the tyre of this wheel, rear left");
-    EXPECT_EQ(numberInWords({"instruments.yaw_rate.gain"}), "reading divided by the true value, yaw rate");
+    EXPECT_EQ(numberInWords({"front.tyre.lambda.Ky"}), "front: scales the cornering stiffness");
+    EXPECT_EQ(numberInWords({"rear.left.grip"}), "rear left: factor on the friction of the tyre of this wheel");
+    EXPECT_EQ(numberInWords({"instruments.yaw_rate.gain"}), "yaw rate: reading divided by the true value");
+    EXPECT_EQ(numberInWords({"instruments.ay.gain"}), "lateral acceleration: reading divided by the true value");
+    EXPECT_EQ(numberInWords({"instruments.latency"}).find(": "), std::string::npos);
     EXPECT_TRUE(numberInWords({"wind.x in oval"}).ends_with(" in oval"));
     EXPECT_EQ(effectInWords("yaw_rate_delay@can"), "yaw rate delay (can)");
     EXPECT_EQ(kindOfForceInWords("lateral error"),

@@ -33,17 +33,23 @@ std::string meaningOf(const std::string& path) {
     return number ? meaning.substr(0, open) : meaning;
 }
 
+// "yaw rate", "inertial unit"; empty for a number that concerns all instruments.
+std::string instrumentOf(const std::string& path) {
+    constexpr std::string_view kInstruments = "instruments.";
+    const std::size_t first = kInstruments.size(), last = path.rfind('.');
+    if (last <= first) return {};
+    std::string instrument = path.substr(first, last - first);
+    for (const std::string_view list : {"further.", "mountings."})
+        if (instrument.starts_with(list)) instrument.erase(0, list.size());
+    for (const std::string& channel : {instrument, "chassis." + instrument})
+        if (const std::string words = channelInWords(channel); words != channel) return words;
+    return effectInWords(instrument);
+}
+
 // "front", "rear left", or the name of an instrument; empty for a number that the car has once.
 std::string placeOf(const std::string& path) {
-    constexpr std::string_view kInstruments = "instruments.";
+    if (path.starts_with("instruments.")) return instrumentOf(path);
     const std::size_t dot = path.find('.');
-    if (path.starts_with(kInstruments)) {
-        std::string instrument = path.substr(kInstruments.size());
-        instrument.resize(std::min(instrument.rfind('.'), instrument.size()));
-        for (const std::string_view list : {"further.", "mountings."})
-            if (instrument.starts_with(list)) instrument.erase(0, list.size());
-        return channelInWords(instrument) == instrument ? effectInWords(instrument) : channelInWords(instrument);
-    }
     const std::string axle = path.substr(0, dot);
     if (dot == std::string::npos || (axle != "front" && axle != "rear")) return {};
     for (const std::string side : {"left", "right"})
@@ -93,7 +99,7 @@ std::string numberInWords(const std::vector<std::string>& paths) {
         if (const std::string place = placeOf(pathOf(path)); !place.empty()) places.push_back(place);
     const std::string& first = paths.front();
     const std::string of = first.substr(pathOf(first).size());
-    return meaningOf(pathOf(first)) + (places.empty() ? "" : fmt::format(", {}", fmt::join(places, " and "))) + of;
+    return (places.empty() ? "" : fmt::format("{}: ", fmt::join(places, ", "))) + meaningOf(pathOf(first)) + of;
 }
 
 std::string changeInPercent(double value, double nominal) {

@@ -22,7 +22,7 @@ std::vector<ChangedNumber> changedNumbers(const RankedEffect& effect);
 // The effects that are causes, in the order of their shares.
 std::vector<const RankedEffect*> namedEffects(const Diagnosis& diagnosis);
 
-// "lateral carcass stiffness, front and rear": what the numbers mean, and where they are. A path may be followed by
+// "front, rear: lateral carcass stiffness": where the numbers are, and what they mean. A path may be followed by
 // " in " and the name of a recording.
 std::string numberInWords(const std::vector<std::string>& paths);
 

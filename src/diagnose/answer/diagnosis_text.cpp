@@ -65,11 +65,11 @@ std::string gapOf(const Diagnosis& d) {
     const Decomposition& gap = d.training;
     if (!(gap.gap > 0)) return {};
     std::vector<std::string> lines{fmt::format(
-        "{:.1f} times that of a perfect model{}: {}", gap.gap,
+        "{} times that of a perfect model{}: {}", shortNumber(gap.gap, 3),
         d.compared ? ", beside that of the same drives before the car was changed" : "", partsInWords(gap))};
     if (d.held_out.gap > 0)
-        lines.push_back(
-            fmt::format("in the drives held out, {:.1f} times: {}", d.held_out.gap, partsInWords(d.held_out)));
+        lines.push_back(fmt::format("in the drives held out, {} times: {}", shortNumber(d.held_out.gap, 3),
+                                    partsInWords(d.held_out)));
     else lines.emplace_back("no drive is held out: judged in-sample, in the fitted drives, which is too optimistic");
     return paragraph("GAP", lines);
 }
@@ -81,7 +81,7 @@ std::string whereOf(const WhereItLies& where) {
     return paragraph("WHERE", {fmt::format("{}; force: {}{}", gap, largest(where.generalised_force), axleOf(where))});
 }
 
-// "front share of the brake torque 0.5 -> 0.341 +- 0.004 (-32 %)"
+// "front, rear: lateral carcass stiffness 141800 -> 105000 +- 6000 N/m (-26 %)"
 std::string changeInWords(const ChangedNumber& number) {
     const Estimate& e = number.estimate;
     const std::string unit = unitOf(number.paths.front()), percent = changeInPercent(e.value, e.neutral);
