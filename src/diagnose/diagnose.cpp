@@ -54,9 +54,11 @@ Diagnosis diagnosisOf(const recording::Subject& nominal, const recording::Diagno
     // The drives, and the calibrated car: the nominal car with its nuisance parameters fitted to the recordings.
     recording::DiagnosisFile after = file;
     if (before && !file.before.empty()) after.tolerances = before->tolerances;
-    const model::Problem problem = model::problemOf(before ? before->car : nominal, after, recorded, effects, options);
-    const select::Calibration car =
+    const model::Problem problem = model::problemOf(before ? before->car : nominal, after, recorded, effects, options,
+                                                    before ? before->left_open : std::vector<recording::KnownWithin>{});
+    select::Calibration car =
         select::calibrate(problem, model::nominalCar(problem, partOf(progress, 0.3, 0.4)), partOf(progress, 0.4, 0.6));
+    if (before) car.structure_error = before->structure_error;
 
     // Which effects explain the gap.
     const select::Screen screened = select::screen(car);
@@ -76,7 +78,7 @@ Diagnosis diagnosisOf(const recording::Subject& nominal, const recording::Diagno
     tellUnexplained(diagnosis, missing, judgement);
     diagnosis.where = explain::whereItLies(car, missing);
     explain::decompose(diagnosis, car, found, judgement, held_out);
-    explain::howFar(diagnosis, car, held_out, {found.none().fit.at, judgement.answer});
+    explain::howFar(diagnosis, car, held_out, {car.closest, judgement.answer});
     diagnosis.next = explain::nextDrives(diagnosis, car, found, options.possible_next);
     diagnosis.answer = answer::headline(diagnosis);
     progress(1, "done");

@@ -25,13 +25,21 @@ struct Settings {
     // That of roll is what a good road does (ISO 8608, class A): below 2 Hz its left and right tracks differ by 3 mm at
     // 25 m/s, a tilt of 2 mrad, which moves a car of 60 kN m/rad by 120 N m.
     double longitudinal = 0.02, lateral = 0.04, yaw = 0.1, roll = 0.6, steering = 0.0003;
-    // In development cases without an unknown cause, fits left errors of 0.6 to 1 % of the forces (four of the own world,
-    // three of another simulator with references). They last as long as a manoeuvre. Too large hides effects that act
-    // in proportion to the acceleration.
+    // In development cases without an unknown cause, fits left errors of 0.6 to 1 % of the forces (four of the own
+    // world, three of another simulator with references). They last as long as a manoeuvre. Too large hides effects
+    // that act in proportion to the acceleration.
     double force_error = 0.005, error_correlation = 5;
+    // Drift of good instruments within seconds: bias instability of micromechanical sensors (10 deg/h, 0.3 mg),
+    // satellite speed. That of the roll angle is the slow part of a good road's tilt, half of the 2 mrad below. Too
+    // large hides effects that last, too small blames the car for drifts.
+    double rate_drift = 5e-5, acceleration_drift = 0.003, angle_drift = 1e-3, speed_drift = 0.005,
+           drift_correlation = 2;
     // Two thirds of all drives have sizes within a factor of 2.7, one in twenty beyond 7. Narrower lets the model's
     // errors count as evidence for effects.
     double size_spread = 1;
+    // Guess: instruments are better known than roads, wind and forces; data sheets tell their drift within a factor
+    // of 1.6.
+    double reading_spread = 0.5;
     // Choice: the same, for a remainder that is not called unknown. Wider tells of fewer unknown causes.
     double ordinary_spread = 0.5;
 
@@ -58,6 +66,10 @@ struct Settings {
 
     // By chance, one effect gains 5 nats with a probability of 2e-4, the best of 89 with at most 0.02.
     double effect = 5;
+    // Choice of the user's risk: one false alarm in fifty.
+    double false_alarm = 0.02;
+    // Choice: a remainder that is smaller everywhere needs no cause, however surely it is there.
+    double material = 0.2;
     // Odds of 400 to 1.
     double clear = 6;
     // Choice of the user's risk.
@@ -81,8 +93,14 @@ struct Settings {
         field(TREAD_FIELD(steering), About{"rad", "usual tremor of the road wheels: guess"});
         field(TREAD_FIELD(force_error), About{"-", "usual error of the model's forces, as a share of them: guess"});
         field(TREAD_FIELD(error_correlation), About{"s", "time in which such an error falls to 1/e: guess"});
+        field(TREAD_FIELD(rate_drift), About{"rad/s", "usual drift of a rate sensor within seconds"});
+        field(TREAD_FIELD(acceleration_drift), About{"m/s2", "the same of an accelerometer"});
+        field(TREAD_FIELD(angle_drift), About{"rad", "the same of roll and sideslip angle"});
+        field(TREAD_FIELD(speed_drift), About{"m/s", "the same of speeds, at the tyre for wheel speeds"});
+        field(TREAD_FIELD(drift_correlation), About{"s", "time in which such a drift falls to 1/e: guess"});
         field(TREAD_FIELD(size_spread),
               About{"-", "prior standard deviation of the logarithm of a size of the remainder"});
+        field(TREAD_FIELD(reading_spread), About{"-", "share of this spread for the drift of instruments: guess"});
         field(TREAD_FIELD(ordinary_spread),
               About{"-", "the same for disturbances and model errors of an ordinary drive"});
         field(TREAD_FIELD(signature_error),
@@ -98,6 +116,12 @@ struct Settings {
         field(TREAD_FIELD(unknown_cause), About{"-", "prior probability of a cause of no catalogue"});
         field(TREAD_FIELD(rarer), About{"-", "prior probability of one cause more, over that of one less"});
         field(TREAD_FIELD(effect), About{"nat", "that each effect must gain"});
+        field(TREAD_FIELD(false_alarm),
+              About{"-", "probability of the set without it, above which an effect is not named"});
+        field(TREAD_FIELD(material),
+              About{"-",
+                    "excess of the squared gap over that of a perfect model, in a channel or a drive, from which "
+                    "a remainder is told"});
         field(TREAD_FIELD(clear),
               About{"nat",
                     "that an unknown cause must gain over the best model, that tell two effects apart, and from "

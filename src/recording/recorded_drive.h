@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,6 +33,8 @@ struct InputGap {
     double from = 0, to = 0;  // s
 };
 
+struct Reference;
+
 struct RecordedDrive {
     std::string name;
     const Recording* recording = nullptr;
@@ -39,11 +42,12 @@ struct RecordedDrive {
     Log inputs;                // of the driver, with the noise removed
     std::vector<double> time;  // s, of the samples
     std::vector<ObservedChannel> channels;
-    Eigen::VectorXd measured;            // all rows
-    double speed = 0;                    // m/s, measured speed at the start
-    std::optional<InputGap> gap = {};    // the first one
-    double until = kInfinity;            // s; later rows carry no information about the car
-    double until_reference = kInfinity;  // s; the same for its reference. `until` is not later.
+    Eigen::VectorXd measured;                         // all rows
+    double speed = 0;                                 // m/s, measured speed at the start
+    std::optional<InputGap> gap = {};                 // the first one
+    double until = kInfinity;                         // s; later rows carry no information about the car
+    double until_reference = kInfinity;               // s; the same for its reference. `until` is not later.
+    std::shared_ptr<const Reference> reference = {};  // whose gap is subtracted from `measured`; null without one
     int runs = 1;  // number of runs whose noise and disturbances the rows contain: 2 when a reference is subtracted
 
     Eigen::Index rows() const { return measured.size(); }

@@ -59,7 +59,8 @@ void expectSameDrive(const RecordedDrive& drive, const RecordedDrive& reference)
 }
 
 // Subtracts from the drive's rows the gap of the nominal car in its reference (D45).
-void lessReference(RecordedDrive& drive, const RecordedDrive& reference, const Replayer& replayer) {
+void lessReference(RecordedDrive& drive, const std::shared_ptr<Reference>& of_drive, const Replayer& replayer) {
+    const RecordedDrive& reference = of_drive->drive;
     expectSameDrive(drive, reference);
     Eigen::VectorXd model;
     try {
@@ -74,17 +75,9 @@ void lessReference(RecordedDrive& drive, const RecordedDrive& reference, const R
     drive.until_reference = std::min(reference.until, slideApart(reference, model));
     if (reference.until < drive.until) drive.gap = reference.gap;
     drive.until = std::min(drive.until, drive.until_reference);
-    const Eigen::VectorXd lacks = reference.measured - model;
-    for (const ObservedChannel& channel : drive.channels) {
-        const auto known = std::find_if(reference.channels.begin(), reference.channels.end(),
-                                        [&](const ObservedChannel& one) { return one.name == channel.name; });
-        const std::span<const double> of_channel(lacks.data() + known->first_row, known->times.size());
-        std::vector<double> times = channel.times;
-        for (double& t : times) t = std::clamp(t, known->times.front(), known->times.back());
-        const std::vector<double> then = resample(known->times, of_channel, times);
-        drive.measured.segment(channel.first_row, channel.rows()) -=
-            Eigen::Map<const Eigen::VectorXd>(then.data(), channel.rows());
-    }
+    drive.measured -= atRowsOf(drive, reference, reference.measured - model);
+    of_drive->nominal = std::move(model);
+    drive.reference = of_drive;
     drive.runs += reference.runs;
 }
 
@@ -121,6 +114,21 @@ bool beforeTheChange(DiagnosisFile& file, Recorded& recorded) {
     return true;
 }
 
+Eigen::VectorXd atRowsOf(const RecordedDrive& drive, const RecordedDrive& reference, const Eigen::VectorXd& rows) {
+    Eigen::VectorXd result(drive.rows());
+    for (const ObservedChannel& channel : drive.channels) {
+        const auto known = std::find_if(reference.channels.begin(), reference.channels.end(),
+                                        [&](const ObservedChannel& one) { return one.name == channel.name; });
+        const std::span<const double> of_channel(rows.data() + known->first_row, known->times.size());
+        std::vector<double> times = channel.times;
+        for (double& t : times) t = std::clamp(t, known->times.front(), known->times.back());
+        const std::vector<double> then = resample(known->times, of_channel, times);
+        result.segment(channel.first_row, channel.rows()) =
+            Eigen::Map<const Eigen::VectorXd>(then.data(), channel.rows());
+    }
+    return result;
+}
+
 Log withChannelsOf(const Log& log, const Log& reference) {
     Log common = log;
     std::erase_if(common.channels, [&](const Channel& channel) {
@@ -131,20 +139,21 @@ Log withChannelsOf(const Log& log, const Log& reference) {
 
 std::vector<RecordedDrive> recordedDrives(const DiagnosisFile& file, const Recorded& recorded, bool held_out,
                                           const Replayer& replayer, int threads) {
-    std::vector<RecordedDrive> drives, references;
-    std::vector<Recording> before;
-    before.reserve(file.recordings.size());  // drives point to their recordings, which must not move
+    std::vector<RecordedDrive> drives;
+    std::vector<std::shared_ptr<Reference>> references;
     for (std::size_t i = 0; i < file.recordings.size(); ++i) {
         const Recording& recording = file.recordings[i];
         if (recording.hold_out != held_out) continue;
         const bool compared = !recording.reference.empty();
         drives.push_back(recordedDrive(
             recording, compared ? withChannelsOf(recorded.logs[i], recorded.references[i]) : recorded.logs[i], file));
-        before.push_back(referenceOf(recording));
-        references.push_back(compared ? recordedDrive(before.back(), recorded.references[i], file) : RecordedDrive{});
+        references.push_back(nullptr);
+        if (!compared) continue;
+        references.back() = std::make_shared<Reference>(Reference{referenceOf(recording), {}, {}});
+        references.back()->drive = recordedDrive(references.back()->recording, recorded.references[i], file);
     }
     inParallel(drives.size(), threads, [&](std::size_t i) {
-        if (references[i].rows() > 0) lessReference(drives[i], references[i], replayer);
+        if (references[i] && references[i]->drive.rows() > 0) lessReference(drives[i], references[i], replayer);
     });
     return drives;
 }

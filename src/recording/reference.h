@@ -14,6 +14,16 @@ Recording referenceOf(const Recording& recording);
 // `before`. Returns false and changes nothing when there are none.
 bool beforeTheChange(DiagnosisFile& file, Recorded& recorded);
 
+// The same drive of the car before it was changed.
+struct Reference {
+    Recording recording;
+    RecordedDrive drive;
+    Eigen::VectorXd nominal;  // rows of the nominal car in it
+};
+
+// Rows of a reference at the times of the drive's rows.
+Eigen::VectorXd atRowsOf(const RecordedDrive& drive, const RecordedDrive& reference, const Eigen::VectorXd& rows);
+
 // The log without those measured channels that the reference lacks.
 Log withChannelsOf(const Log& log, const Log& reference);
 

@@ -88,6 +88,22 @@ inline Eigen::VectorXd weighted(const recording::RecordedDrive& drive, const dia
             0.25 * scaled(std::max<Eigen::Index>(i - 1, 0)) + 0.5 * scaled(i) + 0.25 * scaled(std::min(i + 1, last));
     return smooth;
 }
+// Covariance of the weighted rows of a drive by drift of the gyro, of the usual size: values 1 s apart, on a line
+// between them, correlated over 2 s.
+inline Eigen::MatrixXd drift(const recording::RecordedDrive& drive, const diagnose::model::RowNoise& noise) {
+    const std::vector<double>& times = drive.channels.front().times;
+    const auto knots = static_cast<Eigen::Index>(std::ceil(drive.time.back())) + 1;
+    Eigen::MatrixXd correlation(knots, knots), between(std::ssize(times), knots);
+    for (Eigen::Index i = 0; i < knots; ++i) {
+        for (Eigen::Index j = 0; j < knots; ++j)
+            correlation(i, j) = std::exp(-0.5 * static_cast<double>(std::abs(i - j)));
+        Eigen::VectorXd tent(std::ssize(times));
+        for (Eigen::Index row = 0; row < tent.size(); ++row)
+            tent(row) = std::max(0.0, 1 - std::abs(times[row] - static_cast<double>(i)));
+        between.col(i) = weighted(drive, noise, 5e-5 * tent);
+    }
+    return between * correlation * between.transpose();
+}
 inline Eigen::VectorXd rowsOf(const recording::RecordedDrive& drive, Wave wave) {
     std::vector<double> values;
     for (const double t : drive.time) values.push_back(wave(t));

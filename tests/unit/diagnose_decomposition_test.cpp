@@ -124,8 +124,8 @@ double sumOf(const Decomposition& parts) {
 TEST(Decomposition, PartsAreDifferencesOfSquaresAndSumToOne) {
     const Driven driven;
     const Decomposition parts = driven.decomposed().training;
-    const double nominal = driven.leftInAll(driven.problem.replays.origin()), none = driven.leftInAll(kCalibrated),
-                 answer = driven.leftInAll(kAnswer), rows = driven.rows();
+    const double nominal = driven.leftInAll(driven.problem.replays.origin()),
+                 none = driven.leftInAll(driven.car.closest), answer = driven.leftInAll(kAnswer), rows = driven.rows();
     ASSERT_GT(answer, rows) << "the answer is not the truth";
     EXPECT_NEAR(parts.gap, nominal / rows, 1e-9);
     EXPECT_NEAR(parts.tolerances.share, (nominal - none) / nominal, 1e-9);
@@ -149,11 +149,24 @@ TEST(Decomposition, OfTheTruthLeavesNoiseOnly) {
 }
 
 // What both explain counts for the one that comes first.
+// The drag is 40 % too large, which is 6.9 standard deviations; its tolerance ends at the root of three.
+TEST(Decomposition, TolerancesExplainNoMoreThanTheyAllow) {
+    VehicleParams truth = linear_car::nominal();
+    truth.aero.drag_area *= 1.4;
+    simple_car::Case made = linear_car::recorded(truth, 3);
+    made.file.tolerances = {{.path = "*"}, {.path = "aero.drag_area", .relative = 0.1}};
+    const Problem problem = diagnose::model::problemOf(
+        made.nominal, made.file, made.recorded, {simple_car::effect("ratio", "steering.ratio")}, linear_car::options());
+    const Calibration car = diagnose::select::calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
+    EXPECT_NEAR(car.closest(kDrag), std::sqrt(3.0), 1e-12);
+    EXPECT_GT(car.fit.at(kDrag), 3) << "the likeliest car goes beyond";
+}
+
 TEST(Decomposition, OverlappingCausesExplainMoreFirstThanLast) {
     const Driven driven;
     const Decomposition parts = driven.decomposed().training;
-    const double nominal = driven.leftInAll(driven.problem.replays.origin()), none = driven.leftInAll(kCalibrated),
-                 answer = driven.leftInAll(kAnswer);
+    const double nominal = driven.leftInAll(driven.problem.replays.origin()),
+                 none = driven.leftInAll(driven.car.closest), answer = driven.leftInAll(kAnswer);
     ASSERT_EQ(parts.each.size(), 2u);
     EXPECT_EQ(parts.each[0].name, "ratio");
     EXPECT_EQ(parts.each[1].name, "length");
@@ -175,8 +188,8 @@ TEST(Decomposition, FitsWhatTheSearchHasNot) {
                                     ->at);
     };
     const Decomposition parts = driven.decomposed().training;
-    const double nominal = driven.leftInAll(driven.problem.replays.origin()), none = driven.leftInAll(kCalibrated),
-                 answer = driven.leftInAll(kAnswer);
+    const double nominal = driven.leftInAll(driven.problem.replays.origin()),
+                 none = driven.leftInAll(driven.car.closest), answer = driven.leftInAll(kAnswer);
     EXPECT_NEAR(parts.each[0].first.share, (none - leftBy({kRatio})) / nominal, 1e-5);
     EXPECT_NEAR(parts.each[0].last.share, (leftBy({kLength}) - answer) / nominal, 1e-5);
 }
@@ -191,7 +204,7 @@ TEST(Decomposition, OfASingleCauseIsTheSameFirstAndLast) {
 
 TEST(Decomposition, OfNoCauseIsToleranceRemainderAndNoise) {
     const Driven driven;
-    const Decomposition parts = driven.decomposed(driven.found.candidates.back(), kCalibrated).training;
+    const Decomposition parts = driven.decomposed(driven.found.candidates.back(), driven.car.closest).training;
     EXPECT_EQ(parts.causes.share, 0);
     EXPECT_TRUE(parts.each.empty());
     EXPECT_NEAR(sumOf(parts), 1, 1e-12);
@@ -207,7 +220,7 @@ TEST(Decomposition, HasIntervalsBetweenItsDrives) {
     const Decomposition parts = driven.decomposed().training;
     // Drives are drawn with replacement: one of them twice in half of the samples.
     const auto share = [&](std::size_t d) {
-        return (driven.left(d, kCalibrated) - driven.left(d, kAnswer)) /
+        return (driven.left(d, driven.car.closest) - driven.left(d, kAnswer)) /
                driven.left(d, driven.problem.replays.origin());
     };
     EXPECT_NEAR(parts.causes.low, std::min(share(0), share(1)), 1e-9);
@@ -227,8 +240,8 @@ TEST(Decomposition, OfDrivesHeldOutIsThatOfTheSamePointsInThem) {
     const auto left = [&](const Deviation& point) {
         return driven.left(driven.problem.held_out.front(), driven.held_out.uncertainty.noise.front().deviation, point);
     };
-    const double nominal = left(driven.problem.replays.origin()), none = left(kCalibrated), answer = left(kAnswer),
-                 ratio = left(kRatioAlone);
+    const double nominal = left(driven.problem.replays.origin()), none = left(driven.car.closest),
+                 answer = left(kAnswer), ratio = left(kRatioAlone);
     const Decomposition& parts = diagnosis.held_out;
     EXPECT_NEAR(parts.tolerances.share, (nominal - none) / nominal, 1e-9);
     EXPECT_NEAR(parts.causes.share, (none - answer) / nominal, 1e-9);

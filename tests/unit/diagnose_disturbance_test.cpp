@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "diagnose/model/problem.h"
 #include "inference/ornstein_uhlenbeck.h"
@@ -153,7 +154,58 @@ TEST(ErrorsOfForces, DoWhatAForceInProportionToTheAccelerationDoes) {
         }
         first += count;
     }
-    EXPECT_EQ(first, told.columns.cols());
+    EXPECT_EQ(told.kinds[first], Disturbed::speed_reading) << "errors of the readings come next";
+}
+
+// A drift of one channel: a line between values 1 s apart, which correlate over 2 s, and nothing in the other channels.
+TEST(ErrorsOfReadings, ChangeTheReadingsOfOneChannelAlone) {
+    const Swing swing;
+    const RecordedDrive& drive = swing.problem.drives.front();
+    const Disturbances told = disturbances(swing.problem.replays, drive, swing.made.nominal);
+    const std::map<std::string, std::pair<Disturbed, double>> expected{
+        {"chassis.vx", {Disturbed::speed_reading, 0.005}},
+        {"chassis.yaw_rate", {Disturbed::rate_reading, 5e-5}},
+        {"chassis.roll", {Disturbed::angle_reading, 1e-3}},
+        {"chassis.ax", {Disturbed::acceleration_reading, 0.003}},
+        {"chassis.ay", {Disturbed::acceleration_reading, 0.003}}};
+    const auto values = static_cast<Index>(std::ceil(drive.duration())) + 1;
+    Index first = told.columns.cols() - values * std::ssize(drive.channels);
+    for (const recording::ObservedChannel& channel : drive.channels) {
+        const auto& [kind, size] = expected.at(channel.name);
+        const MatrixXd all = told.columns.middleCols(first, values);
+        for (Index a = 0; a < values; ++a) {
+            EXPECT_EQ(told.kinds[first + a], kind) << channel.name;
+            EXPECT_EQ(told.times[first + a], static_cast<double>(a));
+        }
+        const auto between = [&](Index row, Index value) {
+            return std::max(0.0, 1 - std::abs(channel.times[row] - static_cast<double>(value)));
+        };
+        for (Index i = 0; i < channel.rows(); i += 7) {
+            for (Index j = 0; j < channel.rows(); j += 5) {
+                double correlated = 0;
+                for (Index a = 0; a < values; ++a)
+                    for (Index b = 0; b < values; ++b)
+                        correlated +=
+                            between(i, a) * between(j, b) * std::exp(-0.5 * static_cast<double>(std::abs(a - b)));
+                const double found = all.row(channel.first_row + i).dot(all.row(channel.first_row + j));
+                EXPECT_NEAR(found, size * size * correlated, 1e-9 * size * size) << channel.name;
+            }
+        }
+        EXPECT_EQ(all.topRows(channel.first_row).cwiseAbs().sum(), 0) << channel.name;
+        EXPECT_EQ(all.bottomRows(drive.rows() - channel.first_row - channel.rows()).cwiseAbs().sum(), 0);
+        first += values;
+    }
+}
+
+TEST(ErrorsOfReadings, AreOfTheInstrumentThatReadsTheChannel) {
+    using diagnose::model::readingErrorOf;
+    EXPECT_EQ(readingErrorOf("chassis.yaw_rate@can"), Disturbed::rate_reading);
+    EXPECT_EQ(readingErrorOf("chassis.roll_rate"), Disturbed::rate_reading);
+    EXPECT_EQ(readingErrorOf("chassis.sideslip"), Disturbed::angle_reading);
+    EXPECT_EQ(readingErrorOf("chassis.vy@position"), Disturbed::speed_reading);
+    EXPECT_EQ(readingErrorOf("wheel.rear_left.spin"), Disturbed::wheel_speed_reading);
+    const VehicleParams car = Swing().made.nominal.vehicle;
+    EXPECT_NEAR(usualSize(Disturbed::wheel_speed_reading, car) * car.front.tyre.parameters.Re, 0.005, 1e-12);
 }
 
 // Their usual size is the share of the force, so that it does not depend on that of the disturbances.

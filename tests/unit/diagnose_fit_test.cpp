@@ -37,6 +37,8 @@ const diagnose::Progress kQuiet = [](double, const std::string&) {};
 
 constexpr double kStartSpeed = 0.1;  // m/s, of what is not known of the speed at the start
 
+constexpr double kOfDrift = 0.5;  // prior standard deviation of the logarithm of a drift's size
+
 // Nats: a fit, also that of no effect, ends where a step promises less.
 constexpr double kLastStep = 0.05;
 
@@ -51,15 +53,16 @@ Problem problemOfTwo(const simple_car::Case& made, Direction of_drag = Direction
 }
 
 // All rows of the drives over their noise: what is measured beyond the nominal car, its sensitivities in units of the
-// priors, and the covariance of noise and of the speed at the start.
+// priors, and the covariance of noise, of the speed at the start and of the gyro's drift.
 struct Dense {
     VectorXd residual;
-    MatrixXd columns, covariance;
+    MatrixXd columns, covariance, drift;
 
     Dense(const Calibration& car, const VehicleParams& nominal) {
         Index rows = 0;
         for (const auto& drive : car.drives()) rows += drive.rows();
         residual.resize(rows), columns.resize(rows, 3);
+        drift = MatrixXd::Zero(rows, rows);
         MatrixXd starts = MatrixXd::Zero(rows, std::ssize(car.drives()));
         Index first = 0;
         for (std::size_t d = 0; d < car.drives().size(); ++d) {
@@ -75,10 +78,20 @@ struct Dense {
             put(columns.col(kRatio), 0.1 * nominal.steering.ratio, linear_car::ofRatio);
             put(columns.col(kDrag), 0.1 * nominal.aero.drag_area, linear_car::ofDrag);
             put(starts.col(d), kStartSpeed * nominal.steering.play, linear_car::ofSpeed);
+            drift.block(first, first, drive.rows(), drive.rows()) = linear_car::drift(drive, car.uncertainty.noise[d]);
             first += drive.rows();
         }
         covariance = MatrixXd::Identity(rows, rows) + starts * starts.transpose();
     }
+
+    // The same with the drift that a fit found.
+    Dense drifting(const Fit& fit) const {
+        Dense with = *this;
+        const double size = fit.sizes[placeOf(Disturbed::rate_reading)];
+        with.covariance += size * size * drift;
+        return with;
+    }
+    static double ofPrior(double size, double spread = 1) { return -0.5 * std::pow(std::log(size) / spread, 2); }
 
     MatrixXd posterior(const std::vector<Index>& free) const {
         const MatrixXd some = columns(Eigen::all, free);
@@ -109,12 +122,19 @@ void expectSame(const VectorXd& found, const VectorXd& expected, double within) 
     EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), within) << found.transpose() << "; " << expected.transpose();
 }
 
+// As near to the best point as a fit goes once the drift has its last size.
+void expectNear(const VectorXd& found, const VectorXd& best, const MatrixXd& posterior) {
+    ASSERT_EQ(found.size(), best.size());
+    const VectorXd off = found - best;
+    EXPECT_LT(0.5 * off.dot(posterior.llt().solve(off)), kLastStep) << found.transpose() << "; " << best.transpose();
+}
+
 TEST(Fit, OfALinearCarIsRidgeRegressionInTheFullCovariance) {
     const simple_car::Case made = someCase(0.96, 1.06);
     const Problem problem = problemOfTwo(made);
     const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
     ASSERT_EQ(car.about.nuisances, std::vector<Index>{kWheelbase});
-    const Dense dense(car, made.nominal.vehicle);
+    const Dense steady(car, made.nominal.vehicle);
     for (const std::vector<Index>& knobs : {std::vector<Index>{}, {kRatio}, {kDrag}, {kRatio, kDrag}}) {
         const std::optional<Fit> fit =
             fitted(problem.replays, problem.drives, car.uncertainty, car.about, knobs, problem.replays.origin());
@@ -122,9 +142,11 @@ TEST(Fit, OfALinearCarIsRidgeRegressionInTheFullCovariance) {
         EXPECT_TRUE(fit->converged);
         const std::vector<Index> free = diagnose::model::joined({kWheelbase}, knobs);
         EXPECT_EQ(fit->free, free);
-        expectSame(fit->at(free), dense.best(free), 1e-6);
+        const Dense dense = steady.drifting(*fit);
+        expectNear(fit->at(free), dense.best(free), dense.posterior(free));
         expectSame(fit->covariance.reshaped(), dense.posterior(free).reshaped(), 1e-8);
-        EXPECT_NEAR(fit->log_evidence, dense.logEvidence(free), 1e-6);
+        const double size = fit->sizes[placeOf(Disturbed::rate_reading)];
+        EXPECT_NEAR(fit->log_evidence, dense.logEvidence(free) + Dense::ofPrior(size, kOfDrift), kLastStep);
     }
 }
 
@@ -132,13 +154,14 @@ TEST(Fit, KnobThatMayOnlyGrowStaysAtItsLimitWhenLessIsTrue) {
     const simple_car::Case made = someCase(0.95, 0.93);
     const Problem problem = problemOfTwo(made, Direction::up);
     const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
-    const Dense dense(car, made.nominal.vehicle);
-    ASSERT_LT(dense.best({kWheelbase, kRatio, kDrag})(2), -0.5);
     const std::optional<Fit> fit =
         fitted(problem.replays, problem.drives, car.uncertainty, car.about, {kRatio, kDrag}, problem.replays.origin());
     ASSERT_TRUE(fit);
+    const Dense dense = Dense(car, made.nominal.vehicle).drifting(*fit);
+    ASSERT_LT(dense.best({kWheelbase, kRatio, kDrag})(2), -0.5);
     EXPECT_EQ(fit->at(kDrag), 0);
-    expectSame(fit->at(std::vector<Index>{kWheelbase, kRatio}), dense.best({kWheelbase, kRatio}), 1e-6);
+    const std::vector<Index> others{kWheelbase, kRatio};
+    expectNear(fit->at(others), dense.best(others), dense.posterior(others));
 }
 
 // With a standard deviation of 20 typical sizes in place of one, and the nuisance as before.
@@ -146,26 +169,32 @@ TEST(Fit, WithoutThePriorOfSizesIsMaximumLikelihoodButForALeastPrior) {
     const simple_car::Case made = someCase(0.8, 1.25);
     const Problem problem = problemOfTwo(made);
     const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
-    const Dense dense(car, made.nominal.vehicle);
+    const Dense steady(car, made.nominal.vehicle);
     const std::vector<Index> free{kWheelbase, kRatio, kDrag};
-    const MatrixXd weight = dense.covariance.inverse();
-    const MatrixXd information = dense.columns.transpose() * weight * dense.columns;
-    const VectorXd gradient = dense.columns.transpose() * weight * dense.residual;
-    const auto best = [&](double of_knobs) -> MatrixXd {
+    struct Best {
+        MatrixXd covariance;
+        VectorXd point;
+    };
+    const auto best = [&](const Fit& fit, double of_knobs) {
+        const Dense dense = steady.drifting(fit);
+        const MatrixXd weighted = dense.columns.transpose() * dense.covariance.inverse();
         const VectorXd prior{{1, of_knobs, of_knobs}};
-        return MatrixXd(information + MatrixXd(prior.asDiagonal())).inverse();
+        const MatrixXd covariance = MatrixXd(weighted * dense.columns + MatrixXd(prior.asDiagonal())).inverse();
+        return Best{covariance, covariance * weighted * dense.residual};
     };
     const std::optional<Fit> ranked = fitted(problem.replays, problem.drives, car.uncertainty, car.about,
                                              {kRatio, kDrag}, problem.replays.origin()),
                              released = fitted(problem.replays, problem.drives, car.uncertainty, car.about,
                                                {kRatio, kDrag}, problem.replays.origin(), SizePrior::none);
     ASSERT_TRUE(ranked && released);
-    expectSame(ranked->at(free), best(1) * gradient, 1e-6);
-    expectSame(released->at(free), best(1 / 400.0) * gradient, 1e-6);
-    expectSame(released->covariance.reshaped(), best(1 / 400.0).reshaped(), 1e-8);
-    const VectorXd likeliest = best(0) * gradient;
+    const Best as_ranked = best(*ranked, 1), as_released = best(*released, 1 / 400.0);
+    expectNear(ranked->at(free), as_ranked.point, as_ranked.covariance);
+    expectNear(released->at(free), as_released.point, as_released.covariance);
+    expectSame(released->covariance.reshaped(), as_released.covariance.reshaped(), 1e-8);
+    const VectorXd likeliest = best(*released, 0).point;
+    const VectorXd pulled = best(*released, 1).point;
     for (const Index knob : {kRatio, kDrag})
-        EXPECT_LT(std::abs(released->at(knob) - likeliest(knob)), 0.01 * std::abs(ranked->at(knob) - likeliest(knob)));
+        EXPECT_LT(std::abs(as_released.point(knob) - likeliest(knob)), 0.01 * std::abs(pulled(knob) - likeliest(knob)));
 }
 
 // Covariance of all rows by disturbances of one kind, of the usual size.
@@ -195,19 +224,25 @@ TEST(Fit, HasTheSizesOfTheLargestEvidenceAndTheirPriorInIt) {
     const MatrixXd pushed = covarianceBy(Disturbed::roll, car, plain.residual.size());
     for (const std::vector<Index>& knobs : {std::vector<Index>{}, {kRatio, kDrag}}) {
         const std::vector<Index> free = diagnose::model::joined({kWheelbase}, knobs);
-        const auto merit = [&](double size) {
+        const auto merit = [&](double size, double drift) {
             Dense dense = plain;
-            dense.covariance += size * size * pushed;
-            return dense.logEvidence(free) - 0.5 * std::log(size) * std::log(size);
+            dense.covariance += size * size * pushed + drift * drift * plain.drift;
+            return dense.logEvidence(free) + Dense::ofPrior(size) + Dense::ofPrior(drift, kOfDrift);
         };
         const std::optional<Fit> fit =
             fitted(problem.replays, problem.drives, car.uncertainty, car.about, knobs, problem.replays.origin());
         ASSERT_TRUE(fit);
-        const double size = fit->sizes[placeOf(Disturbed::roll)];
-        EXPECT_NEAR(fit->log_evidence, merit(size), kLastStep);
-        double most = -kInfinity;
-        for (double log_size = -3.5; log_size < 5; log_size += 0.05) most = std::max(most, merit(std::exp(log_size)));
-        EXPECT_LT(most - fit->log_evidence, kLastStep) << size;
+        const double size = fit->sizes[placeOf(Disturbed::roll)], drift = fit->sizes[placeOf(Disturbed::rate_reading)];
+        EXPECT_NEAR(fit->log_evidence, merit(size, drift), kLastStep);
+        double most = -kInfinity, at_roll = 0, at_drift = 0;
+        for (double log_size = -3.5; log_size < 5; log_size += 0.05) {
+            if (merit(std::exp(log_size), drift) > most)
+                most = merit(std::exp(log_size), drift), at_roll = std::exp(log_size);
+            if (merit(size, std::exp(log_size)) > most)
+                most = merit(size, std::exp(log_size)), at_drift = std::exp(log_size);
+        }
+        EXPECT_LT(most - fit->log_evidence, kLastStep)
+            << size << ", " << drift << " most " << at_roll << ", " << at_drift;
         for (const Disturbed kind :
              {Disturbed::longitudinal, Disturbed::lateral, Disturbed::steering, Disturbed::roll_error})
             EXPECT_EQ(fit->sizes[placeOf(kind)], 1) << nameOf(kind) << " changes nothing in the rows";

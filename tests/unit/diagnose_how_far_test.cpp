@@ -50,7 +50,11 @@ struct Driven {
         const VehicleParams& nominal = made.nominal.vehicle;
         const VectorXd rows = linear_car::nominalRows(drive, nominal) +
                               0.1 * at * nominal.steering.ratio * linear_car::rowsOf(drive, linear_car::ofRatio);
-        return over(d, drive.measured - rows).squaredNorm();
+        const VectorXd off = over(d, drive.measured - rows);
+        const double size = car.uncertainty.sizes[placeOf(diagnose::model::Disturbed::rate_reading)];
+        const Eigen::MatrixXd covariance = Eigen::MatrixXd::Identity(off.size(), off.size()) +
+                                           size * size * linear_car::drift(drive, car.uncertainty.noise[d]);
+        return off.dot(covariance.llt().solve(off));
     }
     // Squares by which that car differs from the nominal one.
     double differs(std::size_t d, double at) const {

@@ -120,7 +120,11 @@ TEST(SizesOfTheRemainder, HavePriorsThatAreNormalInTheirLogarithms) {
     EXPECT_NEAR(logPrior(sizes, kWidePrior), -0.5 * (up + down), 1e-12);
     EXPECT_NEAR(logPrior(sizes, kLargePrior), -0.5 * up, 1e-12) << "sizes below the usual ones are free";
     EXPECT_NEAR(logPrior(sizes, kOrdinaryPrior), -0.5 * up / 0.25, 1e-12);
-    EXPECT_NEAR(changeOf(sizes, {3, 1, 1, 1, 1, 1, 0.1, 1, 1}), std::log(2), 1e-12);
+    sizes[placeOf(Disturbed::rate_reading)] = 3;
+    EXPECT_NEAR(logPrior(sizes, kLargePrior), -0.5 * (up + up / 0.25), 1e-12) << "instruments are better known";
+    Sizes other = sizes;
+    other[6] = 0.1;
+    EXPECT_NEAR(changeOf(sizes, other), std::log(2), 1e-12);
 }
 
 constexpr Index kRows = 300;

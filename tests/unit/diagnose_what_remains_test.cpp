@@ -71,7 +71,7 @@ Remains remainsOf(const std::vector<LinearDrive>& drives) {
     const Problem problem = linear_drives::problemOf(drives);
     const Calibration car = linear_drives::calibrationOf(problem, drives);
     const Candidate model{.effects = {0}, .fit = linear_drives::resizedFitOf(car, {0}), .fitted = true};
-    return whatRemains(car, model);
+    return whatRemains(car, model, model.fit.rows);
 }
 
 // The search for the sizes ends when their logarithms move by less than 0.05; the density is flat at its maximum.
@@ -83,8 +83,9 @@ TEST(WhatRemains, IsBeyondOrdinaryByTheEvidenceOfLargerSizes) {
         const Remains found = remainsOf(drives);
         const double expected = beyondOrdinary(drives);
         EXPECT_NEAR(found.beyond_ordinary, expected, kNearMaximum) << first << ", " << second;
-        EXPECT_NEAR(found.probability(), 1 / (1 + 9 * std::exp(-found.beyond_ordinary)), 1e-12);
-        EXPECT_EQ(found.seen(), found.beyond_ordinary > 6);
+        const double nats = std::max(found.material() ? found.beyond_ordinary : 0, found.strain);
+        EXPECT_NEAR(found.probability(), 1 / (1 + 9 * std::exp(-nats)), 1e-12);
+        EXPECT_EQ(found.seen(), (found.beyond_ordinary > 6 && found.material()) || found.strain > 6);
         EXPECT_TRUE(found.law.follows.empty());
     }
 }
@@ -102,8 +103,30 @@ TEST(WhatRemains, OfLessThanUsualSizeSaysNothingAboutAnUnknownCause) {
 }
 
 TEST(WhatRemains, IsCertainWhereItsEvidenceIsBeyondAllNumbers) {
-    EXPECT_EQ((Remains{.beyond_ordinary = 1e4, .law = {}}.probability()), 1);
-    EXPECT_EQ((Remains{.beyond_ordinary = -1e4, .law = {}}.probability()), 0);
+    EXPECT_EQ((Remains{.beyond_ordinary = 1e4, .excess = 1, .law = {}}.probability()), 1);
+    EXPECT_EQ((Remains{.beyond_ordinary = -1e4, .excess = 1, .law = {}}.probability()), 0.1);
+}
+
+// A remainder of a few per cent of the noise needs no cause, however surely it is there.
+TEST(WhatRemains, IsNotSeenWhereItHardlyAddsToTheNoise) {
+    EXPECT_TRUE((Remains{.beyond_ordinary = 30, .excess = 0.21, .law = {}}.seen()));
+    EXPECT_FALSE((Remains{.beyond_ordinary = 30, .excess = 0.19, .law = {}}.seen()));
+    EXPECT_NEAR((Remains{.beyond_ordinary = 30, .excess = 0.19, .law = {}}.probability()), 0.1, 1e-12);
+}
+
+// Student's t with four degrees of freedom and variance 1, against the normal distribution; lgamma(2.5) - lgamma(2) and
+// the scale differ for both by a constant, which is left out.
+TEST(WhatRemains, IsSeenWhereOneNumberMovedFarBeyondItsTolerance) {
+    for (const auto& [moved, nats] : {std::pair{3.0, 0.23813}, {5.0, 5.99328}, {6.0, 10.63890}}) {
+        const std::vector<LinearDrive> drives = drawn(1, 1);
+        const Problem problem = linear_drives::problemOf(drives);
+        const Calibration car = linear_drives::calibrationOf(problem, drives);
+        Candidate model{.effects = {0}, .fit = linear_drives::resizedFitOf(car, {0}), .fitted = true};
+        model.fit.at(model.fit.free[0]) = moved;
+        const Remains found = whatRemains(car, model, model.fit.rows);
+        EXPECT_NEAR(found.strain, nats, 1e-4) << moved;
+        EXPECT_EQ(found.seen(), moved > 5.5) << moved;
+    }
 }
 
 }  // namespace

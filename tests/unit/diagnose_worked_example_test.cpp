@@ -177,8 +177,8 @@ TEST(WorkedExample, SizesOfTheRemainder) {
 // The evidence is largest at 0.851 of the usual size, which neither prior limits.
 TEST(WorkedExample, RemainderIsOrdinary) {
     const ExampleDiagnosis example;
-    const Remains remains =
-        whatRemains(example.car, {.effects = {0}, .fit = resizedFitOf(example.car, {0}), .fitted = true});
+    const diagnose::select::Candidate model{.effects = {0}, .fit = resizedFitOf(example.car, {0}), .fitted = true};
+    const Remains remains = whatRemains(example.car, model, model.fit.rows);
     EXPECT_NEAR(remains.beyond_ordinary, 0, 1e-3);
     EXPECT_NEAR(remains.probability(), 0.1, 1e-4);
 }

@@ -67,6 +67,15 @@ std::string ofCauses(const Diagnosis& d) {
     return text + (rest.empty() ? "" : "; " + rest);
 }
 
+// Tolerances that explain a gap only because they are too narrow are no explanation.
+std::string doubtOfTolerances(const Diagnosis& d) {
+    const auto far = std::count_if(d.nuisance.begin(), d.nuisance.end(),
+                                   [](const auto& one) { return std::abs(one.second.z) > kFar; });
+    if (far == 0) return {};
+    return fmt::format("; but {} number{} moved by more than {:.0f} standard deviations of {}", far,
+                       far == 1 ? "" : "s", kFar, far == 1 ? "its tolerance" : "their tolerances");
+}
+
 std::string ofUnknown(const Diagnosis& d) {
     const std::string rest = remainder(d);
     std::string text = "Mostly unknown" + (rest.empty() ? "" : ": " + rest);
@@ -75,16 +84,7 @@ std::string ofUnknown(const Diagnosis& d) {
     if (!d.unexplained.generalised_force.empty())
         text += fmt::format("; missing force: {}", d.unexplained.generalised_force);
     const std::string& law = d.unexplained.law.follows;
-    return text + (law.empty() ? "" : ", it follows " + law);
-}
-
-// Tolerances that explain a gap only because they are too narrow are no explanation.
-std::string doubtOfTolerances(const Diagnosis& d) {
-    const auto far = std::count_if(d.nuisance.begin(), d.nuisance.end(),
-                                   [](const auto& one) { return std::abs(one.second.z) > kFar; });
-    if (far == 0) return {};
-    return fmt::format("; but {} number{} moved by more than {:.0f} standard deviations of {}", far,
-                       far == 1 ? "" : "s", kFar, far == 1 ? "its tolerance" : "their tolerances");
+    return text + (law.empty() ? "" : ", it follows " + law) + doubtOfTolerances(d);
 }
 
 std::string ofNothing(const Diagnosis& d) {

@@ -72,7 +72,12 @@ std::string kindOfForceInWords(const std::string& kind) {
         {"longitudinal error", "errors of the longitudinal forces, in proportion to the longitudinal acceleration"},
         {"lateral error", "errors of the side forces, in proportion to the lateral acceleration"},
         {"yaw error", "errors of the yaw moment, in proportion to the lateral acceleration"},
-        {"roll error", "errors of the roll moment, in proportion to the lateral acceleration"}};
+        {"roll error", "errors of the roll moment, in proportion to the lateral acceleration"},
+        {"rate readings", "drift of the rate sensors"},
+        {"acceleration readings", "drift of the accelerometers"},
+        {"angle readings", "drift of the measured angles"},
+        {"speed readings", "drift of the measured speed"},
+        {"wheel-speed readings", "drift of the wheel speeds"}};
     const auto found = known.find(kind);
     return found == known.end() ? kind : found->second;
 }

@@ -36,7 +36,7 @@ struct Points {
 // The fit of a set of effects: that of the search, or a new one from the point of the answer.
 Deviation pointOf(const std::vector<std::size_t>& effects, const Calibration& car, const select::Search& found,
                   const select::Fit& answer) {
-    if (effects.empty()) return found.none().fit.at;
+    if (effects.empty()) return car.closest;
     const auto same = [&](const Candidate& one) {
         return one.fitted &&
                std::is_permutation(one.effects.begin(), one.effects.end(), effects.begin(), effects.end());
@@ -50,13 +50,12 @@ Deviation pointOf(const std::vector<std::size_t>& effects, const Calibration& ca
     for (const Eigen::Index k : answer.knobs)
         if (std::find(knobs.begin(), knobs.end(), k) == knobs.end()) from(k) = 0;
     const auto fit = select::fitted(car.problem.replays, car.drives(), car.uncertainty, car.about, knobs, from);
-    return fit ? fit->at : found.none().fit.at;
+    return fit ? fit->at : car.closest;
 }
 
 Points pointsOf(const Calibration& car, const select::Search& found, const select::Judgement& judgement) {
     const std::vector<std::size_t>& effects = judgement.named->effects;
-    Points points{
-        car.problem.replays.origin(), found.none().fit.at, judgement.answer.at, car.problem.namesOf(effects), {}, {}};
+    Points points{car.problem.replays.origin(), car.closest, judgement.answer.at, car.problem.namesOf(effects), {}, {}};
     for (const std::size_t e : effects) {
         std::vector<std::size_t> others = effects;
         std::erase(others, e);

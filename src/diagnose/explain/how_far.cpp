@@ -133,12 +133,11 @@ Gaps gapsOf(const Judged& judged, const std::array<Deviation, 3>& stages, std::v
         here[d].rows = logOf(drive, drive.measured);
         here[d].floor = logOf(drive, floor);
         for (std::size_t stage = 0; stage < stages.size(); ++stage) {
-            const recording::Subject subject = judged.replays.subjectAt(stages[stage], drive);
-            const std::optional<Log> motion = model::motionAt(judged.replays, drive, subject);
             Eigen::VectorXd& rows = each[stage]->rows[d];
-            if (motion) rows = recording::readings(drive, *motion, subject.instruments);
+            const auto driven = model::rowsOf(judged.replays, drive, stages[stage]);
+            if (driven) rows = *driven;
             *logs[stage] = logOf(drive, rows);
-            const Eigen::VectorXd off = motion ? drive.measured - rows : drive.measured;
+            const Eigen::VectorXd off = driven ? drive.measured - rows : drive.measured;
             each[stage]->off[d] = model::squaresOf(judged.uncertainty, d, noise.over(off), judged.uncertainty.sizes);
         }
         here[d].gap = gapByChannel(drive, gaps.nominal.rows[d], floor);

@@ -105,7 +105,7 @@ answer::WhereItLies whereItLies(const Calibration& car, const MissingForce& miss
     double all = 0;
     for (std::size_t d = 0; d < car.drives().size(); ++d) {
         const RecordedDrive& drive = car.drives()[d];
-        const Eigen::VectorXd gap = (drive.measured - car.nominal[d]).cwiseQuotient(model::floorOf(car.uncertainty, d));
+        const Eigen::VectorXd gap = model::gapOf(car.drives(), car.uncertainty, car.nominal[d], d);
         for (const recording::ObservedChannel& channel : drive.channels) {
             const Eigen::VectorXd here = gap.segment(channel.first_row, channel.rows());
             const auto count = static_cast<double>(channel.rows());

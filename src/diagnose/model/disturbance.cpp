@@ -14,9 +14,10 @@ namespace {
 
 constexpr double kHat = kSettings.correlation_time / 2;        // s, distance of hats
 constexpr double kErrorHat = kSettings.error_correlation / 2;  // s, the same of the errors of the model's forces
-// Hats between the pushes of one replay (3 s). After that a car is taken to have forgotten a push except for the speed
+constexpr double kDriftHat = kSettings.drift_correlation / 2;  // s, the same of the errors of the readings
+// Hats between the pushes of one replay (2 s). After that a car is taken to have forgotten a push except for the speed
 // it has lost. Each more costs one more replay per kind and drive.
-constexpr Eigen::Index kApart = 12;
+constexpr Eigen::Index kApart = 8;
 constexpr double kLeastSlope = 0.1;  // least share of the front tyres' cornering stiffness, left at the limit of grip
 // Least share of a change of start speed that must be left to infer lost speed from it; less is numerical noise.
 constexpr double kLeastKept = 0.02;
@@ -25,8 +26,8 @@ constexpr double kSlipVelocity = 0.005;
 // Least denominator of the axle's slope with compliance steer: limits the slope to 20 times that of the tyres.
 constexpr double kLightest = 0.05;
 
-double hat(double t, double peak) {
-    return std::max(0.0, 1 - std::abs(t - peak) / kHat);
+double hat(double t, double peak, double width = kHat) {
+    return std::max(0.0, 1 - std::abs(t - peak) / width);
 }
 
 double peakOf(Eigen::Index hat) {
@@ -175,20 +176,39 @@ Eigen::MatrixXd trembling(const Course& course, const VehicleParams& car, const 
     return columns;
 }
 
-// Adds the columns of the errors of the model's forces, one matrix for each of kForceErrors.
-void append(Disturbances& result, const std::vector<Eigen::MatrixXd>& errors) {
-    for (std::size_t k = 0; k < errors.size(); ++k) {
-        const Eigen::Index before = result.columns.cols(), more = errors[k].cols();
-        result.columns.conservativeResize(Eigen::NoChange, before + more);
-        result.columns.rightCols(more) = errors[k];
-        for (Eigen::Index i = 0; i < more; ++i) {
-            result.kinds.push_back(kForceErrors[k]);
-            result.times.push_back(static_cast<double>(i) * kErrorHat);
-        }
+// Change of the rows by errors of the readings of one channel: rows x impulses (D11b).
+Eigen::MatrixXd misread(const RecordedDrive& drive, const recording::ObservedChannel& channel,
+                        const VehicleParams& car) {
+    const Eigen::Index hats = std::lround(std::ceil(drive.duration() / kDriftHat)) + 1;
+    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(drive.rows(), hats);
+    for (Eigen::Index i = 0; i < channel.rows(); ++i)
+        for (Eigen::Index h = 0; h < hats; ++h)
+            columns(channel.first_row + i, h) = hat(channel.times[i], static_cast<double>(h) * kDriftHat, kDriftHat);
+    return usualSize(readingErrorOf(channel.name), car) * columns *
+           inference::correlationFactor(hats, kDriftHat, kSettings.drift_correlation);
+}
+
+// Adds the columns of errors of one kind, whose hats are `apart`.
+void append(Disturbances& result, Disturbed kind, const Eigen::MatrixXd& errors, double apart) {
+    const Eigen::Index more = errors.cols();
+    result.columns.conservativeResize(Eigen::NoChange, result.columns.cols() + more);
+    result.columns.rightCols(more) = errors;
+    for (Eigen::Index i = 0; i < more; ++i) {
+        result.kinds.push_back(kind);
+        result.times.push_back(static_cast<double>(i) * apart);
     }
 }
 
 }  // namespace
+
+Disturbed readingErrorOf(std::string_view channel) {
+    const auto contains = [&](const char* part) { return channel.find(part) != std::string_view::npos; };
+    if (contains("_rate")) return Disturbed::rate_reading;
+    if (contains(".spin")) return Disturbed::wheel_speed_reading;
+    if (contains(".ax") || contains(".ay")) return Disturbed::acceleration_reading;
+    if (contains(".vx") || contains(".vy")) return Disturbed::speed_reading;
+    return Disturbed::angle_reading;
+}
 
 double usualSize(Disturbed kind, const VehicleParams& car) {
     switch (kind) {
@@ -206,6 +226,16 @@ double usualSize(Disturbed kind, const VehicleParams& car) {
             return kSettings.roll / car.wheelbase * car.inertia.roll;
         case Disturbed::steering:
             return kSettings.steering;
+        case Disturbed::rate_reading:
+            return kSettings.rate_drift;
+        case Disturbed::acceleration_reading:
+            return kSettings.acceleration_drift;
+        case Disturbed::angle_reading:
+            return kSettings.angle_drift;
+        case Disturbed::speed_reading:
+            return kSettings.speed_drift;
+        case Disturbed::wheel_speed_reading:
+            return kSettings.speed_drift / car.front.tyre.parameters.Re;
     }
     return 0;
 }
@@ -247,7 +277,9 @@ Disturbances disturbances(const Replays& replays, const RecordedDrive& drive, co
     }
     of(Disturbed::steering) = trembling(course, subject.vehicle, of(Disturbed::lateral), of(Disturbed::yaw));
     for (const Disturbed kind : kDisturbedKinds) of(kind) = (of(kind) * result.correlation_factor).eval();
-    append(result, errors);
+    for (std::size_t k = 0; k < errors.size(); ++k) append(result, kForceErrors[k], errors[k], kErrorHat);
+    for (const recording::ObservedChannel& channel : drive.channels)
+        append(result, readingErrorOf(channel.name), misread(drive, channel, subject.vehicle), kDriftHat);
     return result;
 }
 

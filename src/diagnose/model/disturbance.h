@@ -1,8 +1,8 @@
-// Forces of a real drive that the model does not have. Disturbances (wind, road unevenness, tremor of the driver's hand)
-// are Ornstein-Uhlenbeck processes, piecewise linear over time (hat functions 0.25 s apart). Errors of the model's own
-// forces are slower processes in proportion to these forces. Both act as generalised forces on the car. Their effect on
-// the motion is found by replaying the drive with pushes, so it has the right correlation over time and between
-// channels.
+// Forces of a real drive that the model does not have. Disturbances (wind, road unevenness, tremor of the driver's
+// hand) are Ornstein-Uhlenbeck processes, piecewise linear over time (hat functions 0.25 s apart). Errors of the
+// model's own forces are slower processes in proportion to these forces. Both act as generalised forces on the car.
+// Their effect on the motion is found by replaying the drive with pushes, so it has the right correlation over time and
+// between channels.
 #pragma once
 
 #include <Eigen/Dense>
@@ -14,7 +14,7 @@
 
 namespace tread::diagnose::model {
 
-// The last four are errors of the model's forces, in proportion to these.
+// Disturbances, errors of the model's forces in proportion to these, and errors of the readings.
 enum class Disturbed {
     longitudinal,
     lateral,
@@ -24,17 +24,36 @@ enum class Disturbed {
     longitudinal_error,
     lateral_error,
     yaw_error,
-    roll_error
+    roll_error,
+    rate_reading,
+    acceleration_reading,
+    angle_reading,
+    speed_reading,
+    wheel_speed_reading
 };
-inline constexpr std::array<std::string_view, 9> kDisturbedNames{
-    "longitudinal", "lateral", "yaw", "roll", "steering", "longitudinal error", "lateral error",
-    "yaw error",    "roll error"};
+inline constexpr std::array<std::string_view, 14> kDisturbedNames{"longitudinal",
+                                                                  "lateral",
+                                                                  "yaw",
+                                                                  "roll",
+                                                                  "steering",
+                                                                  "longitudinal error",
+                                                                  "lateral error",
+                                                                  "yaw error",
+                                                                  "roll error",
+                                                                  "rate readings",
+                                                                  "acceleration readings",
+                                                                  "angle readings",
+                                                                  "speed readings",
+                                                                  "wheel-speed readings"};
 inline constexpr std::size_t kDisturbances = kDisturbedNames.size();
 // The kinds that act at any time. Steering is the last of them.
 inline constexpr std::array<Disturbed, 5> kDisturbedKinds{Disturbed::longitudinal, Disturbed::lateral, Disturbed::yaw,
                                                           Disturbed::roll, Disturbed::steering};
 inline constexpr std::array<Disturbed, 4> kForceErrors{Disturbed::longitudinal_error, Disturbed::lateral_error,
                                                        Disturbed::yaw_error, Disturbed::roll_error};
+inline constexpr std::array<Disturbed, 5> kReadingErrors{Disturbed::rate_reading, Disturbed::acceleration_reading,
+                                                         Disturbed::angle_reading, Disturbed::speed_reading,
+                                                         Disturbed::wheel_speed_reading};
 
 using Sizes = std::array<double, kDisturbances>;  // of each kind, as a multiple of its usual size
 
@@ -45,8 +64,15 @@ constexpr std::string_view nameOf(Disturbed kind) {
     return kDisturbedNames[placeOf(kind)];
 }
 
+constexpr bool isReading(Disturbed kind) {
+    return kind >= kReadingErrors.front();
+}
+
+// The error of readings that a channel can have.
+Disturbed readingErrorOf(std::string_view channel);
+
 // Usual size of a disturbance of this car: N (longitudinal, lateral), N m (yaw, roll), rad at the road wheels
-// (steering).
+// (steering), unit of the channel (readings).
 double usualSize(Disturbed kind, const VehicleParams& car);
 
 struct Disturbances {
@@ -56,7 +82,7 @@ struct Disturbances {
     Eigen::MatrixXd correlation_factor;   // of one kind of kDisturbedKinds: heights of the hats x impulses
     Eigen::VectorXd by_start_speed = {};  // change of the rows per m/s of start speed
 
-    Eigen::Index hats() const { return correlation_factor.rows(); }  // of one kind of kDisturbedKinds
+    Eigen::Index hats() const { return correlation_factor.rows(); }               // of one kind of kDisturbedKinds
     Eigen::Index random() const { return hats() * std::ssize(kDisturbedKinds); }  // number of their columns
     // Heights of the hats of kDisturbedKinds, one kind after the other, for the given impulses of these.
     Eigen::VectorXd heights(const Eigen::VectorXd& impulses) const;

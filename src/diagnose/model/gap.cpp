@@ -12,8 +12,12 @@ Eigen::VectorXd floorOf(const Uncertainty& uncertainty, std::size_t drive) {
     return uncertainty.noise[drive].deviation.cwiseProduct((disturbed.array() + 1).sqrt().matrix());
 }
 
+Eigen::VectorXd gapOf(Drives drives, const Uncertainty& uncertainty, const Eigen::VectorXd& rows, std::size_t drive) {
+    return (drives[drive].measured - rows).cwiseQuotient(floorOf(uncertainty, drive));
+}
+
 double squaredGap(Drives drives, const Uncertainty& uncertainty, const Eigen::VectorXd& rows, std::size_t drive) {
-    return (drives[drive].measured - rows).cwiseQuotient(floorOf(uncertainty, drive)).squaredNorm();
+    return gapOf(drives, uncertainty, rows, drive).squaredNorm();
 }
 
 std::vector<double> squaredGaps(Drives drives, const Uncertainty& uncertainty, const Rows& rows) {

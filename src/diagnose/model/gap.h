@@ -10,6 +10,9 @@ namespace tread::diagnose::model {
 // not compared (D46).
 Eigen::VectorXd floorOf(const Uncertainty& uncertainty, std::size_t drive);
 
+// Gap of each row of a drive, in units of the floor.
+Eigen::VectorXd gapOf(Drives drives, const Uncertainty& uncertainty, const Eigen::VectorXd& rows, std::size_t drive);
+
 // Squared gap of a drive, in units of the floor: about `comparedRows` for a perfect model (D46).
 double squaredGap(Drives drives, const Uncertainty& uncertainty, const Eigen::VectorXd& rows, std::size_t drive);
 std::vector<double> squaredGaps(Drives drives, const Uncertainty& uncertainty, const Rows& rows);  // of each drive

@@ -187,6 +187,20 @@ std::vector<Parameter> nuisancesOfEachDrive(const Subject& nominal, const std::v
     return found;
 }
 
+std::vector<Parameter> nuisancesOfBoth(const Subject& before, const std::vector<KnownWithin>& left_open) {
+    Subject subject = before;
+    std::vector<Parameter> found;
+    for (const Number& number : numbers(subject)) {
+        for (const KnownWithin& known : left_open) {
+            if (known.path != number.path) continue;
+            const std::size_t already = found.size();
+            addNuisance(found, number, known.absolute, before.vehicle);
+            if (found.size() > already) found.back().of_both = true;
+        }
+    }
+    return found;
+}
+
 std::vector<Eigen::Index> joined(const std::vector<Eigen::Index>& some, const std::vector<Eigen::Index>& more) {
     std::vector<Eigen::Index> all;
     all.reserve(some.size() + more.size());
@@ -199,7 +213,9 @@ std::vector<Share> mixture(const Parameter& parameter, const std::vector<Paramet
                            const std::vector<Eigen::Index>& others) {
     std::vector<Share> shares;
     for (const Parameter::Move& move : parameter.moves) {
-        const auto alone = [&](const Parameter& one) { return one.moves.size() == 1 && one.path() == move.path; };
+        const auto alone = [&](const Parameter& one) {
+            return one.moves.size() == 1 && one.path() == move.path && !one.of_both;
+        };
         const auto inAll = [&](Eigen::Index other) { return alone(all[other]) && !all[other].only; };
         const auto inEach = [&](const Parameter& one) { return alone(one) && one.only; };
         const auto add = [&](Eigen::Index of) { shares.push_back({of, move.by / all[of].moves.front().by}); };

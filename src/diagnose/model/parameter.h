@@ -37,11 +37,14 @@ struct Parameter {
     double physical_lowest = -kInfinity;  // the same by the physical limits alone
     double physical_highest = kInfinity;
     bool instruments_only = false;  // changes the readings only, not the motion
+    bool of_both = false;           // of the car before and after the change alike: it moves references too
 
     // True at an end of the plausible ranges. A physical limit is a value as any other: a bar that is not there.
     bool implausibleAt(double units) const;
     const std::string& path() const { return moves.front().path; }
-    std::string name() const { return only ? path() + " in " + only_name : path(); }
+    std::string name() const {
+        return only ? path() + " in " + only_name : of_both ? path() + " of both cars" : path();
+    }
     bool concerns(const RecordedDrive& drive) const { return !only || only == drive.recording; }
 };
 
@@ -59,6 +62,9 @@ std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<Known
 // (D15).
 std::vector<Parameter> nuisancesOfEachDrive(const Subject& nominal, const std::vector<KnownWithin>& tolerances,
                                             Drives drives);
+
+// What the references leave open of the car before: numbers that its change left alone (D45c).
+std::vector<Parameter> nuisancesOfBoth(const Subject& before, const std::vector<KnownWithin>& left_open);
 
 // Indices of parameters: `some`, then `more`.
 std::vector<Eigen::Index> joined(const std::vector<Eigen::Index>& some, const std::vector<Eigen::Index>& more);

@@ -48,11 +48,13 @@ Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, 
     problem.effects = std::move(found.effects);
     problem.knobs = std::move(found.knobs);
     problem.nuisances = std::move(found.nuisances);
+    problem.of_both = std::move(found.of_both);
     return problem;
 }
 
 Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, const recording::Recorded& recorded,
-                  const std::vector<Effect>& effects, const Options& options) {
+                  const std::vector<Effect>& effects, const Options& options,
+                  const std::vector<KnownWithin>& left_open) {
     const auto differences = [&](Drives drives) {
         const bool same_car = recording::compared(drives);
         Differences all;
@@ -61,6 +63,10 @@ Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, 
             all.parameters.push_back(std::move(one));
         all.nuisances.resize(all.parameters.size());
         std::iota(all.nuisances.begin(), all.nuisances.end(), 0);
+        for (Parameter& one : nuisancesOfBoth(nominal, left_open)) {
+            all.of_both.push_back(std::ssize(all.parameters));
+            all.parameters.push_back(std::move(one));
+        }
         for (const Effect& effect : effects) {
             std::vector<Eigen::Index> knobs;
             for (Parameter& parameter : knobsOf(effect, nominal)) {

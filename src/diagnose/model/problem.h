@@ -15,6 +15,9 @@ struct Problem {
     std::vector<Effect> effects;                   // those that this car can have
     std::vector<std::vector<Eigen::Index>> knobs;  // of each effect: indices into replays.parameters
     std::vector<Eigen::Index> nuisances;           // indices into replays.parameters
+    // Further nuisances: numbers of the car before and after alike. They matter only about a car that differs much from
+    // the one before.
+    std::vector<Eigen::Index> of_both;
 
     bool compared() const { return recording::compared(drives); }
     std::vector<std::string> namesOf(const std::vector<std::size_t>& some) const;
@@ -22,17 +25,18 @@ struct Problem {
 };
 
 // Parameters are all uncertain numbers and the knobs of the given effects. Where a recording has a reference, the gap
-// of the nominal car to the reference is subtracted. Throws std::invalid_argument when nothing can be learnt from a
-// recording.
+// of the nominal car to the reference is subtracted. `left_open`: tolerances of numbers that car and reference share.
+// Throws std::invalid_argument when nothing can be learnt from a recording.
 Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, const recording::Recorded& recorded,
-                  const std::vector<Effect>& effects, const Options& options);
+                  const std::vector<Effect>& effects, const Options& options,
+                  const std::vector<KnownWithin>& left_open = {});
 
 // The same with parameters chosen by the caller.
 struct Differences {
     std::vector<Parameter> parameters;
     std::vector<Effect> effects;
     std::vector<std::vector<Eigen::Index>> knobs;
-    std::vector<Eigen::Index> nuisances;
+    std::vector<Eigen::Index> nuisances, of_both;
 };
 Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, const recording::Recorded& recorded,
                   const std::function<Differences(Drives)>& differences, const Options& options);

@@ -10,8 +10,6 @@ namespace tread::diagnose::model {
 namespace {
 
 constexpr double kLeastSize = 0.03;  // usual sizes; a kind this small does not act
-// Largest change of the logarithm of a size in one step, which keeps the iteration from overshooting.
-constexpr double kLargestChange = 1.2;
 
 constexpr int kMostSteps = 12;
 constexpr double kSettled = 0.1;  // change of the logarithm of a size
@@ -41,7 +39,10 @@ Left leftOf(const Uncertainty& uncertainty, std::size_t drive, const inference::
 
 double logPrior(const Sizes& sizes, const SizesPrior& prior) {
     double sum = 0;
-    for (const double size : sizes) sum -= 0.5 * std::log(size) * prior.pull(std::log(size));
+    for (std::size_t k = 0; k < kDisturbances; ++k) {
+        const double log_size = std::log(sizes[k]);
+        sum -= 0.5 * log_size * prior.pull(static_cast<Disturbed>(k), log_size);
+    }
     return sum;
 }
 
@@ -60,12 +61,12 @@ Sizes improvedSizes(const Uncertainty& uncertainty, const std::vector<DriveProdu
     inParallel(drives, threads, [&](std::size_t d) { lefts[d] = leftOf(uncertainty, d, each[d], root); });
     Sizes better = sizes;
     for (std::size_t k = 0; k < kDisturbances; ++k) {
-        const double off = prior.pull(std::log(sizes[k]));
-        double squares = std::max(0.0, -off), determined = std::max(0.0, off);
+        const double log_size = std::log(sizes[k]), off = prior.pull(static_cast<Disturbed>(k), log_size);
+        double squares = 0, determined = 0;
         for (const Left& left : lefts) squares += left.squares[k], determined += std::max(0.0, left.determined[k]);
-        if (squares + determined < 1e-9) continue;
-        const double change = 0.5 * std::log((squares + 1e-9) / (determined + 1e-9));
-        better[k] *= std::exp(std::clamp(change, -kLargestChange, kLargestChange));
+        const double curvature = squares + determined + (log_size == 0 ? 0 : off / log_size);
+        if (curvature < 1e-9) continue;
+        better[k] *= std::exp((squares - determined - off) / curvature);
         better[k] = std::max(better[k], kLeastSize);
     }
     return better;

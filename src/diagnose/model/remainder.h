@@ -13,6 +13,11 @@ struct SizesPrior {
     bool above_only = false;
 
     double pull(double log_size) const { return above_only && log_size < 0 ? 0 : log_size / (spread * spread); }
+    // The same for a kind: instruments are better known than roads, wind and forces.
+    double pull(Disturbed kind, double log_size) const {
+        const double share = isReading(kind) ? kSettings.reading_spread : 1;
+        return pull(log_size) / (share * share);
+    }
 };
 inline constexpr SizesPrior kWidePrior{kSettings.size_spread, false};
 inline constexpr SizesPrior kLargePrior{kSettings.size_spread, true}, kOrdinaryPrior{kSettings.ordinary_spread, true};
@@ -20,9 +25,9 @@ inline constexpr SizesPrior kLargePrior{kSettings.size_spread, true}, kOrdinaryP
 // Logarithm of the prior density of sizes.
 double logPrior(const Sizes& sizes, const SizesPrior& prior);
 
-// Sizes closer to the maximum of the evidence of a model at its best point. `products`: per drive, of the columns of its
-// free parameters, then its residual. One step of the fixed-point iteration of MacKay (1992) for variances; the
-// parameters are marginalised (D26).
+// Sizes closer to the maximum of the evidence of a model at its best point. `products`: per drive, of the columns of
+// its free parameters, then its residual. One step towards the fixed point of MacKay (1992) for variances; the
+// parameters are marginalised (D26a).
 Sizes improvedSizes(const Uncertainty& uncertainty, const std::vector<DriveProducts>& products, const Sizes& sizes,
                     int threads, const SizesPrior& prior = kWidePrior);
 

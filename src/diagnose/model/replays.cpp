@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "recording/reference.h"
 
 namespace tread::diagnose::model {
 
@@ -29,13 +30,35 @@ std::optional<Log> motionAt(const Replays& replays, const RecordedDrive& drive, 
     }
 }
 
+std::optional<Eigen::VectorXd> changeByReference(const Replays& replays, const RecordedDrive& drive,
+                                                 const Deviation& point) {
+    Deviation of_both = point;
+    for (Eigen::Index i = 0; i < point.size(); ++i)
+        if (!replays.parameters[i].of_both) of_both(i) = 0;
+    if (!drive.reference || of_both.isZero(0)) return Eigen::VectorXd();
+    const RecordedDrive& reference = drive.reference->drive;
+    const Subject subject = replays.subjectAt(of_both, reference);
+    const std::optional<Log> motion = motionAt(replays, reference, subject);
+    if (!motion) return std::nullopt;
+    const Eigen::VectorXd rows = recording::readings(reference, *motion, subject.instruments);
+    return recording::atRowsOf(drive, reference, drive.reference->nominal - rows);
+}
+
+std::optional<Eigen::VectorXd> rowsOf(const Replays& replays, const RecordedDrive& drive, const Deviation& point) {
+    const Subject subject = replays.subjectAt(point, drive);
+    const std::optional<Log> motion = motionAt(replays, drive, subject);
+    const std::optional<Eigen::VectorXd> change = changeByReference(replays, drive, point);
+    if (!motion || !change) return std::nullopt;
+    Eigen::VectorXd rows = recording::readings(drive, *motion, subject.instruments);
+    if (change->size() > 0) rows += *change;
+    return rows;
+}
+
 std::optional<Rows> rowsAt(const Replays& replays, Drives drives, const Deviation& point) {
     Rows rows(drives.size());
     std::atomic<bool> failed = false;
     inParallel(rows.size(), replays.threads, [&](std::size_t d) {
-        const Subject subject = replays.subjectAt(point, drives[d]);
-        const std::optional<Log> motion = motionAt(replays, drives[d], subject);
-        if (motion) rows[d] = recording::readings(drives[d], *motion, subject.instruments);
+        if (std::optional<Eigen::VectorXd> here = rowsOf(replays, drives[d], point)) rows[d] = std::move(*here);
         else failed = true;
     });
     for (const Eigen::VectorXd& row : rows) failed = failed || !row.allFinite();

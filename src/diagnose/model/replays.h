@@ -53,6 +53,14 @@ struct Variation {
 std::optional<Log> motionAt(const Replays& replays, const RecordedDrive& drive, const Subject& subject,
                             const Variation& variation = {});
 
+// Change of the rows that a drive's reference contributes when numbers of both cars move to this point. Empty when none
+// moves or the drive has no reference; nothing when the reference cannot be driven (D45c).
+std::optional<Eigen::VectorXd> changeByReference(const Replays& replays, const RecordedDrive& drive,
+                                                 const Deviation& point);
+
+// Rows of a drive; nothing when it cannot be driven.
+std::optional<Eigen::VectorXd> rowsOf(const Replays& replays, const RecordedDrive& drive, const Deviation& point);
+
 // All rows of each drive; nothing when one of them cannot be driven.
 std::optional<Rows> rowsAt(const Replays& replays, Drives drives, const Deviation& point);
 

@@ -50,8 +50,15 @@ std::optional<Eigen::VectorXd> difference(const Replays& replays, const Recorded
         const std::optional<Log> driven =
             parameter.instruments_only ? std::optional(motion) : motionAt(replays, drive, there);
         if (!driven) continue;
-        const Eigen::VectorXd change = (recording::readings(drive, *driven, there.instruments) - here) / by;
-        if (change.allFinite()) return change;
+        Eigen::VectorXd change = recording::readings(drive, *driven, there.instruments) - here;
+        if (parameter.of_both) {
+            Deviation moved = replays.origin();
+            moved(column.parameter) = by;
+            const std::optional<Eigen::VectorXd> in_reference = changeByReference(replays, drive, moved);
+            if (!in_reference) continue;
+            if (in_reference->size() > 0) change += *in_reference;
+        }
+        if (change.allFinite()) return change / by;
     }
     return std::nullopt;
 }
@@ -81,6 +88,11 @@ Sensitivities sensitivities(const Replays& replays, Drives drives, const Deviati
         if (wanted.elsewhere) result.columns[d] = wanted.elsewhere->columns[d];
         if (motions[d]) result.rows[d] = recording::readings(drives[d], *motions[d], subjects[d].instruments);
     });
+    const Rows of_drives = result.rows;  // without what references contribute
+    inParallel(n, replays.threads, [&](std::size_t d) {
+        const std::optional<Eigen::VectorXd> change = changeByReference(replays, drives[d], at);
+        if (motions[d] && change && change->size() > 0) result.rows[d] += *change;
+    });
 
     const std::vector<Column> columns = columnsToDrive(replays, drives, at, wanted, motions);
     std::vector<std::filesystem::path> kept(n);
@@ -90,7 +102,7 @@ Sensitivities sensitivities(const Replays& replays, Drives drives, const Deviati
     inParallel(columns.size(), replays.threads, [&](std::size_t i) {
         const Column& one = columns[i];
         const RecordedDrive& drive = drives[one.drive];
-        const Eigen::VectorXd& here = result.rows[one.drive];
+        const Eigen::VectorXd& here = of_drives[one.drive];
         const auto column = keptColumn(kept[one.drive], replays.parameters[one.parameter], one.by, here.size(), [&] {
             return difference(replays, drive, one, subjects[one.drive], *motions[one.drive], here);
         });

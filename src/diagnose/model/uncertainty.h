@@ -23,9 +23,10 @@ struct Uncertainty {
 };
 
 // Noise and disturbances about a point at which the model has `rows`. `until`: ends of the drives as known so far, s; a
-// drive ends earlier where car and model slide apart. Disturbances have the usual sizes (D12).
+// drive ends earlier where car and model slide apart. Disturbances have the usual sizes (D12). They are those of
+// `known`, about a point nearby, or computed about this one.
 Uncertainty uncertaintyAt(const Replays& replays, Drives drives, const Deviation& at, const Rows& rows,
-                          std::vector<double> until);
+                          std::vector<double> until, const Uncertainty* known = nullptr);
 std::vector<double> endsOf(Drives drives);
 
 // Whitened residual of a drive.

@@ -1,7 +1,10 @@
 #include "diagnose/select/calibration.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "diagnose/model/gap.h"
 #include "diagnose/model/remainder.h"
 #include "run/simulate.h"
 
@@ -11,11 +14,20 @@ namespace {
 constexpr int kMostRounds = 2;   // fits after a new linearisation, which costs up to a replay per drive and nuisance
 constexpr double kSettled = 15;  // nats; the linearisation is not renewed after a fit that gained less
 
+const double kTolerance = std::sqrt(3.0);  // units; the half-width of the uniform distribution with variance 1
+
 constexpr int kSizeSteps = 12;          // steps of the iteration for the sizes with all parameters free
 constexpr double kSizesSettled = 0.05;  // change of the logarithm of a size at which it ends
 
-Fit fitOf(const Problem& problem, const Uncertainty& uncertainty, const Linearisation& about, const Deviation& from) {
+// The evidence of a model may have two maxima: a large remainder, or numbers that moved far. A fit with the sizes of
+// `uncertainty` finds one, a fit with the usual sizes the other; the better one counts.
+Fit fitOf(const Problem& problem, Uncertainty& uncertainty, const Linearisation& about, const Deviation& from) {
     std::optional<Fit> found = fitted(problem.replays, problem.drives, uncertainty, about, {}, from);
+    const Sizes sizes = uncertainty.sizes;
+    uncertainty.sizes.fill(1);
+    std::optional<Fit> usual = fitted(problem.replays, problem.drives, uncertainty, about, {}, from);
+    uncertainty.sizes = sizes;
+    if (usual && (!found || usual->log_evidence > found->log_evidence)) found = std::move(usual);
     if (!found)
         throw SimulationError(
             "the simulation of the nominal car in the recordings fails; check the vehicle file and the recorded inputs",
@@ -76,7 +88,7 @@ std::vector<DriveProducts> atBest(const Uncertainty& uncertainty, std::vector<Dr
 void compareFurther(Calibration& car) {
     const Problem& problem = car.problem;
     const Deviation& at = car.together->at;
-    const std::vector<Eigen::Index> relevant = car.about.nuisances;
+    const std::vector<Eigen::Index> relevant = model::joined(car.about.nuisances, problem.of_both);
     model::Sensitivities about =
         model::sensitivities(problem.replays, problem.drives, at,
                              {.parameters = relevant,
@@ -89,6 +101,26 @@ void compareFurther(Calibration& car) {
     car.uncertainty.sizes = car.fit.sizes;
     car.about = model::linearisation(std::move(about), relevant, car.uncertainty);
     car.fit = fitOf(problem, car.uncertainty, car.about, car.fit.at);
+}
+
+// Chooses the car within its tolerances that leaves the smallest squared gap.
+void chooseClosest(Calibration& car) {
+    const Problem& problem = car.problem;
+    Replays within = problem.replays;
+    Deviation from = car.fit.at;
+    for (const Eigen::Index i : car.about.nuisances) {
+        Parameter& one = within.parameters[i];
+        one.lowest = std::max(one.lowest, -kTolerance), one.highest = std::min(one.highest, kTolerance);
+        from(i) = std::clamp(from(i), one.lowest, one.highest);
+    }
+    const std::optional<Fit> usual =
+        fitted(within, problem.drives, car.uncertainty, car.about, {}, from, SizePrior::typical, Remainder::usual);
+    const auto gap = [&](const Rows& rows) {
+        const std::vector<double> gaps = model::squaredGaps(problem.drives, car.uncertainty, rows);
+        return std::accumulate(gaps.begin(), gaps.end(), 0.0);
+    };
+    car.closest = problem.replays.origin(), car.closest_rows = car.nominal;
+    if (usual && gap(usual->rows) < gap(car.closest_rows)) car.closest = usual->at, car.closest_rows = usual->rows;
 }
 
 }  // namespace
@@ -108,21 +140,24 @@ Calibration calibrate(const Problem& problem, model::NominalCar nominal, const P
                     {}};
     car.uncertainty.sizes = model::sizesAt(problem.drives, car.uncertainty, car.nominal, problem.replays.threads);
     car.fit = fitOf(problem, car.uncertainty, car.about, problem.replays.origin());
-    const std::vector<Eigen::Index> relevant = car.about.nuisances;
+    std::vector<Eigen::Index> relevant = car.about.nuisances;
     for (int round = 0; round < kMostRounds; ++round) {
         model::Sensitivities about = model::nuisancesAt(
             problem.replays, problem.drives, car.fit.at, car.about, car.uncertainty, [&](double share) {
                 progress(0.5 * (round + share) / kMostRounds, "sensitivities to tolerances at their fitted values");
             });
-        car.uncertainty =
-            model::uncertaintyAt(problem.replays, problem.drives, about.at, about.rows, car.uncertainty.until);
+        car.uncertainty = model::uncertaintyAt(problem.replays, problem.drives, about.at, about.rows,
+                                               car.uncertainty.until, round > 0 ? &car.uncertainty : nullptr);
         car.uncertainty.sizes = car.fit.sizes;
         car.about = model::linearisation(std::move(about), relevant, car.uncertainty);
         car.fit = fitOf(problem, car.uncertainty, car.about, car.fit.at);
         if (car.fit.gained < kSettled) break;
     }
     car.together = keptTogether(car);
-    if (car.together) compareFurther(car);
+    if (car.together) {
+        compareFurther(car);
+        relevant = car.about.nuisances;
+    }
     model::Sensitivities with_knobs =
         withKnobs(car, [&](double share) { progress(0.5 + 0.5 * share, "sensitivities to effects"); });
     car.about = model::linearisation(std::move(with_knobs), relevant, car.uncertainty);
@@ -130,6 +165,7 @@ Calibration calibrate(const Problem& problem, model::NominalCar nominal, const P
     car.uncertainty.sizes = car.fit.sizes;
     car.uncertainty.sizes = sizesWithAllFree(problem, car.uncertainty, car.products);
     car.fit = fitOf(problem, car.uncertainty, car.about, car.fit.at);
+    chooseClosest(car);
     return car;
 }
 

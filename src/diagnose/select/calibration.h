@@ -19,9 +19,16 @@ struct Calibration {
     Linearisation about;                  // about the calibrated car: nuisances and all knobs
     Fit fit;                              // of the nuisances; its point is the calibrated car
     std::vector<DriveProducts> products;  // of the nuisances, all knobs and the residual, about the calibrated car
+    // The car within its tolerances that leaves the smallest squared gap. The fit, which is likelier, may leave a
+    // larger one where its remainder is large.
+    Deviation closest = {};
+    Rows closest_rows = {};
     // Where an effect keeps car and model together for longer than the calibrated car: that car with the effect. Drives
     // then end where this one slides apart, and are linearised about it.
     std::optional<Together> together = {};
+    // Share of the motion of the car before that the model does not follow: an error of its structure, and so of every
+    // signature. 0 without drives of that car.
+    double structure_error = 0;
 
     Drives drives() const { return problem.drives; }
     // A parameter as a mixture of the relevant nuisances; empty when it is not one.

@@ -20,6 +20,7 @@ constexpr std::array<std::string_view, 4> kStructure{"tyre.", "tyre_surroundings
 constexpr double kErrorLasts = 1;
 constexpr int kMostRounds = 4;   // fits, each about the point of the one before
 constexpr double kSettled = 15;  // nats; a fit that gains less is the last ...
+constexpr double kOpen = 0.5;    // share of its standard deviation that a fit leaves of a number that stays open
 constexpr double kLowers = 0.7;  // ... unless it lowers the Birge ratio by this factor, and with it the noise
 
 // True for numbers that no data sheet tells: of tyres, suspension, steering, driveline and brakes.
@@ -75,30 +76,66 @@ std::vector<recording::KnownWithin> tolerancesAfter(const model::Subject& nomina
     return all;
 }
 
+// Numbers of the tyres that the fit leaves at least half as uncertain as they were.
+std::vector<recording::KnownWithin> leftOpen(const std::map<std::string, answer::NuisanceEstimate>& moved) {
+    std::vector<recording::KnownWithin> open;
+    for (const auto& [path, estimate] : moved)
+        if (path.find(".tyre.") != std::string::npos && isOfTheStructure(path) &&
+            estimate.sd > kOpen * estimate.prior_sd)
+            open.push_back({path, 0, std::sqrt(3.0) * estimate.sd});
+    return open;
+}
+
+// Root of the squared residual beyond noise, over the squared motion: the change of each channel since the start
+// (D45b).
+double shareNotFollowed(model::Drives drives, const model::Uncertainty& uncertainty, const Rows& rows) {
+    double left = 0, moved = 0;
+    for (std::size_t d = 0; d < rows.size(); ++d) {
+        Eigen::VectorXd motion = drives[d].measured;
+        for (const recording::ObservedChannel& channel : drives[d].channels) {
+            const double start = motion(channel.first_row);
+            motion.segment(channel.first_row, channel.rows()).array() -= start;
+        }
+        left += model::residual(drives, uncertainty, rows, d).squaredNorm() - uncertainty.noise[d].expected;
+        moved += uncertainty.noise[d].over(motion).squaredNorm();
+    }
+    return moved > 0 ? std::sqrt(std::max(0.0, left) / moved) : 0;
+}
+
 // Fits in turn with new linearisations.
-std::optional<Fit> settledFit(const model::Problem& problem, const Progress& progress, answer::GapLevels& gap) {
+std::optional<Fit> settledFit(const model::Problem& problem, const Progress& progress, CarBefore& told) {
+    answer::GapLevels& gap = told.gap;
     model::Deviation at = problem.replays.origin();
     std::optional<Fit> found;
+    std::optional<model::Uncertainty> last;
+    std::optional<Linearisation> linear;
     for (int round = 0; round < kMostRounds; ++round) {
-        model::Sensitivities about = model::sensitivities(
-            problem.replays, problem.drives, at, {.parameters = problem.nuisances},
-            [&](double share) { progress((round + share) / kMostRounds, "fitting the car before the change"); });
+        const auto tell = [&](double share) {
+            progress((round + share) / kMostRounds, "fitting the car before the change");
+        };
+        model::Sensitivities about =
+            linear ? model::nuisancesAt(problem.replays, problem.drives, at, *linear, *last, tell)
+                   : model::sensitivities(problem.replays, problem.drives, at, {.parameters = problem.nuisances}, tell);
         if (round == 0) model::expectDriven(problem.drives, about);
         model::Uncertainty uncertainty =
-            model::uncertaintyAt(problem.replays, problem.drives, at, about.rows, model::endsOf(problem.drives));
+            model::uncertaintyAt(problem.replays, problem.drives, at, about.rows, model::endsOf(problem.drives),
+                                 round > 1 ? &*last : nullptr);
         uncertainty.sizes = model::sizesAt(problem.drives, uncertainty, about.rows, problem.replays.threads);
         const model::Uncertainty plain = uncertainty;
         // The structure of the model is wrong: what it leaves is larger than noise, and lasts.
         const double ratio = model::birgeRatio(problem.drives, uncertainty, about.rows, uncertainty.sizes);
         for (model::RowNoise& noise : uncertainty.noise)
             noise.deviation *= ratio * std::sqrt(kErrorLasts / recording::kBlock);
-        const std::vector<Eigen::Index> relevant = model::relevantNuisances(problem.nuisances, about, uncertainty);
+        const std::vector<Eigen::Index> relevant =
+            linear ? linear->nuisances : model::relevantNuisances(problem.nuisances, about, uncertainty);
         const Rows before = about.rows;
-        const Linearisation linear = model::linearisation(std::move(about), relevant, uncertainty);
-        std::optional<Fit> fit = fitted(problem.replays, problem.drives, uncertainty, linear, {}, at);
+        linear = model::linearisation(std::move(about), relevant, uncertainty);
+        std::optional<Fit> fit = fitted(problem.replays, problem.drives, uncertainty, *linear, {}, at);
+        last = std::move(uncertainty);
         if (!fit) break;
         if (round == 0) gap.nominal = levelOf(problem.drives, plain, before);
         gap.calibrated = levelOf(problem.drives, plain, fit->rows);
+        told.structure_error = shareNotFollowed(problem.drives, plain, fit->rows);
         at = fit->at;
         found = std::move(*fit);
         const double left = model::birgeRatio(problem.drives, plain, found->rows, plain.sizes);
@@ -120,8 +157,8 @@ std::optional<CarBefore> carBefore(const model::Subject& nominal, const recordin
     const model::Problem problem = model::problemOf(
         nominal, before, logs, [&](model::Drives drives) { return everything(nominal, file, effects, drives); },
         options);
-    CarBefore result{nominal, {}, {}, {}};
-    const std::optional<Fit> fit = settledFit(problem, progress, result.gap);
+    CarBefore result{.car = nominal, .moved = {}, .gap = {}, .tolerances = {}};
+    const std::optional<Fit> fit = settledFit(problem, progress, result);
     if (!fit) return std::nullopt;
     for (Eigen::Index i = 0; i < std::ssize(fit->free); ++i) {
         const Eigen::Index p = fit->free[i];
@@ -130,6 +167,7 @@ std::optional<CarBefore> carBefore(const model::Subject& nominal, const recordin
         model::move(result.car, parameter, fit->at(p));
         result.moved[parameter.path()] = numberOf(*fit, problem.replays, i);
     }
+    result.left_open = leftOpen(result.moved);
     result.tolerances = tolerancesAfter(nominal, file, result.moved);
     return result;
 }

@@ -1,5 +1,7 @@
 #include "diagnose/select/doubt.h"
 
+#include <cmath>
+
 #include "diagnose/settings.h"
 
 namespace tread::diagnose::select {
@@ -25,7 +27,7 @@ double doubt(const Calibration& car, const Fit& fit) {
     if (fit.knobs.empty()) return 1;
     double sum = 0, squares = 0;
     for (const double explained : explainedIn(car, fit)) sum += explained, squares += explained * explained;
-    const double error = kSettings.signature_error;
+    const double error = std::hypot(kSettings.signature_error, car.structure_error);
     return sum > 0 ? 1 + error * error * squares / sum : 1;
 }
 

@@ -10,8 +10,8 @@ namespace tread::diagnose::select {
 std::vector<double> explainedIn(const Calibration& car, const Fit& fit);
 
 // Divisor of the evidence against a model. In each drive the error of its signatures may account for a difference of
-// the size of `signature_error` times what the model explains there. Drives count in proportion to what is explained in
-// them. 1 for the model without effects (D30).
+// the size of the signatures' error times what the model explains there. Drives count in proportion to what is
+// explained in them. 1 for the model without effects (D30).
 double doubt(const Calibration& car, const Fit& fit);
 
 }  // namespace tread::diagnose::select

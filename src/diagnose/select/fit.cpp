@@ -197,7 +197,7 @@ inference::QuadraticModel quadraticAt(const Fit& fit, const Uncertainty& uncerta
 
 std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertainty& uncertainty,
                           const Linearisation& linearisation, const std::vector<Eigen::Index>& knobs,
-                          const Deviation& start, SizePrior prior) {
+                          const Deviation& start, SizePrior prior, Remainder remainder) {
     std::optional<Rows> rows = model::rowsAt(replays, drives, start);
     if (!rows) return std::nullopt;
     const Fitter fitter = fitterOf(replays, drives, uncertainty, linearisation.nuisances, knobs);
@@ -206,9 +206,11 @@ std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertain
     for (std::size_t d = 0; d < drives.size(); ++d)
         fit.columns.push_back(uncertainty.noise[d].over(linearisation.about.columns[d](Eigen::all, fit.free)));
     fit.sizes = uncertainty.sizes, fit.prior = prior;
+    if (remainder == Remainder::usual) fit.sizes.fill(1);
     fit.products = fitter.products(fit.rows, fit.columns);
     climb(fit, fitter, knobs.empty());
-    for (int turn = 0; turn < kMostTurns && !resize(fit, fitter); ++turn) climb(fit, fitter, true);
+    if (remainder == Remainder::estimated)
+        for (int turn = 0; turn < kMostTurns && !resize(fit, fitter); ++turn) climb(fit, fitter, true);
     const inference::QuadraticModel here = quadraticAt(fit, uncertainty);
     const Eigen::Index n = std::ssize(fit.free);
     fit.covariance = inference::factorOfPriorAnd(here.information).solve(Eigen::MatrixXd::Identity(n, n));

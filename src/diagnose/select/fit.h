@@ -24,6 +24,10 @@ using model::Uncertainty;
 // estimated without it.
 enum class SizePrior { typical, none };
 
+// Whether the sizes of the remainder are estimated with a fit, or stay the usual ones, so that the parameters close as
+// much of the gap as they can.
+enum class Remainder { estimated, usual };
+
 struct Fit {
     std::vector<Eigen::Index> free;  // nuisances, then knobs: indices of parameters
     std::vector<Eigen::Index> knobs;
@@ -53,6 +57,7 @@ inference::QuadraticModel quadraticAt(const Fit& fit, const Uncertainty& uncerta
 // those of the knobs are computed again once the fit has settled. Nothing when the model cannot be driven at the start.
 std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertainty& uncertainty,
                           const Linearisation& linearisation, const std::vector<Eigen::Index>& knobs,
-                          const Deviation& start, SizePrior prior = SizePrior::typical);
+                          const Deviation& start, SizePrior prior = SizePrior::typical,
+                          Remainder remainder = Remainder::estimated);
 
 }  // namespace tread::diagnose::select

@@ -106,9 +106,14 @@ bool implausible(const Problem& problem, const Fit& fit) {
     });
 }
 
-// The fit of a model in which the sizes of its effects are free of the prior that ranked it.
+// The fit of a model in which the sizes of its effects are free of the prior that ranked it. Without effects, the car
+// that closes most of the gap within its tolerances.
 Fit released(const Calibration& car, const Candidate& named) {
-    if (named.effects.empty()) return named.fit;
+    if (named.effects.empty()) {
+        Fit closest = named.fit;
+        closest.at = car.closest, closest.rows = car.closest_rows;
+        return closest;
+    }
     Linearisation about = car.about;
     std::optional<Fit> fit = fitted(car.problem.replays, car.drives(), car.uncertainty, about, named.fit.knobs,
                                     named.fit.at, SizePrior::none);
@@ -132,6 +137,34 @@ bool mayBeNamed(const Candidate& model) {
     return model.effects.empty() || (model.fitted && model.log_evidence >= kSettings.effect);
 }
 
+// The set without one of its effects that is too probable for that effect to be named; null when there is none. It is
+// compared with all sets that are at least as large, because rivals of an effect do not make it needless.
+const Candidate* needsLess(const Posterior& probable, const Candidate& named) {
+    double as_large = 0;
+    for (const Hypothesis& one : probable.hypotheses)
+        if (one.candidate->effects.size() >= named.effects.size()) as_large += one.probability;
+    const Hypothesis* most = nullptr;
+    for (const Hypothesis& one : probable.hypotheses) {
+        const Candidate& less = *one.candidate;
+        const bool part = less.effects.size() + 1 == named.effects.size() &&
+                          std::all_of(less.effects.begin(), less.effects.end(),
+                                      [&](std::size_t effect) { return contains(named, effect); });
+        if (part && mayBeNamed(less) && (!most || one.probability > most->probability)) most = &one;
+    }
+    const bool needless = most && most->probability > kSettings.false_alarm * (most->probability + as_large);
+    return needless ? most->candidate : nullptr;
+}
+
+// The most probable set that may be named, less the effects that it does not need.
+const Candidate* choose(const Posterior& probable) {
+    const Candidate* named =
+        std::find_if(probable.hypotheses.begin(), probable.hypotheses.end(), [](const Hypothesis& one) {
+            return mayBeNamed(*one.candidate);
+        })->candidate;
+    while (const Candidate* less = needsLess(probable, *named)) named = less;
+    return named;
+}
+
 // The most probable model that may be the answer. Models that may not are struck off, and the others share their
 // probability.
 Answer answerOf(const Calibration& car, const Search& found, const HeldOut& held_out) {
@@ -139,15 +172,21 @@ Answer answerOf(const Calibration& car, const Search& found, const HeldOut& held
     std::map<const Candidate*, std::string> struck;
     while (true) {
         Posterior probable = posterior(car, found, possible);
-        const auto first = std::find_if(probable.hypotheses.begin(), probable.hypotheses.end(),
-                                        [](const Hypothesis& one) { return mayBeNamed(*one.candidate); });
-        const Candidate* named = first->candidate;
+        const Candidate* named = choose(probable);
         Fit answer = released(car, *named);
         std::string against = reasonAgainst(car, *named, answer, found.none().fit, held_out);
         if (against.empty()) return {std::move(probable), named, std::move(answer), std::move(struck)};
         struck[named] = std::move(against);
         possible[named - found.candidates.data()] = false;
     }
+}
+
+// Nats by which the best model that was struck off exceeds the answer. No acceptable model explains these.
+double struckBeyond(const Answer& chosen) {
+    double most = 0;
+    for (const auto& [model, reason] : chosen.struck)
+        most = std::max(most, model->log_evidence - chosen.named->log_evidence);
+    return most / chosen.posterior.variance_factor;
 }
 
 // Other sets of as many effects that may be the answer too.
@@ -171,7 +210,7 @@ double gapOf(const Calibration& car, const Rows& rows) {
     return std::max(0.0, sum);
 }
 
-Verdict verdictOf(const Diagnosis& diagnosis, const Calibration& car, const Judgement& judgement, const Search& found) {
+Verdict verdictOf(const Diagnosis& diagnosis, const Calibration& car, const Judgement& judgement) {
     const bool remains = judgement.remains.seen();
     if (judgement.named->effects.empty()) {
         if (remains) return Verdict::unknown;
@@ -180,7 +219,7 @@ Verdict verdictOf(const Diagnosis& diagnosis, const Calibration& car, const Judg
         return seen ? Verdict::nothing : Verdict::not_testable;
     }
     if (remains) {
-        const double tolerances_leave = gapOf(car, found.none().fit.rows), left = gapOf(car, judgement.answer.rows);
+        const double tolerances_leave = gapOf(car, car.closest_rows), left = gapOf(car, judgement.answer.rows);
         return left > 0.5 * tolerances_leave ? Verdict::unknown : Verdict::partly_explained;
     }
     return diagnosis.alternatives.empty() ? Verdict::explained : Verdict::ambiguous;
@@ -193,8 +232,9 @@ Judgement judge(answer::Diagnosis& diagnosis, const Calibration& car, const std:
     const Problem& problem = car.problem;
     Answer chosen = answerOf(car, found, held_out);
     const Candidate& named = *chosen.named;
-    Judgement judgement{&named, std::move(chosen.fit), whatRemains(car, named),
-                        predicted(car, named.fit, found.none().fit)};
+    Remains remains = whatRemains(car, named, chosen.fit.rows);
+    remains.beyond_ordinary = std::max(remains.beyond_ordinary, struckBeyond(chosen));
+    Judgement judgement{&named, std::move(chosen.fit), std::move(remains), predicted(car, named.fit, found.none().fit)};
     diagnosis.causes = problem.namesOf(named.effects);
     diagnosis.probability_of_unknown = judgement.remains.probability();
     diagnosis.probability_of_nothing = chosen.posterior.ofNothing() * (1 - diagnosis.probability_of_unknown);
@@ -205,7 +245,7 @@ Judgement judge(answer::Diagnosis& diagnosis, const Calibration& car, const std:
     if (judgement.remains.seen()) names.insert("unknown");
     diagnosis.credible_set.assign(names.begin(), names.end());
     tellAlternatives(diagnosis, problem, chosen.posterior, named);
-    diagnosis.verdict = verdictOf(diagnosis, car, judgement, found);
+    diagnosis.verdict = verdictOf(diagnosis, car, judgement);
     return judgement;
 }
 

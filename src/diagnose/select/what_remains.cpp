@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "diagnose/model/gap.h"
 #include "diagnose/model/remainder.h"
 #include "diagnose/settings.h"
 
@@ -29,18 +31,61 @@ Sizes sizesUnder(const model::SizesPrior& prior, const Calibration& car, const F
     return sizes;
 }
 
+// Nats by which Student's t with four degrees of freedom and the same variance is likelier than the normal
+// distribution, for the numbers that moved far enough to tell.
+double strainOf(const Fit& fit) {
+    double nats = 0;
+    for (Eigen::Index i = 0; i < fit.nuisances(); ++i) {
+        const double square = fit.at(fit.free[i]) * fit.at(fit.free[i]);
+        nats += std::max(0.0, 0.5 * square - 2.5 * std::log1p(0.5 * square));
+    }
+    return nats;
+}
+
+// Squared gap, and the one that a perfect model would leave.
+struct Gap {
+    double squares = 0, rows = 0;
+
+    void add(const Eigen::VectorXd& off) { squares += off.squaredNorm(), rows += static_cast<double>(off.size()); }
+    double excess() const { return rows > 0 ? squares / rows - 1 : 0; }
+};
+
+// In the channel or drive where it is largest; only rows that are compared count.
+double largestExcess(const Calibration& car, const Rows& rows) {
+    std::map<std::string, Gap> channels;
+    double largest = 0;
+    for (std::size_t d = 0; d < rows.size(); ++d) {
+        const Eigen::VectorXd gap = model::gapOf(car.drives(), car.uncertainty, rows[d], d);
+        largest = std::max(largest, Gap{gap.squaredNorm(), model::comparedRows(car.uncertainty, d)}.excess());
+        for (const recording::ObservedChannel& channel : car.drives()[d].channels) {
+            const auto compared =
+                (car.uncertainty.noise[d].deviation.segment(channel.first_row, channel.rows()).array() < kInfinity)
+                    .count();
+            const Eigen::VectorXd here = gap.segment(channel.first_row, compared);
+            channels[channel.name].add(here);
+        }
+    }
+    for (const auto& [name, gap] : channels) largest = std::max(largest, gap.excess());
+    return largest;
+}
+
 }  // namespace
 
+bool Remains::material() const {
+    return excess > kSettings.material;
+}
+
 bool Remains::seen() const {
-    return beyond_ordinary > kSettings.clear;
+    return (beyond_ordinary > kSettings.clear && material()) || strain > kSettings.clear;
 }
 
 double Remains::probability() const {
-    const double odds = kSettings.unknown_cause / (1 - kSettings.unknown_cause) * std::exp(beyond_ordinary);
+    const double nats = std::max(material() ? beyond_ordinary : 0, strain);
+    const double odds = kSettings.unknown_cause / (1 - kSettings.unknown_cause) * std::exp(nats);
     return std::isfinite(odds) ? odds / (1 + odds) : 1;
 }
 
-Remains whatRemains(const Calibration& car, const Candidate& model) {
+Remains whatRemains(const Calibration& car, const Candidate& model, const Rows& rows) {
     const Fit& fit = model.fit;
     const Sizes wide = sizesUnder(model::kLargePrior, car, fit, fit.sizes);
     Sizes usual;
@@ -53,6 +98,8 @@ Remains whatRemains(const Calibration& car, const Candidate& model) {
             ordinary, logEvidenceWith(fit, car.uncertainty, sizes) + model::logPrior(sizes, model::kOrdinaryPrior));
     const double ratio = std::log(model::birgeRatio(car.drives(), car.uncertainty, fit.rows, fit.sizes));
     Remains remains;
+    remains.strain = strainOf(fit);
+    remains.excess = largestExcess(car, rows);
     remains.beyond_ordinary = logEvidenceWith(fit, car.uncertainty, wide) + model::logPrior(wide, model::kLargePrior) -
                               ordinary -
                               0.5 * ratio * (model::kLargePrior.pull(ratio) - model::kOrdinaryPrior.pull(ratio));

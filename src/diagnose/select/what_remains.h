@@ -10,11 +10,17 @@ namespace tread::diagnose::select {
 struct Remains {
     // Nats by which the remainder as large as estimated is likelier than one of ordinary size (D33).
     double beyond_ordinary = 0;
+    // Largest squared gap of a channel or of a drive over that of a perfect model, less 1.
+    double excess = 0;
+    // Nats by which tolerances with long tails are likelier than those that were told: numbers moved too far (D33a).
+    double strain = 0;
     answer::ForceLaw law;  // that the remainder follows; empty unless clear
 
+    bool material() const;
     bool seen() const;
     double probability() const;  // that a cause of no catalogue is part of it
 };
-Remains whatRemains(const Calibration& car, const Candidate& model);
+// `rows`: of the answer, with its sizes free of their prior.
+Remains whatRemains(const Calibration& car, const Candidate& model, const Rows& rows);
 
 }  // namespace tread::diagnose::select
