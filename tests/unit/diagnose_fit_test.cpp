@@ -264,12 +264,16 @@ TEST(Search, OfTwoEffectsThatAreBothTrueFindsBothWithTheEvidenceOfTheClosedForm)
     std::vector<std::size_t> best = found.best().effects;
     std::sort(best.begin(), best.end());
     ASSERT_EQ(best, (std::vector<std::size_t>{0, 1}));
-    const double none = dense.logEvidence({kWheelbase}), both = dense.logEvidence({kWheelbase, kRatio, kDrag});
-    EXPECT_NEAR(found.best().log_evidence, both - none, kLastStep);
+    const auto evidence = [&](const Fit& fit) {
+        return dense.drifting(fit).logEvidence(fit.free) +
+               Dense::ofPrior(fit.sizes[placeOf(Disturbed::rate_reading)], kOfDrift);
+    };
+    const double none = evidence(found.none().fit);
+    EXPECT_NEAR(found.best().log_evidence, evidence(found.best().fit) - none, kLastStep);
     for (const Index one : {kRatio, kDrag}) {
         const Candidate* single = candidate(found, {static_cast<std::size_t>(one - kRatio)});
         ASSERT_TRUE(single);
-        EXPECT_NEAR(single->log_evidence, dense.logEvidence({kWheelbase, one}) - none, kLastStep);
+        EXPECT_NEAR(single->log_evidence, evidence(single->fit) - none, kLastStep);
         EXPECT_LT(single->log_evidence, found.best().log_evidence - 20) << "alone it does not explain the rows";
     }
     EXPECT_EQ(found.none().log_evidence, 0);
