@@ -174,6 +174,12 @@ bool resize(Fit& fit, const Fitter& fitter) {
 
 }  // namespace
 
+Deviation withoutNuisances(const Fit& fit) {
+    Deviation at = fit.at;
+    for (Eigen::Index i = 0; i < fit.nuisances(); ++i) at(fit.free[i]) = 0;
+    return at;
+}
+
 answer::NuisanceEstimate numberOf(const Fit& fit, const Replays& replays, Eigen::Index i) {
     constexpr double kNear = 1e-6;  // units
     const Eigen::Index p = fit.free[i];

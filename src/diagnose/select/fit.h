@@ -45,6 +45,9 @@ struct Fit {
     Eigen::Index nuisances() const { return std::ssize(free) - std::ssize(knobs); }
 };
 
+// The point of a fit with its nuisances at their nominal values. A fit that starts there may find another maximum.
+Deviation withoutNuisances(const Fit& fit);
+
 // The i-th free parameter of a fit, as the number that it moves first.
 answer::NuisanceEstimate numberOf(const Fit& fit, const Replays& replays, Eigen::Index i);
 

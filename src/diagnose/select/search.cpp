@@ -1,6 +1,7 @@
 #include "diagnose/select/search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -20,7 +21,9 @@ constexpr double kSettled = 8;             // nats; the linearisation is not ren
 constexpr std::size_t kRelinearised = 2;   // best singles about which the nuisances are linearised again
 constexpr std::size_t kFurtherRefits = 3;  // effects tried beside each of these
 constexpr std::size_t kMostEffects = 3;    // of a set: the prior gives larger sets no probability
-constexpr double kStuck = 0.02;            // units; a knob that moved less counts as stuck at its limit
+constexpr std::array kTrialSizes{-3.0, -2.0, -1.5, -1.0, -0.5, 0.5, 1.0, 1.5, 2.0, 3.0};  // typical sizes
+constexpr double kAlike = 0.7;   // cosine from which an effect is started from the best one's fit
+constexpr double kStuck = 0.02;  // units; a knob that moved less counts as stuck at its limit
 
 using Effects = std::vector<std::size_t>;
 
@@ -80,6 +83,7 @@ public:
 
     Search run(const Screen& screen) {
         std::vector<Candidate> singles = refittedSingles(screen);
+        startFromTheBest(singles, screen);
         std::vector<Candidate> grown = growFrom(singles);
         prune(grown);
         Search result;
@@ -117,6 +121,10 @@ private:
     // then started again from either side of the nominal value of the first knob.
     std::optional<Candidate> refitSingle(std::size_t effect, double promised) const {
         std::optional<Candidate> best = refit(car_.about, {effect}, car_.fit.at);
+        if (const Deviation* tried = triedAt(effect)) {
+            std::optional<Candidate> again = refit(car_.about, {effect}, *tried);
+            if (again && (!best || again->log_evidence > best->log_evidence)) best = std::move(again);
+        }
         const Eigen::Index first = problem_.knobs[effect].front();
         const Parameter& knob = problem_.replays.parameters[first];
         for (const double size : {1.0, -1.0}) {
@@ -127,6 +135,62 @@ private:
             if (again && (!best || again->log_evidence > best->log_evidence)) best = std::move(again);
         }
         return best;
+    }
+
+    // Fits effects that look like the best one again, from its point: its knobs give way to theirs, at the size of
+    // those tried that leaves least. Where the car differs much, a fit may stop at a lesser maximum of the evidence.
+    void startFromTheBest(std::vector<Candidate>& singles, const Screen& screen) const {
+        if (singles.empty() || !singles.front().fitted || singles.front().log_evidence < kSettings.effect) return;
+        const Candidate best = singles.front();
+        std::size_t refits = 0;
+        for (std::size_t i = 1; i < singles.size() && refits < kFurtherRefits; ++i) {
+            Candidate& one = singles[i];
+            if (!one.fitted || cosine(problem_, screen.products, best.effects.front(), one.effects.front()) < kAlike)
+                continue;
+            ++refits;
+            const std::optional<Deviation> from = inPlaceOf(best, one.effects.front());
+            std::optional<Candidate> again = from ? refit(car_.about, one.effects, *from) : std::nullopt;
+            if (again && again->log_evidence > one.log_evidence) one = std::move(*again);
+        }
+        sort(singles);
+    }
+
+    // The point of a fit with another effect in place of its own, at the size of those tried that leaves least.
+    std::optional<Deviation> inPlaceOf(const Candidate& best, std::size_t effect) const {
+        std::optional<Deviation> nearest;
+        double least = kInfinity;
+        for (const Eigen::Index knob : problem_.knobs[effect]) {
+            Deviation at = best.fit.at;
+            at(best.fit.knobs).setZero();
+            const auto tried = leastAt(at, knob, best.fit.sizes);
+            if (!tried || tried->second >= least) continue;
+            at(knob) = tried->first, least = tried->second, nearest = std::move(at);
+        }
+        return nearest;
+    }
+
+    // The size of a knob, of those tried, that leaves the smallest squares at a point, and these squares.
+    std::optional<std::pair<double, double>> leastAt(Deviation at, Eigen::Index knob, const Sizes& sizes) const {
+        const Parameter& parameter = problem_.replays.parameters[knob];
+        std::optional<std::pair<double, double>> best;
+        for (const double size : kTrialSizes) {
+            at(knob) = std::clamp(size, parameter.lowest, parameter.highest);
+            const std::optional<Rows> rows = model::rowsAt(problem_.replays, problem_.drives, at);
+            if (!rows) continue;
+            double left = 0;
+            for (std::size_t d = 0; d < rows->size(); ++d)
+                left += model::squaresOf(car_.uncertainty, d,
+                                         model::residual(problem_.drives, car_.uncertainty, *rows, d), sizes);
+            if (!best || left < best->second) best = {at(knob), left};
+        }
+        return best;
+    }
+
+    // Where an effect was fitted to keep car and model together; null when it was not.
+    const Deviation* triedAt(std::size_t effect) const {
+        if (!car_.together) return nullptr;
+        const auto found = car_.together->tried.find(effect);
+        return found == car_.together->tried.end() ? nullptr : &found->second;
     }
 
     // Fits the best of the others as long as the linear model promises more of it than the best fit has.
@@ -198,18 +262,28 @@ private:
         return at;
     }
 
+    Linearisation linearisedAt(const Candidate& candidate) const {
+        return model::linearisation(model::nuisancesAt(problem_.replays, problem_.drives, candidate.fit.at, car_.about,
+                                                       car_.uncertainty, [](double) {}),
+                                    car_.about.nuisances, car_.uncertainty);
+    }
+
     // Fits a candidate repeatedly, each time with the nuisances linearised at its point, until it gains little. Returns
     // the last linearisation; the columns of the knobs stay those of the calibrated car.
     Linearisation settle(Candidate& candidate) const {
         Linearisation here;
         for (int round = 0; round < kMostRounds; ++round) {
-            here = model::linearisation(model::nuisancesAt(problem_.replays, problem_.drives, candidate.fit.at,
-                                                           car_.about, car_.uncertainty, [](double) {}),
-                                        car_.about.nuisances, car_.uncertainty);
+            here = linearisedAt(candidate);
             std::optional<Candidate> again = refit(here, candidate.effects, candidate.fit.at);
             if (!again) break;
             candidate = std::move(*again);
             if (candidate.fit.gained < kSettled) break;
+        }
+        // The nuisances may hold what they did in place of the effects.
+        std::optional<Candidate> anew = refit(here, candidate.effects, withoutNuisances(candidate.fit));
+        if (anew && anew->log_evidence > candidate.log_evidence + kSettled) {
+            candidate = std::move(*anew);
+            here = linearisedAt(candidate);
         }
         return here;
     }

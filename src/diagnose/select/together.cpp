@@ -120,15 +120,17 @@ std::optional<Fit> settled(const Calibration& car, Trial trial) {
 
 std::optional<Together> keptTogether(const Calibration& car) {
     std::optional<Fit> longest;
+    std::map<std::size_t, Deviation> tried;
     double time = sumOf(endsAt(car.drives(), car.fit.rows)) + kWorth;
     for (const Trial& trial : trials(car)) {
         std::optional<Fit> fit = settled(car, trial);
         if (!fit) continue;
+        tried[trial.effect] = fit->at;
         const double now = sumOf(endsAt(car.drives(), fit->rows));
         if (now > time) time = now, longest = std::move(fit);
     }
     if (!longest) return std::nullopt;
-    Together together{longest->at, {}};
+    Together together{.at = longest->at, .further = {}, .tried = std::move(tried)};
     const std::vector<double> before = endsAt(car.drives(), car.fit.rows), after = endsAt(car.drives(), longest->rows);
     for (std::size_t d = 0; d < before.size(); ++d) together.further.push_back(after[d] > before[d]);
     return together;

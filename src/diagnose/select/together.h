@@ -13,6 +13,7 @@ struct Calibration;
 struct Together {
     Deviation at;               // the calibrated car with the effect that keeps them together longest
     std::vector<bool> further;  // per drive: it keeps them together for longer than the calibrated car
+    std::map<std::size_t, Deviation> tried = {};  // where each effect that was tried is fitted
 };
 
 // Nothing when no drive is cut, or when no effect keeps car and model together for longer than the calibrated car and

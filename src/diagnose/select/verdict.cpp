@@ -16,6 +16,9 @@ using answer::Estimate;
 using answer::Verdict;
 
 constexpr double kNinety = 1.645;  // standard deviations of a 90 % interval
+// Fits of the answer, each linearised at the point of the one before, until one gains fewer nats.
+constexpr int kMostRounds = 3;
+constexpr double kSettled = 8;
 
 // The set of effects that is named, with the probabilities of all that can be.
 struct Answer {
@@ -114,19 +117,43 @@ Fit released(const Calibration& car, const Candidate& named) {
         closest.at = car.closest, closest.rows = car.closest_rows;
         return closest;
     }
-    Linearisation about = car.about;
-    std::optional<Fit> fit = fitted(car.problem.replays, car.drives(), car.uncertainty, about, named.fit.knobs,
-                                    named.fit.at, SizePrior::none);
-    return fit ? std::move(*fit) : named.fit;
+    Fit fit = named.fit;
+    for (int round = 0; round < kMostRounds; ++round) {
+        const Linearisation here = model::linearisation(
+            model::nuisancesAt(car.problem.replays, car.drives(), fit.at, car.about, car.uncertainty, [](double) {}),
+            car.about.nuisances, car.uncertainty);
+        std::optional<Fit> again =
+            fitted(car.problem.replays, car.drives(), car.uncertainty, here, fit.knobs, fit.at, SizePrior::none);
+        if (!again) break;
+        fit = std::move(*again);
+        if (fit.gained < kSettled) break;
+    }
+    return fit;
+}
+
+// Squared gap of all drives beyond that of a perfect model.
+double squares(const Calibration& car, const Rows& rows) {
+    const std::vector<double> gaps = model::squaredGaps(car.drives(), car.uncertainty, rows);
+    return std::accumulate(gaps.begin(), gaps.end(), 0.0);
+}
+
+double gapOf(const Calibration& car, const Rows& rows) {
+    double sum = 0;
+    for (std::size_t d = 0; d < rows.size(); ++d)
+        sum += model::squaredGap(car.drives(), car.uncertainty, rows[d], d) - model::comparedRows(car.uncertainty, d);
+    return std::max(0.0, sum);
 }
 
 // Why a model cannot be the answer; empty when it can: its numbers are plausible, with the prior of their sizes or
-// without, it predicts the drives that are left out, and those held out do not speak against it.
+// without, it closes more of the gap than numbers within their tolerances do, it predicts the drives that are left out,
+// and those held out do not speak against it.
 std::string reasonAgainst(const Calibration& car, const Candidate& model, const Fit& answer, const Fit& none,
                           const HeldOut& held_out) {
     if (model.effects.empty()) return {};
     if (implausible(car.problem, model.fit) || implausible(car.problem, answer))
         return "a number stands at the end of its plausible range";
+    if (squares(car, answer.rows) >= squares(car, car.closest_rows))
+        return "numbers within their tolerances close as much of the gap";
     if (predicted(car, model.fit, none).fails()) return "it does not predict drives that are left out of the fit";
     if (held_out.speakAgainst(model.fit.at, none.at)) return "it does not shrink the gap of the drives held out";
     return {};
@@ -201,13 +228,6 @@ void tellAlternatives(Diagnosis& diagnosis, const Problem& problem, const Poster
         alternatives.insert(problem.namesOf(one.candidate->effects));
     }
     if (own < kSettings.sure * (own + rivals)) diagnosis.alternatives.assign(alternatives.begin(), alternatives.end());
-}
-
-double gapOf(const Calibration& car, const Rows& rows) {
-    double sum = 0;
-    for (std::size_t d = 0; d < rows.size(); ++d)
-        sum += model::squaredGap(car.drives(), car.uncertainty, rows[d], d) - model::comparedRows(car.uncertainty, d);
-    return std::max(0.0, sum);
 }
 
 Verdict verdictOf(const Diagnosis& diagnosis, const Calibration& car, const Judgement& judgement) {
