@@ -132,11 +132,6 @@ Fit released(const Calibration& car, const Candidate& named) {
 }
 
 // Squared gap of all drives beyond that of a perfect model.
-double squares(const Calibration& car, const Rows& rows) {
-    const std::vector<double> gaps = model::squaredGaps(car.drives(), car.uncertainty, rows);
-    return std::accumulate(gaps.begin(), gaps.end(), 0.0);
-}
-
 double gapOf(const Calibration& car, const Rows& rows) {
     double sum = 0;
     for (std::size_t d = 0; d < rows.size(); ++d)
@@ -145,15 +140,12 @@ double gapOf(const Calibration& car, const Rows& rows) {
 }
 
 // Why a model cannot be the answer; empty when it can: its numbers are plausible, with the prior of their sizes or
-// without, it closes more of the gap than numbers within their tolerances do, it predicts the drives that are left out,
-// and those held out do not speak against it.
+// without, it predicts the drives that are left out, and those held out do not speak against it.
 std::string reasonAgainst(const Calibration& car, const Candidate& model, const Fit& answer, const Fit& none,
                           const HeldOut& held_out) {
     if (model.effects.empty()) return {};
     if (implausible(car.problem, model.fit) || implausible(car.problem, answer))
         return "a number stands at the end of its plausible range";
-    if (squares(car, answer.rows) >= squares(car, car.closest_rows))
-        return "numbers within their tolerances close as much of the gap";
     if (predicted(car, model.fit, none).fails()) return "it does not predict drives that are left out of the fit";
     if (held_out.speakAgainst(model.fit.at, none.at)) return "it does not shrink the gap of the drives held out";
     return {};
