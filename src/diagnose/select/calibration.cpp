@@ -129,6 +129,12 @@ std::vector<model::Share> Calibration::asNuisances(const Parameter& parameter) c
     return model::mixture(parameter, problem.replays.parameters, about.nuisances);
 }
 
+Linearisation linearisedAt(const Calibration& car, const Deviation& at) {
+    return model::linearisation(
+        model::nuisancesAt(car.problem.replays, car.drives(), at, car.about, car.uncertainty, [](double) {}),
+        car.about.nuisances, car.uncertainty);
+}
+
 Calibration calibrate(const Problem& problem, model::NominalCar nominal, const Progress& progress) {
     progress(0, "fitting tolerances");
     Calibration car{problem,

@@ -35,6 +35,9 @@ struct Calibration {
     std::vector<model::Share> asNuisances(const Parameter& parameter) const;
 };
 
+// The linearisation about another point: nuisances anew, knobs as about the calibrated car.
+Linearisation linearisedAt(const Calibration& car, const Deviation& at);
+
 // Throws SimulationError when the nominal car cannot be driven in the recordings.
 Calibration calibrate(const Problem& problem, model::NominalCar nominal, const Progress& progress);
 

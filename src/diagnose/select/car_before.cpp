@@ -20,8 +20,8 @@ constexpr std::array<std::string_view, 4> kStructure{"tyre.", "tyre_surroundings
 constexpr double kErrorLasts = 1;
 constexpr int kMostRounds = 4;   // fits, each about the point of the one before
 constexpr double kSettled = 15;  // nats; a fit that gains less is the last ...
-constexpr double kOpen = 0.5;    // share of its standard deviation that a fit leaves of a number that stays open
 constexpr double kLowers = 0.7;  // ... unless it lowers the Birge ratio by this factor, and with it the noise
+constexpr double kOpen = 0.5;    // share of its standard deviation that a fit leaves of a number that stays open
 
 // True for numbers that no data sheet tells: of tyres, suspension, steering, driveline and brakes.
 bool isOfTheStructure(const std::string& path) {

@@ -262,18 +262,12 @@ private:
         return at;
     }
 
-    Linearisation linearisedAt(const Candidate& candidate) const {
-        return model::linearisation(model::nuisancesAt(problem_.replays, problem_.drives, candidate.fit.at, car_.about,
-                                                       car_.uncertainty, [](double) {}),
-                                    car_.about.nuisances, car_.uncertainty);
-    }
-
     // Fits a candidate repeatedly, each time with the nuisances linearised at its point, until it gains little. Returns
     // the last linearisation; the columns of the knobs stay those of the calibrated car.
     Linearisation settle(Candidate& candidate) const {
         Linearisation here;
         for (int round = 0; round < kMostRounds; ++round) {
-            here = linearisedAt(candidate);
+            here = linearisedAt(car_, candidate.fit.at);
             std::optional<Candidate> again = refit(here, candidate.effects, candidate.fit.at);
             if (!again) break;
             candidate = std::move(*again);
@@ -283,7 +277,7 @@ private:
         std::optional<Candidate> anew = refit(here, candidate.effects, withoutNuisances(candidate.fit));
         if (anew && anew->log_evidence > candidate.log_evidence + kSettled) {
             candidate = std::move(*anew);
-            here = linearisedAt(candidate);
+            here = linearisedAt(car_, candidate.fit.at);
         }
         return here;
     }

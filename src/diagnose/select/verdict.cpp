@@ -119,11 +119,8 @@ Fit released(const Calibration& car, const Candidate& named) {
     }
     Fit fit = named.fit;
     for (int round = 0; round < kMostRounds; ++round) {
-        const Linearisation here = model::linearisation(
-            model::nuisancesAt(car.problem.replays, car.drives(), fit.at, car.about, car.uncertainty, [](double) {}),
-            car.about.nuisances, car.uncertainty);
-        std::optional<Fit> again =
-            fitted(car.problem.replays, car.drives(), car.uncertainty, here, fit.knobs, fit.at, SizePrior::none);
+        std::optional<Fit> again = fitted(car.problem.replays, car.drives(), car.uncertainty, linearisedAt(car, fit.at),
+                                          fit.knobs, fit.at, SizePrior::none);
         if (!again) break;
         fit = std::move(*again);
         if (fit.gained < kSettled) break;
