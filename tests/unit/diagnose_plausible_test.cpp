@@ -117,5 +117,20 @@ TEST(PlausibleRange, BoundsTheParameters) {
     EXPECT_NEAR(10 * knob.lowest, -std::min(0.3 * nominal.vehicle.mass, 0.4 * height), 1e-9);
 }
 
+// The load has the numbers of the fuel, and a wider range.
+TEST(PlausibleRange, OfAnEffectMayBeNarrowerThanThatOfItsNumbers) {
+    const Subject nominal = subjectOf("compact");
+    Effect tank{.name = "tank",
+                .question = "",
+                .source = "",
+                .knobs = {{.paths = {"load.mass"}, .typical = 20, .largest = 50}}};
+    const Parameter knob = knobsOf(tank, nominal).front();
+    EXPECT_NEAR(knob.highest, 2.5, 1e-12);
+    EXPECT_NEAR(knob.lowest, -2.5, 1e-12);
+    EXPECT_TRUE(knob.implausibleAt(2.5));
+    tank.knobs.front().largest = 1e6;
+    EXPECT_NEAR(20 * knobsOf(tank, nominal).front().highest, 0.6 * nominal.vehicle.mass, 1e-9);
+}
+
 }  // namespace
 }  // namespace tread

@@ -62,22 +62,32 @@ struct Driven {
         }
         return all;
     }
+    // The drives, one of which has nuisances of its own.
+    std::vector<LinearDrive> apart(std::size_t d) const {
+        std::vector<LinearDrive> with = drives;
+        for (std::size_t i = 0; i < with.size(); ++i) {
+            const MatrixXd shared = drives[i].nuisances, none = MatrixXd::Zero(shared.rows(), shared.cols());
+            with[i].nuisances.resize(shared.rows(), 2 * shared.cols());
+            if (i == d) with[i].nuisances << none, shared;
+            else with[i].nuisances << shared, none;
+        }
+        return with;
+    }
+    // Of each drive, given the others.
     std::vector<double> densities(const std::vector<std::size_t>& effects, const Sizes& sizes) const {
         std::vector<double> all;
         for (std::size_t d = 0; d < drives.size(); ++d) {
-            // The drive left out has nuisances of its own.
-            std::vector<LinearDrive> with = drives;
-            for (std::size_t i = 0; i < with.size(); ++i) {
-                const MatrixXd shared = drives[i].nuisances, none = MatrixXd::Zero(shared.rows(), shared.cols());
-                with[i].nuisances.resize(shared.rows(), 2 * shared.cols());
-                if (i == d) with[i].nuisances << none, shared;
-                else with[i].nuisances << shared, none;
-            }
+            const std::vector<LinearDrive> with = apart(d);
             std::vector<LinearDrive> others = with;
             others.erase(others.begin() + static_cast<std::ptrdiff_t>(d));
             all.push_back(logDensity(with, effects, sizes) - logDensity(others, effects, sizes));
         }
         return all;
+    }
+    // Of all drives but one, given that one.
+    double densityOfOthers(std::size_t d, const std::vector<std::size_t>& effects, const Sizes& sizes) const {
+        const std::vector<LinearDrive> with = apart(d);
+        return logDensity(with, effects, sizes) - logDensity({with[d]}, effects, sizes);
     }
 };
 
@@ -118,6 +128,36 @@ TEST(Prediction, OfAnEffectWithOppositeValuesFails) {
     const Prediction found = predicted(driven.car, fitOf(driven.car, {0}), fitOf(driven.car, {}));
     EXPECT_LT(found.gain, 0);
     EXPECT_TRUE(found.fails());
+}
+
+// The second drive shows most.
+TEST(Prediction, OfTheOthersFromTheDriveThatTellsMost) {
+    const Driven driven({1.2, 0.9, 1.1}, {1, 3, 0.5});
+    const Prediction found = predicted(driven.car, fitOf(driven.car, {0}, kSome), fitOf(driven.car, {}, kOther));
+    EXPECT_NEAR(found.others, driven.densityOfOthers(1, {0}, kSome) - driven.densityOfOthers(1, {}, kOther), 1e-9);
+    EXPECT_FALSE(found.contradicts());
+}
+
+TEST(Prediction, ContradictsWhereTheOthersSpeakAgainstTheDriveThatTellsMost) {
+    const Driven driven({3, 0, 0}, {6, 1, 1});
+    const Prediction found = predicted(driven.car, fitOf(driven.car, {0}), fitOf(driven.car, {}));
+    EXPECT_FALSE(found.tested) << "the first drive tells nearly all";
+    EXPECT_LT(found.others, -4);
+    EXPECT_TRUE(found.contradicts());
+}
+
+// If the effect is there, the others contradict with a probability of at most 0.02, whatever they show.
+TEST(Prediction, SeldomContradictsATrueEffect) {
+    for (const double seen : {0.2, 1.0, 3.0}) {
+        int contradicted = 0;
+        constexpr int kCars = 400;
+        for (std::uint64_t seed = 1; seed <= kCars; ++seed) {
+            const Driven driven({1, 1, 1}, {1, seen, seen}, seed);
+            const Fit with = fitOf(driven.car, {0}), without = fitOf(driven.car, {});
+            if (predicted(driven.car, with, without).contradicts()) ++contradicted;
+        }
+        EXPECT_LE(contradicted, 0.02 * kCars) << seen;
+    }
 }
 
 TEST(Prediction, IsNotTestedWhereOneDriveTellsTheValue) {

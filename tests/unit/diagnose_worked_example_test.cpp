@@ -165,6 +165,7 @@ TEST(WorkedExample, EffectPredictsEachDriveFromTheOther) {
     EXPECT_NEAR(prediction.gain, 8.01962, 5e-6);
     EXPECT_NEAR(prediction.sd, 1.31313, 5e-6);
     EXPECT_TRUE(prediction.tested) << "the second drive tells 54 of 68";
+    EXPECT_NEAR(prediction.others, 3.35325, 5e-6) << "that of the first drive from the second";
 }
 
 TEST(WorkedExample, SizesOfTheRemainder) {

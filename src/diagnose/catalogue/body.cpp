@@ -49,10 +49,11 @@ std::vector<Effect> bodyEffects() {
         {.name = "fuel",
          .question = "Is the tank fuller or emptier?",
          .source = "calculated: half a tank of 50 l, below the rear seat: 0.9 m behind the centre of gravity and "
-                   "0.25 m below it",
+                   "0.25 m below it; at most a tank of 75 l",
          .knobs = {{.paths = {"load.mass", "load.moment_x", "load.moment_z"},
                     .typical = 20,
-                    .shares = {1, -0.9, -0.25}}}},
+                    .shares = {1, -0.9, -0.25},
+                    .largest = 55}}},
     };
 }
 

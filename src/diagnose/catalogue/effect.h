@@ -39,6 +39,7 @@ struct Knob {
     bool relative = false;
     Direction direction = Direction::either;
     std::vector<double> shares = {};
+    double largest = kInfinity;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(paths),
@@ -52,6 +53,8 @@ struct Knob {
         field(TREAD_FIELD(direction), About{"", "sign of the change that is physically possible"});
         field(TREAD_FIELD(shares),
               About{"-", "factor of the change for each path; -1: opposite to the others; none: 1 for all"});
+        field(TREAD_FIELD(largest),
+              About{"-", "largest plausible change, in the unit of typical; none: that of the numbers", kPositive});
     }
 
     static void check(const auto& self, auto&& complain) {

@@ -253,6 +253,9 @@ std::vector<Parameter> knobsOf(const Effect& effect, const Subject& nominal) {
             addMove(parameter, *number, by, nominal.vehicle);
             parameter.instruments_only = parameter.instruments_only && readingOnly(path);
         }
+        const double largest = knob.largest / knob.typical;
+        parameter.lowest = std::max(parameter.lowest, -largest);
+        parameter.highest = std::min(parameter.highest, largest);
         boundWhereNothingElseDoes(parameter);
         if (knob.direction == catalogue::Direction::up) parameter.lowest = 0;
         if (knob.direction == catalogue::Direction::down) parameter.highest = 0;

@@ -13,7 +13,7 @@ struct HeldOut {
     // Squared gap of each drive; nothing without drives, or when the model cannot be driven in them.
     std::optional<std::vector<double>> gapOf(const Deviation& at) const;
     // True when the drives speak against a model: they would show the difference between it and the one without
-    // effects, and the gap does not shrink (D38a).
+    // effects, and the gap does not shrink (D38b).
     bool speakAgainst(const Deviation& with, const Deviation& without) const;
 };
 HeldOut heldOut(const Calibration& car);

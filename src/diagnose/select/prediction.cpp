@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "diagnose/select/doubt.h"
+#include "diagnose/settings.h"
 
 namespace tread::diagnose::select {
 namespace {
@@ -47,22 +48,28 @@ double logDensity(const Fit& fit, const model::NormalEquations& drive, const Lea
                   drive.products(n + k, n + k) - drive.log_determinant);
 }
 
-// Share of the drive that tells most about the effects.
-double largestShare(const Calibration& car, const Fit& fit) {
-    const std::vector<double> explained = explainedIn(car, fit);
-    const double sum = std::accumulate(explained.begin(), explained.end(), 0.0);
-    return sum > 0 ? *std::max_element(explained.begin(), explained.end()) / sum : 1;
+std::vector<model::NormalEquations> ofEachDrive(const Calibration& car, const Fit& fit) {
+    std::vector<model::NormalEquations> each;
+    for (std::size_t d = 0; d < fit.products.size(); ++d)
+        each.push_back(model::normalEquations(car.uncertainty, d, fit.products[d], fit.sizes));
+    return each;
+}
+
+// Logarithm of the density of all drives but one if their effects are those that this one tells.
+double densityOfOthers(const Calibration& car, const Fit& fit, std::size_t teller) {
+    const std::vector<model::NormalEquations> each = ofEachDrive(car, fit);
+    model::NormalEquations others;
+    for (std::size_t d = 0; d < each.size(); ++d)
+        if (d != teller) others = std::move(others) + each[d];
+    return logDensity(fit, others, learnt(fit, each[teller].products));
 }
 
 }  // namespace
 
 std::vector<double> predictiveDensities(const Calibration& car, const Fit& fit) {
-    std::vector<model::NormalEquations> each;
+    const std::vector<model::NormalEquations> each = ofEachDrive(car, fit);
     model::NormalEquations all;
-    for (std::size_t d = 0; d < fit.products.size(); ++d) {
-        each.push_back(model::normalEquations(car.uncertainty, d, fit.products[d], fit.sizes));
-        all = std::move(all) + each.back();
-    }
+    for (const model::NormalEquations& one : each) all = std::move(all) + one;
     std::vector<double> densities;
     for (const model::NormalEquations& one : each)
         densities.push_back(logDensity(fit, one, learnt(fit, all.products - one.products)));
@@ -77,9 +84,19 @@ Prediction predicted(const Calibration& car, const Fit& with, const Fit& without
     Prediction result{.gain = std::accumulate(gains.begin(), gains.end(), 0.0)};
     double squares = 0;
     for (const double gain : gains) squares += std::pow(gain - result.gain / n, 2);
-    result.tested = gains.size() > 1 && largestShare(car, with) < kOneDrive;
-    result.sd = n > 1 ? std::sqrt(n / (n - 1) * squares) : 0;
+    if (gains.size() < 2) return result;
+    const std::vector<double> explained = explainedIn(car, with);
+    const double sum = std::accumulate(explained.begin(), explained.end(), 0.0);
+    const auto most = std::max_element(explained.begin(), explained.end());
+    const std::size_t teller = most - explained.begin();
+    result.tested = *most < kOneDrive * sum;
+    result.others = densityOfOthers(car, with, teller) - densityOfOthers(car, without, teller);
+    result.sd = std::sqrt(n / (n - 1) * squares);
     return result;
+}
+
+bool Prediction::contradicts() const {
+    return others < std::log(kSettings.false_alarm);
 }
 
 }  // namespace tread::diagnose::select

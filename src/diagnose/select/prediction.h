@@ -15,8 +15,13 @@ std::vector<double> predictiveDensities(const Calibration& car, const Fit& fit);
 struct Prediction {
     double gain = 0, sd = 0;
     bool tested = false;  // false when a single drive determines the values of the effects
+    // Nats that it gains in all other drives with the values of the drive that tells most of them (D38a).
+    double others = 0;
 
     bool fails() const { return tested && gain <= 0; }
+    // The others contradict the drive that tells most. If the model is true, this happens by chance with a probability
+    // of kSettings.false_alarm at most: the mean of the likelihood ratio of a false to the true model is 1.
+    bool contradicts() const;
 };
 Prediction predicted(const Calibration& car, const Fit& with, const Fit& without);
 

@@ -22,7 +22,8 @@ constexpr std::size_t kRelinearised = 2;   // best singles about which the nuisa
 constexpr std::size_t kFurtherRefits = 3;  // effects tried beside each of these
 constexpr std::size_t kMostEffects = 3;    // of a set: the prior gives larger sets no probability
 constexpr std::array kTrialSizes{-3.0, -2.0, -1.5, -1.0, -0.5, 0.5, 1.0, 1.5, 2.0, 3.0};  // typical sizes
-constexpr double kAlike = 0.7;   // cosine from which an effect is started from the best one's fit
+constexpr double kAlike = 0.7;  // cosine from which an effect is started from the best one's fit
+constexpr std::size_t kMovedAtOnce = 3, kPointsAround = 2;  // knobs moved for points around the car; points kept
 constexpr double kStuck = 0.02;  // units; a knob that moved less counts as stuck at its limit
 
 using Effects = std::vector<std::size_t>;
@@ -117,24 +118,51 @@ private:
         return singles;
     }
 
-    // Fits one effect. Where the fit falls far short of what the linear model promised, it may have gone astray: it is
-    // then started again from either side of the nominal value of the first knob.
+    // Fits one effect. Where the fit falls far short of what the linear model promised, or where others of its knobs
+    // moved further than the first, it may have gone astray: it is then started again from points around the
+    // nominal car.
     std::optional<Candidate> refitSingle(std::size_t effect, double promised) const {
         std::optional<Candidate> best = refit(car_.about, {effect}, car_.fit.at);
         if (const Deviation* tried = triedAt(effect)) {
             std::optional<Candidate> again = refit(car_.about, {effect}, *tried);
             if (again && (!best || again->log_evidence > best->log_evidence)) best = std::move(again);
         }
-        const Eigen::Index first = problem_.knobs[effect].front();
-        const Parameter& knob = problem_.replays.parameters[first];
-        for (const double size : {1.0, -1.0}) {
-            if (best && best->log_evidence > promised - kHopeless) break;
-            Deviation from = car_.fit.at;
-            from(first) = std::clamp(size, knob.lowest, knob.highest);
+        if (best && best->log_evidence > promised - kHopeless && !othersMovedFurther(*best)) return best;
+        for (const Deviation& from : pointsAround(effect)) {
             std::optional<Candidate> again = refit(car_.about, {effect}, from);
             if (again && (!best || again->log_evidence > best->log_evidence)) best = std::move(again);
         }
         return best;
+    }
+
+    // Of the points with the first knobs of an effect at once or twice their typical sizes, to all sides, those that
+    // leave the smallest squares.
+    std::vector<Deviation> pointsAround(std::size_t effect) const {
+        const std::vector<Eigen::Index>& knobs = problem_.knobs[effect];
+        const std::size_t moved = std::min(knobs.size(), kMovedAtOnce);
+        std::vector<std::pair<double, Deviation>> points;
+        for (const double size : {1.0, 2.0}) {
+            for (std::size_t sides = 0; sides < (std::size_t{1} << moved); ++sides) {
+                Deviation at = car_.fit.at;
+                for (std::size_t i = 0; i < moved; ++i) {
+                    const Parameter& knob = problem_.replays.parameters[knobs[i]];
+                    at(knobs[i]) = std::clamp((sides >> i & 1) != 0 ? -size : size, knob.lowest, knob.highest);
+                }
+                if (const std::optional<double> left = squaresAt(at, car_.fit.sizes)) points.emplace_back(*left, at);
+            }
+        }
+        std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        std::vector<Deviation> best;
+        for (std::size_t i = 0; i < std::min(points.size(), kPointsAround); ++i) best.push_back(points[i].second);
+        return best;
+    }
+
+    // A load has a moment and hardly a mass: beyond the mass whose moment would lie outside the car the evidence falls,
+    // and rises again towards the mass that has the inertia, too.
+    static bool othersMovedFurther(const Candidate& one) {
+        if (one.effects.size() != 1 || one.log_evidence < kSettings.effect) return false;
+        const Eigen::VectorXd moved = one.fit.at(one.fit.knobs).cwiseAbs();
+        return moved(0) < moved.maxCoeff();
     }
 
     // Fits effects that look like the best one again, from its point: its knobs give way to theirs, at the size of
@@ -175,15 +203,21 @@ private:
         std::optional<std::pair<double, double>> best;
         for (const double size : kTrialSizes) {
             at(knob) = std::clamp(size, parameter.lowest, parameter.highest);
-            const std::optional<Rows> rows = model::rowsAt(problem_.replays, problem_.drives, at);
-            if (!rows) continue;
-            double left = 0;
-            for (std::size_t d = 0; d < rows->size(); ++d)
-                left += model::squaresOf(car_.uncertainty, d,
-                                         model::residual(problem_.drives, car_.uncertainty, *rows, d), sizes);
-            if (!best || left < best->second) best = {at(knob), left};
+            const std::optional<double> left = squaresAt(at, sizes);
+            if (left && (!best || *left < best->second)) best = {at(knob), *left};
         }
         return best;
+    }
+
+    // Squares that a point leaves; nothing when the car cannot be driven there.
+    std::optional<double> squaresAt(const Deviation& at, const Sizes& sizes) const {
+        const std::optional<Rows> rows = model::rowsAt(problem_.replays, problem_.drives, at);
+        if (!rows) return std::nullopt;
+        double left = 0;
+        for (std::size_t d = 0; d < rows->size(); ++d)
+            left += model::squaresOf(car_.uncertainty, d, model::residual(problem_.drives, car_.uncertainty, *rows, d),
+                                     sizes);
+        return left;
     }
 
     // Where an effect was fitted to keep car and model together; null when it was not.

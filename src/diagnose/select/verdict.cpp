@@ -136,14 +136,31 @@ double gapOf(const Calibration& car, const Rows& rows) {
     return std::max(0.0, sum);
 }
 
+// True when `less` is the set without one of its effects.
+bool lacksOne(const Candidate& less, const Candidate& set) {
+    return less.effects.size() + 1 == set.effects.size() &&
+           std::all_of(less.effects.begin(), less.effects.end(),
+                       [&](std::size_t effect) { return contains(set, effect); });
+}
+
+// True when the drive that tells most of one of the effects contradicts the others (D38a).
+bool contradicted(const Calibration& car, const Candidate& model, const Search& found) {
+    return std::any_of(found.candidates.begin(), found.candidates.end(), [&](const Candidate& less) {
+        return less.fitted && lacksOne(less, model) && predicted(car, model.fit, less.fit).contradicts();
+    });
+}
+
 // Why a model cannot be the answer; empty when it can: its numbers are plausible, with the prior of their sizes or
-// without, it predicts the drives that are left out, and those held out do not speak against it.
-std::string reasonAgainst(const Calibration& car, const Candidate& model, const Fit& answer, const Fit& none,
+// without, it predicts the drives that are left out, its effects have the same values in all drives, and those held out
+// do not speak against it.
+std::string reasonAgainst(const Calibration& car, const Candidate& model, const Fit& answer, const Search& found,
                           const HeldOut& held_out) {
+    const Fit& none = found.none().fit;
     if (model.effects.empty()) return {};
     if (implausible(car.problem, model.fit) || implausible(car.problem, answer))
         return "a number stands at the end of its plausible range";
     if (predicted(car, model.fit, none).fails()) return "it does not predict drives that are left out of the fit";
+    if (contradicted(car, model, found)) return "one drive speaks for it and the others against it";
     if (held_out.speakAgainst(model.fit.at, none.at)) return "it does not shrink the gap of the drives held out";
     return {};
 }
@@ -162,10 +179,7 @@ const Candidate* needsLess(const Posterior& probable, const Candidate& named) {
     const Hypothesis* most = nullptr;
     for (const Hypothesis& one : probable.hypotheses) {
         const Candidate& less = *one.candidate;
-        const bool part = less.effects.size() + 1 == named.effects.size() &&
-                          std::all_of(less.effects.begin(), less.effects.end(),
-                                      [&](std::size_t effect) { return contains(named, effect); });
-        if (part && mayBeNamed(less) && (!most || one.probability > most->probability)) most = &one;
+        if (lacksOne(less, named) && mayBeNamed(less) && (!most || one.probability > most->probability)) most = &one;
     }
     const bool needless = most && most->probability > kSettings.false_alarm * (most->probability + as_large);
     return needless ? most->candidate : nullptr;
@@ -190,7 +204,7 @@ Answer answerOf(const Calibration& car, const Search& found, const HeldOut& held
         Posterior probable = posterior(car, found, possible);
         const Candidate* named = choose(probable);
         Fit answer = released(car, *named);
-        std::string against = reasonAgainst(car, *named, answer, found.none().fit, held_out);
+        std::string against = reasonAgainst(car, *named, answer, found, held_out);
         if (against.empty()) return {std::move(probable), named, std::move(answer), std::move(struck)};
         struck[named] = std::move(against);
         possible[named - found.candidates.data()] = false;
