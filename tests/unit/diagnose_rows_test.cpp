@@ -129,6 +129,20 @@ TEST(Sliding, IsJudgedBySideslipInASlowCarToo) {
     EXPECT_EQ(slideApart(more, model.measured), kInfinity) << "another turn is no slide";
 }
 
+TEST(Sliding, AnAccelerometersZeroIsNoSlide) {
+    for (const double speed : {8.0, 20.0}) {
+        RecordedDrive tilted = turning(0, speed), both = turning(0.2, speed);
+        const RecordedDrive model = turning(0, speed);
+        const Eigen::Index n = model.measured.size() / 3;
+        for (RecordedDrive* one : {&tilted, &both}) one->measured.segment(n, n).array() += 0.45;
+        EXPECT_EQ(slideApart(tilted, model.measured), kInfinity) << speed;
+        EXPECT_NEAR(slideApart(both, model.measured), 5 + 0.4 - 1.5, 0.1) << "a slide beside it";
+    }
+    RecordedDrive long_slide = turning(0);
+    long_slide.measured.segment(200, 200).array() += 4;  // 0.2 rad/s from the start: more than any zero
+    EXPECT_LT(slideApart(long_slide, turning(0).measured), 1);
+}
+
 // Where the model follows the measured speed, that is not compared.
 TEST(Sliding, IsSeenWhereTheSpeedIsFollowed) {
     const auto withoutSpeed = [](RecordedDrive drive) {
