@@ -11,6 +11,7 @@
 #include "diagnose/select/baselines.h"
 #include "diagnose/select/car_before.h"
 #include "diagnose/select/verdict.h"
+#include "diagnose/settings.h"
 
 namespace tread::diagnose {
 namespace {
@@ -19,7 +20,7 @@ using answer::Diagnosis;
 
 // Values of the nuisance parameters in the best model.
 void tellNuisances(Diagnosis& diagnosis, const model::Problem& problem, const select::Fit& fit) {
-    for (Eigen::Index i = 0; i < fit.nuisances(); ++i) {
+    for (Eigen::Index i = 0; i < fit.numbers(); ++i) {
         const std::string name = problem.replays.parameters[fit.free[i]].name();
         diagnosis.nuisance[name] = select::numberOf(fit, problem.replays, i);
     }
@@ -36,6 +37,9 @@ void tellUnexplained(Diagnosis& diagnosis, const explain::MissingForce& missing,
     unexplained.beyond_ordinary = remains.beyond_ordinary;
     for (std::size_t k = 0; k < model::kDisturbances; ++k)
         unexplained.sizes[std::string(model::kDisturbedNames[k])] = judgement.answer.sizes[k];
+    for (std::size_t k = 0; k < model::kParts; ++k)
+        unexplained.sizes["imperfections of " + std::string(model::kPartNames[k])] =
+            judgement.answer.imperfection[k] / kSettings.imperfection;
     if (!remains.law.generalised_force.empty()) unexplained.generalised_force = remains.law.generalised_force;
 }
 

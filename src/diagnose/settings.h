@@ -45,9 +45,15 @@ struct Settings {
 
     // ---- Errors of the model's structure
 
-    // Guess: the signatures of a model of the same structure are wrong by 10 %, of which about half points towards a
-    // rival. Raising it weakens the evidence against rivals and hides weak effects beside strong ones.
-    double signature_error = 0.05;
+    // Guess: parts that are in order differ by a twentieth of what a fault changes. The sizes are estimated from the
+    // drives, and this is the median of their priors. Larger lets no small effect be a cause, smaller blames small
+    // errors of the model on effects.
+    double imperfection = 0.05;
+    // Chosen so that a change of half its typical size is told from an imperfection by 8 nats where its part has no
+    // other effect, and one of a fifth by 1. Wider takes a fault for an imperfection, narrower a model's error for a
+    // fault.
+    double imperfection_spread = 0.25;
+
     // Guess: larger because the disturbances of two drives differ. Raising it weakens all evidence.
     double reference_inflation = 1;
     // Guess: tank, tyres and load change, the car does not. Raising it lets tolerances explain a change.
@@ -103,8 +109,10 @@ struct Settings {
         field(TREAD_FIELD(reading_spread), About{"-", "share of this spread for the drift of instruments: guess"});
         field(TREAD_FIELD(ordinary_spread),
               About{"-", "the same for disturbances and model errors of an ordinary drive"});
-        field(TREAD_FIELD(signature_error),
-              About{"-", "relative error of an effect's signature in the direction of a rival: guess"});
+        field(TREAD_FIELD(imperfection),
+              About{"-", "usual error of the model along each effect that is no cause, in typical sizes: guess"});
+        field(TREAD_FIELD(imperfection_spread),
+              About{"-", "prior standard deviation of the logarithm of the size of such errors: guess"});
         field(TREAD_FIELD(reference_inflation),
               About{"-", "factor on noise and disturbances where drives have references: guess"});
         field(TREAD_FIELD(between_days),

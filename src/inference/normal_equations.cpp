@@ -1,10 +1,29 @@
 #include "inference/normal_equations.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "inference/laplace.h"
 
 namespace tread::inference {
+namespace {
+
+// Inverse of the lower triangular factor. Its columns are zero above the diagonal, which saves two thirds of the work.
+Eigen::MatrixXd inverseOf(const Factor& factor) {
+    constexpr Index kBlock = 64;  // columns solved at once
+    const Eigen::MatrixXd lower = factor.matrixL();
+    const Index n = lower.rows();
+    Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(n, n);
+    for (Index first = 0; first < n; first += kBlock) {
+        const Index left = n - first;
+        auto columns = inverse.block(first, first, left, std::min(kBlock, left));
+        columns.setIdentity();
+        lower.bottomRightCorner(left, left).triangularView<Eigen::Lower>().solveInPlace(columns);
+    }
+    return inverse;
+}
+
+}  // namespace
 
 DriveProducts productsOf(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& disturbances) {
     return {columns.transpose() * columns, disturbances.transpose() * disturbances, disturbances.transpose() * columns};
@@ -67,8 +86,7 @@ double squaresIn(const Metric& metric, const Eigen::VectorXd& residual, const Ei
 DisturbedProducts disturbedProducts(const DriveProducts& products, const Eigen::VectorXd& sizes) {
     const auto scale = sizes.asDiagonal();
     const Factor factor = factorOfPriorAnd(scale * products.disturbances * scale);
-    const Index n = sizes.size();
-    const Eigen::MatrixXd inverse = factor.matrixL().solve(Eigen::MatrixXd::Identity(n, n));
+    const Eigen::MatrixXd inverse = inverseOf(factor);
     const Eigen::MatrixXd half = inverse.triangularView<Eigen::Lower>() * (scale * products.mixed);
     return {products.columns - half.transpose() * half, inverse.transpose().triangularView<Eigen::Upper>() * half,
             inverse.colwise().squaredNorm()};

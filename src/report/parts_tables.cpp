@@ -114,7 +114,7 @@ void addForces(HtmlPage& page, const Unexplained& rest) {
         cell.bar = size / most;
         rows.push_back({{capitalised(diagnose::answer::kindOfForceInWords(kind))}, cell});
     }
-    if (!rows.empty()) page.table({"Forces that the model lacks", "Size, in usual sizes"}, rows);
+    if (!rows.empty()) page.table({"What the model lacks", "Size, in usual sizes"}, rows);
 }
 
 }  // namespace

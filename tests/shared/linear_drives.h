@@ -71,7 +71,7 @@ inline diagnose::model::Uncertainty uncertaintyOf(const std::vector<LinearDrive>
     return uncertainty;
 }
 
-// The nominal car, with disturbances of so many times the usual size.
+// The nominal car, with disturbances of so many times the usual size and signatures known to 5 %.
 inline diagnose::select::Calibration calibrationOf(const diagnose::model::Problem& problem,
                                                    const std::vector<LinearDrive>& drives, double size = 1) {
     diagnose::select::Calibration car{problem, {}, {}, uncertaintyOf(drives, size), {}, {}, {}};
@@ -81,6 +81,7 @@ inline diagnose::select::Calibration calibrationOf(const diagnose::model::Proble
         MatrixXd& columns = about.columns.emplace_back(told.measured.size(), about.at.size());
         columns << told.nuisances, told.effects;
     }
+    car.structure_error = 0.05;
     car.nominal = car.fit.rows = about.rows;
     car.about = diagnose::model::linearisation(std::move(about), problem.nuisances, car.uncertainty);
     car.products = diagnose::model::productsWith(problem.allKnobs(), problem.drives, car.about, car.uncertainty);

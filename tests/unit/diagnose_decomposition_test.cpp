@@ -36,9 +36,9 @@ constexpr double kLengthSize = 0.03;  // typical size of the change of the wheel
 const diagnose::catalogue::Effect kLengthens{
     "length", "", "", {{.paths = {"wheelbase"}, .typical = kLengthSize, .relative = true}}};
 
-// A point: drag, ratio and length in units of their priors.
+// A point: drag, ratio and length in units of their priors, and no imperfection along the last two.
 Deviation at(double drag, double ratio, double length) {
-    return VectorXd{{drag, ratio, length}};
+    return VectorXd{{drag, ratio, length, 0, 0}};
 }
 const Deviation kCalibrated = at(0.6, 0, 0), kRatioAlone = at(0.5, -1.1, 0), kLengthAlone = at(0.4, 0, 1.3),
                 kAnswer = at(0.2, -0.4, 0.2);

@@ -9,6 +9,7 @@
 #include "base/numbers.h"
 #include "diagnose/catalogue/effect.h"
 #include "diagnose/catalogue/plausible.h"
+#include "diagnose/model/imperfection.h"
 #include "diagnose/model/parameter.h"
 #include "shared/vehicles.h"
 
@@ -24,6 +25,7 @@ using diagnose::catalogue::plausibleText;
 using diagnose::model::knobsOf;
 using diagnose::model::nuisances;
 using diagnose::model::Parameter;
+using diagnose::model::partOf;
 using recording::Subject;
 
 const char* const kCars[] = {"compact", "awd_suv",          "electric_hatchback", "liu_compact",
@@ -33,6 +35,37 @@ Subject subjectOf(const std::string& car) {
     Subject subject;
     subject.vehicle = loadVehicle(sourceFile("vehicles/" + car + ".yaml"));
     return subject;
+}
+
+TEST(Imperfection, EveryNumberOfTheCatalogueBelongsToAPart) {
+    using diagnose::model::Part;
+    const std::vector<std::pair<std::string, Part>> some{
+        {"front.tyre.lambda.Ky", Part::tyre},
+        {"front.left.grip", Part::tyre},
+        {"rear.wheel_inertia", Part::tyre},
+        {"rear.tyre_surroundings.conicity", Part::tyre},
+        {"front.suspension.toe", Part::suspension},
+        {"rear.unsprung_mass", Part::suspension},
+        {"steering.ratio", Part::steering},
+        {"brakes.delay", Part::drive},
+        {"driveline.shaft_stiffness", Part::drive},
+        {"load.mass", Part::body},
+        {"aero.drag_area", Part::body},
+        {"road.bank", Part::surroundings},
+        {"wind.x", Part::surroundings},
+        {"instruments.further.chassis.vx@can.gain", Part::instruments}};
+    for (const auto& [path, part] : some) EXPECT_EQ(partOf(path), part) << path;
+    // What is left over for the body is of the body.
+    for (const Effect& effect : effectCatalogue())
+        for (const Knob& knob : effect.knobs)
+            for (const std::string& path : knob.paths) {
+                if (partOf(path) != Part::body) continue;
+                const std::string first = path.substr(0, path.find('.'));
+                EXPECT_TRUE(first == "mass" || first == "inertia" || first == "load" || first == "aero" ||
+                            first == "front_axle_distance" || first == "centre_of_gravity_height" ||
+                            first == "lateral_offset")
+                    << path;
+            }
 }
 
 TEST(PlausibleRange, IsKnownForEveryNumberThatAFitCanMove) {

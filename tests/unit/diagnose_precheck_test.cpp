@@ -105,7 +105,8 @@ TEST(Precheck, PromisesAtLeastTheNatsThatDiagnosesFindWhenTheEffectIsThereAtItsT
     // By chance the evidence of one car differs by the root of twice what is promised; half the logarithm of its
     // information goes to the knob's freedom. A model without the effect may take some of it for a drift of the gyro.
     EXPECT_LT(found, promised - 0.5 * std::log(1 + 2 * promised) + 2 * std::sqrt(2 * promised / kCars));
-    EXPECT_GT(found, 0.5 * promised);
+    // However clearly the drives show it, an imperfection of its size instead costs about 16 nats.
+    EXPECT_GT(found, std::min(0.5 * promised, 10.0));
 }
 
 TEST(Precheck, DoesNotDependOnWhatTheRecordedCarWas) {

@@ -188,8 +188,8 @@ struct Unexplained {
     std::string generalised_force;  // longitudinal, lateral, yaw or roll: the largest missing force
     Moment when;                    // moment at which it is largest
     ForceLaw law = {};              // law that it follows, if one was found
-    // Size of each kind of force in the remainder, over that of an ordinary drive: disturbances, and errors in
-    // proportion to the acceleration ("lateral error").
+    // Size of each kind of remainder, over that of an ordinary drive: disturbances, errors in proportion to the
+    // acceleration ("lateral error"), drift of readings, and imperfections of each part.
     std::map<std::string, double> sizes = {};
     double beyond_ordinary = 0;  // nats by which the remainder is larger than ordinary
 };

@@ -77,7 +77,14 @@ std::string kindOfForceInWords(const std::string& kind) {
         {"acceleration readings", "drift of the accelerometers"},
         {"angle readings", "drift of the measured angles"},
         {"speed readings", "drift of the measured speed"},
-        {"wheel-speed readings", "drift of the wheel speeds"}};
+        {"wheel-speed readings", "drift of the wheel speeds"},
+        {"imperfections of tyres", "small errors everywhere in the tyres"},
+        {"imperfections of suspension", "small errors everywhere in the suspension"},
+        {"imperfections of steering", "small errors everywhere in the steering"},
+        {"imperfections of drive", "small errors everywhere in engine, driveline and brakes"},
+        {"imperfections of body", "small errors everywhere in masses, inertias and aerodynamics"},
+        {"imperfections of surroundings", "small errors of road and wind"},
+        {"imperfections of instruments", "small errors everywhere in the instruments"}};
     const auto found = known.find(kind);
     return found == known.end() ? kind : found->second;
 }

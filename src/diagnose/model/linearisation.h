@@ -11,6 +11,9 @@ struct Linearisation {
     std::vector<Eigen::Index> nuisances;   // the relevant ones: indices of parameters
     std::vector<Eigen::MatrixXd> columns;  // per drive: rows x nuisances, whitened
     std::vector<DriveProducts> products;   // per drive, of these columns
+    // Small errors of the model along the knobs, which are known by the columns of these alone (D16b): indices of
+    // parameters. Only fits about the calibrated car have them.
+    std::vector<Eigen::Index> imperfections = {};
 };
 Linearisation linearisation(Sensitivities about, const std::vector<Eigen::Index>& nuisances,
                             const Uncertainty& uncertainty);

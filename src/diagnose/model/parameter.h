@@ -38,6 +38,8 @@ struct Parameter {
     double physical_highest = kInfinity;
     bool instruments_only = false;  // changes the readings only, not the motion
     bool of_both = false;           // of the car before and after the change alike: it moves references too
+    // The parameter of which this is an imperfection; it moves no number. -1: none.
+    Eigen::Index imperfection_of = -1;
 
     // True at an end of the plausible ranges. A physical limit is a value as any other: a bar that is not there.
     bool implausibleAt(double units) const;

@@ -49,6 +49,7 @@ Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, 
     problem.knobs = std::move(found.knobs);
     problem.nuisances = std::move(found.nuisances);
     problem.of_both = std::move(found.of_both);
+    problem.imperfections = std::move(found.imperfections);
     return problem;
 }
 
@@ -76,6 +77,14 @@ Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, 
             if (knobs.empty()) continue;
             all.effects.push_back(effect);
             all.knobs.push_back(std::move(knobs));
+        }
+        for (const auto& knobs : all.knobs) {
+            for (const Eigen::Index knob : knobs) {
+                all.imperfections.push_back(std::ssize(all.parameters));
+                Parameter small;
+                small.imperfection_of = knob;
+                all.parameters.push_back(std::move(small));
+            }
         }
         return all;
     };

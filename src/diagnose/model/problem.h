@@ -18,6 +18,7 @@ struct Problem {
     // Further nuisances: numbers of the car before and after alike. They matter only about a car that differs much from
     // the one before.
     std::vector<Eigen::Index> of_both;
+    std::vector<Eigen::Index> imperfections;  // one per knob: indices into replays.parameters
 
     bool compared() const { return recording::compared(drives); }
     std::vector<std::string> namesOf(const std::vector<std::size_t>& some) const;
@@ -36,7 +37,7 @@ struct Differences {
     std::vector<Parameter> parameters;
     std::vector<Effect> effects;
     std::vector<std::vector<Eigen::Index>> knobs;
-    std::vector<Eigen::Index> nuisances, of_both;
+    std::vector<Eigen::Index> nuisances, of_both, imperfections;
 };
 Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, const recording::Recorded& recorded,
                   const std::function<Differences(Drives)>& differences, const Options& options);

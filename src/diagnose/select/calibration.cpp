@@ -123,6 +123,23 @@ void chooseClosest(Calibration& car) {
     if (usual && gap(usual->rows) < gap(car.closest_rows)) car.closest = usual->at, car.closest_rows = usual->rows;
 }
 
+// Imperfections that can change an answer.
+std::vector<Eigen::Index> relevantImperfections(const Calibration& car) {
+    constexpr double kNegligible = 1;  // nats of an effect at its typical size
+    const model::NormalEquations sum = model::normalEquations(car.uncertainty, car.products, car.uncertainty.sizes);
+    const Eigen::Index first = std::ssize(car.about.nuisances);
+    std::vector<Eigen::Index> kept;
+    for (std::size_t i = 0; i < car.problem.imperfections.size(); ++i) {
+        const Eigen::Index place = first + static_cast<Eigen::Index>(i);
+        const Eigen::Index imperfection = car.problem.imperfections[i];
+        const Parameter& knob =
+            car.problem.replays.parameters[car.problem.replays.parameters[imperfection].imperfection_of];
+        const bool there_or_not = knob.highest - knob.lowest <= 1;  // as a controller
+        if (!there_or_not && 0.5 * sum.products(place, place) > kNegligible) kept.push_back(imperfection);
+    }
+    return kept;
+}
+
 }  // namespace
 
 std::vector<model::Share> Calibration::asNuisances(const Parameter& parameter) const {
@@ -130,9 +147,11 @@ std::vector<model::Share> Calibration::asNuisances(const Parameter& parameter) c
 }
 
 Linearisation linearisedAt(const Calibration& car, const Deviation& at) {
-    return model::linearisation(
+    Linearisation here = model::linearisation(
         model::nuisancesAt(car.problem.replays, car.drives(), at, car.about, car.uncertainty, [](double) {}),
         car.about.nuisances, car.uncertainty);
+    here.imperfections = car.about.imperfections;
+    return here;
 }
 
 Calibration calibrate(const Problem& problem, model::NominalCar nominal, const Progress& progress) {
@@ -170,8 +189,9 @@ Calibration calibrate(const Problem& problem, model::NominalCar nominal, const P
     car.products = model::productsWith(problem.allKnobs(), problem.drives, car.about, car.uncertainty);
     car.uncertainty.sizes = car.fit.sizes;
     car.uncertainty.sizes = sizesWithAllFree(problem, car.uncertainty, car.products);
-    car.fit = fitOf(problem, car.uncertainty, car.about, car.fit.at);
     chooseClosest(car);
+    car.about.imperfections = relevantImperfections(car);
+    car.fit = fitOf(problem, car.uncertainty, car.about, car.fit.at);
     return car;
 }
 
@@ -186,7 +206,7 @@ Calibration uncalibrated(const Problem& problem, model::NominalCar nominal, cons
     const std::vector<Eigen::Index> relevant = car.about.nuisances;
     car.fit.free = relevant;
     car.fit.at = problem.replays.origin();
-    car.fit.rows = car.nominal;
+    car.fit.rows = car.fit.of_car = car.nominal;
     car.fit.columns = car.about.columns;
     model::Sensitivities with_knobs =
         withKnobs(car, [&](double share) { progress(share, "sensitivities to effects"); });

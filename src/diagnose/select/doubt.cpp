@@ -1,9 +1,5 @@
 #include "diagnose/select/doubt.h"
 
-#include <cmath>
-
-#include "diagnose/settings.h"
-
 namespace tread::diagnose::select {
 
 std::vector<double> explainedIn(const Calibration& car, const Fit& fit) {
@@ -27,8 +23,7 @@ double doubt(const Calibration& car, const Fit& fit) {
     if (fit.knobs.empty()) return 1;
     double sum = 0, squares = 0;
     for (const double explained : explainedIn(car, fit)) sum += explained, squares += explained * explained;
-    const double error = std::hypot(kSettings.signature_error, car.structure_error);
-    return sum > 0 ? 1 + error * error * squares / sum : 1;
+    return sum > 0 ? 1 + car.structure_error * car.structure_error * squares / sum : 1;
 }
 
 }  // namespace tread::diagnose::select

@@ -31,8 +31,10 @@ struct Fitter {
     const Replays& replays;
     Drives drives;
     const Uncertainty& uncertainty;
-    std::vector<Eigen::Index> knobs, free;
-    Eigen::VectorXd lowest, highest;  // bounds of `free`
+    std::vector<Eigen::Index> knobs, free, imperfections;
+    Eigen::VectorXd lowest, highest;               // bounds of `free`
+    std::vector<model::Part> parts;                // of each imperfection
+    std::vector<Eigen::MatrixXd> by_imperfection;  // per drive: change of the rows per typical size
 
     std::vector<DriveProducts> products(const Rows& rows, const std::vector<Eigen::MatrixXd>& columns) const {
         std::vector<DriveProducts> all(rows.size());
@@ -51,6 +53,34 @@ struct Fitter {
             all[d] = inference::metricOf(uncertainty.bare[d].disturbances, uncertainty.sizesOf(d, sizes));
         });
         return all;
+    }
+
+    std::size_t part(Eigen::Index i) const { return static_cast<std::size_t>(parts[i]); }
+    Eigen::VectorXd each(const model::Imperfection& sizes) const {
+        Eigen::VectorXd all(std::ssize(imperfections));
+        for (Eigen::Index i = 0; i < all.size(); ++i) all(i) = sizes[part(i)];
+        return all;
+    }
+
+    // Rows of the model with its imperfections (D16b).
+    Rows imperfect(Rows rows, const Deviation& at, const model::Imperfection& sizes) const {
+        const Eigen::VectorXd by = each(sizes).cwiseProduct(at(imperfections));
+        for (std::size_t d = 0; d < rows.size(); ++d) rows[d] += by_imperfection[d] * by;
+        return rows;
+    }
+
+    // Gives the imperfections of a fit other sizes; its rows stay.
+    void scale(Fit& fit, const model::Imperfection& sizes) const {
+        Eigen::VectorXd factor = Eigen::VectorXd::Ones(std::ssize(fit.free) + 1);  // of the columns and the residual
+        factor.segment(fit.numbers(), std::ssize(imperfections)) = each(sizes).cwiseQuotient(each(fit.imperfection));
+        const auto by = factor.asDiagonal();
+        fit.imperfection = sizes;
+        fit.at(fit.free).array() /= factor.head(std::ssize(fit.free)).array();
+        for (std::size_t d = 0; d < fit.columns.size(); ++d) {
+            fit.columns[d] = (fit.columns[d] * factor.head(std::ssize(fit.free)).asDiagonal()).eval();
+            fit.products[d].columns = (by * fit.products[d].columns * by).eval();
+            fit.products[d].mixed = (fit.products[d].mixed * by).eval();
+        }
     }
 
     // Negative log posterior, up to constants (D20).
@@ -76,10 +106,11 @@ struct Fitter {
     }
 
     // Broyden's update: corrects the columns along a step by the change of rows that it caused (D19).
-    void learn(Fit& fit, const Rows& after, const Eigen::VectorXd& step) const {
+    void learn(Fit& fit, const Rows& after, Eigen::VectorXd step) const {
+        step.segment(fit.numbers(), std::ssize(imperfections)).setZero();  // the model is linear in these
         if (step.squaredNorm() < kTooShort) return;
         inParallel(drives.size(), replays.threads, [&](std::size_t d) {
-            const Eigen::VectorXd change = uncertainty.noise[d].over(after[d] - fit.rows[d]);
+            const Eigen::VectorXd change = uncertainty.noise[d].over(after[d] - fit.of_car[d]);
             const Eigen::VectorXd by = (change - fit.columns[d] * step) / step.squaredNorm();
             inference::updateByRankOne(fit.products[d], fit.columns[d],
                                        model::residual(drives, uncertainty, fit.rows, d), uncertainty.directions[d], by,
@@ -88,8 +119,9 @@ struct Fitter {
         });
     }
 
-    void moveTo(Fit& fit, const Deviation& at, Rows rows) const {
-        fit.at = at, fit.rows = std::move(rows);
+    void moveTo(Fit& fit, const Deviation& at, Rows of_car) const {
+        fit.at = at, fit.of_car = std::move(of_car);
+        fit.rows = imperfect(fit.of_car, at, fit.imperfection);
         inParallel(drives.size(), replays.threads, [&](std::size_t d) {
             inference::replaceLast(fit.products[d], fit.columns[d], model::residual(drives, uncertainty, fit.rows, d),
                                    uncertainty.directions[d]);
@@ -98,8 +130,18 @@ struct Fitter {
 };
 
 Fitter fitterOf(const Replays& replays, Drives drives, const Uncertainty& uncertainty,
-                const std::vector<Eigen::Index>& nuisances, const std::vector<Eigen::Index>& knobs) {
-    Fitter fitter{replays, drives, uncertainty, knobs, model::joined(nuisances, knobs), {}, {}};
+                const Linearisation& linearisation, const std::vector<Eigen::Index>& knobs) {
+    Fitter fitter{replays, drives, uncertainty, knobs, {}, {}, {}, {}, {}, {}};
+    std::vector<Eigen::Index> moving;  // knobs along which the model is imperfect
+    for (const Eigen::Index i : linearisation.imperfections) {
+        const Eigen::Index knob = replays.parameters[i].imperfection_of;
+        if (std::find(knobs.begin(), knobs.end(), knob) != knobs.end()) continue;
+        fitter.imperfections.push_back(i), moving.push_back(knob);
+        fitter.parts.push_back(model::partOf(replays.parameters[knob].path()));
+    }
+    for (const Eigen::MatrixXd& columns : linearisation.about.columns)
+        fitter.by_imperfection.emplace_back(columns(Eigen::all, moving));
+    fitter.free = model::joined(model::joined(linearisation.nuisances, fitter.imperfections), knobs);
     const Eigen::Index n = std::ssize(fitter.free);
     fitter.lowest.resize(n), fitter.highest.resize(n);
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -149,7 +191,9 @@ void climb(Fit& fit, const Fitter& fitter, bool renewed) {
         next(fit.free) = here.at + step;
         std::optional<Rows> there = model::rowsAt(fitter.replays, fitter.drives, next);
         if (there) fitter.learn(fit, *there, step);
-        const double now = there ? fitter.misfit(*there, next, metric, fit.prior) : kInfinity;
+        const double now =
+            there ? fitter.misfit(fitter.imperfect(*there, next, fit.imperfection), next, metric, fit.prior)
+                  : kInfinity;
         if (now < misfit) {
             fitter.moveTo(fit, next, std::move(*there));
             misfit = now;
@@ -161,15 +205,55 @@ void climb(Fit& fit, const Fitter& fitter, bool renewed) {
     fit.gained += at_start - misfit;
 }
 
+// Sizes of the imperfections closer to the largest evidence (D26b).
+model::Imperfection improved(const Fit& fit, const Fitter& fitter, const inference::QuadraticModel& here) {
+    const Eigen::Index all = std::ssize(fit.free);
+    const Eigen::MatrixXd covariance =
+        inference::factorOfPriorAnd(here.information).solve(Eigen::MatrixXd::Identity(all, all));
+    model::ImperfectionsLeft left;
+    for (Eigen::Index i = 0; i < std::ssize(fit.imperfections); ++i) {
+        const Eigen::Index place = fit.numbers() + i;
+        const std::size_t part = fitter.part(i);
+        left.squares[part] += here.at(place) * here.at(place);
+        left.determined[part] += 1 - covariance(place, place);
+        left.present[part] = true;
+    }
+    return model::improved(fit.imperfection, left);
+}
+
+// Moves the imperfections of a fit to their best point beside its numbers. The model is linear in them.
+void moveImperfections(Fit& fit, const Fitter& fitter, const inference::QuadraticModel& here) {
+    const Eigen::Index first = fit.numbers(), n = std::ssize(fit.imperfections);
+    const Eigen::VectorXd gradient = (here.gradient - here.at).segment(first, n);
+    Deviation at = fit.at;
+    at(fit.imperfections) += inference::factorOfPriorAnd(here.information.block(first, first, n, n)).solve(gradient);
+    fitter.moveTo(fit, at, std::move(fit.of_car));
+}
+
+// Moves the sizes of the imperfections towards the largest evidence. True when they have settled.
+bool resizeImperfections(Fit& fit, const Fitter& fitter) {
+    if (fit.imperfections.empty()) return true;
+    const std::vector<inference::Metric> metric = fitter.metrics(fit.sizes);
+    const model::Imperfection before = fit.imperfection;
+    for (int i = 0; i < kSizeSteps; ++i) {
+        const model::Imperfection last = fit.imperfection;
+        fitter.scale(fit, improved(fit, fitter, quadraticIn(fit, metric)));
+        moveImperfections(fit, fitter, quadraticIn(fit, metric));
+        if (model::changeOf(last, fit.imperfection) < kSizesSettled) break;
+    }
+    return model::changeOf(before, fit.imperfection) < kSizesSettled;
+}
+
 // Moves the sizes towards what the fit leaves at its point. True when they have settled.
 bool resize(Fit& fit, const Fitter& fitter) {
     const Sizes before = fit.sizes;
+    const bool settled = resizeImperfections(fit, fitter);
     for (int i = 0; i < kSizeSteps; ++i) {
         const Sizes last = fit.sizes;
         fit.sizes = model::improvedSizes(fitter.uncertainty, fit.products, last, fitter.replays.threads);
         if (model::changeOf(last, fit.sizes) < kSizesSettled) break;
     }
-    return model::changeOf(before, fit.sizes) < kSizesSettled;
+    return settled && model::changeOf(before, fit.sizes) < kSizesSettled;
 }
 
 }  // namespace
@@ -206,11 +290,20 @@ std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertain
                           const Deviation& start, SizePrior prior, Remainder remainder) {
     std::optional<Rows> rows = model::rowsAt(replays, drives, start);
     if (!rows) return std::nullopt;
-    const Fitter fitter = fitterOf(replays, drives, uncertainty, linearisation.nuisances, knobs);
+    const Fitter fitter = fitterOf(replays, drives, uncertainty, linearisation, knobs);
     Fit fit;
-    fit.free = fitter.free, fit.knobs = knobs, fit.at = start, fit.rows = std::move(*rows);
-    for (std::size_t d = 0; d < drives.size(); ++d)
+    fit.free = fitter.free, fit.knobs = knobs, fit.imperfections = fitter.imperfections;
+    fit.imperfection = model::usualImperfection();
+    fit.at = start;
+    for (const Eigen::Index i : linearisation.imperfections)
+        if (std::find(fit.imperfections.begin(), fit.imperfections.end(), i) == fit.imperfections.end()) fit.at(i) = 0;
+    fit.of_car = std::move(*rows);
+    fit.rows = fitter.imperfect(fit.of_car, fit.at, fit.imperfection);
+    for (std::size_t d = 0; d < drives.size(); ++d) {
         fit.columns.push_back(uncertainty.noise[d].over(linearisation.about.columns[d](Eigen::all, fit.free)));
+        fit.columns[d].middleCols(fit.numbers(), std::ssize(fit.imperfections)) =
+            uncertainty.noise[d].over(fitter.by_imperfection[d]) * fitter.each(fit.imperfection).asDiagonal();
+    }
     fit.sizes = uncertainty.sizes, fit.prior = prior;
     if (remainder == Remainder::usual) fit.sizes.fill(1);
     fit.products = fitter.products(fit.rows, fit.columns);
@@ -220,8 +313,8 @@ std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertain
     const inference::QuadraticModel here = quadraticAt(fit, uncertainty);
     const Eigen::Index n = std::ssize(fit.free);
     fit.covariance = inference::factorOfPriorAnd(here.information).solve(Eigen::MatrixXd::Identity(n, n));
-    fit.log_evidence =
-        inference::logEvidence(here, Eigen::VectorXd::Zero(n)) + model::logPrior(fit.sizes, model::kWidePrior);
+    fit.log_evidence = inference::logEvidence(here, Eigen::VectorXd::Zero(n)) +
+                       model::logPrior(fit.sizes, model::kWidePrior) + model::logPrior(fit.imperfection);
     return fit;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "diagnose/answer/diagnosis.h"
+#include "diagnose/model/imperfection.h"
 #include "diagnose/model/linearisation.h"
 #include "inference/laplace.h"
 
@@ -29,20 +30,23 @@ enum class SizePrior { typical, none };
 enum class Remainder { estimated, usual };
 
 struct Fit {
-    std::vector<Eigen::Index> free;  // nuisances, then knobs: indices of parameters
-    std::vector<Eigen::Index> knobs;
+    std::vector<Eigen::Index> free;  // nuisances, imperfections, then knobs: indices of parameters
+    std::vector<Eigen::Index> knobs, imperfections;
     Deviation at;
-    Rows rows;
+    Rows rows;                             // of the model, with its imperfections
+    Rows of_car;                           // without
     std::vector<Eigen::MatrixXd> columns;  // per drive: columns of `free`, whitened
     std::vector<DriveProducts> products;   // per drive: columns of `free`, then the residual
     Sizes sizes{};                         // of the remainder
+    model::Imperfection imperfection{};    // sizes of the imperfections
     double log_evidence = 0;
     double gained = 0;           // nats by which the fit lowered the negative log posterior
     Eigen::MatrixXd covariance;  // posterior covariance of `free`, in units; bounds are not taken into account
     SizePrior prior = SizePrior::typical;
     bool converged = false;
 
-    Eigen::Index nuisances() const { return std::ssize(free) - std::ssize(knobs); }
+    Eigen::Index nuisances() const { return std::ssize(free) - std::ssize(knobs); }  // imperfections included
+    Eigen::Index numbers() const { return nuisances() - std::ssize(imperfections); }
 };
 
 // The point of a fit with its nuisances at their nominal values. A fit that starts there may find another maximum.

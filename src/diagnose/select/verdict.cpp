@@ -114,7 +114,7 @@ bool implausible(const Problem& problem, const Fit& fit) {
 Fit released(const Calibration& car, const Candidate& named) {
     if (named.effects.empty()) {
         Fit closest = named.fit;
-        closest.at = car.closest, closest.rows = car.closest_rows;
+        closest.at = car.closest, closest.rows = closest.of_car = car.closest_rows;
         return closest;
     }
     Fit fit = named.fit;
@@ -242,7 +242,7 @@ Verdict verdictOf(const Diagnosis& diagnosis, const Calibration& car, const Judg
         return seen ? Verdict::nothing : Verdict::not_testable;
     }
     if (remains) {
-        const double tolerances_leave = gapOf(car, car.closest_rows), left = gapOf(car, judgement.answer.rows);
+        const double tolerances_leave = gapOf(car, car.closest_rows), left = gapOf(car, judgement.answer.of_car);
         return left > 0.5 * tolerances_leave ? Verdict::unknown : Verdict::partly_explained;
     }
     return diagnosis.alternatives.empty() ? Verdict::explained : Verdict::ambiguous;
@@ -255,7 +255,7 @@ Judgement judge(answer::Diagnosis& diagnosis, const Calibration& car, const std:
     const Problem& problem = car.problem;
     Answer chosen = answerOf(car, found, held_out);
     const Candidate& named = *chosen.named;
-    Remains remains = whatRemains(car, named, chosen.fit.rows);
+    Remains remains = whatRemains(car, named, chosen.fit.of_car);
     remains.beyond_ordinary = std::max(remains.beyond_ordinary, struckBeyond(chosen));
     Judgement judgement{&named, std::move(chosen.fit), std::move(remains), predicted(car, named.fit, found.none().fit)};
     diagnosis.causes = problem.namesOf(named.effects);

@@ -35,7 +35,7 @@ Sizes sizesUnder(const model::SizesPrior& prior, const Calibration& car, const F
 // distribution, for the numbers that moved far enough to tell.
 double strainOf(const Fit& fit) {
     double nats = 0;
-    for (Eigen::Index i = 0; i < fit.nuisances(); ++i) {
+    for (Eigen::Index i = 0; i < fit.numbers(); ++i) {
         const double square = fit.at(fit.free[i]) * fit.at(fit.free[i]);
         nats += std::max(0.0, 0.5 * square - 2.5 * std::log1p(0.5 * square));
     }

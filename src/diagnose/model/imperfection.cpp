@@ -1,0 +1,84 @@
+#include "diagnose/model/imperfection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/pattern.h"
+#include "diagnose/settings.h"
+
+namespace tread::diagnose::model {
+namespace {
+
+constexpr double kLongestStep = 1;  // of the logarithm of a size
+
+// Of the prior of the logarithms, about the common one and of that about the usual one.
+constexpr double kWeight = 1 / (kSettings.imperfection_spread * kSettings.imperfection_spread);
+
+// Logarithm of the likeliest common size of some parts.
+double logCommon(const Imperfection& sizes, const std::array<bool, kParts>& of) {
+    double sum = std::log(kSettings.imperfection), weights = 1;
+    for (std::size_t k = 0; k < kParts; ++k)
+        if (of[k]) sum += std::log(sizes[k]), weights += 1;
+    return sum / weights;
+}
+
+}  // namespace
+
+Part partOf(std::string_view path) {
+    // The first pattern that fits counts.
+    static constexpr std::array<std::pair<std::string_view, Part>, 13> kPatterns{{
+        {"instruments.*", Part::instruments},
+        {"road.*", Part::surroundings},
+        {"wind.*", Part::surroundings},
+        {"steering.*", Part::steering},
+        {"brakes.*", Part::drive},
+        {"driveline.*", Part::drive},
+        {"*.suspension.*", Part::suspension},
+        {"*.unsprung_mass", Part::suspension},
+        {"*.tyre*", Part::tyre},
+        {"*.wheel_inertia", Part::tyre},
+        {"*.grip", Part::tyre},
+        {"*.stiffness", Part::tyre},
+        {"*", Part::body},
+    }};
+    return std::find_if(kPatterns.begin(), kPatterns.end(), [&](const auto& one) { return matches(one.first, path); })
+        ->second;
+}
+
+Imperfection usualImperfection() {
+    Imperfection usual;
+    usual.fill(kSettings.imperfection);
+    return usual;
+}
+
+double logPrior(const Imperfection& sizes) {
+    std::array<bool, kParts> all;
+    all.fill(true);
+    const double common = logCommon(sizes, all), off = common - std::log(kSettings.imperfection);
+    double squares = off * off;
+    for (const double size : sizes) squares += std::pow(std::log(size) - common, 2);
+    return -0.5 * kWeight * squares;
+}
+
+Imperfection improved(Imperfection sizes, const ImperfectionsLeft& left) {
+    const double common = logCommon(sizes, left.present);
+    for (std::size_t k = 0; k < kParts; ++k) {
+        const double squares = left.squares[k], determined = left.determined[k];
+        const double pull = kWeight * (std::log(sizes[k]) - common);
+        const double step = (squares - determined - pull) / (squares + determined + kWeight);
+        sizes[k] *= std::exp(std::clamp(step, -kLongestStep, kLongestStep));
+    }
+    const double now = std::exp(logCommon(sizes, left.present));
+    for (std::size_t k = 0; k < kParts; ++k)
+        if (!left.present[k]) sizes[k] = now;
+    return sizes;
+}
+
+double changeOf(const Imperfection& from, const Imperfection& to) {
+    double largest = 0;
+    for (std::size_t k = 0; k < kParts; ++k) largest = std::max(largest, std::abs(std::log(to[k] / from[k])));
+    return largest;
+}
+
+}  // namespace tread::diagnose::model
