@@ -95,18 +95,18 @@ struct Round {
 // Everything except the fit. `relevant`: nuisances to use; null: they are selected here.
 Round roundAt(const Problem& problem, model::Sensitivities about, std::vector<double> until,
               const std::vector<Eigen::Index>* relevant) {
+    const int threads = problem.replays.threads;
     Round round;
     round.uncertainty = model::uncertaintyAt(problem.replays, problem.drives, about.at, about.rows, std::move(until));
     const std::vector<Eigen::Index> kept =
-        relevant ? *relevant : model::relevantNuisances(problem.nuisances, about, round.uncertainty);
-    round.about = model::linearisation(about, kept, round.uncertainty);
+        relevant ? *relevant : model::relevantNuisances(problem.nuisances, about, round.uncertainty, threads);
+    round.about = model::linearisation(about, kept, problem.allKnobs(), round.uncertainty, threads);
     round.uncertainty.sizes = select::sizesWithAllFree(
-        problem, round.uncertainty,
-        model::productsWith(problem.allKnobs(), problem.drives, round.about, round.uncertainty));
+        problem, round.uncertainty, model::productsWithResidual(problem.drives, round.about, round.uncertainty));
     round.birge_ratio = model::birgeRatio(problem.drives, round.uncertainty, about.rows, round.uncertainty.sizes);
     round.larger = round.uncertainty;
     for (model::RowNoise& noise : round.larger.noise) noise.deviation *= round.birge_ratio;
-    round.about_larger = model::linearisation(std::move(about), kept, round.larger);
+    round.about_larger = model::linearisation(std::move(about), kept, problem.allKnobs(), round.larger, threads);
     return round;
 }
 
@@ -174,7 +174,7 @@ void tellNumbers(Identification& found, const Problem& problem, const Fit& fit) 
 }
 
 // Correlations, condition and least determined mixture of the numbers (D52).
-void tellShape(Identification& found, const Round& round) {
+void tellShape(Identification& found, const Problem& problem, const Round& round) {
     const Fit& fit = round.fit;
     const Eigen::Index knobs = std::ssize(found.numbers), nuisances = fit.nuisances();
     const Eigen::MatrixXd left = fit.covariance.bottomRightCorner(knobs, knobs);
@@ -183,7 +183,8 @@ void tellShape(Identification& found, const Round& round) {
         for (Eigen::Index j = 0; j < knobs; ++j) row.push_back(left(i, j) / std::sqrt(left(i, i) * left(j, j)));
         found.correlation.push_back(std::move(row));
     }
-    const model::NormalEquations sum = model::normalEquations(round.larger, fit.products, round.larger.sizes);
+    const model::NormalEquations sum =
+        model::normalEquations(round.larger, fit.products, round.larger.sizes, problem.replays.threads);
     const Eigen::MatrixXd seen = inference::withoutFirst(sum, nuisances).products.topLeftCorner(knobs, knobs);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> shape(seen);
     const double least = shape.eigenvalues()(0), most = shape.eigenvalues()(knobs - 1);
@@ -222,7 +223,7 @@ Identification identificationOf(const Subject& nominal, recording::DiagnosisFile
     found.converged = result->settled;
     found.birge_ratio = result->round.birge_ratio;
     tellNumbers(found, problem, result->round.fit);
-    tellShape(found, result->round);
+    tellShape(found, problem, result->round);
     tellGap(found, problem, std::move(*result));
     const diagnose::answer::HowFar& how_far = found.gap.how_far;
     found.better = how_far.in_sample ? how_far.training.calibrated < how_far.training.nominal

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "inference/laplace.h"
 
@@ -21,6 +22,20 @@ Eigen::MatrixXd inverseOf(const Factor& factor) {
         lower.bottomRightCorner(left, left).triangularView<Eigen::Lower>().solveInPlace(columns);
     }
     return inverse;
+}
+
+// Products of columns that change by v step', but for the last. `with`: their products with v.
+void addToSquares(Eigen::MatrixXd& products, const Eigen::VectorXd& with, double square, const Eigen::VectorXd& step) {
+    const Index n = step.size();
+    const Eigen::VectorXd across = with.head(n) + 0.5 * square * step;
+    products.topLeftCorner(n, n) += across * step.transpose() + step * across.transpose();
+    products.topRightCorner(n, 1) += with(n) * step;
+    products.bottomLeftCorner(1, n) = products.topRightCorner(n, 1).transpose();
+}
+
+void setLast(Eigen::MatrixXd& products, const Eigen::VectorXd& with) {
+    products.rightCols(1) = with;
+    products.bottomRows(1) = with.transpose();
 }
 
 }  // namespace
@@ -43,24 +58,40 @@ DriveProducts extended(const DriveProducts& products, const Eigen::MatrixXd& col
     return result;
 }
 
-void updateByRankOne(DriveProducts& products, const Eigen::MatrixXd& columns, const Eigen::VectorXd& residual,
-                     const Eigen::MatrixXd& disturbances, const Eigen::VectorXd& by, const Eigen::VectorXd& step) {
-    const Index n = columns.cols();
-    const Eigen::VectorXd across = columns.transpose() * by;
-    auto squares = products.columns.topLeftCorner(n, n);
-    squares += across * step.transpose() + step * across.transpose() + by.squaredNorm() * step * step.transpose();
-    products.columns.topRightCorner(n, 1) += by.dot(residual) * step;
-    products.columns.bottomLeftCorner(1, n) = products.columns.topRightCorner(n, 1).transpose();
-    products.mixed.leftCols(n) += (disturbances.transpose() * by) * step.transpose();
+DriveProducts firstColumns(const DriveProducts& products, Index count) {
+    return {products.columns.topLeftCorner(count, count), products.disturbances, products.mixed.leftCols(count)};
 }
 
-void replaceLast(DriveProducts& products, const Eigen::MatrixXd& columns, const Eigen::VectorXd& residual,
-                 const Eigen::MatrixXd& disturbances) {
-    const Index n = columns.cols();
-    products.columns.topRightCorner(n, 1) = columns.transpose() * residual;
-    products.columns.bottomLeftCorner(1, n) = products.columns.topRightCorner(n, 1).transpose();
-    products.columns(n, n) = residual.squaredNorm();
-    products.mixed.col(n) = disturbances.transpose() * residual;
+DriveProducts selected(const DriveProducts& products, const std::vector<Index>& columns,
+                       const Eigen::VectorXd& factors) {
+    DriveProducts result{products.columns(columns, columns), products.disturbances,
+                         products.mixed(Eigen::all, columns)};
+    scaleColumns(result, factors);
+    return result;
+}
+
+void scaleColumns(DriveProducts& products, const Eigen::VectorXd& factors) {
+    const auto by = factors.asDiagonal();
+    products.columns = (by * products.columns * by).eval();
+    products.mixed = (products.mixed * by).eval();
+}
+
+ColumnProducts productsOfColumn(const Eigen::VectorXd& column, const Eigen::MatrixXd& columns,
+                                const Eigen::VectorXd& last, const Eigen::MatrixXd& disturbances) {
+    ColumnProducts products{Eigen::VectorXd(columns.cols() + 1), column.squaredNorm(),
+                            disturbances.transpose() * column};
+    products.with << columns.transpose() * column, last.dot(column);
+    return products;
+}
+
+void updateByRankOne(DriveProducts& products, const ColumnProducts& by, const Eigen::VectorXd& step) {
+    addToSquares(products.columns, by.with, by.square, step);
+    products.mixed.leftCols(step.size()) += by.mixed * step.transpose();
+}
+
+void replaceLast(DriveProducts& products, const ColumnProducts& last) {
+    setLast(products.columns, last.with);
+    products.mixed.rightCols(1) = last.mixed;
 }
 
 Metric metricOf(const Eigen::MatrixXd& disturbances, const Eigen::VectorXd& sizes) {
@@ -69,13 +100,34 @@ Metric metricOf(const Eigen::MatrixXd& disturbances, const Eigen::VectorXd& size
     return {sizes, factorOfPriorAnd(scale * disturbances * scale)};
 }
 
-NormalEquations normalEquations(const DriveProducts& products, const Metric& metric) {
-    const Eigen::MatrixXd half = metric.factor.matrixL().solve(metric.sizes.asDiagonal() * products.mixed);
-    return {products.columns - half.transpose() * half, logDeterminant(metric.factor)};
+NormalEquations normalEquations(const DriveProducts& products, const Eigen::VectorXd& sizes) {
+    return MarginalProducts(products, metricOf(products.disturbances, sizes)).equations();
 }
 
-NormalEquations normalEquations(const DriveProducts& products, const Eigen::VectorXd& sizes) {
-    return normalEquations(products, metricOf(products.disturbances, sizes));
+MarginalProducts::MarginalProducts(const DriveProducts& products, Metric metric) : metric_(std::move(metric)) {
+    half_ = metric_.factor.matrixL().solve(metric_.sizes.asDiagonal() * products.mixed);
+    equations_ = {products.columns - half_.transpose() * half_, logDeterminant(metric_.factor)};
+}
+
+Eigen::VectorXd MarginalProducts::halfOf(const Eigen::VectorXd& mixed) const {
+    return metric_.factor.matrixL().solve(metric_.sizes.cwiseProduct(mixed));
+}
+
+void MarginalProducts::updateByRankOne(const ColumnProducts& by, const Eigen::VectorXd& step) {
+    const Eigen::VectorXd half = halfOf(by.mixed);
+    addToSquares(equations_.products, by.with - half_.transpose() * half, by.square - half.squaredNorm(), step);
+    half_.leftCols(step.size()) += half * step.transpose();
+}
+
+void MarginalProducts::replaceLast(const ColumnProducts& last) {
+    half_.rightCols(1) = halfOf(last.mixed);
+    setLast(equations_.products, last.with - half_.transpose() * half_.rightCols(1));
+}
+
+void MarginalProducts::scaleColumns(const Eigen::VectorXd& factors) {
+    const auto by = factors.asDiagonal();
+    half_ = (half_ * by).eval();
+    equations_.products = (by * equations_.products * by).eval();
 }
 
 double squaresIn(const Metric& metric, const Eigen::VectorXd& residual, const Eigen::VectorXd& mixed) {

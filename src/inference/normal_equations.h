@@ -28,12 +28,27 @@ DriveProducts productsOf(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& 
 DriveProducts extended(const DriveProducts& products, const Eigen::MatrixXd& columns,
                        const Eigen::MatrixXd& disturbances, const Eigen::MatrixXd& further);
 
-// Products after the first columns W change to W + by step'. The last column, the residual, stays.
-void updateByRankOne(DriveProducts& products, const Eigen::MatrixXd& columns, const Eigen::VectorXd& residual,
-                     const Eigen::MatrixXd& disturbances, const Eigen::VectorXd& by, const Eigen::VectorXd& step);
-// Products with another last column.
-void replaceLast(DriveProducts& products, const Eigen::MatrixXd& columns, const Eigen::VectorXd& residual,
-                 const Eigen::MatrixXd& disturbances);
+// The products of the first columns alone.
+DriveProducts firstColumns(const DriveProducts& products, Index count);
+
+// The products of these columns alone, each multiplied by its factor.
+DriveProducts selected(const DriveProducts& products, const std::vector<Index>& columns,
+                       const Eigen::VectorXd& factors);
+void scaleColumns(DriveProducts& products, const Eigen::VectorXd& factors);
+
+// Products of a further column v with all others, of which W are those before the last.
+struct ColumnProducts {
+    Eigen::VectorXd with;   // W'v, then that of the last column
+    double square = 0;      // v'v
+    Eigen::VectorXd mixed;  // D'v
+};
+ColumnProducts productsOfColumn(const Eigen::VectorXd& column, const Eigen::MatrixXd& columns,
+                                const Eigen::VectorXd& last, const Eigen::MatrixXd& disturbances);
+
+// Products after the columns before the last one change to W + by step'. The last, the residual, stays.
+void updateByRankOne(DriveProducts& products, const ColumnProducts& by, const Eigen::VectorXd& step);
+// Products with another last column. `with` ends with its own square.
+void replaceLast(DriveProducts& products, const ColumnProducts& last);
 
 // Products of the columns after marginalising the disturbances, and the determinant that this adds to the evidence.
 struct NormalEquations {
@@ -49,8 +64,28 @@ struct Metric {
 Metric metricOf(const Eigen::MatrixXd& disturbances, const Eigen::VectorXd& sizes);
 
 // Marginalises the disturbances (D13).
-NormalEquations normalEquations(const DriveProducts& products, const Metric& metric);
 NormalEquations normalEquations(const DriveProducts& products, const Eigen::VectorXd& sizes);
+
+// The same while the columns change and the disturbances keep their sizes.
+class MarginalProducts {
+public:
+    MarginalProducts(const DriveProducts& products, Metric metric);
+
+    const NormalEquations& equations() const { return equations_; }
+    const Metric& metric() const { return metric_; }
+
+    // As the functions of the same names do with the products.
+    void updateByRankOne(const ColumnProducts& by, const Eigen::VectorXd& step);
+    void replaceLast(const ColumnProducts& last);
+    void scaleColumns(const Eigen::VectorXd& factors);
+
+private:
+    Eigen::VectorXd halfOf(const Eigen::VectorXd& mixed) const;
+
+    Metric metric_;
+    Eigen::MatrixXd half_;  // L^-1 S D'W with the factor L of the metric: W'W - half'half are the products
+    NormalEquations equations_;
+};
 
 // Squared length of a residual in the metric. `mixed`: D' times the residual.
 double squaresIn(const Metric& metric, const Eigen::VectorXd& residual, const Eigen::VectorXd& mixed);

@@ -83,11 +83,14 @@ inline diagnose::select::Calibration calibrationOf(const diagnose::model::Proble
     }
     car.structure_error = 0.05;
     car.nominal = car.fit.rows = about.rows;
-    car.about = diagnose::model::linearisation(std::move(about), problem.nuisances, car.uncertainty);
-    car.products = diagnose::model::productsWith(problem.allKnobs(), problem.drives, car.about, car.uncertainty);
+    car.about =
+        diagnose::model::linearisation(std::move(about), problem.nuisances, problem.allKnobs(), car.uncertainty, 1);
+    car.products = diagnose::model::productsWithResidual(problem.drives, car.about, car.uncertainty);
     car.fit.free = problem.nuisances;
     car.fit.at = problem.replays.origin();
-    car.fit.columns = car.about.columns;
+    const auto nuisances = std::ssize(problem.nuisances);
+    for (const MatrixXd& columns : car.about.columns) car.fit.columns.emplace_back(columns.leftCols(nuisances));
+    car.fit.products = car.products;
     return car;
 }
 

@@ -94,5 +94,57 @@ TEST(NormalEquations, FurtherColumnsAreAsIfTheyHadBeenThereFromTheStart) {
     EXPECT_LT((grown.mixed - whole.mixed).cwiseAbs().maxCoeff(), 1e-12);
 }
 
+// Products that are kept up to date while the columns change are those of the changed columns.
+TEST(NormalEquations, ProductsFollowTheirColumns) {
+    const Dense dense;
+    MatrixXd columns = dense.columns.leftCols(3);
+    VectorXd residual = dense.columns.col(3);
+    DriveProducts products = productsOf(dense.columns, dense.disturbances);
+    inference::MarginalProducts marginal(products, inference::metricOf(products.disturbances, dense.sizes));
+    const auto expectThoseOf = [&] {
+        MatrixXd all(columns.rows(), 4);
+        all << columns, residual;
+        const DriveProducts anew = productsOf(all, dense.disturbances);
+        EXPECT_LT((products.columns - anew.columns).cwiseAbs().maxCoeff(), 1e-10);
+        EXPECT_LT((products.mixed - anew.mixed).cwiseAbs().maxCoeff(), 1e-10);
+        const MatrixXd expected = all.transpose() * dense.metric().inverse() * all;
+        EXPECT_LT((marginal.equations().products - expected).cwiseAbs().maxCoeff(), 1e-10);
+    };
+
+    const VectorXd by = randomMatrix(40, 1, 4), step = randomMatrix(3, 1, 5);
+    const auto of_step = inference::productsOfColumn(by, columns, residual, dense.disturbances);
+    inference::updateByRankOne(products, of_step, step);
+    marginal.updateByRankOne(of_step, step);
+    columns += by * step.transpose();
+    expectThoseOf();
+
+    residual = randomMatrix(40, 1, 6);
+    const auto of_residual = inference::productsOfColumn(residual, columns, residual, dense.disturbances);
+    inference::replaceLast(products, of_residual);
+    marginal.replaceLast(of_residual);
+    expectThoseOf();
+
+    const Eigen::Vector4d factors(2, 1, 0.5, 1);
+    inference::scaleColumns(products, factors);
+    marginal.scaleColumns(factors);
+    columns = (columns * factors.head(3).asDiagonal()).eval();
+    expectThoseOf();
+}
+
+TEST(NormalEquations, SelectedProductsAreThoseOfTheSelectedColumns) {
+    const Dense dense;
+    const DriveProducts whole = productsOf(dense.columns, dense.disturbances);
+    const Eigen::Vector2d factors(3, 0.5);
+    MatrixXd columns(40, 2);
+    columns << 3 * dense.columns.col(2), 0.5 * dense.columns.col(0);
+    const DriveProducts found = inference::selected(whole, {2, 0}, factors);
+    const DriveProducts expected = productsOf(columns, dense.disturbances);
+    EXPECT_LT((found.columns - expected.columns).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_LT((found.mixed - expected.mixed).cwiseAbs().maxCoeff(), 1e-12);
+    const DriveProducts first = inference::firstColumns(whole, 2);
+    EXPECT_EQ(first.columns, whole.columns.topLeftCorner(2, 2));
+    EXPECT_EQ(first.mixed, whole.mixed.leftCols(2));
+}
+
 }  // namespace
 }  // namespace tread

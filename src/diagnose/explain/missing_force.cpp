@@ -79,7 +79,8 @@ Reading reading(const Calibration& car, std::size_t drive, const Sizes& sizes) {
     // Covariance of the projections by chance: white noise gives D'D in the metric of the directions; usual
     // disturbances and tolerances add their own.
     const Eigen::MatrixXd pushed = scaled.transpose() * directions * usual.asDiagonal();
-    const Eigen::MatrixXd tolerated = scaled.transpose() * car.about.columns[drive];
+    const Eigen::MatrixXd tolerated =
+        scaled.transpose() * car.about.columns[drive].leftCols(std::ssize(car.about.nuisances));
     const Eigen::MatrixXd spread = factor.solve(
         factor.solve(together + pushed * pushed.transpose() + tolerated * tolerated.transpose()).transpose());
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(spread);

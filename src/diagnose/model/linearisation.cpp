@@ -1,5 +1,7 @@
 #include "diagnose/model/linearisation.h"
 
+#include "base/parallel.h"
+
 namespace tread::diagnose::model {
 namespace {
 
@@ -23,20 +25,21 @@ std::vector<std::vector<bool>> worthDriving(const Linearisation& about, const Un
 }  // namespace
 
 Linearisation linearisation(Sensitivities about, const std::vector<Eigen::Index>& nuisances,
-                            const Uncertainty& uncertainty) {
-    Linearisation result{std::move(about), nuisances, {}, {}};
-    for (std::size_t d = 0; d < uncertainty.noise.size(); ++d) {
-        Eigen::MatrixXd columns = uncertainty.noise[d].over(result.about.columns[d](Eigen::all, nuisances));
-        result.products.push_back(inference::productsOf(columns, uncertainty.directions[d]));
-        result.columns.push_back(std::move(columns));
-    }
+                            const std::vector<Eigen::Index>& knobs, const Uncertainty& uncertainty, int threads) {
+    const std::size_t drives = uncertainty.noise.size();
+    Linearisation result{std::move(about), nuisances, joined(nuisances, knobs), {}, {}};
+    result.columns.resize(drives), result.products.resize(drives);
+    inParallel(drives, threads, [&](std::size_t d) {
+        result.columns[d] = uncertainty.noise[d].over(result.about.columns[d](Eigen::all, result.parameters));
+        result.products[d] = productsOf(uncertainty, d, result.columns[d]);
+    });
     return result;
 }
 
 std::vector<Eigen::Index> relevantNuisances(const std::vector<Eigen::Index>& nuisances, const Sensitivities& about,
-                                            const Uncertainty& uncertainty) {
-    const Linearisation all = linearisation(about, nuisances, uncertainty);
-    const NormalEquations sum = normalEquations(uncertainty, all.products, uncertainty.sizes);
+                                            const Uncertainty& uncertainty, int threads) {
+    const Linearisation all = linearisation(about, nuisances, {}, uncertainty, threads);
+    const NormalEquations sum = normalEquations(uncertainty, all.products, uncertainty.sizes, threads);
     std::vector<Eigen::Index> kept;
     for (std::size_t i = 0; i < nuisances.size(); ++i)
         if (0.5 * sum.products(i, i) > kNegligible) kept.push_back(nuisances[i]);
@@ -60,15 +63,13 @@ Eigen::MatrixXd columnsAndResidual(Drives drives, const Uncertainty& uncertainty
     return all;
 }
 
-std::vector<DriveProducts> productsWith(const std::vector<Eigen::Index>& parameters, Drives drives,
-                                        const Linearisation& linearisation, const Uncertainty& uncertainty) {
+std::vector<DriveProducts> productsWithResidual(Drives drives, const Linearisation& linearisation,
+                                                const Uncertainty& uncertainty) {
     std::vector<DriveProducts> products;
-    for (std::size_t d = 0; d < drives.size(); ++d) {
-        const Sensitivities& about = linearisation.about;
-        products.push_back(
-            inference::extended(linearisation.products[d], linearisation.columns[d], uncertainty.directions[d],
-                                columnsAndResidual(drives, uncertainty, about, parameters, about.rows, d)));
-    }
+    for (std::size_t d = 0; d < drives.size(); ++d)
+        products.push_back(inference::extended(linearisation.products[d], linearisation.columns[d],
+                                               uncertainty.directions[d],
+                                               residual(drives, uncertainty, linearisation.about.rows, d)));
     return products;
 }
 

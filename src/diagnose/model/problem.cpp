@@ -100,8 +100,9 @@ NominalCar nominalCar(const Problem& problem, const Progress& progress) {
     for (const Eigen::MatrixXd& columns : about.columns)
         car.allowed.emplace_back(columns(Eigen::all, problem.nuisances).rowwise().norm());
     car.uncertainty = uncertaintyAt(problem.replays, problem.drives, origin, about.rows, endsOf(problem.drives));
-    const std::vector<Eigen::Index> relevant = relevantNuisances(problem.nuisances, about, car.uncertainty);
-    car.about = linearisation(std::move(about), relevant, car.uncertainty);
+    const std::vector<Eigen::Index> relevant =
+        relevantNuisances(problem.nuisances, about, car.uncertainty, problem.replays.threads);
+    car.about = linearisation(std::move(about), relevant, {}, car.uncertainty, problem.replays.threads);
     return car;
 }
 

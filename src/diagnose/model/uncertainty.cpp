@@ -65,10 +65,12 @@ NormalEquations normalEquations(const Uncertainty& uncertainty, std::size_t driv
 }
 
 NormalEquations normalEquations(const Uncertainty& uncertainty, const std::vector<DriveProducts>& products,
-                                const Sizes& sizes) {
+                                const Sizes& sizes, int threads) {
+    std::vector<NormalEquations> each(products.size());
+    inParallel(products.size(), threads,
+               [&](std::size_t d) { each[d] = normalEquations(uncertainty, d, products[d], sizes); });
     NormalEquations sum;
-    for (std::size_t d = 0; d < products.size(); ++d)
-        sum = std::move(sum) + normalEquations(uncertainty, d, products[d], sizes);
+    for (const NormalEquations& one : each) sum = std::move(sum) + one;
     return sum;
 }
 

@@ -42,7 +42,7 @@ double squaresOf(const Uncertainty& uncertainty, std::size_t drive, const Eigen:
 NormalEquations normalEquations(const Uncertainty& uncertainty, std::size_t drive, const DriveProducts& products,
                                 const Sizes& sizes);
 NormalEquations normalEquations(const Uncertainty& uncertainty, const std::vector<DriveProducts>& products,
-                                const Sizes& sizes);
+                                const Sizes& sizes, int threads);
 
 // Birge ratio, at least 1: root of the squared residual over that expected of noise (R. T. Birge, The calculation of
 // errors by the method of least squares, Physical Review 40, 1932). A model whose structure differs from that of the

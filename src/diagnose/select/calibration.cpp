@@ -70,8 +70,8 @@ model::Sensitivities withKnobs(const Calibration& car, const std::function<void(
 // The products of a model whose parameters are at their best point: the residual loses what the parameters explain.
 // Bounds are ignored.
 std::vector<DriveProducts> atBest(const Uncertainty& uncertainty, std::vector<DriveProducts> products,
-                                  const Sizes& sizes) {
-    const model::NormalEquations sum = model::normalEquations(uncertainty, products, sizes);
+                                  const Sizes& sizes, int threads) {
+    const model::NormalEquations sum = model::normalEquations(uncertainty, products, sizes, threads);
     const Eigen::Index n = sum.products.cols() - 1;
     const Eigen::VectorXd best =
         inference::factorOfPriorAnd(sum.products.topLeftCorner(n, n)).solve(sum.products.topRightCorner(n, 1));
@@ -99,7 +99,7 @@ void compareFurther(Calibration& car) {
     car.uncertainty =
         model::uncertaintyAt(problem.replays, problem.drives, at, about.rows, model::endsOf(problem.drives));
     car.uncertainty.sizes = car.fit.sizes;
-    car.about = model::linearisation(std::move(about), relevant, car.uncertainty);
+    car.about = model::linearisation(std::move(about), relevant, {}, car.uncertainty, problem.replays.threads);
     car.fit = fitOf(problem, car.uncertainty, car.about, car.fit.at);
 }
 
@@ -126,7 +126,8 @@ void chooseClosest(Calibration& car) {
 // Imperfections that can change an answer.
 std::vector<Eigen::Index> relevantImperfections(const Calibration& car) {
     constexpr double kNegligible = 1;  // nats of an effect at its typical size
-    const model::NormalEquations sum = model::normalEquations(car.uncertainty, car.products, car.uncertainty.sizes);
+    const model::NormalEquations sum =
+        model::normalEquations(car.uncertainty, car.products, car.uncertainty.sizes, car.problem.replays.threads);
     const Eigen::Index first = std::ssize(car.about.nuisances);
     std::vector<Eigen::Index> kept;
     for (std::size_t i = 0; i < car.problem.imperfections.size(); ++i) {
@@ -149,7 +150,7 @@ std::vector<model::Share> Calibration::asNuisances(const Parameter& parameter) c
 Linearisation linearisedAt(const Calibration& car, const Deviation& at) {
     Linearisation here = model::linearisation(
         model::nuisancesAt(car.problem.replays, car.drives(), at, car.about, car.uncertainty, [](double) {}),
-        car.about.nuisances, car.uncertainty);
+        car.about.nuisances, car.problem.allKnobs(), car.uncertainty, car.problem.replays.threads);
     here.imperfections = car.about.imperfections;
     return here;
 }
@@ -174,7 +175,7 @@ Calibration calibrate(const Problem& problem, model::NominalCar nominal, const P
         car.uncertainty = model::uncertaintyAt(problem.replays, problem.drives, about.at, about.rows,
                                                car.uncertainty.until, round > 0 ? &car.uncertainty : nullptr);
         car.uncertainty.sizes = car.fit.sizes;
-        car.about = model::linearisation(std::move(about), relevant, car.uncertainty);
+        car.about = model::linearisation(std::move(about), relevant, {}, car.uncertainty, problem.replays.threads);
         car.fit = fitOf(problem, car.uncertainty, car.about, car.fit.at);
         if (car.fit.gained < kSettled) break;
     }
@@ -185,8 +186,9 @@ Calibration calibrate(const Problem& problem, model::NominalCar nominal, const P
     }
     model::Sensitivities with_knobs =
         withKnobs(car, [&](double share) { progress(0.5 + 0.5 * share, "sensitivities to effects"); });
-    car.about = model::linearisation(std::move(with_knobs), relevant, car.uncertainty);
-    car.products = model::productsWith(problem.allKnobs(), problem.drives, car.about, car.uncertainty);
+    car.about = model::linearisation(std::move(with_knobs), relevant, problem.allKnobs(), car.uncertainty,
+                                     problem.replays.threads);
+    car.products = model::productsWithResidual(problem.drives, car.about, car.uncertainty);
     car.uncertainty.sizes = car.fit.sizes;
     car.uncertainty.sizes = sizesWithAllFree(problem, car.uncertainty, car.products);
     chooseClosest(car);
@@ -207,20 +209,22 @@ Calibration uncalibrated(const Problem& problem, model::NominalCar nominal, cons
     car.fit.free = relevant;
     car.fit.at = problem.replays.origin();
     car.fit.rows = car.fit.of_car = car.nominal;
-    car.fit.columns = car.about.columns;
+    car.fit.columns = car.about.columns, car.fit.products = car.about.products;
     model::Sensitivities with_knobs =
         withKnobs(car, [&](double share) { progress(share, "sensitivities to effects"); });
-    car.about = model::linearisation(std::move(with_knobs), relevant, car.uncertainty);
-    car.products = model::productsWith(problem.allKnobs(), problem.drives, car.about, car.uncertainty);
+    car.about = model::linearisation(std::move(with_knobs), relevant, problem.allKnobs(), car.uncertainty,
+                                     problem.replays.threads);
+    car.products = model::productsWithResidual(problem.drives, car.about, car.uncertainty);
     return car;
 }
 
 Sizes sizesWithAllFree(const Problem& problem, const Uncertainty& uncertainty,
                        const std::vector<DriveProducts>& products) {
+    const int threads = problem.replays.threads;
     Sizes sizes = uncertainty.sizes;
     for (int i = 0; i < kSizeSteps; ++i) {
         const Sizes last = sizes;
-        sizes = model::improvedSizes(uncertainty, atBest(uncertainty, products, last), last, problem.replays.threads);
+        sizes = model::improvedSizes(uncertainty, atBest(uncertainty, products, last, threads), last, threads);
         if (model::changeOf(last, sizes) < kSizesSettled) break;
     }
     return sizes;

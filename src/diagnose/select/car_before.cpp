@@ -127,9 +127,10 @@ std::optional<Fit> settledFit(const model::Problem& problem, const Progress& pro
         for (model::RowNoise& noise : uncertainty.noise)
             noise.deviation *= ratio * std::sqrt(kErrorLasts / recording::kBlock);
         const std::vector<Eigen::Index> relevant =
-            linear ? linear->nuisances : model::relevantNuisances(problem.nuisances, about, uncertainty);
+            linear ? linear->nuisances
+                   : model::relevantNuisances(problem.nuisances, about, uncertainty, problem.replays.threads);
         const Rows before = about.rows;
-        linear = model::linearisation(std::move(about), relevant, uncertainty);
+        linear = model::linearisation(std::move(about), relevant, {}, uncertainty, problem.replays.threads);
         std::optional<Fit> fit = fitted(problem.replays, problem.drives, uncertainty, *linear, {}, at);
         last = std::move(uncertainty);
         if (!fit) break;

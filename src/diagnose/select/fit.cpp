@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/parallel.h"
 #include "diagnose/model/remainder.h"
@@ -26,33 +27,32 @@ constexpr double kLeastPrior = 1.0 / 400;
 constexpr int kMostTurns = 6, kSizeSteps = 3;
 constexpr double kSizesSettled = 0.1;
 
+// A fit on its way, with the products of its columns beside the remainder of its sizes.
+struct Moving {
+    Fit fit;
+    std::vector<inference::MarginalProducts> marginal;  // per drive
+};
+
 // The problem of one fit, apart from the point.
 struct Fitter {
     const Replays& replays;
     Drives drives;
     const Uncertainty& uncertainty;
     std::vector<Eigen::Index> knobs, free, imperfections;
+    std::vector<Eigen::Index> places;              // of `free` in the linearisation
     Eigen::VectorXd lowest, highest;               // bounds of `free`
     std::vector<model::Part> parts;                // of each imperfection
     std::vector<Eigen::MatrixXd> by_imperfection;  // per drive: change of the rows per typical size
 
-    std::vector<DriveProducts> products(const Rows& rows, const std::vector<Eigen::MatrixXd>& columns) const {
-        std::vector<DriveProducts> all(rows.size());
-        inParallel(rows.size(), replays.threads, [&](std::size_t d) {
-            Eigen::MatrixXd further(rows[d].size(), columns[d].cols() + 1);
-            further.leftCols(columns[d].cols()) = columns[d];
-            further.rightCols(1) = model::residual(drives, uncertainty, rows, d);
-            all[d] = model::productsOf(uncertainty, d, further);
-        });
-        return all;
-    }
-
-    std::vector<inference::Metric> metrics(const Sizes& sizes) const {
-        std::vector<inference::Metric> all(drives.size());
+    // Marginalises the remainder of the present sizes.
+    void marginalise(Moving& now) const {
+        std::vector<std::optional<inference::MarginalProducts>> all(drives.size());
         inParallel(drives.size(), replays.threads, [&](std::size_t d) {
-            all[d] = inference::metricOf(uncertainty.bare[d].disturbances, uncertainty.sizesOf(d, sizes));
+            const DriveProducts& products = now.fit.products[d];
+            all[d].emplace(products, inference::metricOf(products.disturbances, uncertainty.sizesOf(d, now.fit.sizes)));
         });
-        return all;
+        now.marginal.clear();
+        for (auto& one : all) now.marginal.push_back(std::move(*one));
     }
 
     std::size_t part(Eigen::Index i) const { return static_cast<std::size_t>(parts[i]); }
@@ -69,69 +69,83 @@ struct Fitter {
         return rows;
     }
 
-    // Gives the imperfections of a fit other sizes; its rows stay.
-    void scale(Fit& fit, const model::Imperfection& sizes) const {
-        Eigen::VectorXd factor = Eigen::VectorXd::Ones(std::ssize(fit.free) + 1);  // of the columns and the residual
-        factor.segment(fit.numbers(), std::ssize(imperfections)) = each(sizes).cwiseQuotient(each(fit.imperfection));
-        const auto by = factor.asDiagonal();
+    // Gives the imperfections other sizes; the rows stay.
+    void scale(Moving& now, const model::Imperfection& sizes) const {
+        Fit& fit = now.fit;
+        Eigen::VectorXd factors = Eigen::VectorXd::Ones(std::ssize(fit.free) + 1);  // of the columns and the residual
+        factors.segment(fit.numbers(), std::ssize(imperfections)) = each(sizes).cwiseQuotient(each(fit.imperfection));
         fit.imperfection = sizes;
-        fit.at(fit.free).array() /= factor.head(std::ssize(fit.free)).array();
+        fit.at(fit.free).array() /= factors.head(std::ssize(fit.free)).array();
         for (std::size_t d = 0; d < fit.columns.size(); ++d) {
-            fit.columns[d] = (fit.columns[d] * factor.head(std::ssize(fit.free)).asDiagonal()).eval();
-            fit.products[d].columns = (by * fit.products[d].columns * by).eval();
-            fit.products[d].mixed = (fit.products[d].mixed * by).eval();
+            fit.columns[d] = (fit.columns[d] * factors.head(std::ssize(fit.free)).asDiagonal()).eval();
+            inference::scaleColumns(fit.products[d], factors);
+            now.marginal[d].scaleColumns(factors);
         }
     }
 
-    // Negative log posterior, up to constants (D20).
-    double misfit(const Rows& rows, const Deviation& at, const std::vector<inference::Metric>& metric,
-                  SizePrior prior) const {
+    // Negative log posterior of a point, up to constants (D20).
+    double misfit(const Moving& now, const Rows& rows, const Deviation& at) const {
         double sum = at(free).squaredNorm();
-        if (prior == SizePrior::none) sum -= (1 - kLeastPrior) * at(knobs).squaredNorm();
-        for (std::size_t d = 0; d < rows.size(); ++d) {
+        if (now.fit.prior == SizePrior::none) sum -= (1 - kLeastPrior) * at(knobs).squaredNorm();
+        std::vector<double> squares(rows.size());
+        inParallel(rows.size(), replays.threads, [&](std::size_t d) {
             const Eigen::VectorXd left = model::residual(drives, uncertainty, rows, d);
-            sum += inference::squaresIn(metric[d], left, uncertainty.directions[d].transpose() * left);
-        }
-        return 0.5 * sum;
+            squares[d] =
+                inference::squaresIn(now.marginal[d].metric(), left, uncertainty.directions[d].transpose() * left);
+        });
+        return 0.5 * std::accumulate(squares.begin(), squares.end(), sum);
     }
 
     // Computes the columns of the knobs again by finite differences.
-    void renewKnobs(std::vector<Eigen::MatrixXd>& columns, const Deviation& at) const {
+    void renewKnobs(Moving& now) const {
+        Fit& fit = now.fit;
         const model::Sensitivities here =
-            model::sensitivities(replays, drives, at, {.parameters = knobs, .step = model::kEffectStep});
-        for (std::size_t d = 0; d < columns.size(); ++d) {
-            auto last = columns[d].rightCols(std::ssize(knobs));
-            last = uncertainty.noise[d].over(here.columns[d](Eigen::all, knobs));
-        }
+            model::sensitivities(replays, drives, fit.at, {.parameters = knobs, .step = model::kEffectStep});
+        const Eigen::Index others = std::ssize(free) - std::ssize(knobs);
+        inParallel(drives.size(), replays.threads, [&](std::size_t d) {
+            Eigen::MatrixXd renewed(fit.rows[d].size(), std::ssize(knobs) + 1);
+            renewed << uncertainty.noise[d].over(here.columns[d](Eigen::all, knobs)),
+                model::residual(drives, uncertainty, fit.rows, d);
+            fit.products[d] = inference::extended(inference::firstColumns(fit.products[d], others),
+                                                  fit.columns[d].leftCols(others), uncertainty.directions[d], renewed);
+            fit.columns[d].rightCols(std::ssize(knobs)) = renewed.leftCols(std::ssize(knobs));
+        });
+        marginalise(now);
     }
 
     // Broyden's update: corrects the columns along a step by the change of rows that it caused (D19).
-    void learn(Fit& fit, const Rows& after, Eigen::VectorXd step) const {
+    void learn(Moving& now, const Rows& after, Eigen::VectorXd step) const {
+        Fit& fit = now.fit;
         step.segment(fit.numbers(), std::ssize(imperfections)).setZero();  // the model is linear in these
         if (step.squaredNorm() < kTooShort) return;
         inParallel(drives.size(), replays.threads, [&](std::size_t d) {
             const Eigen::VectorXd change = uncertainty.noise[d].over(after[d] - fit.of_car[d]);
             const Eigen::VectorXd by = (change - fit.columns[d] * step) / step.squaredNorm();
-            inference::updateByRankOne(fit.products[d], fit.columns[d],
-                                       model::residual(drives, uncertainty, fit.rows, d), uncertainty.directions[d], by,
-                                       step);
+            const inference::ColumnProducts products = inference::productsOfColumn(
+                by, fit.columns[d], model::residual(drives, uncertainty, fit.rows, d), uncertainty.directions[d]);
+            inference::updateByRankOne(fit.products[d], products, step);
+            now.marginal[d].updateByRankOne(products, step);
             fit.columns[d] += by * step.transpose();
         });
     }
 
-    void moveTo(Fit& fit, const Deviation& at, Rows of_car) const {
+    void moveTo(Moving& now, const Deviation& at, Rows of_car) const {
+        Fit& fit = now.fit;
         fit.at = at, fit.of_car = std::move(of_car);
         fit.rows = imperfect(fit.of_car, at, fit.imperfection);
         inParallel(drives.size(), replays.threads, [&](std::size_t d) {
-            inference::replaceLast(fit.products[d], fit.columns[d], model::residual(drives, uncertainty, fit.rows, d),
-                                   uncertainty.directions[d]);
+            const Eigen::VectorXd left = model::residual(drives, uncertainty, fit.rows, d);
+            const inference::ColumnProducts products =
+                inference::productsOfColumn(left, fit.columns[d], left, uncertainty.directions[d]);
+            inference::replaceLast(fit.products[d], products);
+            now.marginal[d].replaceLast(products);
         });
     }
 };
 
 Fitter fitterOf(const Replays& replays, Drives drives, const Uncertainty& uncertainty,
                 const Linearisation& linearisation, const std::vector<Eigen::Index>& knobs) {
-    Fitter fitter{replays, drives, uncertainty, knobs, {}, {}, {}, {}, {}, {}};
+    Fitter fitter{replays, drives, uncertainty, knobs, {}, {}, {}, {}, {}, {}, {}};
     std::vector<Eigen::Index> moving;  // knobs along which the model is imperfect
     for (const Eigen::Index i : linearisation.imperfections) {
         const Eigen::Index knob = replays.parameters[i].imperfection_of;
@@ -144,17 +158,18 @@ Fitter fitterOf(const Replays& replays, Drives drives, const Uncertainty& uncert
     fitter.free = model::joined(model::joined(linearisation.nuisances, fitter.imperfections), knobs);
     const Eigen::Index n = std::ssize(fitter.free);
     fitter.lowest.resize(n), fitter.highest.resize(n);
+    const std::vector<Eigen::Index> columns = model::joined(model::joined(linearisation.nuisances, moving), knobs);
     for (Eigen::Index i = 0; i < n; ++i) {
+        const auto place = std::find(linearisation.parameters.begin(), linearisation.parameters.end(), columns[i]);
+        fitter.places.push_back(place - linearisation.parameters.begin());
         const model::Parameter& parameter = replays.parameters[fitter.free[i]];
         fitter.lowest(i) = parameter.lowest, fitter.highest(i) = parameter.highest;
     }
     return fitter;
 }
 
-inference::QuadraticModel quadraticIn(const Fit& fit, const std::vector<inference::Metric>& metric) {
-    model::NormalEquations sum;
-    for (std::size_t d = 0; d < metric.size(); ++d)
-        sum = std::move(sum) + inference::normalEquations(fit.products[d], metric[d]);
+// `sum`: of the products of all drives beside their remainder.
+inference::QuadraticModel quadraticOf(const Fit& fit, const model::NormalEquations& sum) {
     const Eigen::Index n = std::ssize(fit.free), knobs = std::ssize(fit.knobs);
     inference::QuadraticModel model{.information = sum.products.topLeftCorner(n, n),
                                     .gradient = sum.products.topRightCorner(n, 1),
@@ -169,34 +184,38 @@ inference::QuadraticModel quadraticIn(const Fit& fit, const std::vector<inferenc
     return model;
 }
 
+inference::QuadraticModel quadraticOf(const Moving& now) {
+    model::NormalEquations sum;
+    for (const inference::MarginalProducts& one : now.marginal) sum = std::move(sum) + one.equations();
+    return quadraticOf(now.fit, sum);
+}
+
 // Moves the fit from its start to the maximum of the posterior with its sizes: updates point, rows, columns and
 // products.
-void climb(Fit& fit, const Fitter& fitter, bool renewed) {
-    const std::vector<inference::Metric> metric = fitter.metrics(fit.sizes);
-    double misfit = fitter.misfit(fit.rows, fit.at, metric, fit.prior), damping = 0;
+void climb(Moving& now, const Fitter& fitter, bool renewed) {
+    Fit& fit = now.fit;
+    double misfit = fitter.misfit(now, fit.rows, fit.at), damping = 0;
     const double at_start = misfit;
     for (int trial = 0;; ++trial) {
-        const inference::QuadraticModel here = quadraticIn(fit, metric);
+        const inference::QuadraticModel here = quadraticOf(now);
         const Eigen::VectorXd step = inference::boundedStep(here, damping, fitter.lowest, fitter.highest);
         fit.converged = inference::gainOf(here, step) < kEnough;
         const bool settled = fit.converged || trial >= kMostTrials;
         if (settled && renewed) break;
         if (settled || (!renewed && trial == kTrialsBeforeRenewal)) {
-            fitter.renewKnobs(fit.columns, fit.at);
-            fit.products = fitter.products(fit.rows, fit.columns);
+            fitter.renewKnobs(now);
             renewed = true, damping = 0;
             continue;
         }
         Deviation next = fit.at;
         next(fit.free) = here.at + step;
         std::optional<Rows> there = model::rowsAt(fitter.replays, fitter.drives, next);
-        if (there) fitter.learn(fit, *there, step);
-        const double now =
-            there ? fitter.misfit(fitter.imperfect(*there, next, fit.imperfection), next, metric, fit.prior)
-                  : kInfinity;
-        if (now < misfit) {
-            fitter.moveTo(fit, next, std::move(*there));
-            misfit = now;
+        if (there) fitter.learn(now, *there, step);
+        const double after =
+            there ? fitter.misfit(now, fitter.imperfect(*there, next, fit.imperfection), next) : kInfinity;
+        if (after < misfit) {
+            fitter.moveTo(now, next, std::move(*there));
+            misfit = after;
             damping *= kEased;
         } else {
             damping = std::max(kFirstDamping, kDamped * damping);
@@ -222,38 +241,67 @@ model::Imperfection improved(const Fit& fit, const Fitter& fitter, const inferen
 }
 
 // Moves the imperfections of a fit to their best point beside its numbers. The model is linear in them.
-void moveImperfections(Fit& fit, const Fitter& fitter, const inference::QuadraticModel& here) {
-    const Eigen::Index first = fit.numbers(), n = std::ssize(fit.imperfections);
+void moveImperfections(Moving& now, const Fitter& fitter) {
+    const inference::QuadraticModel here = quadraticOf(now);
+    const Eigen::Index first = now.fit.numbers(), n = std::ssize(now.fit.imperfections);
     const Eigen::VectorXd gradient = (here.gradient - here.at).segment(first, n);
-    Deviation at = fit.at;
-    at(fit.imperfections) += inference::factorOfPriorAnd(here.information.block(first, first, n, n)).solve(gradient);
-    fitter.moveTo(fit, at, std::move(fit.of_car));
+    Deviation at = now.fit.at;
+    at(now.fit.imperfections) +=
+        inference::factorOfPriorAnd(here.information.block(first, first, n, n)).solve(gradient);
+    fitter.moveTo(now, at, std::move(now.fit.of_car));
 }
 
 // Moves the sizes of the imperfections towards the largest evidence. True when they have settled.
-bool resizeImperfections(Fit& fit, const Fitter& fitter) {
-    if (fit.imperfections.empty()) return true;
-    const std::vector<inference::Metric> metric = fitter.metrics(fit.sizes);
-    const model::Imperfection before = fit.imperfection;
+bool resizeImperfections(Moving& now, const Fitter& fitter) {
+    if (now.fit.imperfections.empty()) return true;
+    const model::Imperfection before = now.fit.imperfection;
     for (int i = 0; i < kSizeSteps; ++i) {
-        const model::Imperfection last = fit.imperfection;
-        fitter.scale(fit, improved(fit, fitter, quadraticIn(fit, metric)));
-        moveImperfections(fit, fitter, quadraticIn(fit, metric));
-        if (model::changeOf(last, fit.imperfection) < kSizesSettled) break;
+        const model::Imperfection last = now.fit.imperfection;
+        fitter.scale(now, improved(now.fit, fitter, quadraticOf(now)));
+        moveImperfections(now, fitter);
+        if (model::changeOf(last, now.fit.imperfection) < kSizesSettled) break;
     }
-    return model::changeOf(before, fit.imperfection) < kSizesSettled;
+    return model::changeOf(before, now.fit.imperfection) < kSizesSettled;
 }
 
 // Moves the sizes towards what the fit leaves at its point. True when they have settled.
-bool resize(Fit& fit, const Fitter& fitter) {
-    const Sizes before = fit.sizes;
-    const bool settled = resizeImperfections(fit, fitter);
+bool resize(Moving& now, const Fitter& fitter) {
+    const Sizes before = now.fit.sizes;
+    const bool settled = resizeImperfections(now, fitter);
     for (int i = 0; i < kSizeSteps; ++i) {
-        const Sizes last = fit.sizes;
-        fit.sizes = model::improvedSizes(fitter.uncertainty, fit.products, last, fitter.replays.threads);
-        if (model::changeOf(last, fit.sizes) < kSizesSettled) break;
+        const Sizes last = now.fit.sizes;
+        now.fit.sizes = model::improvedSizes(fitter.uncertainty, now.fit.products, last, fitter.replays.threads);
+        if (model::changeOf(last, now.fit.sizes) < kSizesSettled) break;
     }
-    return settled && model::changeOf(before, fit.sizes) < kSizesSettled;
+    fitter.marginalise(now);
+    return settled && model::changeOf(before, now.fit.sizes) < kSizesSettled;
+}
+
+// The model at the start of a fit, with the columns and products of the linearisation.
+Moving startOf(const Fitter& fitter, const Linearisation& linearisation, const Deviation& start, Rows rows,
+               SizePrior prior, Remainder remainder) {
+    Moving now;
+    Fit& fit = now.fit;
+    fit.free = fitter.free, fit.knobs = fitter.knobs, fit.imperfections = fitter.imperfections;
+    fit.imperfection = model::usualImperfection();
+    fit.at = start;
+    for (const Eigen::Index i : linearisation.imperfections)
+        if (std::find(fit.imperfections.begin(), fit.imperfections.end(), i) == fit.imperfections.end()) fit.at(i) = 0;
+    fit.of_car = std::move(rows);
+    fit.rows = fitter.imperfect(fit.of_car, fit.at, fit.imperfection);
+    fit.sizes = fitter.uncertainty.sizes, fit.prior = prior;
+    if (remainder == Remainder::usual) fit.sizes.fill(1);
+    Eigen::VectorXd factors = Eigen::VectorXd::Ones(std::ssize(fit.free));
+    factors.segment(fit.numbers(), std::ssize(fit.imperfections)) = fitter.each(fit.imperfection);
+    fit.columns.resize(fitter.drives.size()), fit.products.resize(fitter.drives.size());
+    inParallel(fitter.drives.size(), fitter.replays.threads, [&](std::size_t d) {
+        fit.columns[d] = linearisation.columns[d](Eigen::all, fitter.places) * factors.asDiagonal();
+        fit.products[d] = inference::extended(inference::selected(linearisation.products[d], fitter.places, factors),
+                                              fit.columns[d], fitter.uncertainty.directions[d],
+                                              model::residual(fitter.drives, fitter.uncertainty, fit.rows, d));
+    });
+    fitter.marginalise(now);
+    return now;
 }
 
 }  // namespace
@@ -279,10 +327,13 @@ answer::NuisanceEstimate numberOf(const Fit& fit, const Replays& replays, Eigen:
 }
 
 inference::QuadraticModel quadraticAt(const Fit& fit, const Uncertainty& uncertainty) {
-    std::vector<inference::Metric> metric;
-    for (std::size_t d = 0; d < fit.products.size(); ++d)
-        metric.push_back(inference::metricOf(fit.products[d].disturbances, uncertainty.sizesOf(d, fit.sizes)));
-    return quadraticIn(fit, metric);
+    return quadraticOf(fit, model::normalEquations(uncertainty, fit.products, fit.sizes, 1));
+}
+
+DriveProducts productsBeside(const Fit& fit, const Uncertainty& uncertainty, std::size_t drive,
+                             const Eigen::MatrixXd& further) {
+    return inference::extended(inference::firstColumns(fit.products[drive], std::ssize(fit.free)), fit.columns[drive],
+                               uncertainty.directions[drive], further);
 }
 
 std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertainty& uncertainty,
@@ -291,31 +342,16 @@ std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertain
     std::optional<Rows> rows = model::rowsAt(replays, drives, start);
     if (!rows) return std::nullopt;
     const Fitter fitter = fitterOf(replays, drives, uncertainty, linearisation, knobs);
-    Fit fit;
-    fit.free = fitter.free, fit.knobs = knobs, fit.imperfections = fitter.imperfections;
-    fit.imperfection = model::usualImperfection();
-    fit.at = start;
-    for (const Eigen::Index i : linearisation.imperfections)
-        if (std::find(fit.imperfections.begin(), fit.imperfections.end(), i) == fit.imperfections.end()) fit.at(i) = 0;
-    fit.of_car = std::move(*rows);
-    fit.rows = fitter.imperfect(fit.of_car, fit.at, fit.imperfection);
-    for (std::size_t d = 0; d < drives.size(); ++d) {
-        fit.columns.push_back(uncertainty.noise[d].over(linearisation.about.columns[d](Eigen::all, fit.free)));
-        fit.columns[d].middleCols(fit.numbers(), std::ssize(fit.imperfections)) =
-            uncertainty.noise[d].over(fitter.by_imperfection[d]) * fitter.each(fit.imperfection).asDiagonal();
-    }
-    fit.sizes = uncertainty.sizes, fit.prior = prior;
-    if (remainder == Remainder::usual) fit.sizes.fill(1);
-    fit.products = fitter.products(fit.rows, fit.columns);
-    climb(fit, fitter, knobs.empty());
+    Moving now = startOf(fitter, linearisation, start, std::move(*rows), prior, remainder);
+    climb(now, fitter, knobs.empty());
     if (remainder == Remainder::estimated)
-        for (int turn = 0; turn < kMostTurns && !resize(fit, fitter); ++turn) climb(fit, fitter, true);
-    const inference::QuadraticModel here = quadraticAt(fit, uncertainty);
-    const Eigen::Index n = std::ssize(fit.free);
-    fit.covariance = inference::factorOfPriorAnd(here.information).solve(Eigen::MatrixXd::Identity(n, n));
-    fit.log_evidence = inference::logEvidence(here, Eigen::VectorXd::Zero(n)) +
-                       model::logPrior(fit.sizes, model::kWidePrior) + model::logPrior(fit.imperfection);
-    return fit;
+        for (int turn = 0; turn < kMostTurns && !resize(now, fitter); ++turn) climb(now, fitter, true);
+    const inference::QuadraticModel here = quadraticOf(now);
+    const Eigen::Index n = std::ssize(now.fit.free);
+    now.fit.covariance = inference::factorOfPriorAnd(here.information).solve(Eigen::MatrixXd::Identity(n, n));
+    now.fit.log_evidence = inference::logEvidence(here, Eigen::VectorXd::Zero(n)) +
+                           model::logPrior(now.fit.sizes, model::kWidePrior) + model::logPrior(now.fit.imperfection);
+    return std::move(now.fit);
 }
 
 }  // namespace tread::diagnose::select

@@ -55,6 +55,10 @@ Deviation withoutNuisances(const Fit& fit);
 // The i-th free parameter of a fit, as the number that it moves first.
 answer::NuisanceEstimate numberOf(const Fit& fit, const Replays& replays, Eigen::Index i);
 
+// Products of the free parameters of a fit, then of further columns of a drive.
+DriveProducts productsBeside(const Fit& fit, const Uncertainty& uncertainty, std::size_t drive,
+                             const Eigen::MatrixXd& further);
+
 // Quadratic model of the log posterior about the point of a fit.
 inference::QuadraticModel quadraticAt(const Fit& fit, const Uncertainty& uncertainty);
 

@@ -157,9 +157,7 @@ Eigen::VectorXd unitsBeside(const Calibration& car, const Fit& fit, const std::v
     for (std::size_t d = 0; d < columns.size(); ++d) {
         Eigen::MatrixXd all(columns[d].rows(), count + 1);
         all << columns[d].middleCols(first, count), columns[d].rightCols(1);
-        const Eigen::MatrixXd& directions = car.uncertainty.directions[d];
-        products.push_back(
-            inference::extended(inference::productsOf(fit.columns[d], directions), fit.columns[d], directions, all));
+        products.push_back(productsBeside(fit, car.uncertainty, d, all));
         own.push_back(std::move(all));
     }
     const Sizes sizes = sizesWithAllFree(car.problem, car.uncertainty, products);

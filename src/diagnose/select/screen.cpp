@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/parallel.h"
 #include "diagnose/settings.h"
 #include "inference/bounded_step.h"
 
@@ -75,7 +76,8 @@ std::vector<Eigen::Index> placesOf(const Problem& problem, std::size_t effect) {
 
 Screen screen(const Calibration& car) {
     Screen result;
-    const model::NormalEquations sum = model::normalEquations(car.uncertainty, car.products, car.uncertainty.sizes);
+    const model::NormalEquations sum =
+        model::normalEquations(car.uncertainty, car.products, car.uncertainty.sizes, car.problem.replays.threads);
     result.products = inference::withoutFirst(sum, std::ssize(car.about.nuisances)).products;
     for (std::size_t e = 0; e < car.problem.effects.size(); ++e) {
         double most = 0;
@@ -110,13 +112,10 @@ std::vector<double> expectedEvidenceAt(const Calibration& car, const Fit& found,
 
 Eigen::MatrixXd productsBeside(const Calibration& car, const Fit& fit, const std::vector<Eigen::MatrixXd>& further,
                                const Sizes& sizes) {
-    std::vector<DriveProducts> products;
-    for (std::size_t d = 0; d < fit.rows.size(); ++d) {
-        const Eigen::MatrixXd& directions = car.uncertainty.directions[d];
-        const DriveProducts free = inference::productsOf(fit.columns[d], directions);
-        products.push_back(inference::extended(free, fit.columns[d], directions, further[d]));
-    }
-    model::NormalEquations sum = model::normalEquations(car.uncertainty, products, sizes);
+    std::vector<DriveProducts> products(fit.rows.size());
+    inParallel(products.size(), car.problem.replays.threads,
+               [&](std::size_t d) { products[d] = productsBeside(fit, car.uncertainty, d, further[d]); });
+    model::NormalEquations sum = model::normalEquations(car.uncertainty, products, sizes, car.problem.replays.threads);
     // The prior pulls the fitted parameters back to their nominal values and is part of the gradient.
     const Eigen::Index free = std::ssize(fit.free);
     sum.products.topRightCorner(free, 1) -= fit.at(fit.free);

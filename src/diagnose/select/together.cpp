@@ -91,7 +91,7 @@ std::optional<Fit> fitAt(const Calibration& car, const Trial& trial) {
     uncertainty.sizes = car.fit.sizes;
     const Linearisation here = model::linearisation(
         model::nuisancesAt(problem.replays, drives, trial.at, car.about, uncertainty, [](double) {}),
-        car.about.nuisances, uncertainty);
+        car.about.nuisances, problem.knobs[trial.effect], uncertainty, problem.replays.threads);
     std::optional<Fit> with = fitted(problem.replays, drives, uncertainty, here, problem.knobs[trial.effect], trial.at);
     const std::optional<Fit> without = fitted(problem.replays, drives, uncertainty, here, {}, car.fit.at);
     if (!with || (without && with->log_evidence < without->log_evidence + kSettings.effect)) return std::nullopt;
