@@ -75,14 +75,14 @@ Diagnosis diagnosisOf(const recording::Subject& nominal, const recording::Diagno
     const select::HeldOut held_out = select::heldOut(car);
     const select::Judgement judgement = select::judge(diagnosis, car, expected, found, held_out);
     diagnosis.confusable = select::confusablePairs(car, screened, expected);
-    tellNuisances(diagnosis, problem, judgement.answer);
+    tellNuisances(diagnosis, problem, judgement.named->fit);
 
     // Where the gap is, and how far the causes close it.
     const explain::MissingForce missing = explain::missingForce(car);
     tellUnexplained(diagnosis, missing, judgement);
     diagnosis.where = explain::whereItLies(car, missing);
-    explain::decompose(diagnosis, car, found, judgement, held_out);
-    explain::howFar(diagnosis, car, held_out, {car.closest, judgement.answer});
+    explain::decompose(diagnosis, car, judgement, held_out);
+    explain::howFar(diagnosis, car, held_out, {car.closest.at, judgement.answer});
     diagnosis.next = explain::nextDrives(diagnosis, car, found, options.possible_next);
     diagnosis.answer = answer::headline(diagnosis);
     progress(1, "done");

@@ -53,6 +53,9 @@ struct Settings {
     // other effect, and one of a fifth by 1. Wider takes a fault for an imperfection, narrower a model's error for a
     // fault.
     double imperfection_spread = 0.25;
+    // Choice: what differs by more than a fifth of a typical change is a cause. Larger lets a car that differs much
+    // from its model be explained by many small errors in place of few causes.
+    double largest_imperfection = 0.2;
 
     // Guess: larger because the disturbances of two drives differ. Raising it weakens all evidence.
     double reference_inflation = 1;
@@ -113,6 +116,7 @@ struct Settings {
               About{"-", "usual error of the model along each effect that is no cause, in typical sizes: guess"});
         field(TREAD_FIELD(imperfection_spread),
               About{"-", "prior standard deviation of the logarithm of the size of such errors: guess"});
+        field(TREAD_FIELD(largest_imperfection), About{"-", "largest size of such errors, in typical sizes: choice"});
         field(TREAD_FIELD(reference_inflation),
               About{"-", "factor on noise and disturbances where drives have references: guess"});
         field(TREAD_FIELD(between_days),

@@ -1,5 +1,6 @@
 // What a model predicts of a drive that is left out, against the density of its rows given those of the other drives,
-// from the full covariance of all rows; the nuisances of the drive left out are others than theirs.
+// from the full covariance of all rows; the nuisances of the drive left out are others than theirs. The gap of that
+// drive, against least squares of the other drives.
 #include "diagnose/select/prediction.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +8,8 @@
 #include <cmath>
 
 #include "base/random.h"
+#include "diagnose/select/doubt.h"
+#include "diagnose/select/left_out.h"
 #include "shared/linear_drives.h"
 
 namespace tread {
@@ -17,6 +20,7 @@ using diagnose::model::Problem;
 using diagnose::model::Sizes;
 using diagnose::select::Calibration;
 using diagnose::select::Fit;
+using diagnose::select::gapsLeftOut;
 using diagnose::select::predicted;
 using diagnose::select::Prediction;
 using diagnose::select::predictiveDensities;
@@ -182,6 +186,91 @@ TEST(Prediction, IsNotTestedWhereOneDriveTellsTheValue) {
     EXPECT_FALSE(found.tested);
     EXPECT_FALSE(found.fails());
     EXPECT_EQ(found.sd, 0);
+}
+
+// Squared rows of a drive at the point of least squares of the others, over their variances by noise and disturbances;
+// the third column is an error of the model.
+double gapAtTheOthers(const Driven& driven, std::size_t left_out, bool with_effect) {
+    const Index free = with_effect ? 2 : 1;
+    const auto columns = [&](const LinearDrive& drive) {
+        MatrixXd all(drive.measured.size(), free);
+        all.col(0) = drive.nuisances;
+        if (with_effect) all.col(1) = drive.effects.col(0);
+        return all;
+    };
+    MatrixXd information = MatrixXd::Identity(free, free);
+    VectorXd gradient = VectorXd::Zero(free);
+    for (std::size_t d = 0; d < driven.drives.size(); ++d) {
+        if (d == left_out) continue;
+        const LinearDrive& drive = driven.drives[d];
+        const Index rows = drive.measured.size();
+        const MatrixXd weights =
+            (MatrixXd::Identity(rows, rows) + drive.disturbances * drive.disturbances.transpose()).inverse();
+        information += columns(drive).transpose() * weights * columns(drive);
+        gradient += columns(drive).transpose() * weights * drive.measured;
+    }
+    const LinearDrive& drive = driven.drives[left_out];
+    const VectorXd left = drive.measured - columns(drive) * information.inverse() * gradient;
+    return (left.array().square() / (0.375 + drive.disturbances.leftCols(2).rowwise().squaredNorm().array())).sum();
+}
+
+TEST(LeftOut, GapOfADriveIsThatAtTheValuesOfTheOthers) {
+    const Driven driven({1.2, 0.9, 1.1}, {1, 3, 0.5});
+    for (const bool with_effect : {false, true}) {
+        const Fit fit = fitOf(driven.car, with_effect ? std::vector<std::size_t>{0} : std::vector<std::size_t>{});
+        const std::vector<double> found = gapsLeftOut(driven.car, driven.problem.replays.parameters, fit);
+        ASSERT_EQ(found.size(), 3u);
+        for (std::size_t d = 0; d < 3; ++d)
+            EXPECT_NEAR(found[d], gapAtTheOthers(driven, d, with_effect), 1e-9) << "drive " << d;
+    }
+}
+
+TEST(LeftOut, EffectThatIsTheSameInAllDrivesShrinksTheGapAndOneThatIsNotEnlargesIt) {
+    const auto total = [](const Driven& driven, const std::vector<std::size_t>& effects) {
+        const std::vector<double> gaps =
+            gapsLeftOut(driven.car, driven.problem.replays.parameters, fitOf(driven.car, effects));
+        return gaps[0] + gaps[1];
+    };
+    const Driven same({2, 2}, {1, 1}), opposite({2, -2}, {1, 1});
+    EXPECT_LT(total(same, {0}), total(same, {}));
+    EXPECT_GT(total(opposite, {0}), total(opposite, {}));
+}
+
+TEST(LeftOut, SumIsLargerFromOneStandardDeviationOn) {
+    using diagnose::select::isLarger;
+    // Differences 3 and 1: sum 4, deviation 2.
+    EXPECT_TRUE(isLarger({4, 3}, {1, 2}));
+    EXPECT_FALSE(isLarger({1, 2}, {4, 3}));
+    // Differences 3 and -1: sum 2, deviation 4.
+    EXPECT_FALSE(isLarger({4, 1}, {1, 2}));
+}
+
+// What the second effect explains beyond the nuisance and the first effect, in each drive.
+TEST(Doubt, ExplainedIsThePartThatOtherParametersCannotImitate) {
+    const Driven driven({1.2, 0.9, 1.1}, {1, 3, 0.5});
+    const Fit fit = fitOf(driven.car, {0, 1});
+    std::vector<MatrixXd> weights;
+    MatrixXd information = MatrixXd::Identity(2, 2);
+    VectorXd mixed = VectorXd::Zero(2);
+    const auto others = [](const LinearDrive& drive) {
+        MatrixXd all(drive.measured.size(), 2);
+        all << drive.nuisances, drive.effects.col(0);
+        return all;
+    };
+    for (const LinearDrive& drive : driven.drives) {
+        const Index rows = drive.measured.size();
+        weights.emplace_back(
+            (MatrixXd::Identity(rows, rows) + drive.disturbances * drive.disturbances.transpose()).inverse());
+        information += others(drive).transpose() * weights.back() * others(drive);
+        mixed += others(drive).transpose() * weights.back() * drive.effects.col(1);
+    }
+    const double value = fit.at(fit.knobs.back());
+    const std::vector<double> found = diagnose::select::explainedIn(driven.car, fit, {fit.knobs.back()});
+    for (std::size_t d = 0; d < 3; ++d) {
+        const LinearDrive& drive = driven.drives[d];
+        const VectorXd own = value * (drive.effects.col(1) - others(drive) * information.inverse() * mixed);
+        EXPECT_NEAR(found[d], own.dot(weights[d] * own), 1e-9) << "drive " << d;
+    }
 }
 
 }  // namespace

@@ -16,7 +16,6 @@ using answer::Decomposition;
 using answer::Part;
 using model::Deviation;
 using select::Calibration;
-using select::Candidate;
 
 constexpr int kResamples = 400;              // bootstrap samples of the drives
 constexpr double kLow = 0.05, kHigh = 0.95;  // quantiles of the 90 % interval
@@ -30,37 +29,34 @@ using GapAt = std::function<std::optional<OfDrives>(const Deviation&)>;
 struct Points {
     Deviation nominal, calibrated, answer;
     std::vector<std::string> names;         // of the causes
-    std::vector<Deviation> alone, without;  // the fits of each cause alone, and of all others
+    std::vector<Deviation> alone, without;  // with each cause alone, and with all others
 };
 
-// The fit of a set of effects: that of the search, or a new one from the point of the answer.
-Deviation pointOf(const std::vector<std::size_t>& effects, const Calibration& car, const select::Search& found,
-                  const select::Fit& answer) {
-    if (effects.empty()) return car.closest;
-    const auto same = [&](const Candidate& one) {
-        return one.fitted &&
-               std::is_permutation(one.effects.begin(), one.effects.end(), effects.begin(), effects.end());
-    };
-    const auto known = std::find_if(found.candidates.begin(), found.candidates.end(), same);
-    if (known != found.candidates.end()) return known->fit.at;
+// The closest car with some of the causes.
+Deviation pointWith(const std::vector<std::size_t>& effects, const Calibration& car, const Deviation& answer,
+                    const std::vector<Eigen::Index>& causes) {
+    if (effects.empty()) return car.closest.at;
     std::vector<Eigen::Index> knobs;
-    for (const std::size_t e : effects)
-        knobs.insert(knobs.end(), car.problem.knobs[e].begin(), car.problem.knobs[e].end());
-    Deviation from = answer.at;
-    for (const Eigen::Index k : answer.knobs)
-        if (std::find(knobs.begin(), knobs.end(), k) == knobs.end()) from(k) = 0;
-    const auto fit = select::fitted(car.problem.replays, car.drives(), car.uncertainty, car.about, knobs, from);
-    return fit ? fit->at : car.closest;
+    Deviation at = answer;
+    at(causes).setZero();
+    for (const std::size_t e : effects) {
+        knobs = model::joined(knobs, car.problem.knobs[e]);
+        at(car.problem.knobs[e]) = answer(car.problem.knobs[e]);
+    }
+    const std::optional<select::Closest> closest = select::closestTo(car, at, knobs);
+    return closest ? closest->at : at;
 }
 
-Points pointsOf(const Calibration& car, const select::Search& found, const select::Judgement& judgement) {
+Points pointsOf(const Calibration& car, const select::Judgement& judgement) {
     const std::vector<std::size_t>& effects = judgement.named->effects;
-    Points points{car.problem.replays.origin(), car.closest, judgement.answer.at, car.problem.namesOf(effects), {}, {}};
+    const Deviation& answer = judgement.closest.at;
+    Points points{car.problem.replays.origin(), car.closest.at, answer, car.problem.namesOf(effects), {}, {}};
     for (const std::size_t e : effects) {
         std::vector<std::size_t> others = effects;
         std::erase(others, e);
-        points.alone.push_back(effects.size() == 1 ? judgement.answer.at : pointOf({e}, car, found, judgement.answer));
-        points.without.push_back(pointOf(others, car, found, judgement.answer));
+        const std::vector<Eigen::Index>& causes = judgement.answer.knobs;
+        points.alone.push_back(effects.size() == 1 ? answer : pointWith({e}, car, answer, causes));
+        points.without.push_back(pointWith(others, car, answer, causes));
     }
     return points;
 }
@@ -131,9 +127,9 @@ OfDrives floorOf(const model::Uncertainty& uncertainty) {
 
 }  // namespace
 
-void decompose(answer::Diagnosis& diagnosis, const Calibration& car, const select::Search& found,
-               const select::Judgement& judgement, const select::HeldOut& held_out) {
-    const Points points = pointsOf(car, found, judgement);
+void decompose(answer::Diagnosis& diagnosis, const Calibration& car, const select::Judgement& judgement,
+               const select::HeldOut& held_out) {
+    const Points points = pointsOf(car, judgement);
     const auto learnt = [&](const Deviation& at) -> std::optional<OfDrives> {
         const auto rows = model::rowsAt(car.problem.replays, car.drives(), at);
         if (!rows) return std::nullopt;

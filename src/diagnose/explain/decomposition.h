@@ -6,7 +6,7 @@
 namespace tread::diagnose::explain {
 
 // Fills training and held_out of a diagnosis (D48a).
-void decompose(answer::Diagnosis& diagnosis, const select::Calibration& car, const select::Search& found,
-               const select::Judgement& judgement, const select::HeldOut& held_out);
+void decompose(answer::Diagnosis& diagnosis, const select::Calibration& car, const select::Judgement& judgement,
+               const select::HeldOut& held_out);
 
 }  // namespace tread::diagnose::explain

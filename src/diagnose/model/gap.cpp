@@ -2,14 +2,45 @@
 
 #include <cmath>
 
+#include "inference/whitening.h"
+
 namespace tread::diagnose::model {
 
-Eigen::VectorXd floorOf(const Uncertainty& uncertainty, std::size_t drive) {
+namespace {
+
+// Variance of each row of a drive by disturbances of the usual sizes, in units of that of its noise.
+Eigen::ArrayXd disturbed(const Uncertainty& uncertainty, std::size_t drive) {
     Sizes usual{};
     for (const Disturbed kind : kDisturbedKinds) usual[placeOf(kind)] = 1;
     const Eigen::VectorXd sizes = uncertainty.sizesOf(drive, usual);
-    const Eigen::VectorXd disturbed = (uncertainty.directions[drive] * sizes.asDiagonal()).rowwise().squaredNorm();
-    return uncertainty.noise[drive].deviation.cwiseProduct((disturbed.array() + 1).sqrt().matrix());
+    return (uncertainty.directions[drive] * sizes.asDiagonal()).rowwise().squaredNorm();
+}
+
+}  // namespace
+
+Eigen::VectorXd floorOf(const Uncertainty& uncertainty, std::size_t drive) {
+    return uncertainty.noise[drive].deviation.cwiseProduct((disturbed(uncertainty, drive) + 1).sqrt().matrix());
+}
+
+Eigen::VectorXd filteredFloorOf(const Uncertainty& uncertainty, std::size_t drive) {
+    return (disturbed(uncertainty, drive) + inference::kLeftByBinomial).sqrt();
+}
+
+Uncertainty weightedAsTheGap(const Uncertainty& uncertainty, Drives drives) {
+    Uncertainty weighted{.until = uncertainty.until,
+                         .noise = uncertainty.noise,
+                         .disturbing = std::vector<Disturbances>(drives.size()),
+                         .directions = {},
+                         .bare = {}};
+    weighted.sizes.fill(1);
+    for (std::size_t d = 0; d < drives.size(); ++d) {
+        weighted.noise[d].deviation = floorOf(uncertainty, d);
+        const Eigen::MatrixXd by_start_speed =
+            weighted.noise[d].over(uncertainty.disturbing[d].by_start_speed) * disturbanceScale(drives[d]);
+        weighted.bare.push_back(inference::productsOf(Eigen::MatrixXd(by_start_speed.rows(), 0), by_start_speed));
+        weighted.directions.push_back(by_start_speed);
+    }
+    return weighted;
 }
 
 Eigen::VectorXd gapOf(Drives drives, const Uncertainty& uncertainty, const Eigen::VectorXd& rows, std::size_t drive) {

@@ -10,6 +10,13 @@ namespace tread::diagnose::model {
 // not compared (D46).
 Eigen::VectorXd floorOf(const Uncertainty& uncertainty, std::size_t drive);
 
+// The same of filtered rows, in units of the noise of a row.
+Eigen::VectorXd filteredFloorOf(const Uncertainty& uncertainty, std::size_t drive);
+
+// Noise that weights rows as the gap does: the floor in place of the noise, and no disturbance but the start speed.
+// Least squares in it are those of the gap, filtered.
+Uncertainty weightedAsTheGap(const Uncertainty& uncertainty, Drives drives);
+
 // Gap of each row of a drive, in units of the floor.
 Eigen::VectorXd gapOf(Drives drives, const Uncertainty& uncertainty, const Eigen::VectorXd& rows, std::size_t drive);
 

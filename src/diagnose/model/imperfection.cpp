@@ -67,7 +67,8 @@ Imperfection improved(Imperfection sizes, const ImperfectionsLeft& left) {
         const double squares = left.squares[k], determined = left.determined[k];
         const double pull = kWeight * (std::log(sizes[k]) - common);
         const double step = (squares - determined - pull) / (squares + determined + kWeight);
-        sizes[k] *= std::exp(std::clamp(step, -kLongestStep, kLongestStep));
+        sizes[k] = std::min(sizes[k] * std::exp(std::clamp(step, -kLongestStep, kLongestStep)),
+                            kSettings.largest_imperfection);
     }
     const double now = std::exp(logCommon(sizes, left.present));
     for (std::size_t k = 0; k < kParts; ++k)

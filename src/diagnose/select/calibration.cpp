@@ -103,24 +103,13 @@ void compareFurther(Calibration& car) {
     car.fit = fitOf(problem, car.uncertainty, car.about, car.fit.at);
 }
 
-// Chooses the car within its tolerances that leaves the smallest squared gap.
-void chooseClosest(Calibration& car) {
-    const Problem& problem = car.problem;
-    Replays within = problem.replays;
-    Deviation from = car.fit.at;
-    for (const Eigen::Index i : car.about.nuisances) {
-        Parameter& one = within.parameters[i];
-        one.lowest = std::max(one.lowest, -kTolerance), one.highest = std::min(one.highest, kTolerance);
-        from(i) = std::clamp(from(i), one.lowest, one.highest);
-    }
-    const std::optional<Fit> usual =
-        fitted(within, problem.drives, car.uncertainty, car.about, {}, from, SizePrior::typical, Remainder::usual);
-    const auto gap = [&](const Rows& rows) {
-        const std::vector<double> gaps = model::squaredGaps(problem.drives, car.uncertainty, rows);
-        return std::accumulate(gaps.begin(), gaps.end(), 0.0);
-    };
-    car.closest = problem.replays.origin(), car.closest_rows = car.nominal;
-    if (usual && gap(usual->rows) < gap(car.closest_rows)) car.closest = usual->at, car.closest_rows = usual->rows;
+// Finds the closest car: the nominal one where no other within its tolerances leaves a smaller gap.
+void findClosest(Calibration& car) {
+    const auto levelOf = [&](const Rows& rows) { return model::levelOf(car.drives(), car.uncertainty, rows); };
+    car.of_gap = model::weightedAsTheGap(car.uncertainty, car.drives());
+    car.closest = {car.problem.replays.origin(), car.nominal};
+    std::optional<Closest> within = closestTo(car, car.fit.at, {});
+    if (within && levelOf(within->rows) < levelOf(car.nominal)) car.closest = std::move(*within);
 }
 
 // Imperfections that can change an answer.
@@ -153,6 +142,31 @@ Linearisation linearisedAt(const Calibration& car, const Deviation& at) {
         car.about.nuisances, car.problem.allKnobs(), car.uncertainty, car.problem.replays.threads);
     here.imperfections = car.about.imperfections;
     return here;
+}
+
+Replays withinTolerances(const Calibration& car) {
+    Replays within = car.problem.replays;
+    for (const Eigen::Index i : car.about.nuisances) {
+        Parameter& one = within.parameters[i];
+        one.lowest = std::max(one.lowest, -kTolerance), one.highest = std::min(one.highest, kTolerance);
+    }
+    return within;
+}
+
+Deviation clamped(Deviation at, const std::vector<Eigen::Index>& some, const std::vector<Parameter>& parameters) {
+    for (const Eigen::Index i : some) at(i) = std::clamp(at(i), parameters[i].lowest, parameters[i].highest);
+    return at;
+}
+
+std::optional<Closest> closestTo(const Calibration& car, const Deviation& at, const std::vector<Eigen::Index>& knobs) {
+    const Replays within = withinTolerances(car);
+    const Deviation from = clamped(at, car.about.nuisances, within.parameters);
+    const Linearisation about =
+        model::linearisation(car.about.about, car.about.nuisances, knobs, car.of_gap, within.threads);
+    std::optional<Fit> fit =
+        fitted(within, car.drives(), car.of_gap, about, knobs, from, SizePrior::none, Remainder::usual);
+    if (!fit) return std::nullopt;
+    return Closest{std::move(fit->at), std::move(fit->rows)};
 }
 
 Calibration calibrate(const Problem& problem, model::NominalCar nominal, const Progress& progress) {
@@ -191,7 +205,7 @@ Calibration calibrate(const Problem& problem, model::NominalCar nominal, const P
     car.products = model::productsWithResidual(problem.drives, car.about, car.uncertainty);
     car.uncertainty.sizes = car.fit.sizes;
     car.uncertainty.sizes = sizesWithAllFree(problem, car.uncertainty, car.products);
-    chooseClosest(car);
+    findClosest(car);
     car.about.imperfections = relevantImperfections(car);
     car.fit = fitOf(problem, car.uncertainty, car.about, car.fit.at);
     return car;

@@ -11,6 +11,13 @@ namespace tread::diagnose::select {
 using model::Parameter;
 using model::Problem;
 
+// A car within its tolerances that leaves the smallest squared gap. A fit, which is likelier, may leave a larger one
+// where its remainder is large.
+struct Closest {
+    Deviation at;
+    Rows rows;
+};
+
 struct Calibration {
     const Problem& problem;
     Rows nominal;                         // rows of the nominal car
@@ -19,10 +26,8 @@ struct Calibration {
     Linearisation about;                  // about the calibrated car: nuisances and all knobs
     Fit fit;                              // of the nuisances; its point is the calibrated car
     std::vector<DriveProducts> products;  // of the nuisances, all knobs and the residual, about the calibrated car
-    // The car within its tolerances that leaves the smallest squared gap. The fit, which is likelier, may leave a
-    // larger one where its remainder is large.
-    Deviation closest = {};
-    Rows closest_rows = {};
+    Closest closest = {};
+    Uncertainty of_gap = {};  // that weights rows as the squared gap does
     // Where an effect keeps car and model together for longer than the calibrated car: that car with the effect. Drives
     // then end where this one slides apart, and are linearised about it.
     std::optional<Together> together = {};
@@ -37,6 +42,14 @@ struct Calibration {
 
 // The linearisation about another point: nuisances anew, knobs as about the calibrated car.
 Linearisation linearisedAt(const Calibration& car, const Deviation& at);
+
+// The replays of cars whose numbers stay within their tolerances, and a point with some numbers within their bounds.
+Replays withinTolerances(const Calibration& car);
+Deviation clamped(Deviation at, const std::vector<Eigen::Index>& some, const std::vector<Parameter>& parameters);
+
+// The closest car, found from a point. These knobs take part, free of the prior of their sizes; others stay. Nothing
+// when the car cannot be driven there.
+std::optional<Closest> closestTo(const Calibration& car, const Deviation& at, const std::vector<Eigen::Index>& knobs);
 
 // Throws SimulationError when the nominal car cannot be driven in the recordings.
 Calibration calibrate(const Problem& problem, model::NominalCar nominal, const Progress& progress);

@@ -1,28 +1,48 @@
 #include "diagnose/select/doubt.h"
 
-namespace tread::diagnose::select {
+#include <algorithm>
+#include <numeric>
 
-std::vector<double> explainedIn(const Calibration& car, const Fit& fit) {
-    const Eigen::Index nuisances = fit.nuisances(), all = std::ssize(fit.free);
+namespace tread::diagnose::select {
+namespace {
+
+// Largest share of what is explained that one drive may hold, for the others to test it.
+constexpr double kOneDrive = 0.9;
+
+}  // namespace
+
+std::vector<double> explainedIn(const Calibration& car, const Fit& fit, const std::vector<Eigen::Index>& knobs) {
+    const Eigen::Index all = std::ssize(fit.free), n = std::ssize(knobs);
+    std::vector<Eigen::Index> order(all);  // places in `free`: first those of the knobs
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_partition(order.begin(), order.end(), [&](Eigen::Index i) {
+        return std::find(knobs.begin(), knobs.end(), fit.free[i]) != knobs.end();
+    });
     std::vector<Eigen::MatrixXd> each;
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(all, all);
     for (std::size_t d = 0; d < fit.products.size(); ++d) {
-        each.push_back(model::normalEquations(car.uncertainty, d, fit.products[d], fit.sizes).products);
-        sum += each.back().topLeftCorner(all, all);
+        each.emplace_back(
+            model::normalEquations(car.uncertainty, d, fit.products[d], fit.sizes).products(order, order));
+        sum += each.back();
     }
-    Eigen::VectorXd signature(all);  // of the effects, less what the nuisances imitate of it
-    signature.tail(all - nuisances) = fit.at(fit.knobs);
-    signature.head(nuisances) = -inference::factorOfPriorAnd(sum.topLeftCorner(nuisances, nuisances))
-                                     .solve(sum.topRightCorner(nuisances, all - nuisances) * fit.at(fit.knobs));
+    Eigen::VectorXd signature(all);  // of the knobs, less what the others imitate of it
+    signature.head(n) = fit.at(fit.free)(order).head(n);
+    signature.tail(all - n) = -inference::factorOfPriorAnd(sum.bottomRightCorner(all - n, all - n))
+                                   .solve(sum.bottomLeftCorner(all - n, n) * signature.head(n));
     std::vector<double> explained;
-    for (const Eigen::MatrixXd& one : each) explained.push_back(signature.dot(one.topLeftCorner(all, all) * signature));
+    for (const Eigen::MatrixXd& one : each) explained.push_back(signature.dot(one * signature));
     return explained;
+}
+
+bool toldByOneDrive(const std::vector<double>& explained) {
+    const double sum = std::accumulate(explained.begin(), explained.end(), 0.0);
+    return *std::max_element(explained.begin(), explained.end()) >= kOneDrive * sum;
 }
 
 double doubt(const Calibration& car, const Fit& fit) {
     if (fit.knobs.empty()) return 1;
     double sum = 0, squares = 0;
-    for (const double explained : explainedIn(car, fit)) sum += explained, squares += explained * explained;
+    for (const double explained : explainedIn(car, fit, fit.knobs)) sum += explained, squares += explained * explained;
     return sum > 0 ? 1 + car.structure_error * car.structure_error * squares / sum : 1;
 }
 

@@ -5,9 +5,12 @@
 
 namespace tread::diagnose::select {
 
-// What the effects of a fit explain in each drive, squared: the part of their signature that the nuisances cannot
-// imitate.
-std::vector<double> explainedIn(const Calibration& car, const Fit& fit);
+// What these knobs of a fit explain in each drive, squared: the part of their signature that its other free parameters
+// cannot imitate.
+std::vector<double> explainedIn(const Calibration& car, const Fit& fit, const std::vector<Eigen::Index>& knobs);
+
+// True when one drive holds nearly all of what is explained, so that the others cannot test it.
+bool toldByOneDrive(const std::vector<double>& explained);
 
 // Divisor of the evidence against a model. In each drive the error of its signatures may account for a difference of
 // the size of the signatures' error times what the model explains there. Drives count in proportion to what is

@@ -144,10 +144,11 @@ struct Fitter {
 };
 
 Fitter fitterOf(const Replays& replays, Drives drives, const Uncertainty& uncertainty,
-                const Linearisation& linearisation, const std::vector<Eigen::Index>& knobs) {
+                const Linearisation& linearisation, const std::vector<Eigen::Index>& imperfections,
+                const std::vector<Eigen::Index>& knobs) {
     Fitter fitter{replays, drives, uncertainty, knobs, {}, {}, {}, {}, {}, {}, {}};
     std::vector<Eigen::Index> moving;  // knobs along which the model is imperfect
-    for (const Eigen::Index i : linearisation.imperfections) {
+    for (const Eigen::Index i : imperfections) {
         const Eigen::Index knob = replays.parameters[i].imperfection_of;
         if (std::find(knobs.begin(), knobs.end(), knob) != knobs.end()) continue;
         fitter.imperfections.push_back(i), moving.push_back(knob);
@@ -341,7 +342,9 @@ std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertain
                           const Deviation& start, SizePrior prior, Remainder remainder) {
     std::optional<Rows> rows = model::rowsAt(replays, drives, start);
     if (!rows) return std::nullopt;
-    const Fitter fitter = fitterOf(replays, drives, uncertainty, linearisation, knobs);
+    const std::vector<Eigen::Index> imperfections =
+        remainder == Remainder::estimated ? linearisation.imperfections : std::vector<Eigen::Index>{};
+    const Fitter fitter = fitterOf(replays, drives, uncertainty, linearisation, imperfections, knobs);
     Moving now = startOf(fitter, linearisation, start, std::move(*rows), prior, remainder);
     climb(now, fitter, knobs.empty());
     if (remainder == Remainder::estimated)

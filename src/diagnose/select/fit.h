@@ -25,8 +25,8 @@ using model::Uncertainty;
 // estimated without it.
 enum class SizePrior { typical, none };
 
-// Whether the sizes of the remainder are estimated with a fit, or stay the usual ones, so that the parameters close as
-// much of the gap as they can.
+// Whether the sizes of the remainder are estimated with a fit, or stay the usual ones, without imperfections, so that
+// the parameters close as much of the gap as they can.
 enum class Remainder { estimated, usual };
 
 struct Fit {

@@ -10,9 +10,6 @@
 namespace tread::diagnose::select {
 namespace {
 
-// Largest share of the information about the effects that one drive may hold, for the others to test them.
-constexpr double kOneDrive = 0.9;
-
 using inference::factorOfPriorAnd;
 using inference::logDeterminant;
 
@@ -85,11 +82,10 @@ Prediction predicted(const Calibration& car, const Fit& with, const Fit& without
     double squares = 0;
     for (const double gain : gains) squares += std::pow(gain - result.gain / n, 2);
     if (gains.size() < 2) return result;
-    const std::vector<double> explained = explainedIn(car, with);
-    const double sum = std::accumulate(explained.begin(), explained.end(), 0.0);
+    const std::vector<double> explained = explainedIn(car, with, with.knobs);
     const auto most = std::max_element(explained.begin(), explained.end());
     const std::size_t teller = most - explained.begin();
-    result.tested = *most < kOneDrive * sum;
+    result.tested = !toldByOneDrive(explained);
     result.others = densityOfOthers(car, with, teller) - densityOfOthers(car, without, teller);
     result.sd = std::sqrt(n / (n - 1) * squares);
     return result;

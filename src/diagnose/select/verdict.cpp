@@ -6,6 +6,7 @@
 #include <set>
 
 #include "diagnose/model/gap.h"
+#include "diagnose/select/left_out.h"
 #include "diagnose/settings.h"
 
 namespace tread::diagnose::select {
@@ -109,15 +110,10 @@ bool implausible(const Problem& problem, const Fit& fit) {
     });
 }
 
-// The fit of a model in which the sizes of its effects are free of the prior that ranked it. Without effects, the car
-// that closes most of the gap within its tolerances.
+// The fit of a model in which the sizes of its effects are free of the prior that ranked it.
 Fit released(const Calibration& car, const Candidate& named) {
-    if (named.effects.empty()) {
-        Fit closest = named.fit;
-        closest.at = car.closest, closest.rows = closest.of_car = car.closest_rows;
-        return closest;
-    }
     Fit fit = named.fit;
+    if (named.effects.empty()) return fit;
     for (int round = 0; round < kMostRounds; ++round) {
         std::optional<Fit> again = fitted(car.problem.replays, car.drives(), car.uncertainty, linearisedAt(car, fit.at),
                                           fit.knobs, fit.at, SizePrior::none);
@@ -125,6 +121,19 @@ Fit released(const Calibration& car, const Candidate& named) {
         fit = std::move(*again);
         if (fit.gained < kSettled) break;
     }
+    return fit;
+}
+
+// The closest car with the causes of an answer.
+Closest closestWith(const Calibration& car, const Fit& answer) {
+    std::optional<Closest> closest = answer.knobs.empty() ? car.closest : closestTo(car, answer.at, answer.knobs);
+    return closest ? std::move(*closest) : Closest{answer.at, answer.of_car};
+}
+
+// The fit at the closest car with its causes, whose sizes stay.
+Fit atClosest(const Calibration& car, Fit fit) {
+    std::optional<Closest> closest = fit.knobs.empty() ? car.closest : closestTo(car, fit.at, {});
+    if (closest) fit.at = std::move(closest->at), fit.rows = fit.of_car = std::move(closest->rows);
     return fit;
 }
 
@@ -154,13 +163,14 @@ bool contradicted(const Calibration& car, const Candidate& model, const Search& 
 // without, it predicts the drives that are left out, its effects have the same values in all drives, and those held out
 // do not speak against it.
 std::string reasonAgainst(const Calibration& car, const Candidate& model, const Fit& answer, const Search& found,
-                          const HeldOut& held_out) {
+                          const HeldOut& held_out, LeftOut& left_out) {
     const Fit& none = found.none().fit;
     if (model.effects.empty()) return {};
     if (implausible(car.problem, model.fit) || implausible(car.problem, answer))
         return "a number stands at the end of its plausible range";
     if (predicted(car, model.fit, none).fails()) return "it does not predict drives that are left out of the fit";
     if (contradicted(car, model, found)) return "one drive speaks for it and the others against it";
+    if (left_out.enlarges(model)) return "it enlarges the gap of drives that it is not fitted to";
     if (held_out.speakAgainst(model.fit.at, none.at)) return "it does not shrink the gap of the drives held out";
     return {};
 }
@@ -200,12 +210,13 @@ const Candidate* choose(const Posterior& probable) {
 Answer answerOf(const Calibration& car, const Search& found, const HeldOut& held_out) {
     std::vector<bool> possible(found.candidates.size(), true);
     std::map<const Candidate*, std::string> struck;
+    LeftOut left_out(car, held_out);
     while (true) {
         Posterior probable = posterior(car, found, possible);
         const Candidate* named = choose(probable);
         Fit answer = released(car, *named);
-        std::string against = reasonAgainst(car, *named, answer, found, held_out);
-        if (against.empty()) return {std::move(probable), named, std::move(answer), std::move(struck)};
+        std::string against = reasonAgainst(car, *named, answer, found, held_out, left_out);
+        if (against.empty()) return {std::move(probable), named, atClosest(car, std::move(answer)), std::move(struck)};
         struck[named] = std::move(against);
         possible[named - found.candidates.data()] = false;
     }
@@ -242,7 +253,7 @@ Verdict verdictOf(const Diagnosis& diagnosis, const Calibration& car, const Judg
         return seen ? Verdict::nothing : Verdict::not_testable;
     }
     if (remains) {
-        const double tolerances_leave = gapOf(car, car.closest_rows), left = gapOf(car, judgement.answer.of_car);
+        const double tolerances_leave = gapOf(car, car.closest.rows), left = gapOf(car, judgement.closest.rows);
         return left > 0.5 * tolerances_leave ? Verdict::unknown : Verdict::partly_explained;
     }
     return diagnosis.alternatives.empty() ? Verdict::explained : Verdict::ambiguous;
@@ -255,9 +266,11 @@ Judgement judge(answer::Diagnosis& diagnosis, const Calibration& car, const std:
     const Problem& problem = car.problem;
     Answer chosen = answerOf(car, found, held_out);
     const Candidate& named = *chosen.named;
-    Remains remains = whatRemains(car, named, chosen.fit.of_car);
+    Closest closest = closestWith(car, chosen.fit);
+    Remains remains = whatRemains(car, named, closest.rows);
     remains.beyond_ordinary = std::max(remains.beyond_ordinary, struckBeyond(chosen));
-    Judgement judgement{&named, std::move(chosen.fit), std::move(remains), predicted(car, named.fit, found.none().fit)};
+    Judgement judgement{&named, std::move(chosen.fit), std::move(closest), std::move(remains),
+                        predicted(car, named.fit, found.none().fit)};
     diagnosis.causes = problem.namesOf(named.effects);
     diagnosis.probability_of_unknown = judgement.remains.probability();
     diagnosis.probability_of_nothing = chosen.posterior.ofNothing() * (1 - diagnosis.probability_of_unknown);

@@ -12,6 +12,7 @@ namespace tread::diagnose::select {
 struct Judgement {
     const Candidate* named = nullptr;  // the model without effects when no cause is named
     Fit answer;                        // of the causes, their sizes free of the prior that ranked them
+    Closest closest;                   // the closest car with the causes
     Remains remains;
     Prediction prediction;
 };

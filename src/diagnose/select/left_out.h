@@ -1,0 +1,46 @@
+// Does an effect of a set enlarge the gap of drives that it was not fitted to?
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "diagnose/select/held_out.h"
+#include "diagnose/select/search.h"
+
+namespace tread::diagnose::select {
+
+// Sets of effects, with and without each of their effects, in each drive as the other drives predict it and in the
+// drives held out. All are fitted within the tolerances, with a remainder of the usual size, so that their numbers close
+// as much of the gap as they can; otherwise one of them might leave to its remainder what the other one explains.
+class LeftOut {
+public:
+    LeftOut(const Calibration& car, const HeldOut& held_out);
+
+    // True if these drives have a larger gap with one of the effects than without it (D38c). An effect that one drive
+    // tells alone is not tested: without that drive it has no value.
+    bool enlarges(const Candidate& set);
+
+private:
+    struct Fitted {
+        std::optional<Fit> fit;
+        std::vector<double> gaps;  // of each drive as the others predict it, then of the drives held out
+    };
+    const Fitted& without(const Candidate& set, const std::size_t* effect);
+
+    const Calibration& car_;
+    const HeldOut& held_out_;
+    Replays within_;
+    std::map<std::set<std::size_t>, Fitted> fitted_;  // by effects
+};
+
+// Squared gap of each drive, filtered, if all numbers of a fit are those that the other drives tell, within these
+// bounds. In the linear model about the fit.
+std::vector<double> gapsLeftOut(const Calibration& car, const std::vector<Parameter>& parameters, const Fit& fit);
+
+// True if the sum over the drives is larger by more than its standard deviation, as the differences between drives
+// suggest it.
+bool isLarger(const std::vector<double>& after, const std::vector<double>& before);
+
+}  // namespace tread::diagnose::select
