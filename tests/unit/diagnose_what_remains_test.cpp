@@ -114,6 +114,14 @@ TEST(WhatRemains, IsNotSeenWhereItHardlyAddsToTheNoise) {
     EXPECT_NEAR((Remains{.beyond_ordinary = 30, .excess = 0.19, .law = {}}.probability()), 0.1, 1e-12);
 }
 
+// The large remainder and the law that it follows together are what an unknown cause gains.
+TEST(WhatRemains, IsSeenSoonerWhereItFollowsALaw) {
+    EXPECT_FALSE((Remains{.beyond_ordinary = 4, .excess = 1, .of_law = 1.9, .law = {}}.seen()));
+    EXPECT_TRUE((Remains{.beyond_ordinary = 4, .excess = 1, .of_law = 2.1, .law = {}}.seen()));
+    EXPECT_NEAR((Remains{.beyond_ordinary = 4, .excess = 1, .of_law = 2, .law = {}}.probability()),
+                1 / (1 + 9 * std::exp(-6)), 1e-12);
+}
+
 // Student's t with four degrees of freedom and variance 1, against the normal distribution; lgamma(2.5) - lgamma(2) and
 // the scale differ for both by a constant, which is left out.
 TEST(WhatRemains, IsSeenWhereOneNumberMovedFarBeyondItsTolerance) {

@@ -107,10 +107,12 @@ TEST(Headline, OfAnUnknownCauseSaysWhatRemainsAndWhatIsExplained) {
     EXPECT_NE(headline(d).find("roll stiffness (p = 0.80) makes the gap 30 % larger; "), std::string::npos);
     d.causes.clear();
     d.training.each.clear();
-    d.unexplained.law.follows = "ay|ay|";
+    d.unexplained.law.follows = "ay|ay|", d.unexplained.law.unit = "m2/s4";
     EXPECT_EQ(headline(d),
               "Mostly unknown: 60 % of the gap remains unexplained; no effect of the catalogue explains it; missing "
               "force: lateral, it follows ay|ay|");
+    d.unexplained.law.unit.clear();
+    EXPECT_TRUE(headline(d).ends_with("missing force: lateral, it is always the same"));
 }
 
 TEST(Headline, OfNothingSaysWhatTheGapConsistsOf) {
@@ -121,7 +123,11 @@ TEST(Headline, OfNothingSaysWhatTheGapConsistsOf) {
     EXPECT_EQ(headline(d),
               "Nothing found: tolerances explain 60 % of the gap, 37 % is noise, 3 % of the gap remains unexplained");
     d.nuisance = {{"mass", {.z = -3.5}}, {"wheelbase", {.z = 2.9}}};
-    EXPECT_TRUE(headline(d).ends_with("; but 1 number moved by more than 3 standard deviations of its tolerance"));
+    EXPECT_TRUE(headline(d).ends_with("; but mass moved by more than 3 standard deviations of its tolerance"));
+    d.nuisance = {{"a", {.z = -3.5}}, {"b", {.z = 5}}, {"c", {.z = 4}}, {"d", {.z = 3.1}}, {"e", {.z = -3.2}}};
+    EXPECT_TRUE(headline(d).ends_with(
+        "; but b, c, a and 2 other numbers moved by more than 3 standard deviations of their tolerances"))
+        << headline(d);
 }
 
 TEST(Headline, OfDrivesThatShowNothingSaysSo) {

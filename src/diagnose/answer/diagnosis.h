@@ -173,7 +173,7 @@ struct NextDrive {
 // Law of forces that no effect of the catalogue explains.
 struct ForceLaw {
     std::string follows = {};  // quantity that the force follows, in words; empty when the gain is not clear
-    std::string unit = {};     // unit of that quantity
+    std::string unit = {};     // unit of that quantity; empty for a force that is always the same
     std::map<std::string, double> coefficients = {};  // of each generalised force: N or N m per unit
     std::string generalised_force = {};               // the largest of them; empty when effects act too
     double gain = 0;                                  // nats over the best model

@@ -6,13 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/answer/changed_numbers.h"
 #include "diagnose/answer/parts.h"
 #include "diagnose/answer/words.h"
 
 namespace tread::diagnose::answer {
 namespace {
 
-constexpr double kFar = 3;       // standard deviations of its tolerance beyond which a number is doubtful: 1 in 400
+constexpr double kFar = 3;  // standard deviations of its tolerance beyond which a number is doubtful: 1 in 400
+constexpr std::size_t kMostNumbers = 3;  // such numbers that are named
 constexpr double kMostly = 0.5;  // share of what tolerances and noise leave, above which a cause is the main one
 
 bool isDecomposed(const Decomposition& gap) {
@@ -69,11 +71,15 @@ std::string ofCauses(const Diagnosis& d) {
 
 // Tolerances that explain a gap only because they are too narrow are no explanation.
 std::string doubtOfTolerances(const Diagnosis& d) {
-    const auto far = std::count_if(d.nuisance.begin(), d.nuisance.end(),
-                                   [](const auto& one) { return std::abs(one.second.z) > kFar; });
-    if (far == 0) return {};
-    return fmt::format("; but {} number{} moved by more than {:.0f} standard deviations of {}", far,
-                       far == 1 ? "" : "s", kFar, far == 1 ? "its tolerance" : "their tolerances");
+    std::vector<std::string> far;
+    for (const MovedNumber& number : movedNumbers(d.nuisance))
+        if (std::abs(number.estimate.z) > kFar) far.push_back(number.name);
+    if (far.empty()) return {};
+    const std::size_t told = std::min(far.size(), kMostNumbers), others = far.size() - told;
+    const std::string names = fmt::format("{}", fmt::join(far.begin(), far.begin() + static_cast<long>(told), ", "));
+    return fmt::format("; but {}{} moved by more than {:.0f} standard deviations of {}", names,
+                       others > 0 ? fmt::format(" and {} other number{}", others, others == 1 ? "" : "s") : "", kFar,
+                       far.size() == 1 ? "its tolerance" : "their tolerances");
 }
 
 std::string ofUnknown(const Diagnosis& d) {
@@ -83,8 +89,8 @@ std::string ofUnknown(const Diagnosis& d) {
     else text += fmt::format("; {} {}", ranked(d, causesInOrder(d)), effectOf(d.training.causes));
     if (!d.unexplained.generalised_force.empty())
         text += fmt::format("; missing force: {}", d.unexplained.generalised_force);
-    const std::string& law = d.unexplained.law.follows;
-    return text + (law.empty() ? "" : ", it follows " + law) + doubtOfTolerances(d);
+    const std::string law = followsInWords(d.unexplained.law);
+    return text + (law.empty() ? "" : ", it " + law) + doubtOfTolerances(d);
 }
 
 std::string ofNothing(const Diagnosis& d) {

@@ -144,6 +144,11 @@ std::string probabilityInWords(double p) {
     return p >= 0.995 ? "p > 0.99" : fmt::format("p = {:.2f}", p);
 }
 
+std::string followsInWords(const ForceLaw& law) {
+    if (law.follows.empty()) return {};
+    return law.unit.empty() ? "is always the same" : "follows " + law.follows;
+}
+
 std::string lawInWords(const ForceLaw& law) {
     if (law.follows.empty()) return {};
     std::string forces;
@@ -151,7 +156,8 @@ std::string lawInWords(const ForceLaw& law) {
         const bool moment = kind == "yaw" || kind == "roll";
         forces += fmt::format("{}{} {:.3g} {}", forces.empty() ? "" : ", ", kind, value, moment ? "N m" : "N");
     }
-    return fmt::format("a force follows {}: {} per {} ({:.0f} nats)", law.follows, forces, law.unit, law.gain);
+    return fmt::format("a force {}: {}{} ({:.0f} nats)", followsInWords(law), forces,
+                       law.unit.empty() ? "" : " per " + law.unit, law.gain);
 }
 
 std::string together(const std::vector<std::string>& causes) {

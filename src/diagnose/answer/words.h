@@ -38,6 +38,9 @@ std::vector<std::pair<double, std::string>> largeForces(const Unexplained& unexp
 // "p = 0.97"; close to 1 it reads "p > 0.99", because nothing is certain.
 std::string probabilityInWords(double p);
 
+// "follows the square of the lateral acceleration"; empty when there is no law.
+std::string followsInWords(const ForceLaw& law);
+
 // The law of an unexplained force, with its coefficients; empty when there is none.
 std::string lawInWords(const ForceLaw& law);
 

@@ -1,19 +1,22 @@
 #include "diagnose/select/force_law.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
 
+#include "base/parallel.h"
+#include "diagnose/model/remainder.h"
 #include "diagnose/select/screen.h"
 #include "diagnose/settings.h"
 
 namespace tread::diagnose::select {
 namespace {
 
-// Prior standard deviation of the force of a law, in usual sizes (root mean square over all drives). Half and double
-// change no verdict of the development cases, but half makes the force that is told too small.
-constexpr double kLawForce = 2;
+// Prior standard deviations of the force of a law, in usual sizes (root mean square over all drives), each as probable:
+// of a small, a large and a very large force.
+constexpr std::array kLawForces{2.0, 8.0, 32.0};
 constexpr double kSwingDamping = 0.1;  // damping ratio of the swinging mass
 
 using model::Disturbed;
@@ -65,7 +68,7 @@ double squareWithSign(double value) {
 const std::vector<Law>& laws() {
     static const std::vector<Law> all = [] {
         const std::vector<Disturbed> side{Disturbed::lateral, Disturbed::yaw}, roll{Disturbed::roll},
-            along{Disturbed::longitudinal};
+            along{Disturbed::longitudinal}, oblique{Disturbed::longitudinal, Disturbed::yaw};
         const char *const ax = "chassis.ax", *const ay = "chassis.ay";
         std::vector<Law> list{
             {"the magnitude of the lateral acceleration, to the same side in every turn", "m/s2", side,
@@ -80,6 +83,7 @@ const std::vector<Law>& laws() {
              of({ay}, [](const auto& v) { return std::abs(v[0]); })},
             {"the square of the lateral acceleration", "m2/s4", along,
              of({ay}, [](const auto& v) { return v[0] * v[0]; })},
+            {"no motion", "", oblique, of({}, [](const auto&) { return 1.0; })},
         };
         for (const auto& [frequency, text] : std::initializer_list<std::pair<double, const char*>>{
                  {0.4, "0.4"}, {0.5, "0.5"}, {0.65, "0.65"}, {0.8, "0.8"}, {1, "1"}, {1.3, "1.3"}}) {
@@ -110,7 +114,7 @@ Eigen::VectorXd atHats(const Signal& signal, const std::vector<double>& time, co
 }
 
 // Histories of a law at the hats of each drive, and its unit: the factor that gives the force a root mean square of
-// kLawForce usual sizes over all drives. Unit 0 when the signal is 0 everywhere.
+// one usual size over all drives. Unit 0 when the signal is 0 everywhere.
 struct History {
     std::vector<Eigen::VectorXd> of_drive;
     double unit = 0;
@@ -123,13 +127,12 @@ History historyOf(const Law& law, const Calibration& car) {
         history.of_drive.push_back(atHats(law.signal(drive), drive.time, car.uncertainty.disturbing[d]));
         squares += history.of_drive.back().squaredNorm(), hats += static_cast<double>(history.of_drive.back().size());
     }
-    history.unit = squares > 0 ? kLawForce / std::sqrt(squares / hats) : 0;
+    history.unit = squares > 0 ? std::sqrt(hats / squares) : 0;
     return history;
 }
 
-// Whitened columns of one drive: each kind of force of every law, then the residual of a fit (D34).
-Eigen::MatrixXd columnsOf(const std::vector<History>& histories, const Calibration& car, const Fit& fit,
-                          std::size_t drive) {
+// Whitened columns of one drive: each kind of force of every law (D34).
+Eigen::MatrixXd columnsOf(const std::vector<History>& histories, const Calibration& car, std::size_t drive) {
     const model::Disturbances& disturbing = car.uncertainty.disturbing[drive];
     const Eigen::Index hats = disturbing.hats();
     std::vector<Eigen::VectorXd> columns;
@@ -142,29 +145,44 @@ Eigen::MatrixXd columnsOf(const std::vector<History>& histories, const Calibrati
             columns.emplace_back(car.uncertainty.directions[drive].middleCols(model::placeOf(kind) * hats, hats) *
                                  impulses);
     }
-    columns.push_back(model::residual(car.drives(), car.uncertainty, fit.rows, drive));
     Eigen::MatrixXd all(columns.front().size(), std::ssize(columns));
     for (Eigen::Index i = 0; i < all.cols(); ++i) all.col(i) = columns[i];
     return all;
 }
 
-// Coefficients of a law, in multiples of its unit, beside the remainder that it leaves: one estimated without the law
-// has part of it. `columns`: per drive, those of all laws, then the residual.
-Eigen::VectorXd unitsBeside(const Calibration& car, const Fit& fit, const std::vector<Eigen::MatrixXd>& columns,
-                            Eigen::Index first, Eigen::Index count) {
-    std::vector<Eigen::MatrixXd> own;
-    std::vector<DriveProducts> products;
-    for (std::size_t d = 0; d < columns.size(); ++d) {
-        Eigen::MatrixXd all(columns[d].rows(), count + 1);
-        all << columns[d].middleCols(first, count), columns[d].rightCols(1);
-        products.push_back(productsBeside(fit, car.uncertainty, d, all));
-        own.push_back(std::move(all));
+// Columns of forces, then the residual of a fit, per drive.
+std::vector<Eigen::MatrixXd> withResidual(const Calibration& car, const Fit& fit,
+                                          const std::vector<Eigen::MatrixXd>& forces) {
+    std::vector<Eigen::MatrixXd> all;
+    for (std::size_t d = 0; d < forces.size(); ++d) {
+        all.emplace_back(forces[d].rows(), forces[d].cols() + 1);
+        all.back() << forces[d], model::residual(car.drives(), car.uncertainty, fit.rows, d);
     }
-    const Sizes sizes = sizesWithAllFree(car.problem, car.uncertainty, products);
-    const Eigen::MatrixXd sum = productsBeside(car, fit, own, sizes);
-    return inference::bestStep({.information = sum.topLeftCorner(count, count),
-                                .gradient = sum.topRightCorner(count, 1),
-                                .at = Eigen::VectorXd::Zero(count)});
+    return all;
+}
+
+// The quadratic model of a fit with such columns beside it and these sizes, about the fit and forces of 0.
+inference::QuadraticModel quadraticBeside(const Calibration& car, const Fit& fit,
+                                          const std::vector<DriveProducts>& products, const Sizes& sizes) {
+    const model::NormalEquations sum =
+        model::normalEquations(car.uncertainty, products, sizes, car.problem.replays.threads);
+    const Eigen::Index n = sum.products.cols() - 1;
+    Eigen::VectorXd at = Eigen::VectorXd::Zero(n);
+    at.head(std::ssize(fit.free)) = fit.at(fit.free);
+    return {.information = sum.products.topLeftCorner(n, n),
+            .gradient = sum.products.topRightCorner(n, 1),
+            .at = std::move(at),
+            .squared_residual = sum.products(n, n),
+            .log_determinant = sum.log_determinant};
+}
+
+// Nats that the choice of a law and of its size costs.
+double logChoices() {
+    return std::log(static_cast<double>(laws().size() * kLawForces.size()));
+}
+
+double logEvidence(const inference::QuadraticModel& model, const Sizes& sizes) {
+    return inference::logEvidence(model, inference::bestStep(model)) + model::logPrior(sizes, model::kWidePrior);
 }
 
 // The law with its coefficients; `units` are these in multiples of `unit`.
@@ -183,30 +201,63 @@ answer::ForceLaw lawOf(const Law& law, const Eigen::VectorXd& units, double unit
 
 }  // namespace
 
-answer::ForceLaw forceLaw(const Calibration& car, const Fit& fit) {
+struct ForceLaws::Best {
+    std::size_t law;
+    double force;           // its prior standard deviation, usual sizes
+    double gain;            // nats
+    Eigen::VectorXd units;  // coefficients in multiples of the unit, beside the remainder that the law leaves
+};
+
+ForceLaws::ForceLaws(const Calibration& car) : car_(car) {
     std::vector<History> histories;
-    for (const Law& law : laws()) histories.push_back(historyOf(law, car));
-    std::vector<Eigen::MatrixXd> columns;
-    for (std::size_t d = 0; d < car.drives().size(); ++d) columns.push_back(columnsOf(histories, car, fit, d));
-    const Eigen::MatrixXd products = productsBeside(car, fit, columns, car.uncertainty.sizes);
+    for (const Law& law : laws()) histories.push_back(historyOf(law, car)), units_.push_back(histories.back().unit);
+    for (std::size_t d = 0; d < car.drives().size(); ++d) columns_.push_back(columnsOf(histories, car, d));
+}
+
+std::optional<ForceLaws::Best> ForceLaws::bestBeside(const Fit& fit) const {
+    const Eigen::MatrixXd products = productsBeside(car_, fit, withResidual(car_, fit, columns_), fit.sizes);
     const Eigen::Index last = products.cols() - 1;
-    answer::ForceLaw best{.gain = -kInfinity};
-    Eigen::Index at = 0;
+    std::optional<Best> best;
+    Eigen::Index first = 0, first_of_best = 0;
     for (std::size_t l = 0; l < laws().size(); ++l) {
-        const Law& law = laws()[l];
-        const Eigen::Index n = std::ssize(law.kinds);
-        const inference::QuadraticModel forces{.information = products.block(at, at, n, n),
-                                               .gradient = products.block(at, last, n, 1),
-                                               .at = Eigen::VectorXd::Zero(n)};
-        at += n;
-        const Eigen::VectorXd units = inference::bestStep(forces);
-        const double choices = static_cast<double>(laws().size());
-        const double gain = inference::logEvidence(forces, units) - std::log(choices);
-        if (histories[l].unit == 0 || gain <= best.gain) continue;
-        const Eigen::VectorXd beside = unitsBeside(car, fit, columns, at - n, n);
-        best = lawOf(law, beside, histories[l].unit, gain, car.problem.replays.nominal().vehicle);
+        const Eigen::Index n = std::ssize(laws()[l].kinds);
+        for (const double force : kLawForces) {
+            const inference::QuadraticModel own{.information = force * force * products.block(first, first, n, n),
+                                                .gradient = force * products.block(first, last, n, 1),
+                                                .at = Eigen::VectorXd::Zero(n)};
+            const double gain = inference::logEvidence(own, inference::bestStep(own)) - logChoices();
+            if (units_[l] == 0 || gain <= (best ? best->gain : 0)) continue;
+            best = {l, force, gain, {}}, first_of_best = first;
+        }
+        first += n;
     }
+    if (!best) return best;
+    const Eigen::Index n = std::ssize(laws()[best->law].kinds);
+    std::vector<Eigen::MatrixXd> forces;
+    for (const Eigen::MatrixXd& columns : columns_)
+        forces.emplace_back(best->force * columns.middleCols(first_of_best, n));
+    const std::vector<Eigen::MatrixXd> further = withResidual(car_, fit, forces);
+    std::vector<DriveProducts> with(further.size());
+    inParallel(with.size(), car_.problem.replays.threads,
+               [&](std::size_t d) { with[d] = productsBeside(fit, car_.uncertainty, d, further[d]); });
+    const Sizes sizes = sizesWithAllFree(car_.problem, car_.uncertainty, with);
+    const inference::QuadraticModel resized = quadraticBeside(car_, fit, with, sizes);
+    const double before = logEvidence(quadraticAt(fit, car_.uncertainty), fit.sizes);
+    best->gain = std::max(best->gain, logEvidence(resized, sizes) - before - logChoices());
+    best->units = best->force * inference::bestStep(resized).tail(n);
     return best;
+}
+
+answer::ForceLaw ForceLaws::best(const Fit& fit) const {
+    const std::optional<Best> best = bestBeside(fit);
+    if (!best) return {.gain = -kInfinity};
+    return lawOf(laws()[best->law], best->units, units_[best->law], best->gain, car_.problem.replays.nominal().vehicle);
+}
+
+double ForceLaws::gainIfUnknown(const Fit& fit) const {
+    const std::optional<Best> best = bestBeside(fit);
+    const double u = kSettings.unknown_cause, gain = best ? best->gain : -kInfinity;
+    return std::max(0.0, gain) + std::log((1 - u) * std::exp(-std::max(0.0, gain)) + u * std::exp(std::min(0.0, gain)));
 }
 
 }  // namespace tread::diagnose::select

@@ -3,13 +3,32 @@
 // effect, and shows where to look.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "diagnose/answer/diagnosis.h"
 #include "diagnose/select/calibration.h"
 
 namespace tread::diagnose::select {
 
-// The law that gains most beside a model. Its forces are combined from the columns of the disturbances, so nothing is
-// simulated (D35).
-answer::ForceLaw forceLaw(const Calibration& car, const Fit& fit);
+// Their forces are combined from the columns of the disturbances, so nothing is simulated. The car must outlive them.
+class ForceLaws {
+public:
+    explicit ForceLaws(const Calibration& car);
+
+    // The law that gains most beside a model, with the remainder that it leaves; gain -infinity when none gains (D35).
+    answer::ForceLaw best(const Fit& fit) const;
+
+    // Nats that a model gains because a force of unknown cause may act beside it (D35a).
+    double gainIfUnknown(const Fit& fit) const;
+
+private:
+    struct Best;
+    std::optional<Best> bestBeside(const Fit& fit) const;
+
+    const Calibration& car_;
+    std::vector<double> units_;             // of each law; 0 where its signal is 0 or missing
+    std::vector<Eigen::MatrixXd> columns_;  // whitened, per drive: of each kind of force of every law
+};
 
 }  // namespace tread::diagnose::select

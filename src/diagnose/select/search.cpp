@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "diagnose/select/doubt.h"
+#include "diagnose/select/force_law.h"
 #include "diagnose/settings.h"
 
 namespace tread::diagnose::select {
@@ -91,14 +92,22 @@ public:
         result.candidates = std::move(singles);
         result.candidates.insert(result.candidates.end(), grown.begin(), grown.end());
         result.candidates.push_back({{}, 0, none_, true});
-        for (Candidate& one : result.candidates) {
-            if (one.fitted) one.log_evidence = one.fit.log_evidence - none_.log_evidence;
-        }
+        countUnknownForces(result.candidates);
         sort(result.candidates);
         return result;
     }
 
 private:
+    // Beside each set a force of unknown cause may act (D35a).
+    void countUnknownForces(std::vector<Candidate>& candidates) const {
+        const ForceLaws laws(car_);
+        const double none = none_.log_evidence + laws.gainIfUnknown(none_);
+        for (Candidate& one : candidates) {
+            if (!one.fitted) continue;
+            one.log_evidence = one.fit.log_evidence + laws.gainIfUnknown(one.fit) - none;
+        }
+    }
+
     // One candidate per effect; the most promising of the screen are fitted, the others keep the evidence of the
     // screen.
     std::vector<Candidate> refittedSingles(const Screen& screen) const {

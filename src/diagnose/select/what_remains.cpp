@@ -75,13 +75,16 @@ bool Remains::material() const {
     return excess > kSettings.material;
 }
 
+double Remains::nats() const {
+    return std::max(material() ? beyond_ordinary + of_law : 0, strain);
+}
+
 bool Remains::seen() const {
-    return (beyond_ordinary > kSettings.clear && material()) || strain > kSettings.clear;
+    return nats() > kSettings.clear;
 }
 
 double Remains::probability() const {
-    const double nats = std::max(material() ? beyond_ordinary : 0, strain);
-    const double odds = kSettings.unknown_cause / (1 - kSettings.unknown_cause) * std::exp(nats);
+    const double odds = kSettings.unknown_cause / (1 - kSettings.unknown_cause) * std::exp(nats());
     return std::isfinite(odds) ? odds / (1 + odds) : 1;
 }
 
@@ -103,7 +106,8 @@ Remains whatRemains(const Calibration& car, const Candidate& model, const Rows& 
     remains.beyond_ordinary = logEvidenceWith(fit, car.uncertainty, wide) + model::logPrior(wide, model::kLargePrior) -
                               ordinary -
                               0.5 * ratio * (model::kLargePrior.pull(ratio) - model::kOrdinaryPrior.pull(ratio));
-    answer::ForceLaw law = forceLaw(car, fit);
+    answer::ForceLaw law = ForceLaws(car).best(fit);
+    remains.of_law = std::max(0.0, law.gain);
     if (law.gain > kSettings.clear) remains.law = std::move(law);
     return remains;
 }

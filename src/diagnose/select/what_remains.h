@@ -14,9 +14,11 @@ struct Remains {
     double excess = 0;
     // Nats by which tolerances with long tails are likelier than those that were told: numbers moved too far (D33a).
     double strain = 0;
+    double of_law = 0;     // nats that a force law gains beside it (D35)
     answer::ForceLaw law;  // that the remainder follows; empty unless clear
 
     bool material() const;
+    double nats() const;  // for an unknown cause
     bool seen() const;
     double probability() const;  // that a cause of no catalogue is part of it
 };
