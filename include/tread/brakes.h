@@ -99,6 +99,7 @@ struct BrakeInput {
     PerWheel<double> rolling{};    // m/s, spin times effective rolling radius
     PerAxle<double> recovered{};   // N m, of each wheel of the axle, that a motor brakes in place of the brake
     PerWheel<double> commanded{};  // N m, besides what pedal and controllers ask for
+    PerWheel<double> drag{};       // N m, of a brake that does not release its wheel
     StabilityControlInput car{};
 };
 

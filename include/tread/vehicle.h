@@ -72,12 +72,15 @@ struct WheelParams {
     std::optional<TyreSurroundingsParams> tyre_surroundings{};
     double stiffness = 1;
     double grip = 1;
+    double brake_drag = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(tyre), About{"", "tyre of this wheel alone, or the file that describes it"});
         field(TREAD_FIELD(tyre_surroundings), About{"", "conditions of the tyre of this wheel alone"});
         field(TREAD_FIELD(stiffness), About{"-", "factor on the slip stiffness of the tyre of this wheel", kPositive});
         field(TREAD_FIELD(grip), About{"-", "factor on the friction of the tyre of this wheel", kPositive});
+        field(TREAD_FIELD(brake_drag),
+              About{"N m", "torque of the brake of this wheel with the pedal released (it drags)", kNonNegative});
     }
 };
 static_assert(describesEveryMember<WheelParams>());
@@ -186,6 +189,7 @@ struct Vehicle {
         double lateral_slope;  // -, lateral movement of the contact point over compression (roll centre)
         double unsprung_mass;  // kg
         double wheel_inertia;  // kg m2
+        double brake_drag;     // N m
         TyreParams tyre;       // as mounted on this side, at its pressure
         TyreShift tyre_shift;  // ply-steer and conicity
         TyreTemperatureParams temperature;

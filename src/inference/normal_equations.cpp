@@ -135,6 +135,11 @@ double squaresIn(const Metric& metric, const Eigen::VectorXd& residual, const Ei
     return residual.squaredNorm() - half.squaredNorm();
 }
 
+Eigen::VectorXd inMetric(const Metric& metric, const Eigen::VectorXd& residual, const Eigen::MatrixXd& disturbances) {
+    const Eigen::VectorXd scaled = metric.sizes.cwiseProduct(disturbances.transpose() * residual);
+    return residual - disturbances * metric.sizes.cwiseProduct(metric.factor.solve(scaled));
+}
+
 DisturbedProducts disturbedProducts(const DriveProducts& products, const Eigen::VectorXd& sizes) {
     const auto scale = sizes.asDiagonal();
     const Factor factor = factorOfPriorAnd(scale * products.disturbances * scale);

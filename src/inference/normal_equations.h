@@ -90,8 +90,11 @@ private:
 // Squared length of a residual in the metric. `mixed`: D' times the residual.
 double squaresIn(const Metric& metric, const Eigen::VectorXd& residual, const Eigen::VectorXd& mixed);
 
-// The same, and what the columns leave in the disturbances: their posterior means for each column (a unit of it as
-// residual) and posterior variances, in units of the prior standard deviation.
+// The residual times the metric (I + D diag(s^2) D')^-1 itself.
+Eigen::VectorXd inMetric(const Metric& metric, const Eigen::VectorXd& residual, const Eigen::MatrixXd& disturbances);
+
+// Products beside the disturbances, and what the columns leave in these: their posterior means for each column (a unit
+// of it as residual) and posterior variances, in units of the prior standard deviation.
 struct DisturbedProducts {
     Eigen::MatrixXd products;
     Eigen::MatrixXd estimates;  // disturbances x columns

@@ -65,6 +65,7 @@ Vehicle::Corner cornerOf(const VehicleParams& params, const VehicleParams& level
     corner.lateral_slope = sideSign(wheel) * axle.suspension.roll_centre_height / (0.5 * axle.track);
     corner.unsprung_mass = axle.unsprung_mass;
     corner.wheel_inertia = axle.wheel_inertia;
+    corner.brake_drag = own.brake_drag;
     corner.tyre = tyre;
     corner.tyre_shift = shiftOf(surroundings, isLeft(wheel));
     corner.temperature = surroundings.temperature;

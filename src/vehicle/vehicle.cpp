@@ -83,6 +83,7 @@ BrakeInput brakeInput(const Vehicle& vehicle, const VehicleState& state, const V
         input.spin[i] = state.wheels[i].spin;
         input.speed[i] = state.wheels[i].motion.Vx;
         input.rolling[i] = vehicle.corners[i].tyre.parameters.Re * state.wheels[i].spin;
+        input.drag[i] = vehicle.corners[i].brake_drag;
     }
     return input;
 }

@@ -177,6 +177,38 @@ TEST(Coasting, SlowsAsDragAndRollingResistanceSay) {
     }
 }
 
+// A dragging brake takes its torque over the loaded radius from the car, and turns it towards its side by half the
+// track times that force, before the tyres answer.
+TEST(Coasting, DraggingBrakeSlowsTheCarAndTurnsItToItsSide) {
+    constexpr double kTorque = 120;  // N m
+    const PlaneRoad road;
+    const auto coasting = [&](double drag) {
+        VehicleParams params = reference::simplified(reference::compact());
+        params.driveline.gearbox.inertia = 1e-6;
+        reference::Car car = reference::settled(params, road, {.speed = 30});
+        for (int k = 1; k <= 200; ++k) car.step({.clutch = std::min(k / 50.0, 1.0)}, kStep);
+        car.vehicle.corners.front_right.brake_drag = drag;
+        return car;
+    };
+    reference::Car free = coasting(0), dragging = coasting(kTorque);
+    const double force = kTorque / free.state.wheels[1].radius, speed = free.output().chassis.vx;
+    const VehicleParams& params = free.vehicle.params;
+    double torque = 0, most = 0;  // mean and largest difference in yaw acceleration, times inertia
+    for (int k = 0; k < 2000; ++k) {
+        free.step(kStep), dragging.step(kStep);
+        if (k < 40) most = std::min(most, params.inertia.yaw * dragging.state.angular_acceleration_W[2]);
+    }
+    torque = -0.5 * params.front.track * force;
+    const double lost = (free.output().chassis.vx - dragging.output().chassis.vx) / 2;
+    std::printf(
+        "brake that drags with %.0f N m at %.1f m/s: %.5f m/s2, closed form %.5f m/s2; yaw moment %.0f N m, "
+        "closed form %.0f N m\n",
+        kTorque, speed, lost, force / effectiveMass(params), most, torque);
+    EXPECT_NEAR(lost, force / effectiveMass(params), 0.01 * lost);
+    EXPECT_LT(most, 0) << "to the right";
+    EXPECT_NEAR(most, torque, 0.1 * std::abs(torque));
+}
+
 // ---- Accelerating ----
 
 TEST(Accelerating, DriveTorqueMovesCarWheelsAndEngine) {

@@ -43,6 +43,12 @@ void addAxle(std::vector<SharedNumber>& all, const std::string& axle, Axle& a) {
     factor(".tyre.parameters.Ro", a.tyre.loaded_radius);
 }
 
+void addWheel(std::vector<SharedNumber>& all, const std::string& wheel, WheelFault& fault) {
+    all.push_back({wheel + ".stiffness", &fault.stiffness, true});
+    all.push_back({wheel + ".grip", &fault.friction, true});
+    all.push_back({wheel + ".brake_drag", &fault.drag_torque, false});
+}
+
 }  // namespace
 
 std::vector<SharedNumber> sharedNumbers(Truth& truth) {
@@ -59,6 +65,10 @@ std::vector<SharedNumber> sharedNumbers(Truth& truth) {
     same("centre_of_gravity_height", p.height);
     addAxle(all, "front", p.front);
     addAxle(all, "rear", p.rear);
+    addWheel(all, "front.left", p.wheels[0]);
+    addWheel(all, "front.right", p.wheels[1]);
+    addWheel(all, "rear.left", p.wheels[2]);
+    addWheel(all, "rear.right", p.wheels[3]);
     factor("steering.ratio", p.steering_ratio);
     same("steering.delay", truth.steering_delay);
     same("steering.lag", p.steering_lag);

@@ -43,6 +43,7 @@ inline diagnose::model::Problem problemOf(const std::vector<LinearDrive>& drives
         recording::RecordedDrive& drive = problem.drives.emplace_back();
         drive.name = "drive " + std::to_string(problem.drives.size());
         drive.measured = told.measured;
+        drive.channels = {{.name = "rows", .measured = {}, .times = std::vector<double>(told.measured.size())}};
     }
     return problem;
 }

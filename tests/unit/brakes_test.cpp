@@ -85,6 +85,16 @@ TEST(Brakes, ParkingBrakeHoldsTheRearWheels) {
     EXPECT_DOUBLE_EQ(wheel.rear_right, 450);
 }
 
+TEST(Brakes, DragActsOnItsWheelAloneWhateverThePedal) {
+    for (const double pedal : {0.0, 0.5}) {
+        BrakeState state;
+        const PerWheel<double> free = torquesAt(params(), pedal);
+        const BrakeTorques t =
+            advance(state, params(), {.pedal_begin = pedal, .pedal_end = pedal, .drag = {0, 80, 0, 0}}, kStep);
+        for (std::size_t i = 0; i < kWheels; ++i) EXPECT_DOUBLE_EQ(t.mean[i], free[i] + (i == 1 ? 80 : 0)) << i;
+    }
+}
+
 TEST(Brakes, MotorTakesOverWhatItRecovers) {
     BrakeState state;
     const PerWheel<double> wheel =

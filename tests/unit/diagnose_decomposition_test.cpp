@@ -105,7 +105,9 @@ struct Driven {
     }
     Diagnosis decomposed(const Candidate& named, const Deviation& answer) const {
         Diagnosis diagnosis;
-        decompose(diagnosis, car, Judgement{&named, fitAt(answer), {answer, {}}, {}, {}}, held_out);
+        diagnose::select::Closeness closeness = diagnose::select::closenessOf(car, named.effects, answer);
+        closeness.with.at = answer;
+        decompose(diagnosis, car, Judgement{&named, fitAt(answer), std::move(closeness), {}, {}}, held_out);
         return diagnosis;
     }
     // The closest car with one of the changes.

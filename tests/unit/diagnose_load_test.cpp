@@ -177,7 +177,7 @@ TEST(DiagnosisFile, EffectsAreChosenByPatternsAndUnknownOnesRefused) {
     EXPECT_EQ(effectsToConsider(file).size(), effectCatalogue().size() + 2);
     file.effects = {"brake_*", "roof_box"};
     const auto chosen = effectsToConsider(file);
-    EXPECT_EQ(chosen.size(), 5u);
+    EXPECT_EQ(chosen.size(), 9u);
     file.effects = {"brake_gian"};
     const auto faults = faultsOf([&] { effectsToConsider(file); });
     ASSERT_EQ(faults.size(), 1u);

@@ -15,28 +15,6 @@ using world::between;
 using world::eitherSign;
 using world::Truth;
 
-// A dragging brake: a torque against one front wheel, modelled as rolling resistance of its tyre.
-void stickCaliper(Truth& truth, Random& random) {
-    AxleParams& axle = truth.car.vehicle.front;
-    const double torque = between(random, 60, 150);                     // N m
-    const double load = truth.car.vehicle.mass * kStandardGravity / 4;  // N, static load of one wheel
-    WheelParams& wheel = eitherSign(random) < 0 ? axle.left : axle.right;
-    TyreParams tyre = axle.tyre;
-    tyre.parameters.qy1 += torque / load / tyre.lambda.My;
-    wheel.tyre = tyre;
-}
-
-// One tyre with low pressure: softer, and smaller under load.
-void softenTyre(Truth& truth, Random& random) {
-    AxleParams& axle = eitherSign(random) < 0 ? truth.car.vehicle.front : truth.car.vehicle.rear;
-    WheelParams& wheel = eitherSign(random) < 0 ? axle.left : axle.right;
-    TyreParams tyre = axle.tyre;
-    tyre.lambda.Ky *= between(random, 0.55, 0.7);
-    tyre.lambda.Cz *= between(random, 0.55, 0.7);
-    tyre.parameters.Re -= between(random, 0.003, 0.005);  // m
-    wheel.tyre = tyre;
-}
-
 // A steering ratio that changes with the square of the steering-wheel angle.
 void curveRatio(Truth& truth, Random& random) {
     SteeringParams& steering = truth.car.vehicle.steering;
@@ -107,8 +85,6 @@ void slosh(Truth& truth, Random& random) {
 std::vector<Outsider> firstOutsiders() {
     using enum Family;
     return {
-        {"stuck_caliper", "a front brake drags", first, {"longitudinal", "yaw"}, stickCaliper},
-        {"soft_tyre", "one tyre has little air", first, {"lateral", "yaw"}, softenTyre},
         {"cubic_steering_ratio",
          "the steering ratio changes with the angle squared",
          first,

@@ -10,7 +10,7 @@ namespace tread::blind::world {
 struct Disturbance {
     double fx = 30;                 // N
     double fy = 60;                 // N
-    double yaw_moment = 80;         // N m
+    double yaw_moment = 20;         // N m
     double roll_moment = 40;        // N m
     double correlation_time = 0.7;  // s
 };

@@ -55,6 +55,9 @@ const std::initializer_list<Family>& families() {
         {"aero_drag", "rolling_resistance", "engine_braking", "grade"},
         {"aero_drag", "wind"},
         {"grade", "accelerometer_bias"},
+        // The same on one side of the car.
+        {"brake_drag_front_left", "brake_drag_rear_left"},
+        {"brake_drag_front_right", "brake_drag_rear_right"},
         // Pull to one side.
         {"steering_zero", "bank", "conicity", "ply_steer", "load_offset"},
         {"bank", "accelerometer_bias"},

@@ -3,6 +3,17 @@
 #include "diagnose/catalogue/catalogue.h"
 
 namespace tread::diagnose::catalogue {
+namespace {
+
+// The brake of one wheel that does not release it.
+Effect draggingBrake(const std::string& axle, const std::string& side) {
+    return {.name = "brake_drag_" + axle + "_" + side,
+            .question = "Does the " + axle + " " + side + " brake drag with the pedal released (stuck caliper)?",
+            .source = "guess: a good brake drags with 2 to 5 N m, one that gets hot on the road with 50 to 150 N m",
+            .knobs = {{.paths = {axle + "." + side + ".brake_drag"}, .typical = 60, .direction = Direction::up}}};
+}
+
+}  // namespace
 
 std::vector<Effect> drivelineEffects() {
     return {
@@ -69,6 +80,10 @@ std::vector<Effect> brakeEffects() {
          .source = "guess: 0.05 to 0.15 s with a vacuum booster",
          .knobs = {{.paths = {"brakes.delay"}, .typical = 0.06, .direction = Direction::up},
                    {.paths = {"brakes.lag"}, .typical = 0.06, .direction = Direction::up}}},
+        draggingBrake("front", "left"),
+        draggingBrake("front", "right"),
+        draggingBrake("rear", "left"),
+        draggingBrake("rear", "right"),
         {.name = "anti_lock",
          .question = "Does the car have active anti-lock brakes (ABS) although its file has none?",
          .source = "definition: 1 is full intervention",

@@ -114,6 +114,7 @@ constexpr PlausibleRange kRanges[] = {
     {"brakes.lag", 0, 0.5, one, "air brakes of lorries"},
     {"brakes.*.authority_offset", 0, 1, one, "definition: 1 is full intervention"},
     {"brakes.*", 0.2, 5, itself, kMeasured},
+    {"*.brake_drag", 0, 0.5, mass_height, "400 N m at 1.4 t: 33 kW at 90 km/h"},
     // Air and road
     {"aero.drag_area", 0, 3, one, "from none to a van"},
     {"aero.*_lift_area", -3, 1.5, one, "from racing wings to a van"},

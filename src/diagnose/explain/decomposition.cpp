@@ -32,32 +32,15 @@ struct Points {
     std::vector<Deviation> alone, without;  // with each cause alone, and with all others
 };
 
-// The closest car with some of the causes.
-Deviation pointWith(const std::vector<std::size_t>& effects, const Calibration& car, const Deviation& answer,
-                    const std::vector<Eigen::Index>& causes) {
-    if (effects.empty()) return car.closest.at;
-    std::vector<Eigen::Index> knobs;
-    Deviation at = answer;
-    at(causes).setZero();
-    for (const std::size_t e : effects) {
-        knobs = model::joined(knobs, car.problem.knobs[e]);
-        at(car.problem.knobs[e]) = answer(car.problem.knobs[e]);
-    }
-    const std::optional<select::Closest> closest = select::closestTo(car, at, knobs);
-    return closest ? closest->at : at;
-}
-
 Points pointsOf(const Calibration& car, const select::Judgement& judgement) {
     const std::vector<std::size_t>& effects = judgement.named->effects;
-    const Deviation& answer = judgement.closest.at;
+    const Deviation& answer = judgement.closeness.with.at;
     Points points{car.problem.replays.origin(), car.closest.at, answer, car.problem.namesOf(effects), {}, {}};
-    for (const std::size_t e : effects) {
-        std::vector<std::size_t> others = effects;
-        std::erase(others, e);
-        const std::vector<Eigen::Index>& causes = judgement.answer.knobs;
-        points.alone.push_back(effects.size() == 1 ? answer : pointWith({e}, car, answer, causes));
-        points.without.push_back(pointWith(others, car, answer, causes));
-    }
+    for (const select::Closest& less : judgement.closeness.without) points.without.push_back(less.at);
+    if (effects.size() == 1) points.alone = {answer};
+    else if (effects.size() == 2) points.alone = {points.without[1], points.without[0]};
+    else
+        for (const std::size_t e : effects) points.alone.push_back(select::closestWith(car, {e}, answer).at);
     return points;
 }
 

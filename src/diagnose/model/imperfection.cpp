@@ -27,12 +27,13 @@ double logCommon(const Imperfection& sizes, const std::array<bool, kParts>& of) 
 
 Part partOf(std::string_view path) {
     // The first pattern that fits counts.
-    static constexpr std::array<std::pair<std::string_view, Part>, 13> kPatterns{{
+    static constexpr std::array<std::pair<std::string_view, Part>, 14> kPatterns{{
         {"instruments.*", Part::instruments},
         {"road.*", Part::surroundings},
         {"wind.*", Part::surroundings},
         {"steering.*", Part::steering},
         {"brakes.*", Part::drive},
+        {"*.brake_drag", Part::drive},
         {"driveline.*", Part::drive},
         {"*.suspension.*", Part::suspension},
         {"*.unsprung_mass", Part::suspension},

@@ -16,8 +16,6 @@ namespace tread::diagnose::select {
 namespace {
 
 constexpr std::array<std::string_view, 4> kStructure{"tyre.", "tyre_surroundings.", "suspension.", "steering."};
-// s, time over which an error of the model's structure lasts: of the rows within it, one counts.
-constexpr double kErrorLasts = 1;
 constexpr int kMostRounds = 4;   // fits, each about the point of the one before
 constexpr double kSettled = 15;  // nats; a fit that gains less is the last ...
 constexpr double kLowers = 0.7;  // ... unless it lowers the Birge ratio by this factor, and with it the noise

@@ -12,8 +12,8 @@
 namespace tread::diagnose::select {
 
 // Sets of effects, with and without each of their effects, in each drive as the other drives predict it and in the
-// drives held out. All are fitted within the tolerances, with a remainder of the usual size, so that their numbers close
-// as much of the gap as they can; otherwise one of them might leave to its remainder what the other one explains.
+// drives held out. All are fitted within the tolerances, with a remainder of the usual size, so that their numbers
+// close as much of the gap as they can; otherwise one of them might leave to its remainder what the other one explains.
 class LeftOut {
 public:
     LeftOut(const Calibration& car, const HeldOut& held_out);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/model/birge_ratios.h"
 #include "diagnose/select/doubt.h"
 #include "diagnose/settings.h"
 
@@ -57,7 +58,8 @@ Posterior posterior(const Calibration& car, const Search& found, const std::vect
     }
     const Fit& best = found.best().fit;
     Posterior result;
-    result.variance_factor = std::pow(model::birgeRatio(car.drives(), car.uncertainty, best.rows, best.sizes), 2);
+    const model::BirgeRatios ratios(car.drives(), car.uncertainty, best.rows, best.sizes);
+    result.variance_factor = ratios.between(best.rows, found.none().fit.rows);
     std::vector<double> logs;
     for (std::size_t i = 0; i < found.candidates.size(); ++i) {
         if (!possible[i]) continue;
@@ -65,7 +67,9 @@ Posterior posterior(const Calibration& car, const Search& found, const std::vect
         const std::size_t count = one.effects.size();
         const double behind = (strongest - one.log_evidence) / (one.fitted ? doubt(car, one.fit) : 1);
         result.hypotheses.push_back({&one});
-        logs.push_back(std::log(kSettings.prior(count) / choices(n, count)) - behind / result.variance_factor);
+        const bool tells = one.fitted && &one != &found.best();
+        const double variance = tells ? ratios.between(best.rows, one.fit.rows) : result.variance_factor;
+        logs.push_back(std::log(kSettings.prior(count) / choices(n, count)) - behind / variance);
     }
     normalise(result.hypotheses, std::move(logs));
     return result;

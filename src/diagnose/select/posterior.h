@@ -15,7 +15,8 @@ struct Hypothesis {
 
 struct Posterior {
     std::vector<Hypothesis> hypotheses;  // most probable first
-    double variance_factor = 1;  // squared Birge ratio of the best model: divides evidence, multiplies variances
+    // Squared Birge ratio of what tells the best model from that without effects: multiplies variances.
+    double variance_factor = 1;
 
     double of(std::size_t effect) const;  // that it is one of the causes
     double ofNothing() const;

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <set>
 
-#include "diagnose/model/gap.h"
 #include "diagnose/select/left_out.h"
 #include "diagnose/settings.h"
 
@@ -25,7 +24,8 @@ constexpr double kSettled = 8;
 struct Answer {
     Posterior posterior;
     const Candidate* named = nullptr;
-    Fit fit;                                              // of the causes, their sizes free of the prior
+    Fit fit;  // of the causes, their sizes free of the prior
+    Closeness closeness;
     std::map<const Candidate*, std::string> struck = {};  // with the reason
 };
 
@@ -124,25 +124,11 @@ Fit released(const Calibration& car, const Candidate& named) {
     return fit;
 }
 
-// The closest car with the causes of an answer.
-Closest closestWith(const Calibration& car, const Fit& answer) {
-    std::optional<Closest> closest = answer.knobs.empty() ? car.closest : closestTo(car, answer.at, answer.knobs);
-    return closest ? std::move(*closest) : Closest{answer.at, answer.of_car};
-}
-
 // The fit at the closest car with its causes, whose sizes stay.
 Fit atClosest(const Calibration& car, Fit fit) {
     std::optional<Closest> closest = fit.knobs.empty() ? car.closest : closestTo(car, fit.at, {});
     if (closest) fit.at = std::move(closest->at), fit.rows = fit.of_car = std::move(closest->rows);
     return fit;
-}
-
-// Squared gap of all drives beyond that of a perfect model.
-double gapOf(const Calibration& car, const Rows& rows) {
-    double sum = 0;
-    for (std::size_t d = 0; d < rows.size(); ++d)
-        sum += model::squaredGap(car.drives(), car.uncertainty, rows[d], d) - model::comparedRows(car.uncertainty, d);
-    return std::max(0.0, sum);
 }
 
 // True when `less` is the set without one of its effects.
@@ -216,7 +202,13 @@ Answer answerOf(const Calibration& car, const Search& found, const HeldOut& held
         const Candidate* named = choose(probable);
         Fit answer = released(car, *named);
         std::string against = reasonAgainst(car, *named, answer, found, held_out, left_out);
-        if (against.empty()) return {std::move(probable), named, atClosest(car, std::move(answer)), std::move(struck)};
+        if (against.empty()) {
+            Closeness closeness = closenessOf(car, named->effects, answer.at);
+            if (!closesByChance(car, closeness))
+                return {std::move(probable), named, atClosest(car, std::move(answer)), std::move(closeness),
+                        std::move(struck)};
+            against = "one of its effects closes no more of the gap than chance may";
+        }
         struck[named] = std::move(against);
         possible[named - found.candidates.data()] = false;
     }
@@ -253,7 +245,8 @@ Verdict verdictOf(const Diagnosis& diagnosis, const Calibration& car, const Judg
         return seen ? Verdict::nothing : Verdict::not_testable;
     }
     if (remains) {
-        const double tolerances_leave = gapOf(car, car.closest.rows), left = gapOf(car, judgement.closest.rows);
+        const double tolerances_leave = gapBeyondNoise(car, car.closest.rows),
+                     left = gapBeyondNoise(car, judgement.closeness.with.rows);
         return left > 0.5 * tolerances_leave ? Verdict::unknown : Verdict::partly_explained;
     }
     return diagnosis.alternatives.empty() ? Verdict::explained : Verdict::ambiguous;
@@ -266,10 +259,9 @@ Judgement judge(answer::Diagnosis& diagnosis, const Calibration& car, const std:
     const Problem& problem = car.problem;
     Answer chosen = answerOf(car, found, held_out);
     const Candidate& named = *chosen.named;
-    Closest closest = closestWith(car, chosen.fit);
-    Remains remains = whatRemains(car, named, closest.rows);
+    Remains remains = whatRemains(car, named, chosen.closeness.with.rows);
     remains.beyond_ordinary = std::max(remains.beyond_ordinary, struckBeyond(chosen));
-    Judgement judgement{&named, std::move(chosen.fit), std::move(closest), std::move(remains),
+    Judgement judgement{&named, std::move(chosen.fit), std::move(chosen.closeness), std::move(remains),
                         predicted(car, named.fit, found.none().fit)};
     diagnosis.causes = problem.namesOf(named.effects);
     diagnosis.probability_of_unknown = judgement.remains.probability();

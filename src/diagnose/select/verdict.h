@@ -1,6 +1,7 @@
 // From probabilities to a verdict: the causes are the most probable set that predicts and stays plausible.
 #pragma once
 
+#include "diagnose/select/closeness.h"
 #include "diagnose/select/held_out.h"
 #include "diagnose/select/posterior.h"
 #include "diagnose/select/prediction.h"
@@ -12,7 +13,7 @@ namespace tread::diagnose::select {
 struct Judgement {
     const Candidate* named = nullptr;  // the model without effects when no cause is named
     Fit answer;                        // of the causes, their sizes free of the prior that ranked them
-    Closest closest;                   // the closest car with the causes
+    Closeness closeness;               // of cars with the causes
     Remains remains;
     Prediction prediction;
 };

@@ -71,7 +71,7 @@ BrakeTorques advance(BrakeState& state, const BrakeParams& params, const BrakeIn
         end = controlled(state, params, shares(params, pedal), in, dt);
     }
 
-    // Torques, with the friction of the hot disc, less what a motor brakes; the parking brake; what is commanded.
+    // Torques, with the friction of the hot disc, less what a motor brakes; the parking brake; what is commanded; drag.
     BrakeTorques torques;
     for (std::size_t i = 0; i < kWheels; ++i) {
         const std::size_t axle = axleOf(i);
@@ -81,7 +81,8 @@ BrakeTorques advance(BrakeState& state, const BrakeParams& params, const BrakeIn
         if (disc.fade != 0) friction *= std::exp(-disc.fade * heating);
         const auto torque = [&](double share, double parking) {
             const double hydraulic = std::max(torqueOf(params, share, axle) - in.recovered[axle], 0.0);
-            return friction * (hydraulic + (axle == 0 ? 0 : 0.5 * params.parking_torque * parking)) + in.commanded[i];
+            return friction * (hydraulic + (axle == 0 ? 0 : 0.5 * params.parking_torque * parking)) + in.commanded[i] +
+                   in.drag[i];
         };
         torques.end[i] = torque(end[i], in.parking_end);
         torques.mean[i] = torque(0.5 * (begin[i] + end[i]), 0.5 * (in.parking_begin + in.parking_end));

@@ -47,7 +47,6 @@ struct Axle {
 // Faults of one wheel; neutral by default.
 struct WheelFault {
     double stiffness = 1, friction = 1;  // factors of the values of the tyre
-    double smaller = 0;                  // m, reduction of its radii
     double drag_torque = 0;              // N m, of a dragging brake
 };
 

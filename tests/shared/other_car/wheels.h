@@ -18,8 +18,6 @@ inline WheelTyres tyresOf(const Params& p) {
     for (std::size_t i = 0; i < 4; ++i) {
         tyres[i].stiffness *= p.wheels[i].stiffness;
         tyres[i].friction *= p.wheels[i].friction;
-        tyres[i].rolling_radius -= p.wheels[i].smaller;
-        tyres[i].loaded_radius -= p.wheels[i].smaller;
     }
     return tyres;
 }

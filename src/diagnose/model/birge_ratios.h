@@ -1,0 +1,31 @@
+// Noise that a model leaves in each channel, over what is expected. Noise that is told too small, or an error of the
+// model that no force explains, then weakens only the evidence that stands on the channels concerned.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "diagnose/model/uncertainty.h"
+
+namespace tread::diagnose::model {
+
+class BirgeRatios {
+public:
+    // Of a model with these rows and a remainder of these sizes.
+    BirgeRatios(Drives drives, const Uncertainty& uncertainty, const Rows& rows, const Sizes& sizes);
+
+    // Squared ratio for the difference between two models: the mean over the channels, weighted by the squares by which
+    // they differ there (D27a).
+    double between(const Rows& one, const Rows& other) const;
+
+private:
+    std::map<std::string, double> squaresOf(const std::vector<Eigen::VectorXd>& off) const;
+
+    Drives drives_;
+    const Uncertainty& uncertainty_;
+    std::vector<inference::Metric> metrics_;  // per drive
+    std::map<std::string, double> squared_;   // by channel, at least 1
+};
+
+}  // namespace tread::diagnose::model

@@ -1,0 +1,60 @@
+#include "diagnose/select/closeness.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "diagnose/model/gap.h"
+#include "diagnose/settings.h"
+
+namespace tread::diagnose::select {
+namespace {
+
+double squaredGapOf(const Calibration& car, const Rows& rows) {
+    const std::vector<double> gaps = model::squaredGaps(car.drives(), car.uncertainty, rows);
+    return std::accumulate(gaps.begin(), gaps.end(), 0.0);
+}
+
+double comparedRowsOf(const Calibration& car) {
+    double rows = 0;
+    for (std::size_t d = 0; d < car.drives().size(); ++d) rows += model::comparedRows(car.uncertainty, d);
+    return rows;
+}
+
+}  // namespace
+
+Closest closestWith(const Calibration& car, const std::vector<std::size_t>& effects, const Deviation& at) {
+    if (effects.empty()) return car.closest;
+    std::vector<Eigen::Index> knobs;
+    for (const std::size_t e : effects) knobs = model::joined(knobs, car.problem.knobs[e]);
+    Deviation from = at;
+    from(car.problem.allKnobs()).setZero();
+    from(knobs) = at(knobs);
+    if (std::optional<Closest> found = closestTo(car, from, knobs)) return std::move(*found);
+    const std::optional<Rows> rows = model::rowsAt(car.problem.replays, car.drives(), from);
+    return rows ? Closest{from, *rows} : car.closest;
+}
+
+Closeness closenessOf(const Calibration& car, const std::vector<std::size_t>& effects, const Deviation& at) {
+    Closeness result{closestWith(car, effects, at), {}};
+    for (const std::size_t e : effects) {
+        std::vector<std::size_t> others = effects;
+        std::erase(others, e);
+        result.without.push_back(closestWith(car, others, result.with.at));
+    }
+    return result;
+}
+
+double gapBeyondNoise(const Calibration& car, const Rows& rows) {
+    return std::max(0.0, squaredGapOf(car, rows) - comparedRowsOf(car));
+}
+
+bool closesByChance(const Calibration& car, const Closeness& closeness) {
+    const double independent = comparedRowsOf(car) * kSettings.block / kErrorLasts;
+    const double left = gapBeyondNoise(car, closeness.with.rows);
+    return std::any_of(closeness.without.begin(), closeness.without.end(), [&](const Closest& less) {
+        const double closed = squaredGapOf(car, less.rows) - squaredGapOf(car, closeness.with.rows);
+        return 0.5 * closed * independent <= kSettings.effect * left;
+    });
+}
+
+}  // namespace tread::diagnose::select

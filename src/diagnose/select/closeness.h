@@ -1,0 +1,29 @@
+// How much of the gap that one sees the effects of a set close.
+#pragma once
+
+#include <vector>
+
+#include "diagnose/select/calibration.h"
+
+namespace tread::diagnose::select {
+
+// The closest cars with all effects of a set, and with all but one of them, in the order of the effects.
+struct Closeness {
+    Closest with;
+    std::vector<Closest> without;
+};
+
+// `at`: a point near these cars, from which they are found.
+Closeness closenessOf(const Calibration& car, const std::vector<std::size_t>& effects, const Deviation& at);
+
+// The closest car with some effects; other effects of the point are taken out.
+Closest closestWith(const Calibration& car, const std::vector<std::size_t>& effects, const Deviation& at);
+
+// Squared gap of all drives beyond that of a perfect model.
+double gapBeyondNoise(const Calibration& car, const Rows& rows);
+
+// True if one of the effects closes no more of the gap than an effect without meaning may by chance, in view of what
+// the set leaves (D38d).
+bool closesByChance(const Calibration& car, const Closeness& closeness);
+
+}  // namespace tread::diagnose::select

@@ -1,0 +1,46 @@
+// What an effect closes of the gap, beside what may be chance.
+#include "diagnose/select/closeness.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "shared/linear_drives.h"
+
+namespace tread {
+namespace {
+
+using diagnose::select::Calibration;
+using diagnose::select::closesByChance;
+using diagnose::select::Closest;
+using linear_drives::MatrixXd;
+using linear_drives::VectorXd;
+
+constexpr Eigen::Index kRows = 400;  // of 0.05 s: 20 s, of which 20 values count
+
+// Closest cars that leave so many times the noise, with the effects and without one of them.
+bool byChance(double with, double without) {
+    const std::vector<linear_drives::LinearDrive> drives{
+        {MatrixXd(kRows, 0), MatrixXd(kRows, 0), VectorXd::Zero(kRows), MatrixXd(kRows, 0), {}}};
+    const diagnose::model::Problem problem = linear_drives::problemOf(drives);
+    const Calibration car = linear_drives::calibrationOf(problem, drives);
+    const auto leaves = [&](double times) {
+        return Closest{problem.replays.origin(), {VectorXd::Constant(kRows, times)}};
+    };
+    return closesByChance(car, {leaves(with), {leaves(with * 10), leaves(without)}});
+}
+
+TEST(Closeness, OfAnEffectMustExceedWhatChanceClosesOfTheRest) {
+    // Twice the noise leaves 1200 beyond noise: 60 for each of 20 values, of which chance closes ten.
+    const double least = std::sqrt(4 + 600.0 / kRows);
+    EXPECT_TRUE(byChance(2, 0.999 * least));
+    EXPECT_FALSE(byChance(2, 1.001 * least));
+    EXPECT_TRUE(byChance(2, 1.9)) << "it makes the gap larger";
+}
+
+TEST(Closeness, OfAnyEffectCountsWhereNothingIsLeft) {
+    EXPECT_FALSE(byChance(0.9, 1.01));
+}
+
+}  // namespace
+}  // namespace tread
