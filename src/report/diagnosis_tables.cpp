@@ -21,6 +21,7 @@ using diagnose::answer::eachTogether;
 using diagnose::answer::effectInWords;
 using diagnose::answer::NextDrive;
 using diagnose::answer::RankedEffect;
+using diagnose::answer::together;
 
 constexpr std::size_t kShown = 8;   // effects in the table; the others are only counted
 constexpr std::size_t kPairs = 10;  // pairs shown that are hard to tell apart
@@ -47,6 +48,15 @@ void addEffects(HtmlPage& page, const Diagnosis& diagnosis) {
     if (diagnosis.effects.size() > kShown)
         page.text(
             fmt::format("{} other effects were considered and are less likely.", diagnosis.effects.size() - kShown));
+}
+
+void addRuledOut(HtmlPage& page, const Diagnosis& diagnosis) {
+    std::vector<std::vector<Cell>> rows;
+    for (const diagnose::answer::RuledOut& one : diagnosis.ruled_out)
+        rows.push_back({{together(one.effects)}, {formatNumber(one.log_evidence, 3), true}, {one.reason}});
+    if (rows.empty()) return;
+    page.text("These have evidence, and yet cannot be the answer:");
+    page.table({"Effects", "Evidence, nats", "Why not"}, rows);
 }
 
 void addPairs(HtmlPage& page, const std::vector<ConfusablePair>& all, const char* sentence) {
@@ -80,6 +90,7 @@ void addRivals(HtmlPage& page, const Diagnosis& diagnosis) {
                               drive.empty() ? "" : " To tell them apart, drive " + drive + "."));
     }
     addEffects(page, diagnosis);
+    addRuledOut(page, diagnosis);
     addPairs(page, pairsOfCauses(diagnosis), "Effects that these drives can hardly tell from a named cause");
 }
 

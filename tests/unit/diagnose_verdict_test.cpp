@@ -1,14 +1,17 @@
 // Verdicts about a linear car that something pushes besides: what its effects explain, and what remains.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "diagnose/diagnose.h"
+#include "diagnose/settings.h"
 #include "shared/linear_car.h"
 
 namespace tread {
 namespace {
 
+using diagnose::kSettings;
 using diagnose::answer::Diagnosis;
 using diagnose::answer::Verdict;
 using diagnose::catalogue::Effect;
@@ -78,6 +81,20 @@ TEST(VerdictOnAPushedCar, DoesNotNameAnEffectThatDoesNotPredict) {
     const Diagnosis d = diagnosed(made);
     EXPECT_TRUE(d.causes.empty()) << d.answer;
     EXPECT_EQ(d.verdict, Verdict::unknown);
+}
+
+// The ratio of this car differs in the drives that are fitted, and not in the one held out.
+TEST(VerdictOnAPushedCar, SaysWhyAnEffectWithEvidenceIsNotTheAnswer) {
+    simple_car::Case made = pushedCase(1.5, 0, {15, 22, 18});
+    made.file.recordings[2].hold_out = true;
+    made.recorded.logs[2] = pushedCase(1, 0, {15, 22, 18}).recorded.logs[2];
+    const Diagnosis d = diagnosed(made);
+    EXPECT_TRUE(d.causes.empty()) << d.answer;
+    const auto ratio = std::find_if(d.ruled_out.begin(), d.ruled_out.end(),
+                                    [](const auto& one) { return one.effects == std::vector<std::string>{"ratio"}; });
+    ASSERT_NE(ratio, d.ruled_out.end());
+    EXPECT_GT(ratio->log_evidence, kSettings.effect);
+    EXPECT_NE(ratio->reason.find("drives"), std::string::npos) << ratio->reason;
 }
 
 }  // namespace

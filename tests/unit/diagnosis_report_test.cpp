@@ -252,9 +252,20 @@ TEST(DiagnosisPage, SaysWhatIsTakenOffWhereItComparedWithReferences) {
     EXPECT_TRUE(contains(page(d), "Compared with"));
 }
 
+TEST(DiagnosisReport, SaysWhatWasRuledOutAndWhy) {
+    Diagnosis d = shared::sampleDiagnosis();
+    EXPECT_FALSE(contains(page(d), "cannot be the answer"));
+    d.ruled_out = {{{"grip", "dampers"}, 31, "one drive speaks for it and the others against it"}};
+    EXPECT_TRUE(contains(page(d), "These have evidence, and yet cannot be the answer"));
+    EXPECT_TRUE(contains(page(d), "grip and dampers"));
+    EXPECT_TRUE(contains(page(d), "one drive speaks for it and the others against it"));
+}
+
 TEST(DiagnosisText, IsShortAndInTheOrderOfTheAnswer) {
     Diagnosis d = shared::sampleDiagnosis();
     d.alternatives = {{"steering_delay"}};
+    d.ruled_out = {
+        {{"tyre_relaxation", "dampers"}, 31, "one of its effects closes no more of the gap than chance may"}};
     for (int i = 0; i < 30; ++i) {
         d.expected_evidence["hidden_" + std::to_string(i)] = 1;
         d.cuts.push_back({"drive", 3, 0.4});
@@ -263,6 +274,7 @@ TEST(DiagnosisText, IsShortAndInTheOrderOfTheAnswer) {
     std::size_t at = 0;
     for (const char* headline : {"Mostly tyre relaxation", "\nGAP       17 times", "\nWHERE     ", "\nWHICH     tyre_",
                                  "\nMOVED     ", "\nREMAINS   1 % of the gap", "\nRIVALS    steering delay",
+                                 "\nRULED OUT tyre relaxation and dampers (31 nats): one of its effects",
                                  "\nLEFT OUT  sine_sweep after 6.5 s: 19 % of its rows", "\nNEXT      scenarios/",
                                  "\nNOT SEEN  32 of 35 effects"}) {
         const std::size_t next = text.find(headline, at);

@@ -51,6 +51,20 @@ struct RankedEffect {
 };
 static_assert(describesEveryMember<RankedEffect>());
 
+// A set of effects that has more evidence than others, and yet cannot be the answer.
+struct RuledOut {
+    std::vector<std::string> effects;
+    double log_evidence = 0;
+    std::string reason;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(effects), About{"", "names of the effects"});
+        field(TREAD_FIELD(log_evidence), About{"nat", "log evidence relative to that of no effect"});
+        field(TREAD_FIELD(reason), About{"", "why they are not the answer"});
+    }
+};
+static_assert(describesEveryMember<RuledOut>());
+
 using Shares = std::map<std::string, double>;  // share by name, sum 1
 
 struct WhereItLies {
@@ -227,6 +241,7 @@ struct Diagnosis {
     std::vector<std::string> causes;
     std::vector<std::vector<std::string>> alternatives;  // to the causes: sets of the same number of effects
     std::vector<RankedEffect> effects;                   // best first
+    std::vector<RuledOut> ruled_out;                     // most probable first
     double probability_of_nothing = 0;                   // no effect, or only effects below the threshold of evidence
     double probability_of_unknown = 0;
     WhereItLies where;

@@ -76,6 +76,7 @@ Json diagnosisJson(const Diagnosis& d) {
         {"alternatives", namesOnlyIn(d.alternatives, d.causes)},
         {"rivals", d.alternatives},
         {"effects", jsonOf(d.effects)},
+        {"ruled_out", jsonOf(d.ruled_out)},
         {"probability_of_nothing", d.probability_of_nothing},
         {"probability_of_unknown", d.probability_of_unknown},
         {"where", whereOf(d.where)},

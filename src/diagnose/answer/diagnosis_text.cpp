@@ -153,6 +153,14 @@ std::string rivalsOf(const Diagnosis& d) {
     return paragraph("RIVALS", lines);
 }
 
+std::string ruledOutOf(const Diagnosis& d) {
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < std::min(d.ruled_out.size(), kMostListed); ++i)
+        lines.push_back(fmt::format("{} ({:.0f} nats): {}", together(d.ruled_out[i].effects),
+                                    d.ruled_out[i].log_evidence, d.ruled_out[i].reason));
+    return paragraph("RULED OUT", lines);
+}
+
 std::string leftOutOf(const Diagnosis& d) {
     std::vector<std::string> lines;
     for (const Cut& cut : d.cuts)
@@ -190,7 +198,7 @@ std::string hiddenOf(const Diagnosis& d) {
 
 std::string diagnosisText(const Diagnosis& d) {
     return d.answer + "\n" + gapOf(d) + whereOf(d.where) + whichOf(d) + movedOf(d) + remainsOf(d) + rivalsOf(d) +
-           leftOutOf(d) + nextOf(d) + hiddenOf(d);
+           ruledOutOf(d) + leftOutOf(d) + nextOf(d) + hiddenOf(d);
 }
 
 }  // namespace tread::diagnose::answer

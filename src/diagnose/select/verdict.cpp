@@ -26,7 +26,7 @@ struct Answer {
     const Candidate* named = nullptr;
     Fit fit;  // of the causes, their sizes free of the prior
     Closeness closeness;
-    std::map<const Candidate*, std::string> struck = {};  // with the reason
+    std::vector<std::pair<const Candidate*, std::string>> struck = {};  // with the reason
 };
 
 // Estimate of a number from the parameter that moves it; `units` and `sd` are the fitted value of the parameter and its
@@ -78,8 +78,8 @@ void rankEffects(Diagnosis& diagnosis, const Calibration& car, const Search& fou
         for (const Candidate& one : found.candidates) {
             if (one.effects != std::vector<std::size_t>{e}) continue;
             ranked.log_evidence = one.log_evidence;
-            if (const auto struck = chosen.struck.find(&one); struck != chosen.struck.end())
-                ranked.against = struck->second;
+            for (const auto& [model, reason] : chosen.struck)
+                if (model == &one) ranked.against = reason;
         }
         if (const Fit* fit = fitWith(e, judgement, posterior))
             ranked.parameters = estimates(car, *fit, problem.knobs[e], posterior.variance_factor);
@@ -195,7 +195,7 @@ const Candidate* choose(const Posterior& probable) {
 // probability.
 Answer answerOf(const Calibration& car, const Search& found, const HeldOut& held_out) {
     std::vector<bool> possible(found.candidates.size(), true);
-    std::map<const Candidate*, std::string> struck;
+    std::vector<std::pair<const Candidate*, std::string>> struck;
     LeftOut left_out(car, held_out);
     while (true) {
         Posterior probable = posterior(car, found, possible);
@@ -209,7 +209,7 @@ Answer answerOf(const Calibration& car, const Search& found, const HeldOut& held
                         std::move(struck)};
             against = "one of its effects closes no more of the gap than chance may";
         }
-        struck[named] = std::move(against);
+        struck.emplace_back(named, std::move(against));
         possible[named - found.candidates.data()] = false;
     }
 }
@@ -267,6 +267,8 @@ Judgement judge(answer::Diagnosis& diagnosis, const Calibration& car, const std:
     diagnosis.probability_of_unknown = judgement.remains.probability();
     diagnosis.probability_of_nothing = chosen.posterior.ofNothing() * (1 - diagnosis.probability_of_unknown);
     rankEffects(diagnosis, car, found, chosen, judgement);
+    for (const auto& [model, reason] : chosen.struck)
+        diagnosis.ruled_out.push_back({problem.namesOf(model->effects), model->log_evidence, reason});
     for (std::size_t e = 0; e < problem.effects.size(); ++e)
         diagnosis.expected_evidence[problem.effects[e].name] = expected_evidence[e];
     std::set<std::string> names = credible(problem, chosen.posterior);
