@@ -53,12 +53,13 @@ bool contains(const Effects& list, std::size_t value) {
     return std::find(list.begin(), list.end(), value) != list.end();
 }
 
-bool tried(const std::vector<Candidate>& candidates, Effects effects) {
-    std::sort(effects.begin(), effects.end());
-    return std::any_of(candidates.begin(), candidates.end(), [&](Candidate one) {
-        std::sort(one.effects.begin(), one.effects.end());
-        return one.effects == effects;
-    });
+bool sameEffects(const Candidate& one, const Effects& effects) {
+    return std::is_permutation(one.effects.begin(), one.effects.end(), effects.begin(), effects.end());
+}
+
+bool tried(const std::vector<Candidate>& candidates, const Effects& effects) {
+    return std::any_of(candidates.begin(), candidates.end(),
+                       [&](const Candidate& one) { return sameEffects(one, effects); });
 }
 
 // Start points for a fit of these knobs: the given point and, if a knob at 0 is bounded to one side, a second one with
@@ -87,7 +88,7 @@ public:
         std::vector<Candidate> singles = refittedSingles(screen);
         startFromTheBest(singles, screen);
         std::vector<Candidate> grown = growFrom(singles);
-        prune(grown);
+        prune(singles, grown);
         Search result;
         result.candidates = std::move(singles);
         result.candidates.insert(result.candidates.end(), grown.begin(), grown.end());
@@ -359,23 +360,30 @@ private:
         return best;
     }
 
-    // Fits the best set of three without each of its effects: the first may have been found only because it imitates
-    // the other two together.
-    void prune(std::vector<Candidate>& found) const {
-        sort(found);
-        if (found.empty() || found.front().effects.size() < kMostEffects) return;
-        const Candidate from = found.front();
+    // Fits the best set without each of its effects, from its point: the first may have been found only because it
+    // imitates the others together, and a fit that came from elsewhere may have stopped at a lesser maximum.
+    void prune(std::vector<Candidate>& singles, std::vector<Candidate>& grown) const {
+        sort(grown);
+        if (grown.empty()) return;
+        const Candidate from = grown.front();
         for (const std::size_t out : from.effects) {
             Effects effects = from.effects;
             std::erase(effects, out);
-            if (tried(found, effects)) continue;
             Deviation at = from.fit.at;
-            for (const Eigen::Index k : problem_.knobs[out]) at(k) = 0;
+            at(problem_.knobs[out]).setZero();
             std::optional<Candidate> less = refit(car_.about, effects, at);
             if (!less) continue;
             if (less->log_evidence > from.log_evidence - kHopeless) settle(*less);
-            found.push_back(std::move(*less));
+            keepBetter(effects.size() == 1 ? singles : grown, std::move(*less));
         }
+    }
+
+    // Puts a candidate in the place of another fit of the same effects, if it is better.
+    static void keepBetter(std::vector<Candidate>& all, Candidate one) {
+        const auto known = std::find_if(all.begin(), all.end(),
+                                        [&](const Candidate& other) { return sameEffects(other, one.effects); });
+        if (known == all.end()) all.push_back(std::move(one));
+        else if (!known->fitted || one.log_evidence > known->log_evidence) *known = std::move(one);
     }
 
     const Calibration& car_;
