@@ -49,11 +49,11 @@ Index mostHindered(const std::vector<bool>& held, const Eigen::VectorXd& pull, c
 
 }  // namespace
 
-Eigen::VectorXd boundedStep(const QuadraticModel& model, double damping, const Eigen::VectorXd& lowest,
-                            const Eigen::VectorXd& highest) {
+Eigen::VectorXd boundedStep(const QuadraticModel& model, double damping, const Bounds& bounds) {
     const Index n = model.at.size();
     const Eigen::MatrixXd hessian = (1 + damping) * Eigen::MatrixXd::Identity(n, n) + model.information;
-    const Eigen::VectorXd slope = model.gradient - model.at, down = lowest - model.at, up = highest - model.at;
+    const Eigen::VectorXd slope = model.gradient - model.at, down = bounds.lowest - model.at,
+                          up = bounds.highest - model.at;
     Eigen::VectorXd step = Eigen::VectorXd::Zero(n);
     std::vector<bool> held(n, false);
     for (Index change = 0; change < kMostChanges * n; ++change) {

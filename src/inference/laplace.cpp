@@ -1,5 +1,7 @@
 #include "inference/laplace.h"
 
+#include <utility>
+
 namespace tread::inference {
 
 Factor factorOfPriorAnd(const Eigen::MatrixXd& information) {
@@ -8,6 +10,15 @@ Factor factorOfPriorAnd(const Eigen::MatrixXd& information) {
 
 double logDeterminant(const Factor& factor) {
     return 2 * factor.matrixLLT().diagonal().array().log().sum();
+}
+
+QuadraticModel quadraticModel(const NormalEquations& equations, Eigen::VectorXd at) {
+    const Index n = at.size();
+    return {.information = equations.products.topLeftCorner(n, n),
+            .gradient = equations.products.topRightCorner(n, 1),
+            .at = std::move(at),
+            .squared_residual = equations.products(n, n),
+            .log_determinant = equations.log_determinant};
 }
 
 double gainOf(const QuadraticModel& model, const Eigen::VectorXd& step) {

@@ -4,6 +4,8 @@
 
 #include <Eigen/Dense>
 
+#include "inference/normal_equations.h"
+
 namespace tread::inference {
 
 using Factor = Eigen::LLT<Eigen::MatrixXd>;
@@ -21,6 +23,9 @@ struct QuadraticModel {
     double squared_residual = 0;  // r'r in that metric
     double log_determinant = 0;   // of the covariance of noise and disturbances, the inverse of that metric
 };
+
+// The same of normal equations whose last column is the residual.
+QuadraticModel quadraticModel(const NormalEquations& equations, Eigen::VectorXd at);
 
 // Change of the log posterior by a step from the point, gradient of the prior included (D22).
 double gainOf(const QuadraticModel& model, const Eigen::VectorXd& step);

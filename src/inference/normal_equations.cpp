@@ -156,6 +156,12 @@ NormalEquations operator+(NormalEquations a, const NormalEquations& b) {
     return a;
 }
 
+NormalEquations sumOf(const std::vector<NormalEquations>& all) {
+    NormalEquations sum;
+    for (const NormalEquations& one : all) sum = std::move(sum) + one;
+    return sum;
+}
+
 NormalEquations marginalised(const NormalEquations& equations, const std::vector<Index>& out) {
     if (out.empty()) return equations;
     const Factor factor = factorOfPriorAnd(equations.products(out, out));

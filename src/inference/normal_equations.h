@@ -103,6 +103,7 @@ struct DisturbedProducts {
 DisturbedProducts disturbedProducts(const DriveProducts& products, const Eigen::VectorXd& sizes);
 
 NormalEquations operator+(NormalEquations a, const NormalEquations& b);
+NormalEquations sumOf(const std::vector<NormalEquations>& all);
 
 // Marginalises the parameters `out`, which have the prior N(0, 1); their rows and columns become zero (D24).
 NormalEquations marginalised(const NormalEquations& equations, const std::vector<Index>& out);

@@ -20,8 +20,8 @@ using diagnose::select::reduction;
 
 // Of one number that moves a sum of squares `column`, with so large a product with the residual.
 LinearEffect effect(const std::string& name, double column, double with_residual, double highest = 4) {
-    LinearEffect one{name, Eigen::MatrixXd(2, 2), Eigen::VectorXd::Constant(1, -4),
-                     Eigen::VectorXd::Constant(1, highest)};
+    LinearEffect one{
+        name, Eigen::MatrixXd(2, 2), {Eigen::VectorXd::Constant(1, -4), Eigen::VectorXd::Constant(1, highest)}};
     one.products << column, with_residual, with_residual, 1000;
     return one;
 }
@@ -31,7 +31,8 @@ TEST(Baselines, ReductionIsTheSquareOfTheProjectionOnTheColumn) {
     // The best would be 2; at the bound 1 it is 2 * 200 - 100.
     EXPECT_NEAR(reduction(effect("a", 100, 200, 1)), 300, 1e-12);
     EXPECT_EQ(reduction(effect("a", 0, 0)), 0);
-    LinearEffect pair{"pair", Eigen::MatrixXd(3, 3), Eigen::VectorXd::Constant(2, -9), Eigen::VectorXd::Constant(2, 9)};
+    LinearEffect pair{
+        "pair", Eigen::MatrixXd(3, 3), {Eigen::VectorXd::Constant(2, -9), Eigen::VectorXd::Constant(2, 9)}};
     pair.products << 4, 0, 8, 0, 25, 50, 8, 50, 1000;
     EXPECT_NEAR(reduction(pair), 64.0 / 4 + 2500.0 / 25, 1e-9);
 }

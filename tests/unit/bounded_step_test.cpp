@@ -31,7 +31,7 @@ TEST(BoundedStep, LeavesNothingToGainWithinTheBounds) {
             highest(i) = x(i) + random.uniform();
         }
         const QuadraticModel model{.information = rows.transpose() * rows, .gradient = gradient, .at = x};
-        const Eigen::VectorXd step = boundedStep(model, 0, lowest, highest);
+        const Eigen::VectorXd step = boundedStep(model, 0, {lowest, highest});
         const Eigen::VectorXd left = pull(model, step);
         for (Eigen::Index i = 0; i < kSize; ++i) {
             const double at = x(i) + step(i);
@@ -50,7 +50,7 @@ TEST(BoundedStep, DoesNotGoUphillWhenAPartnerMeetsItsBound) {
     Eigen::MatrixXd information(2, 2);
     information << 1000, 990, 990, 1000;
     const Eigen::Vector2d gradient(1000, 900), zero(0, 0), far(10, 10);
-    const Eigen::VectorXd step = boundedStep({information, gradient, zero}, 0, zero, far);
+    const Eigen::VectorXd step = boundedStep({information, gradient, zero}, 0, {zero, far});
     EXPECT_NEAR(step(0), 1000.0 / 1001, 1e-12);
     EXPECT_EQ(step(1), 0);
 }

@@ -19,6 +19,7 @@ using diagnose::model::Sizes;
 using diagnose::select::Calibration;
 using diagnose::select::Fit;
 using diagnose::select::ForceLaws;
+using diagnose::select::gainIfUnknown;
 using linear_drives::LinearDrive;
 using linear_drives::logDensity;
 
@@ -120,7 +121,7 @@ TEST(ForceLaws, ATenthOfTheirEvidenceCountsForASet) {
         const double gain = laws.best(fit).gain;
         ASSERT_GT(at_least, 10);
         EXPECT_GE(gain, at_least - 1e-6);
-        EXPECT_NEAR(laws.gainIfUnknown(fit), std::log(0.9 + 0.1 * std::exp(gain)), 1e-9);
+        EXPECT_NEAR(gainIfUnknown(laws.best(fit)), std::log(0.9 + 0.1 * std::exp(gain)), 1e-9);
     }
 }
 
@@ -164,7 +165,7 @@ TEST(ForceLaws, HaveTheEvidenceOfTheRemainderThatTheyLeave) {
 TEST(ForceLaws, ThatDoNotActCostASetLittle) {
     const Dragged told(0);
     const Calibration car = told.car();
-    EXPECT_NEAR(ForceLaws(car).gainIfUnknown(linear_drives::fitOf(car, {})), std::log(0.9), 0.01);
+    EXPECT_NEAR(gainIfUnknown(ForceLaws(car).best(linear_drives::fitOf(car, {}))), std::log(0.9), 0.01);
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ TEST(WorkedExample, EstimateAndItsStandardDeviation) {
     const QuadraticModel model = quadraticOf(Example{}.both(), 2, {0, 1});
     const auto step = [&](double highest) {
         const VectorXd lowest{{-4, -8}}, limits{{4, highest}};
-        return boundedStep(model, 0, lowest, limits);
+        return boundedStep(model, 0, {lowest, limits});
     };
     expectEqual(step(8), VectorXd{{256 / 243.0, 106 / 81.0}});
     expectEqual(step(0.5), VectorXd{{43 / 27.0, 0.5}});

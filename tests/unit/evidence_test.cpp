@@ -92,7 +92,7 @@ TEST(Evidence, AtABoundIsThatOfAGaussianAboutTheBestPointWithinIt) {
     const Rows rows;
     const QuadraticModel model = rows.about({0, 0});
     const Vector2d lowest(-4, -4), highest(4, 0.4);
-    const Vector2d best = boundedStep(model, 0, lowest, highest);
+    const Vector2d best = boundedStep(model, 0, {lowest, highest});
     ASSERT_GT(bestStep(model)(1), 0.5);
     ASSERT_EQ(best(1), 0.4);
     const MatrixXd hessian = MatrixXd::Identity(2, 2) + model.information;
@@ -117,7 +117,7 @@ TEST(Evidence, AtABoundIsNotLessThanThatOfTheOneSidedPriorAndInsideHalfOfIt) {
         const QuadraticModel one{.information = MatrixXd::Constant(1, 1, information),
                                  .gradient = VectorXd::Constant(1, gradient),
                                  .at = VectorXd::Zero(1)};
-        return logEvidence(one, boundedStep(one, 0, VectorXd::Zero(1), VectorXd::Constant(1, 8)));
+        return logEvidence(one, boundedStep(one, 0, {VectorXd::Zero(1), VectorXd::Constant(1, 8)}));
     };
     // 2 int_0^inf N(x; 0, 1) exp(g x - I x^2 / 2) dx, with the error function.
     const auto exact = [](double gradient, double information) {

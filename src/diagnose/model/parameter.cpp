@@ -201,6 +201,20 @@ std::vector<Parameter> nuisancesOfBoth(const Subject& before, const std::vector<
     return found;
 }
 
+inference::Bounds boundsOf(const std::vector<Parameter>& all, const std::vector<Eigen::Index>& some) {
+    return boundsAbout(Eigen::VectorXd::Zero(std::ssize(all)), all, some);
+}
+
+inference::Bounds boundsAbout(const Eigen::VectorXd& point, const std::vector<Parameter>& all,
+                              const std::vector<Eigen::Index>& some) {
+    inference::Bounds bounds{Eigen::VectorXd(std::ssize(some)), Eigen::VectorXd(std::ssize(some))};
+    for (Eigen::Index i = 0; i < std::ssize(some); ++i) {
+        bounds.lowest(i) = all[some[i]].lowest - point(some[i]);
+        bounds.highest(i) = all[some[i]].highest - point(some[i]);
+    }
+    return bounds;
+}
+
 std::vector<Eigen::Index> joined(const std::vector<Eigen::Index>& some, const std::vector<Eigen::Index>& more) {
     std::vector<Eigen::Index> all;
     all.reserve(some.size() + more.size());

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "diagnose/catalogue/effect.h"
+#include "inference/bounded_step.h"
 #include "recording/recorded_drive.h"
 #include "recording/subject.h"
 
@@ -67,6 +68,11 @@ std::vector<Parameter> nuisancesOfEachDrive(const Subject& nominal, const std::v
 
 // What the references leave open of the car before: numbers that its change left alone (D45c).
 std::vector<Parameter> nuisancesOfBoth(const Subject& before, const std::vector<KnownWithin>& left_open);
+
+// Bounds of some parameters: of their values, and of steps from a point.
+inference::Bounds boundsOf(const std::vector<Parameter>& all, const std::vector<Eigen::Index>& some);
+inference::Bounds boundsAbout(const Eigen::VectorXd& point, const std::vector<Parameter>& all,
+                              const std::vector<Eigen::Index>& some);
 
 // Indices of parameters: `some`, then `more`.
 std::vector<Eigen::Index> joined(const std::vector<Eigen::Index>& some, const std::vector<Eigen::Index>& more);

@@ -31,6 +31,20 @@ std::vector<Eigen::Index> Problem::allKnobs() const {
     return all;
 }
 
+std::vector<Eigen::Index> Problem::knobsOf(const std::vector<std::size_t>& some) const {
+    std::vector<Eigen::Index> all;
+    for (const std::size_t e : some) all.insert(all.end(), knobs[e].begin(), knobs[e].end());
+    return all;
+}
+
+Deviation Problem::withOnly(const std::vector<std::size_t>& some, Deviation point) const {
+    const std::vector<Eigen::Index> kept = knobsOf(some);
+    const Eigen::VectorXd values = point(kept);
+    point(allKnobs()).setZero();
+    point(kept) = values;
+    return point;
+}
+
 Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, const recording::Recorded& recorded,
                   const std::function<Differences(Drives)>& differences, const Options& options) {
     Problem problem;

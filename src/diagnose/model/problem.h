@@ -23,6 +23,9 @@ struct Problem {
     bool compared() const { return recording::compared(drives); }
     std::vector<std::string> namesOf(const std::vector<std::size_t>& some) const;
     std::vector<Eigen::Index> allKnobs() const;
+    std::vector<Eigen::Index> knobsOf(const std::vector<std::size_t>& some) const;
+    // The point without other effects than these.
+    Deviation withOnly(const std::vector<std::size_t>& some, Deviation point) const;
 };
 
 // Parameters are all uncertain numbers and the knobs of the given effects. Where a recording has a reference, the gap

@@ -64,14 +64,17 @@ NormalEquations normalEquations(const Uncertainty& uncertainty, std::size_t driv
     return inference::normalEquations(products, uncertainty.sizesOf(drive, sizes));
 }
 
-NormalEquations normalEquations(const Uncertainty& uncertainty, const std::vector<DriveProducts>& products,
-                                const Sizes& sizes, int threads) {
+std::vector<NormalEquations> equationsOfEach(const Uncertainty& uncertainty, const std::vector<DriveProducts>& products,
+                                             const Sizes& sizes, int threads) {
     std::vector<NormalEquations> each(products.size());
     inParallel(products.size(), threads,
                [&](std::size_t d) { each[d] = normalEquations(uncertainty, d, products[d], sizes); });
-    NormalEquations sum;
-    for (const NormalEquations& one : each) sum = std::move(sum) + one;
-    return sum;
+    return each;
+}
+
+NormalEquations normalEquations(const Uncertainty& uncertainty, const std::vector<DriveProducts>& products,
+                                const Sizes& sizes, int threads) {
+    return inference::sumOf(equationsOfEach(uncertainty, products, sizes, threads));
 }
 
 double birgeRatio(Drives drives, const Uncertainty& uncertainty, const Rows& rows, const Sizes& sizes) {

@@ -38,9 +38,11 @@ DriveProducts productsOf(const Uncertainty& uncertainty, std::size_t drive, cons
 // Squared residual of a drive after marginalising disturbances of these sizes. `off`: whitened residual.
 double squaresOf(const Uncertainty& uncertainty, std::size_t drive, const Eigen::VectorXd& off, const Sizes& sizes);
 
-// Normal equations of one drive, and of all drives, with disturbances of these sizes.
+// Normal equations of one drive, of each drive, and of all drives together, with disturbances of these sizes.
 NormalEquations normalEquations(const Uncertainty& uncertainty, std::size_t drive, const DriveProducts& products,
                                 const Sizes& sizes);
+std::vector<NormalEquations> equationsOfEach(const Uncertainty& uncertainty, const std::vector<DriveProducts>& products,
+                                             const Sizes& sizes, int threads);
 NormalEquations normalEquations(const Uncertainty& uncertainty, const std::vector<DriveProducts>& products,
                                 const Sizes& sizes, int threads);
 

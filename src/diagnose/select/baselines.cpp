@@ -14,15 +14,8 @@ std::vector<LinearEffect> effectsOf(const Problem& problem, const Eigen::MatrixX
     const Eigen::Index last = products.cols() - 1;
     for (std::size_t e = 0; e < problem.effects.size(); ++e) {
         std::vector<Eigen::Index> places = placesOf(problem, e);
-        LinearEffect one{problem.effects[e].name, {}, {}, {}};
-        one.lowest.resize(std::ssize(places));
-        one.highest.resize(std::ssize(places));
-        for (Eigen::Index i = 0; i < one.lowest.size(); ++i) {
-            const Eigen::Index p = problem.knobs[e][i];
-            const Parameter& parameter = problem.replays.parameters[p];
-            one.lowest(i) = parameter.lowest - at(p);
-            one.highest(i) = parameter.highest - at(p);
-        }
+        LinearEffect one{
+            problem.effects[e].name, {}, model::boundsAbout(at, problem.replays.parameters, problem.knobs[e])};
         places.push_back(last);
         one.products = products(places, places);
         effects.push_back(std::move(one));
@@ -45,12 +38,12 @@ Eigen::MatrixXd plainProducts(const Calibration& car) {
 }  // namespace
 
 double reduction(const LinearEffect& effect) {
-    const Eigen::Index n = effect.lowest.size();
+    const Eigen::Index n = effect.bounds.lowest.size();
     const Eigen::MatrixXd information = effect.products.topLeftCorner(n, n);
     const Eigen::VectorXd gradient = effect.products.topRightCorner(n, 1);
     if (!(information.diagonal().maxCoeff() > 0)) return 0;
     Eigen::VectorXd best = information.completeOrthogonalDecomposition().solve(gradient);
-    best = best.cwiseMax(effect.lowest).cwiseMin(effect.highest);
+    best = best.cwiseMax(effect.bounds.lowest).cwiseMin(effect.bounds.highest);
     return 2 * gradient.dot(best) - best.dot(information * best);
 }
 
@@ -59,7 +52,7 @@ std::string largestReduction(const std::vector<LinearEffect>& effects) {
     double most = 0;
     for (const LinearEffect& effect : effects) {
         const double gained = reduction(effect);
-        if (gained <= most || gained <= static_cast<double>(effect.lowest.size())) continue;
+        if (gained <= most || gained <= static_cast<double>(effect.bounds.lowest.size())) continue;
         most = gained;
         best = effect.name;
     }
@@ -70,7 +63,7 @@ std::string leastBic(const std::vector<LinearEffect>& effects, double rows) {
     std::string best = "none";
     double least = 0;  // criterion relative to that of no effect
     for (const LinearEffect& effect : effects) {
-        const double bic = static_cast<double>(effect.lowest.size()) * std::log(rows) - reduction(effect);
+        const double bic = static_cast<double>(effect.bounds.lowest.size()) * std::log(rows) - reduction(effect);
         if (bic >= least) continue;
         least = bic;
         best = effect.name;

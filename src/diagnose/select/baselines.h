@@ -8,6 +8,7 @@
 
 #include "diagnose/answer/diagnosis.h"
 #include "diagnose/select/calibration.h"
+#include "inference/bounded_step.h"
 
 namespace tread::diagnose::select {
 
@@ -15,7 +16,7 @@ namespace tread::diagnose::select {
 struct LinearEffect {
     std::string name;
     Eigen::MatrixXd products;
-    Eigen::VectorXd lowest, highest;  // bounds of its parameters, relative to the point of the linearisation
+    inference::Bounds bounds;  // of its parameters, relative to the point of the linearisation
 };
 
 // Reduction of the squared residual by the best parameters, cut at their bounds.

@@ -24,12 +24,8 @@ double comparedRowsOf(const Calibration& car) {
 
 Closest closestWith(const Calibration& car, const std::vector<std::size_t>& effects, const Deviation& at) {
     if (effects.empty()) return car.closest;
-    std::vector<Eigen::Index> knobs;
-    for (const std::size_t e : effects) knobs = model::joined(knobs, car.problem.knobs[e]);
-    Deviation from = at;
-    from(car.problem.allKnobs()).setZero();
-    from(knobs) = at(knobs);
-    if (std::optional<Closest> found = closestTo(car, from, knobs)) return std::move(*found);
+    const Deviation from = car.problem.withOnly(effects, at);
+    if (std::optional<Closest> found = closestTo(car, from, car.problem.knobsOf(effects))) return std::move(*found);
     const std::optional<Rows> rows = model::rowsAt(car.problem.replays, car.drives(), from);
     return rows ? Closest{from, *rows} : car.closest;
 }

@@ -20,9 +20,9 @@ std::vector<double> explainedIn(const Calibration& car, const Fit& fit, const st
     });
     std::vector<Eigen::MatrixXd> each;
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(all, all);
-    for (std::size_t d = 0; d < fit.products.size(); ++d) {
-        each.emplace_back(
-            model::normalEquations(car.uncertainty, d, fit.products[d], fit.sizes).products(order, order));
+    for (const model::NormalEquations& one :
+         model::equationsOfEach(car.uncertainty, fit.products, fit.sizes, car.problem.replays.threads)) {
+        each.emplace_back(one.products(order, order));
         sum += each.back();
     }
     Eigen::VectorXd signature(all);  // of the knobs, less what the others imitate of it

@@ -40,7 +40,7 @@ struct Fitter {
     const Uncertainty& uncertainty;
     std::vector<Eigen::Index> knobs, free, imperfections;
     std::vector<Eigen::Index> places;              // of `free` in the linearisation
-    Eigen::VectorXd lowest, highest;               // bounds of `free`
+    inference::Bounds bounds;                      // of `free`
     std::vector<model::Part> parts;                // of each imperfection
     std::vector<Eigen::MatrixXd> by_imperfection;  // per drive: change of the rows per typical size
 
@@ -146,7 +146,7 @@ struct Fitter {
 Fitter fitterOf(const Replays& replays, Drives drives, const Uncertainty& uncertainty,
                 const Linearisation& linearisation, const std::vector<Eigen::Index>& imperfections,
                 const std::vector<Eigen::Index>& knobs) {
-    Fitter fitter{replays, drives, uncertainty, knobs, {}, {}, {}, {}, {}, {}, {}};
+    Fitter fitter{replays, drives, uncertainty, knobs, {}, {}, {}, {}, {}, {}};
     std::vector<Eigen::Index> moving;  // knobs along which the model is imperfect
     for (const Eigen::Index i : imperfections) {
         const Eigen::Index knob = replays.parameters[i].imperfection_of;
@@ -157,26 +157,18 @@ Fitter fitterOf(const Replays& replays, Drives drives, const Uncertainty& uncert
     for (const Eigen::MatrixXd& columns : linearisation.about.columns)
         fitter.by_imperfection.emplace_back(columns(Eigen::all, moving));
     fitter.free = model::joined(model::joined(linearisation.nuisances, fitter.imperfections), knobs);
-    const Eigen::Index n = std::ssize(fitter.free);
-    fitter.lowest.resize(n), fitter.highest.resize(n);
-    const std::vector<Eigen::Index> columns = model::joined(model::joined(linearisation.nuisances, moving), knobs);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const auto place = std::find(linearisation.parameters.begin(), linearisation.parameters.end(), columns[i]);
+    fitter.bounds = model::boundsOf(replays.parameters, fitter.free);
+    for (const Eigen::Index column : model::joined(model::joined(linearisation.nuisances, moving), knobs)) {
+        const auto place = std::find(linearisation.parameters.begin(), linearisation.parameters.end(), column);
         fitter.places.push_back(place - linearisation.parameters.begin());
-        const model::Parameter& parameter = replays.parameters[fitter.free[i]];
-        fitter.lowest(i) = parameter.lowest, fitter.highest(i) = parameter.highest;
     }
     return fitter;
 }
 
 // `sum`: of the products of all drives beside their remainder.
 inference::QuadraticModel quadraticOf(const Fit& fit, const model::NormalEquations& sum) {
-    const Eigen::Index n = std::ssize(fit.free), knobs = std::ssize(fit.knobs);
-    inference::QuadraticModel model{.information = sum.products.topLeftCorner(n, n),
-                                    .gradient = sum.products.topRightCorner(n, 1),
-                                    .at = fit.at(fit.free),
-                                    .squared_residual = sum.products(n, n),
-                                    .log_determinant = sum.log_determinant};
+    const Eigen::Index knobs = std::ssize(fit.knobs);
+    inference::QuadraticModel model = inference::quadraticModel(sum, fit.at(fit.free));
     if (fit.prior == SizePrior::none) {
         // Takes the prior of the knobs out of what the model adds to information and gradient.
         model.information.diagonal().tail(knobs).array() -= 1 - kLeastPrior;
@@ -199,7 +191,7 @@ void climb(Moving& now, const Fitter& fitter, bool renewed) {
     const double at_start = misfit;
     for (int trial = 0;; ++trial) {
         const inference::QuadraticModel here = quadraticOf(now);
-        const Eigen::VectorXd step = inference::boundedStep(here, damping, fitter.lowest, fitter.highest);
+        const Eigen::VectorXd step = inference::boundedStep(here, damping, fitter.bounds);
         fit.converged = inference::gainOf(here, step) < kEnough;
         const bool settled = fit.converged || trial >= kMostTrials;
         if (settled && renewed) break;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 
 #include "base/parallel.h"
 #include "diagnose/model/remainder.h"
@@ -166,14 +167,9 @@ inference::QuadraticModel quadraticBeside(const Calibration& car, const Fit& fit
                                           const std::vector<DriveProducts>& products, const Sizes& sizes) {
     const model::NormalEquations sum =
         model::normalEquations(car.uncertainty, products, sizes, car.problem.replays.threads);
-    const Eigen::Index n = sum.products.cols() - 1;
-    Eigen::VectorXd at = Eigen::VectorXd::Zero(n);
+    Eigen::VectorXd at = Eigen::VectorXd::Zero(sum.products.cols() - 1);
     at.head(std::ssize(fit.free)) = fit.at(fit.free);
-    return {.information = sum.products.topLeftCorner(n, n),
-            .gradient = sum.products.topRightCorner(n, 1),
-            .at = std::move(at),
-            .squared_residual = sum.products(n, n),
-            .log_determinant = sum.log_determinant};
+    return inference::quadraticModel(sum, std::move(at));
 }
 
 // Nats that the choice of a law and of its size costs.
@@ -203,9 +199,9 @@ answer::ForceLaw lawOf(const Law& law, const Eigen::VectorXd& units, double unit
 
 struct ForceLaws::Best {
     std::size_t law;
-    double force;           // its prior standard deviation, usual sizes
-    double gain;            // nats
-    Eigen::VectorXd units;  // coefficients in multiples of the unit, beside the remainder that the law leaves
+    double force;               // its prior standard deviation, usual sizes
+    double gain;                // nats, beside the remainder of the fit
+    Eigen::Index first_column;  // of its forces among those of all laws
 };
 
 ForceLaws::ForceLaws(const Calibration& car) : car_(car) {
@@ -214,11 +210,11 @@ ForceLaws::ForceLaws(const Calibration& car) : car_(car) {
     for (std::size_t d = 0; d < car.drives().size(); ++d) columns_.push_back(columnsOf(histories, car, d));
 }
 
-std::optional<ForceLaws::Best> ForceLaws::bestBeside(const Fit& fit) const {
+answer::ForceLaw ForceLaws::best(const Fit& fit) const {
     const Eigen::MatrixXd products = productsBeside(car_, fit, withResidual(car_, fit, columns_), fit.sizes);
     const Eigen::Index last = products.cols() - 1;
     std::optional<Best> best;
-    Eigen::Index first = 0, first_of_best = 0;
+    Eigen::Index first = 0;
     for (std::size_t l = 0; l < laws().size(); ++l) {
         const Eigen::Index n = std::ssize(laws()[l].kinds);
         for (const double force : kLawForces) {
@@ -226,16 +222,19 @@ std::optional<ForceLaws::Best> ForceLaws::bestBeside(const Fit& fit) const {
                                                 .gradient = force * products.block(first, last, n, 1),
                                                 .at = Eigen::VectorXd::Zero(n)};
             const double gain = inference::logEvidence(own, inference::bestStep(own)) - logChoices();
-            if (units_[l] == 0 || gain <= (best ? best->gain : 0)) continue;
-            best = {l, force, gain, {}}, first_of_best = first;
+            if (units_[l] != 0 && gain > (best ? best->gain : 0)) best = {l, force, gain, first};
         }
         first += n;
     }
-    if (!best) return best;
-    const Eigen::Index n = std::ssize(laws()[best->law].kinds);
+    return best ? besideItsRemainder(fit, *best) : answer::ForceLaw{.gain = -kInfinity};
+}
+
+answer::ForceLaw ForceLaws::besideItsRemainder(const Fit& fit, const Best& best) const {
+    const Law& law = laws()[best.law];
+    const Eigen::Index n = std::ssize(law.kinds);
     std::vector<Eigen::MatrixXd> forces;
     for (const Eigen::MatrixXd& columns : columns_)
-        forces.emplace_back(best->force * columns.middleCols(first_of_best, n));
+        forces.emplace_back(best.force * columns.middleCols(best.first_column, n));
     const std::vector<Eigen::MatrixXd> further = withResidual(car_, fit, forces);
     std::vector<DriveProducts> with(further.size());
     inParallel(with.size(), car_.problem.replays.threads,
@@ -243,21 +242,14 @@ std::optional<ForceLaws::Best> ForceLaws::bestBeside(const Fit& fit) const {
     const Sizes sizes = sizesWithAllFree(car_.problem, car_.uncertainty, with);
     const inference::QuadraticModel resized = quadraticBeside(car_, fit, with, sizes);
     const double before = logEvidence(quadraticAt(fit, car_.uncertainty), fit.sizes);
-    best->gain = std::max(best->gain, logEvidence(resized, sizes) - before - logChoices());
-    best->units = best->force * inference::bestStep(resized).tail(n);
-    return best;
+    const double gain = std::max(best.gain, logEvidence(resized, sizes) - before - logChoices());
+    const Eigen::VectorXd units = best.force * inference::bestStep(resized).tail(n);
+    return lawOf(law, units, units_[best.law], gain, car_.problem.replays.nominal().vehicle);
 }
 
-answer::ForceLaw ForceLaws::best(const Fit& fit) const {
-    const std::optional<Best> best = bestBeside(fit);
-    if (!best) return {.gain = -kInfinity};
-    return lawOf(laws()[best->law], best->units, units_[best->law], best->gain, car_.problem.replays.nominal().vehicle);
-}
-
-double ForceLaws::gainIfUnknown(const Fit& fit) const {
-    const std::optional<Best> best = bestBeside(fit);
-    const double u = kSettings.unknown_cause, gain = best ? best->gain : -kInfinity;
-    return std::max(0.0, gain) + std::log((1 - u) * std::exp(-std::max(0.0, gain)) + u * std::exp(std::min(0.0, gain)));
+double gainIfUnknown(const answer::ForceLaw& law) {
+    const double u = kSettings.unknown_cause, gain = std::max(0.0, law.gain);
+    return gain + std::log((1 - u) * std::exp(-gain) + u * std::exp(std::min(0.0, law.gain)));
 }
 
 }  // namespace tread::diagnose::select

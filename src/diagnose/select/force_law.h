@@ -3,7 +3,6 @@
 // effect, and shows where to look.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "diagnose/answer/diagnosis.h"
@@ -19,16 +18,17 @@ public:
     // The law that gains most beside a model, with the remainder that it leaves; gain -infinity when none gains (D35).
     answer::ForceLaw best(const Fit& fit) const;
 
-    // Nats that a model gains because a force of unknown cause may act beside it (D35a).
-    double gainIfUnknown(const Fit& fit) const;
-
 private:
     struct Best;
-    std::optional<Best> bestBeside(const Fit& fit) const;
+    // A law beside the remainder that it leaves.
+    answer::ForceLaw besideItsRemainder(const Fit& fit, const Best& best) const;
 
     const Calibration& car_;
     std::vector<double> units_;             // of each law; 0 where its signal is 0 or missing
     std::vector<Eigen::MatrixXd> columns_;  // whitened, per drive: of each kind of force of every law
 };
+
+// Nats that a model gains because a force of unknown cause, which follows this law, may act beside it (D35a).
+double gainIfUnknown(const answer::ForceLaw& law);
 
 }  // namespace tread::diagnose::select

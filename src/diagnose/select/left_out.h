@@ -27,7 +27,8 @@ private:
         std::optional<Fit> fit;
         std::vector<double> gaps;  // of each drive as the others predict it, then of the drives held out
     };
-    const Fitted& without(const Candidate& set, const std::size_t* effect);
+    // Fitted from a point; effects that do not take part are taken out of it.
+    const Fitted& fittedWith(const std::vector<std::size_t>& effects, const Deviation& from);
 
     const Calibration& car_;
     const HeldOut& held_out_;

@@ -46,10 +46,7 @@ double logDensity(const Fit& fit, const model::NormalEquations& drive, const Lea
 }
 
 std::vector<model::NormalEquations> ofEachDrive(const Calibration& car, const Fit& fit) {
-    std::vector<model::NormalEquations> each;
-    for (std::size_t d = 0; d < fit.products.size(); ++d)
-        each.push_back(model::normalEquations(car.uncertainty, d, fit.products[d], fit.sizes));
-    return each;
+    return model::equationsOfEach(car.uncertainty, fit.products, fit.sizes, car.problem.replays.threads);
 }
 
 // Logarithm of the density of all drives but one if their effects are those that this one tells.
@@ -65,8 +62,7 @@ double densityOfOthers(const Calibration& car, const Fit& fit, std::size_t telle
 
 std::vector<double> predictiveDensities(const Calibration& car, const Fit& fit) {
     const std::vector<model::NormalEquations> each = ofEachDrive(car, fit);
-    model::NormalEquations all;
-    for (const model::NormalEquations& one : each) all = std::move(all) + one;
+    const model::NormalEquations all = inference::sumOf(each);
     std::vector<double> densities;
     for (const model::NormalEquations& one : each)
         densities.push_back(logDensity(fit, one, learnt(fit, all.products - one.products)));

@@ -21,13 +21,8 @@ double gain(const Problem& problem, const Eigen::MatrixXd& products, std::size_t
     const Eigen::Index n = std::ssize(places), last = products.cols() - 1;
     const inference::QuadraticModel knobs{
         .information = products(places, places), .gradient = products(places, last), .at = Eigen::VectorXd::Zero(n)};
-    Eigen::VectorXd lowest(n), highest(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const Eigen::Index p = problem.knobs[effect][i];
-        const Parameter& parameter = problem.replays.parameters[p];
-        lowest(i) = parameter.lowest - at(p), highest(i) = parameter.highest - at(p);
-    }
-    return inference::logEvidence(knobs, inference::boundedStep(knobs, 0, lowest, highest));
+    const inference::Bounds bounds = model::boundsAbout(at, problem.replays.parameters, problem.knobs[effect]);
+    return inference::logEvidence(knobs, inference::boundedStep(knobs, 0, bounds));
 }
 
 // The point with the knobs of an effect at their typical size; nothing unless at least one knob is bounded at its

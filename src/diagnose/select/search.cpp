@@ -29,12 +29,6 @@ constexpr double kStuck = 0.02;  // units; a knob that moved less counts as stuc
 
 using Effects = std::vector<std::size_t>;
 
-std::vector<Eigen::Index> knobsOf(const Problem& problem, const Effects& effects) {
-    std::vector<Eigen::Index> knobs;
-    for (const std::size_t e : effects) knobs.insert(knobs.end(), problem.knobs[e].begin(), problem.knobs[e].end());
-    return knobs;
-}
-
 Effects bestFirst(const std::vector<double>& values) {
     Effects order(values.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -99,14 +93,17 @@ public:
     }
 
 private:
-    // Beside each set a force of unknown cause may act (D35a).
+    // Beside each set a force of unknown cause may act (D35a). The last candidate is the model without effects.
     void countUnknownForces(std::vector<Candidate>& candidates) const {
         const ForceLaws laws(car_);
-        const double none = none_.log_evidence + laws.gainIfUnknown(none_);
         for (Candidate& one : candidates) {
             if (!one.fitted) continue;
-            one.log_evidence = one.fit.log_evidence + laws.gainIfUnknown(one.fit) - none;
+            one.law = laws.best(one.fit);
+            one.log_evidence = one.fit.log_evidence + gainIfUnknown(one.law);
         }
+        const double none = candidates.back().log_evidence;
+        for (Candidate& one : candidates)
+            if (one.fitted) one.log_evidence -= none;
     }
 
     // One candidate per effect; the most promising of the screen are fitted, the others keep the evidence of the
@@ -278,7 +275,7 @@ private:
 
     std::optional<Candidate> refit(const Linearisation& about, const Effects& effects, const Deviation& from) const {
         std::optional<Candidate> best;
-        const std::vector<Eigen::Index> knobs = knobsOf(problem_, effects);
+        const std::vector<Eigen::Index> knobs = problem_.knobsOf(effects);
         for (const Deviation& start : starts(problem_, knobs, handedOver(knobs, from))) {
             // The second start is needed only when a knob did not leave its limit.
             if (best && (best->fit.at(knobs) - from(knobs)).cwiseAbs().minCoeff() > kStuck) break;
@@ -366,12 +363,11 @@ private:
         sort(grown);
         if (grown.empty()) return;
         const Candidate from = grown.front();
+        const Linearisation here = linearisedAt(car_, from.fit.at);
         for (const std::size_t out : from.effects) {
             Effects effects = from.effects;
             std::erase(effects, out);
-            Deviation at = from.fit.at;
-            at(problem_.knobs[out]).setZero();
-            std::optional<Candidate> less = refit(car_.about, effects, at);
+            std::optional<Candidate> less = refit(here, effects, problem_.withOnly(effects, from.fit.at));
             if (!less) continue;
             if (less->log_evidence > from.log_evidence - kHopeless) settle(*less);
             keepBetter(effects.size() == 1 ? singles : grown, std::move(*less));

@@ -12,6 +12,7 @@ struct Candidate {
     double log_evidence = 0;           // nats over the model without effects
     Fit fit;                           // empty if not `fitted`; log_evidence is then that of the linear model
     bool fitted = false;
+    answer::ForceLaw law = {.gain = -kInfinity};  // of a force of unknown cause beside the effects
 };
 
 struct Search {

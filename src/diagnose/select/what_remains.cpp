@@ -106,9 +106,8 @@ Remains whatRemains(const Calibration& car, const Candidate& model, const Rows& 
     remains.beyond_ordinary = logEvidenceWith(fit, car.uncertainty, wide) + model::logPrior(wide, model::kLargePrior) -
                               ordinary -
                               0.5 * ratio * (model::kLargePrior.pull(ratio) - model::kOrdinaryPrior.pull(ratio));
-    answer::ForceLaw law = ForceLaws(car).best(fit);
-    remains.of_law = std::max(0.0, law.gain);
-    if (law.gain > kSettings.clear) remains.law = std::move(law);
+    remains.of_law = std::max(0.0, model.law.gain);
+    if (model.law.gain > kSettings.clear) remains.law = model.law;
     return remains;
 }
 
