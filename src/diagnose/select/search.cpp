@@ -357,20 +357,27 @@ private:
         return best;
     }
 
-    // Fits the best set without each of its effects, from its point: the first may have been found only because it
-    // imitates the others together, and a fit that came from elsewhere may have stopped at a lesser maximum.
+    // Fits the best set without each of its effects, from its point, then the best of these sets in the same way: the
+    // first effect may have been found only because it imitates the others, and a fit that came from elsewhere may have
+    // stopped at a lesser maximum.
     void prune(std::vector<Candidate>& singles, std::vector<Candidate>& grown) const {
         sort(grown);
         if (grown.empty()) return;
-        const Candidate from = grown.front();
-        const Linearisation here = linearisedAt(car_, from.fit.at);
-        for (const std::size_t out : from.effects) {
-            Effects effects = from.effects;
-            std::erase(effects, out);
-            std::optional<Candidate> less = refit(here, effects, problem_.withOnly(effects, from.fit.at));
-            if (!less) continue;
-            if (less->log_evidence > from.log_evidence - kHopeless) settle(*less);
-            keepBetter(effects.size() == 1 ? singles : grown, std::move(*less));
+        Candidate from = grown.front();
+        while (from.effects.size() > 1) {
+            const Linearisation here = linearisedAt(car_, from.fit.at);
+            std::optional<Candidate> best;
+            for (const std::size_t out : from.effects) {
+                Effects effects = from.effects;
+                std::erase(effects, out);
+                std::optional<Candidate> less = refit(here, effects, problem_.withOnly(effects, from.fit.at));
+                if (!less) continue;
+                if (less->log_evidence > from.log_evidence - kHopeless) settle(*less);
+                if (!best || less->log_evidence > best->log_evidence) best = less;
+                keepBetter(effects.size() == 1 ? singles : grown, std::move(*less));
+            }
+            if (!best) return;
+            from = std::move(*best);
         }
     }
 
