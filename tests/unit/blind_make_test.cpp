@@ -146,7 +146,7 @@ TEST(BlindMake, SecondFamilyIsDrawnInAFrozenCheckOnly) {
     }
     EXPECT_EQ(open[Family::second], 0);
     EXPECT_NEAR(frozen[Family::second], 30, 12) << "three standard deviations of an even draw";
-    EXPECT_GE(outsiders(Family::first).size(), 6u);
+    EXPECT_GE(outsiders(Family::first).size(), 5u);
     EXPECT_GE(outsiders(Family::second).size(), 6u);
 }
 
@@ -175,11 +175,11 @@ TEST(BlindMake, AssumedCasesAreThoseOfBefore) {
         double numbers, readings;
     };
     const std::vector<Before> list{
-        {CaseKind::one, "ratio", 577.79379109972035, 431.48221829613033},
-        {CaseKind::two, "ratio+heavier", 577.79396229260271, 432.09463902541404},
-        {CaseKind::none, "", 577.80149925454327, 432.1158471726539},
-        {CaseKind::outside, "cubic_steering_ratio", 577.80149925454327, 432.28249965643005},
-        {CaseKind::small, "ratio", 577.80084077430797, 432.0625226217004},
+        {CaseKind::one, "ratio", 586.82080648332874, 431.36574040945067},
+        {CaseKind::two, "ratio+heavier", 586.82097767621099, 432.00294014938652},
+        {CaseKind::none, "", 586.83879217791559, 432.0062131597204},
+        {CaseKind::outside, "cubic_steering_ratio", 586.83879217791559, 431.20710188968872},
+        {CaseKind::small, "ratio", 586.83725572403318, 431.95231628333647},
     };
     const std::vector<Drive> drives = caseDrives();
     const std::vector<CaseRecording> recordings = recordingsOf(drives, 7, 2);
