@@ -178,7 +178,7 @@ TEST(BlindMake, AssumedCasesAreThoseOfBefore) {
         {CaseKind::one, "ratio", 586.82080648332874, 431.36574040945067},
         {CaseKind::two, "ratio+heavier", 586.82097767621099, 432.00294014938652},
         {CaseKind::none, "", 586.83879217791559, 432.0062131597204},
-        {CaseKind::outside, "cubic_steering_ratio", 586.83879217791559, 431.20710188968872},
+        {CaseKind::outside, "yaw_gust", 586.83879217791559, 431.20710188968872},
         {CaseKind::small, "ratio", 586.83725572403318, 431.95231628333647},
     };
     const std::vector<Drive> drives = caseDrives();
