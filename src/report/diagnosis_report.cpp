@@ -16,8 +16,8 @@ namespace {
 using diagnose::answer::Diagnosis;
 using diagnose::answer::Verdict;
 
-std::string badge(Verdict verdict) {
-    switch (verdict) {
+std::string badge(const Diagnosis& d) {
+    switch (d.verdict) {
         case Verdict::explained:
             return "explained";
         case Verdict::nothing:
@@ -25,7 +25,7 @@ std::string badge(Verdict verdict) {
         case Verdict::ambiguous:
             return "ambiguous";
         case Verdict::unknown:
-            return "cause unknown";
+            return d.causes.empty() ? "cause unknown" : "mostly unknown";
         case Verdict::not_testable:
             return "not testable";
         case Verdict::partly_explained:
@@ -43,7 +43,7 @@ std::string countOfWarnings(std::size_t count) {
 void addHead(HtmlPage& page, const DiagnosisReport& content) {
     const Diagnosis& d = content.diagnosis;
     const bool good = d.verdict == Verdict::explained || d.verdict == Verdict::nothing;
-    page.answer(d.answer + ".", badge(d.verdict), good);
+    page.answer(d.answer + ".", badge(d), good);
     page.keyValues(
         {{"Car", content.vehicle},
          {"Compared with", d.compared ? "the same drives before the car was changed: the gap of the model to them is "

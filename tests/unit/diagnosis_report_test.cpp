@@ -252,6 +252,15 @@ TEST(DiagnosisPage, SaysWhatIsTakenOffWhereItComparedWithReferences) {
     EXPECT_TRUE(contains(page(d), "Compared with"));
 }
 
+TEST(DiagnosisReport, DoesNotCallCausesUnknownThatItNames) {
+    Diagnosis d = shared::sampleDiagnosis();
+    d.verdict = Verdict::unknown;
+    ASSERT_FALSE(d.causes.empty());
+    EXPECT_TRUE(contains(page(d), "✗ mostly unknown"));
+    d.causes.clear();
+    EXPECT_TRUE(contains(page(d), "✗ cause unknown"));
+}
+
 TEST(DiagnosisReport, SaysWhatWasRuledOutAndWhy) {
     Diagnosis d = shared::sampleDiagnosis();
     EXPECT_FALSE(contains(page(d), "cannot be the answer"));
