@@ -145,19 +145,29 @@ bool contradicted(const Calibration& car, const Candidate& model, const Search& 
     });
 }
 
-// Why a model cannot be the answer; empty when it can: its numbers are plausible, with the prior of their sizes or
-// without, it predicts the drives that are left out, its effects have the same values in all drives, and those held out
-// do not speak against it.
-std::string reasonAgainst(const Calibration& car, const Candidate& model, const Fit& answer, const Search& found,
-                          const HeldOut& held_out, LeftOut& left_out) {
+constexpr const char* kAtItsEnd = "a number stands at the end of its plausible range";
+
+// Why a model cannot be the answer, as far as its fit tells; empty when it can: its numbers are plausible, it predicts
+// the drives that are left out, its effects have the same values in all drives, and those held out do not speak against
+// it.
+std::string reasonInTheFit(const Calibration& car, const Candidate& model, const Search& found,
+                           const HeldOut& held_out) {
     const Fit& none = found.none().fit;
     if (model.effects.empty()) return {};
-    if (implausible(car.problem, model.fit) || implausible(car.problem, answer))
-        return "a number stands at the end of its plausible range";
+    if (implausible(car.problem, model.fit)) return kAtItsEnd;
     if (predicted(car, model.fit, none).fails()) return "it does not predict drives that are left out of the fit";
     if (contradicted(car, model, found)) return "one drive speaks for it and the others against it";
-    if (left_out.enlarges(model)) return "it enlarges the gap of drives that it is not fitted to";
     if (held_out.speakAgainst(model.fit.at, none.at)) return "it does not shrink the gap of the drives held out";
+    return {};
+}
+
+// The same as far as the gap tells: each effect closes more of it than chance may, and does not enlarge it in drives
+// that it is not fitted to.
+std::string reasonInTheGap(const Calibration& car, const Candidate& model, const Closeness& closeness,
+                           LeftOut& left_out) {
+    if (model.effects.empty()) return {};
+    if (closesByChance(car, closeness)) return "one of its effects closes no more of the gap than chance may";
+    if (left_out.enlarges(model)) return "it enlarges the gap of drives that it is not fitted to";
     return {};
 }
 
@@ -192,7 +202,7 @@ const Candidate* choose(const Posterior& probable) {
 }
 
 // The most probable model that may be the answer. Models that may not are struck off, and the others share their
-// probability.
+// probability. The tests that cost least come first.
 Answer answerOf(const Calibration& car, const Search& found, const HeldOut& held_out) {
     std::vector<bool> possible(found.candidates.size(), true);
     std::vector<std::pair<const Candidate*, std::string>> struck;
@@ -200,14 +210,18 @@ Answer answerOf(const Calibration& car, const Search& found, const HeldOut& held
     while (true) {
         Posterior probable = posterior(car, found, possible);
         const Candidate* named = choose(probable);
-        Fit answer = released(car, *named);
-        std::string against = reasonAgainst(car, *named, answer, found, held_out, left_out);
+        Closeness closeness;
+        std::string against = reasonInTheFit(car, *named, found, held_out);
         if (against.empty()) {
-            Closeness closeness = closenessOf(car, named->effects, answer.at);
-            if (!closesByChance(car, closeness))
+            closeness = closenessOf(car, named->effects, named->fit.at);
+            against = reasonInTheGap(car, *named, closeness, left_out);
+        }
+        if (against.empty()) {
+            Fit answer = released(car, *named);
+            if (named->effects.empty() || !implausible(car.problem, answer))
                 return {std::move(probable), named, atClosest(car, std::move(answer)), std::move(closeness),
                         std::move(struck)};
-            against = "one of its effects closes no more of the gap than chance may";
+            against = kAtItsEnd;
         }
         struck.emplace_back(named, std::move(against));
         possible[named - found.candidates.data()] = false;
