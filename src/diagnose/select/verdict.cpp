@@ -161,11 +161,12 @@ std::string reasonInTheFit(const Calibration& car, const Candidate& model, const
     return {};
 }
 
-// The same as far as the gap tells: each effect closes more of it than chance may, and does not enlarge it in drives
-// that it is not fitted to.
-std::string reasonInTheGap(const Calibration& car, const Candidate& model, const Closeness& closeness,
-                           LeftOut& left_out) {
+// The same as far as the answer with free sizes tells: its numbers are plausible, and each effect closes more of the
+// gap than chance may, and does not enlarge it in drives that it is not fitted to.
+std::string reasonInTheGap(const Calibration& car, const Candidate& model, const Fit& answer,
+                           const Closeness& closeness, LeftOut& left_out) {
     if (model.effects.empty()) return {};
+    if (implausible(car.problem, answer)) return kAtItsEnd;
     if (closesByChance(car, closeness)) return "one of its effects closes no more of the gap than chance may";
     if (left_out.enlarges(model)) return "it enlarges the gap of drives that it is not fitted to";
     return {};
@@ -210,18 +211,14 @@ Answer answerOf(const Calibration& car, const Search& found, const HeldOut& held
     while (true) {
         Posterior probable = posterior(car, found, possible);
         const Candidate* named = choose(probable);
-        Closeness closeness;
         std::string against = reasonInTheFit(car, *named, found, held_out);
         if (against.empty()) {
-            closeness = closenessOf(car, named->effects, named->fit.at);
-            against = reasonInTheGap(car, *named, closeness, left_out);
-        }
-        if (against.empty()) {
             Fit answer = released(car, *named);
-            if (named->effects.empty() || !implausible(car.problem, answer))
+            Closeness closeness = closenessOf(car, named->effects, answer.at);
+            against = reasonInTheGap(car, *named, answer, closeness, left_out);
+            if (against.empty())
                 return {std::move(probable), named, atClosest(car, std::move(answer)), std::move(closeness),
                         std::move(struck)};
-            against = kAtItsEnd;
         }
         struck.emplace_back(named, std::move(against));
         possible[named - found.candidates.data()] = false;
