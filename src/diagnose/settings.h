@@ -100,7 +100,8 @@ struct Settings {
         field(TREAD_FIELD(longitudinal),
               About{"m/s2", "usual longitudinal disturbance, wind and unevenness of a good road: guess"});
         field(TREAD_FIELD(lateral), About{"m/s2", "usual lateral disturbance: guess"});
-        field(TREAD_FIELD(yaw), About{"m/s2", "usual disturbance in yaw, times the wheelbase: guess"});
+        field(TREAD_FIELD(yaw),
+              About{"m/s2", "usual disturbance in yaw, times the wheelbase: both axles meet the same road"});
         field(TREAD_FIELD(roll), About{"m/s2", "usual disturbance in roll, times the wheelbase: that of a good road"});
         field(TREAD_FIELD(steering), About{"rad", "usual tremor of the road wheels: guess"});
         field(TREAD_FIELD(force_error), About{"-", "usual error of the model's forces, as a share of them: guess"});

@@ -161,12 +161,11 @@ std::string reasonInTheFit(const Calibration& car, const Candidate& model, const
     return {};
 }
 
-// The same as far as the answer with free sizes tells: its numbers are plausible, and each effect closes more of the
-// gap than chance may, and does not enlarge it in drives that it is not fitted to.
-std::string reasonInTheGap(const Calibration& car, const Candidate& model, const Fit& answer,
-                           const Closeness& closeness, LeftOut& left_out) {
+// The same as far as the gap tells: each effect closes more of it than chance may, and does not enlarge it in drives
+// that it is not fitted to.
+std::string reasonInTheGap(const Calibration& car, const Candidate& model, const Closeness& closeness,
+                           LeftOut& left_out) {
     if (model.effects.empty()) return {};
-    if (implausible(car.problem, answer)) return kAtItsEnd;
     if (closesByChance(car, closeness)) return "one of its effects closes no more of the gap than chance may";
     if (left_out.enlarges(model)) return "it enlarges the gap of drives that it is not fitted to";
     return {};
@@ -208,20 +207,28 @@ Answer answerOf(const Calibration& car, const Search& found, const HeldOut& held
     std::vector<bool> possible(found.candidates.size(), true);
     std::vector<std::pair<const Candidate*, std::string>> struck;
     LeftOut left_out(car, held_out);
+    const auto strike = [&](const Candidate* model, std::string reason) {
+        struck.emplace_back(model, std::move(reason));
+        possible[model - found.candidates.data()] = false;
+    };
     while (true) {
         Posterior probable = posterior(car, found, possible);
         const Candidate* named = choose(probable);
-        std::string against = reasonInTheFit(car, *named, found, held_out);
-        if (against.empty()) {
-            Fit answer = released(car, *named);
-            Closeness closeness = closenessOf(car, named->effects, answer.at);
-            against = reasonInTheGap(car, *named, answer, closeness, left_out);
-            if (against.empty())
-                return {std::move(probable), named, atClosest(car, std::move(answer)), std::move(closeness),
-                        std::move(struck)};
+        if (std::string reason = reasonInTheFit(car, *named, found, held_out); !reason.empty()) {
+            strike(named, std::move(reason));
+            continue;
         }
-        struck.emplace_back(named, std::move(against));
-        possible[named - found.candidates.data()] = false;
+        Fit answer = released(car, *named);
+        if (implausible(car.problem, answer)) {
+            strike(named, kAtItsEnd);
+            continue;
+        }
+        Closeness closeness = closenessOf(car, named->effects, answer.at);
+        if (std::string reason = reasonInTheGap(car, *named, closeness, left_out); !reason.empty()) {
+            strike(named, std::move(reason));
+            continue;
+        }
+        return {std::move(probable), named, atClosest(car, std::move(answer)), std::move(closeness), std::move(struck)};
     }
 }
 
