@@ -137,7 +137,7 @@ std::optional<Settled> settled(const Problem& problem, const diagnose::Progress&
         relevant = round.about.nuisances;
         if (i == 0) wanted = model::joined(relevant, knobs);
         std::optional<Fit> fit =
-            select::fitted(problem.replays, problem.drives, round.larger, round.about_larger, knobs, at);
+            select::fitted(problem.replays, problem.drives, round.larger, round.about_larger, knobs, {at});
         if (!fit) break;
         const double moved = (fit->at - at)(knobs).cwiseAbs().maxCoeff();
         at = fit->at;

@@ -8,6 +8,7 @@
 #include "diagnose/diagnose.h"
 #include "diagnose/select/search.h"
 #include "diagnose/settings.h"
+#include "inference/bounded_step.h"
 #include "shared/linear_car.h"
 
 namespace tread {
@@ -175,7 +176,7 @@ TEST(Fit, OfALinearCarIsRidgeRegressionInTheFullCovariance) {
     const Dense steady(car, made.nominal.vehicle);
     for (const std::vector<Index>& knobs : {std::vector<Index>{}, {kRatio}, {kDrag}, {kRatio, kDrag}}) {
         const std::optional<Fit> fit =
-            fitted(problem.replays, problem.drives, car.uncertainty, car.about, knobs, problem.replays.origin());
+            fitted(problem.replays, problem.drives, car.uncertainty, car.about, knobs, {problem.replays.origin()});
         ASSERT_TRUE(fit);
         EXPECT_TRUE(fit->converged);
         const std::vector<Index> free = diagnose::model::joined({kWheelbase}, knobs);
@@ -192,8 +193,8 @@ TEST(Fit, KnobThatMayOnlyGrowStaysAtItsLimitWhenLessIsTrue) {
     const simple_car::Case made = someCase(0.95, 0.93);
     const Problem problem = problemOfTwo(made, Direction::up);
     const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
-    const std::optional<Fit> fit =
-        fitted(problem.replays, problem.drives, car.uncertainty, car.about, {kRatio, kDrag}, problem.replays.origin());
+    const std::optional<Fit> fit = fitted(problem.replays, problem.drives, car.uncertainty, car.about, {kRatio, kDrag},
+                                          {problem.replays.origin()});
     ASSERT_TRUE(fit);
     const Dense dense = Dense(car, made.nominal.vehicle).as(*fit);
     ASSERT_LT(dense.best({kWheelbase, kRatio, kDrag})(2), -0.5);
@@ -221,9 +222,9 @@ TEST(Fit, WithoutThePriorOfSizesIsMaximumLikelihoodButForALeastPrior) {
         return Best{covariance, covariance * weighted * dense.residual};
     };
     const std::optional<Fit> ranked = fitted(problem.replays, problem.drives, car.uncertainty, car.about,
-                                             {kRatio, kDrag}, problem.replays.origin()),
+                                             {kRatio, kDrag}, {problem.replays.origin()}),
                              released = fitted(problem.replays, problem.drives, car.uncertainty, car.about,
-                                               {kRatio, kDrag}, problem.replays.origin(), SizePrior::none);
+                                               {kRatio, kDrag}, {problem.replays.origin()}, SizePrior::none);
     ASSERT_TRUE(ranked && released);
     const Best as_ranked = best(*ranked, 1), as_released = best(*released, 1 / 400.0);
     expectNear(ranked->at(free), as_ranked.point, as_ranked.covariance);
@@ -263,7 +264,7 @@ TEST(Fit, HasTheSizesOfTheLargestEvidenceAndTheirPriorInIt) {
     for (const std::vector<Index>& knobs : {std::vector<Index>{}, {kRatio, kDrag}}) {
         const std::vector<Index> free = diagnose::model::joined({kWheelbase}, knobs);
         const std::optional<Fit> fit =
-            fitted(problem.replays, problem.drives, car.uncertainty, car.about, knobs, problem.replays.origin());
+            fitted(problem.replays, problem.drives, car.uncertainty, car.about, knobs, {problem.replays.origin()});
         ASSERT_TRUE(fit);
         const auto merit = [&](double size, double drift, const Imperfection& imperfection) {
             Dense dense = plain.with(drift, imperfection, *fit);
@@ -291,6 +292,27 @@ TEST(Fit, HasTheSizesOfTheLargestEvidenceAndTheirPriorInIt) {
              {Disturbed::longitudinal, Disturbed::lateral, Disturbed::steering, Disturbed::roll_error})
             EXPECT_EQ(fit->sizes[placeOf(kind)], 1) << nameOf(kind) << " changes nothing in the rows";
     }
+}
+
+TEST(Fit, WithUsualImperfectionsIsTheSameCarAndTheEvidenceOfTheseSizes) {
+    const simple_car::Case made = someCase(0.95, 1.06);
+    const Problem problem = problemOfTwo(made);
+    const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
+    const Dense dense(car, made.nominal.vehicle);
+    const Fit usual = withUsualImperfections(car.fit, problem.replays);
+    ASSERT_GT(diagnose::model::changeOf(car.fit.imperfection, usual.imperfection), 0.5);
+    EXPECT_EQ(usual.imperfection, diagnose::model::usualImperfection());
+    for (std::size_t d = 0; d < usual.rows.size(); ++d) {
+        EXPECT_EQ(usual.rows[d], car.fit.rows[d]);
+        expectSame(usual.columns[d] * usual.at(usual.free), car.fit.columns[d] * car.fit.at(usual.free), 1e-12);
+    }
+    const auto evidence = [&](const Fit& fit) {
+        const inference::QuadraticModel here = quadraticAt(fit, car.uncertainty);
+        const inference::Bounds bounds = diagnose::model::boundsOf(problem.replays.parameters, fit.free);
+        return inference::logEvidence(here, inference::boundedStep(here, 0, bounds));
+    };
+    const auto closed = [&](const Fit& fit) { return dense.as(fit).logEvidence(numbersOf(fit)); };
+    EXPECT_NEAR(evidence(usual) - evidence(car.fit), closed(usual) - closed(car.fit), kLastStep);
 }
 
 const Candidate* candidate(const Search& found, const std::vector<std::size_t>& effects) {
@@ -334,7 +356,7 @@ TEST(Search, SmallEffectIsAnImperfectionHoweverClearlyTheDrivesShowIt) {
     diagnose::model::Linearisation exact = car.about;
     exact.imperfections.clear();
     const auto evidence = [&](const diagnose::model::Linearisation& about, const std::vector<Index>& knobs) {
-        return fitted(problem.replays, problem.drives, car.uncertainty, about, knobs, problem.replays.origin())
+        return fitted(problem.replays, problem.drives, car.uncertainty, about, knobs, {problem.replays.origin()})
             ->log_evidence;
     };
     EXPECT_GT(evidence(exact, {kRatio}) - evidence(exact, {}), 10);

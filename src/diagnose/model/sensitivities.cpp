@@ -75,6 +75,10 @@ void repeatsAnswerAlike(const Replays& replays, Drives drives, const std::vector
 
 }  // namespace
 
+std::vector<std::vector<bool>> onlyIn(const std::vector<bool>& drives, std::size_t parameters) {
+    return std::vector(parameters, drives);
+}
+
 Sensitivities sensitivities(const Replays& replays, Drives drives, const Deviation& at, const Wanted& wanted,
                             const std::function<void(double)>& progress) {
     const std::size_t n = drives.size();

@@ -26,6 +26,9 @@ struct Wanted {
     const Sensitivities* elsewhere = nullptr;
 };
 
+// `worth` with the same drives for each of this many parameters.
+std::vector<std::vector<bool>> onlyIn(const std::vector<bool>& drives, std::size_t parameters);
+
 // Columns about the nominal car are kept in the cache of the replays.
 Sensitivities sensitivities(
     const Replays& replays, Drives drives, const Deviation& at, const Wanted& wanted,

@@ -23,7 +23,7 @@ std::vector<double> endsOf(Drives drives) {
 }
 
 Uncertainty uncertaintyAt(const Replays& replays, Drives drives, const Deviation& at, const Rows& rows,
-                          std::vector<double> until, const Uncertainty* known) {
+                          std::vector<double> until, const Uncertainty* known, const std::vector<bool>& renewed) {
     for (std::size_t d = 0; d < drives.size(); ++d)
         until[d] = std::min(until[d], recording::slideApart(drives[d], rows[d]));
     Uncertainty uncertainty;
@@ -34,8 +34,9 @@ Uncertainty uncertaintyAt(const Replays& replays, Drives drives, const Deviation
     uncertainty.directions.resize(drives.size());
     uncertainty.bare.resize(drives.size());
     inParallel(drives.size(), replays.threads, [&](std::size_t d) {
+        const bool stays = known && (renewed.empty() || !renewed[d]);
         uncertainty.disturbing[d] =
-            known ? known->disturbing[d] : disturbances(replays, drives[d], replays.subjectAt(at, drives[d]));
+            stays ? known->disturbing[d] : disturbances(replays, drives[d], replays.subjectAt(at, drives[d]));
         const Disturbances& disturbing = uncertainty.disturbing[d];
         Eigen::MatrixXd all(disturbing.columns.rows(), disturbing.columns.cols() + 1);
         all << disturbing.columns, disturbing.by_start_speed;

@@ -24,9 +24,10 @@ struct Uncertainty {
 
 // Noise and disturbances about a point at which the model has `rows`. `until`: ends of the drives as known so far, s; a
 // drive ends earlier where car and model slide apart. Disturbances have the usual sizes (D12). They are those of
-// `known`, about a point nearby, or computed about this one.
+// `known`, about a point nearby, or computed about this one, at least in the drives that are `renewed`.
 Uncertainty uncertaintyAt(const Replays& replays, Drives drives, const Deviation& at, const Rows& rows,
-                          std::vector<double> until, const Uncertainty* known = nullptr);
+                          std::vector<double> until, const Uncertainty* known = nullptr,
+                          const std::vector<bool>& renewed = {});
 std::vector<double> endsOf(Drives drives);
 
 // Whitened residual of a drive.

@@ -19,26 +19,27 @@ const double kTolerance = std::sqrt(3.0);  // units; the half-width of the unifo
 constexpr int kSizeSteps = 12;          // steps of the iteration for the sizes with all parameters free
 constexpr double kSizesSettled = 0.05;  // change of the logarithm of a size at which it ends
 
-// The evidence of a model may have two maxima: a large remainder, or numbers that moved far. A fit with the sizes of
-// `uncertainty` finds one, a fit with the usual sizes the other; the better one counts.
-Fit fitOf(const Problem& problem, Uncertainty& uncertainty, const Linearisation& about, const Deviation& from) {
-    std::optional<Fit> found = fitted(problem.replays, problem.drives, uncertainty, about, {}, from);
-    const Sizes sizes = uncertainty.sizes;
-    uncertainty.sizes.fill(1);
-    std::optional<Fit> usual = fitted(problem.replays, problem.drives, uncertainty, about, {}, from);
-    uncertainty.sizes = sizes;
-    if (usual && (!found || usual->log_evidence > found->log_evidence)) found = std::move(usual);
-    if (!found)
+// The best fit of the nuisances from these starts.
+Fit fitFrom(const Problem& problem, const Uncertainty& uncertainty, const Linearisation& about,
+            const std::vector<Start>& starts) {
+    std::optional<Fit> best;
+    for (const Start& start : starts) {
+        std::optional<Fit> found = fitted(problem.replays, problem.drives, uncertainty, about, {}, start);
+        if (found && (!best || found->log_evidence > best->log_evidence)) best = std::move(found);
+    }
+    if (!best)
         throw SimulationError(
             "the simulation of the nominal car in the recordings fails; check the vehicle file and the recorded inputs",
             0);
-    return std::move(*found);
+    return std::move(*best);
 }
 
-// Mask for sensitivities: the same drives for each of this many parameters.
-std::vector<std::vector<bool>> onlyDrives(std::size_t parameters, std::vector<bool> drives, bool those) {
-    for (std::size_t d = 0; d < drives.size(); ++d) drives[d] = drives[d] == those;
-    return std::vector(parameters, drives);
+// The evidence of a model may have two maxima: a large remainder, or numbers that moved far. A fit with the sizes of
+// the uncertainty finds one, a fit with the usual sizes the other.
+std::vector<Start> bothFrom(const Deviation& at) {
+    Sizes usual;
+    usual.fill(1);
+    return {{at}, {at, usual}};
 }
 
 // The linearisation of the calibration with the columns of all knobs added. Knobs that move uncertain numbers only are
@@ -49,10 +50,14 @@ model::Sensitivities withKnobs(const Calibration& car, const std::function<void(
     for (const Eigen::Index knob : problem.allKnobs())
         (car.asNuisances(problem.replays.parameters[knob]).empty() ? own : mixed).push_back(knob);
     model::Wanted wanted{.parameters = own, .step = model::kEffectStep, .elsewhere = &car.about.about};
-    if (car.together) wanted.worth = onlyDrives(own.size(), car.together->further, false);
+    if (car.together) {
+        std::vector<bool> others = car.together->further;
+        others.flip();
+        wanted.worth = model::onlyIn(others, own.size());
+    }
     model::Sensitivities about = model::sensitivities(problem.replays, problem.drives, car.fit.at, wanted, progress);
     if (car.together) {
-        wanted.worth = onlyDrives(own.size(), car.together->further, true);
+        wanted.worth = model::onlyIn(car.together->further, own.size());
         wanted.elsewhere = &about;
         about.columns =
             model::sensitivities(problem.replays, problem.drives, car.together->at, wanted, progress).columns;
@@ -89,18 +94,17 @@ void compareFurther(Calibration& car) {
     const Problem& problem = car.problem;
     const Deviation& at = car.together->at;
     const std::vector<Eigen::Index> relevant = model::joined(car.about.nuisances, problem.of_both);
-    model::Sensitivities about =
-        model::sensitivities(problem.replays, problem.drives, at,
-                             {.parameters = relevant,
-                              .worth = onlyDrives(relevant.size(), car.together->further, true),
-                              .elsewhere = &car.about.about});
+    model::Sensitivities about = model::sensitivities(problem.replays, problem.drives, at,
+                                                      {.parameters = relevant,
+                                                       .worth = model::onlyIn(car.together->further, relevant.size()),
+                                                       .elsewhere = &car.about.about});
     for (std::size_t d = 0; d < about.rows.size(); ++d)
         if (!car.together->further[d]) about.rows[d] = car.fit.rows[d];
-    car.uncertainty =
-        model::uncertaintyAt(problem.replays, problem.drives, at, about.rows, model::endsOf(problem.drives));
+    car.uncertainty = model::uncertaintyAt(problem.replays, problem.drives, at, about.rows,
+                                           model::endsOf(problem.drives), &car.uncertainty, car.together->further);
     car.uncertainty.sizes = car.fit.sizes;
     car.about = model::linearisation(std::move(about), relevant, {}, car.uncertainty, problem.replays.threads);
-    car.fit = fitOf(problem, car.uncertainty, car.about, car.fit.at);
+    car.fit = fitFrom(problem, car.uncertainty, car.about, bothFrom(car.fit.at));
 }
 
 // Finds the closest car: the nominal one where no other within its tolerances leaves a smaller gap.
@@ -164,7 +168,7 @@ std::optional<Closest> closestTo(const Calibration& car, const Deviation& at, co
     const Linearisation about =
         model::linearisation(car.about.about, car.about.nuisances, knobs, car.of_gap, within.threads);
     std::optional<Fit> fit =
-        fitted(within, car.drives(), car.of_gap, about, knobs, from, SizePrior::none, Remainder::usual);
+        fitted(within, car.drives(), car.of_gap, about, knobs, {from}, SizePrior::none, Remainder::usual);
     if (!fit) return std::nullopt;
     return Closest{std::move(fit->at), std::move(fit->rows)};
 }
@@ -179,7 +183,7 @@ Calibration calibrate(const Problem& problem, model::NominalCar nominal, const P
                     {},
                     {}};
     car.uncertainty.sizes = model::sizesAt(problem.drives, car.uncertainty, car.nominal, problem.replays.threads);
-    car.fit = fitOf(problem, car.uncertainty, car.about, problem.replays.origin());
+    car.fit = fitFrom(problem, car.uncertainty, car.about, bothFrom(problem.replays.origin()));
     std::vector<Eigen::Index> relevant = car.about.nuisances;
     for (int round = 0; round < kMostRounds; ++round) {
         model::Sensitivities about = model::nuisancesAt(
@@ -190,7 +194,7 @@ Calibration calibrate(const Problem& problem, model::NominalCar nominal, const P
                                                car.uncertainty.until, round > 0 ? &car.uncertainty : nullptr);
         car.uncertainty.sizes = car.fit.sizes;
         car.about = model::linearisation(std::move(about), relevant, {}, car.uncertainty, problem.replays.threads);
-        car.fit = fitOf(problem, car.uncertainty, car.about, car.fit.at);
+        car.fit = fitFrom(problem, car.uncertainty, car.about, {endOf(car.fit)});
         if (car.fit.gained < kSettled) break;
     }
     car.together = keptTogether(car);
@@ -207,7 +211,7 @@ Calibration calibrate(const Problem& problem, model::NominalCar nominal, const P
     car.uncertainty.sizes = sizesWithAllFree(problem, car.uncertainty, car.products);
     findClosest(car);
     car.about.imperfections = relevantImperfections(car);
-    car.fit = fitOf(problem, car.uncertainty, car.about, car.fit.at);
+    car.fit = fitFrom(problem, car.uncertainty, car.about, bothFrom(car.fit.at));
     return car;
 }
 

@@ -129,7 +129,7 @@ std::optional<Fit> settledFit(const model::Problem& problem, const Progress& pro
                    : model::relevantNuisances(problem.nuisances, about, uncertainty, problem.replays.threads);
         const Rows before = about.rows;
         linear = model::linearisation(std::move(about), relevant, {}, uncertainty, problem.replays.threads);
-        std::optional<Fit> fit = fitted(problem.replays, problem.drives, uncertainty, *linear, {}, at);
+        std::optional<Fit> fit = fitted(problem.replays, problem.drives, uncertainty, *linear, {}, {at});
         last = std::move(uncertainty);
         if (!fit) break;
         if (round == 0) gap.nominal = levelOf(problem.drives, plain, before);

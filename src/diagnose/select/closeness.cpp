@@ -20,12 +20,30 @@ double comparedRowsOf(const Calibration& car) {
     return rows;
 }
 
+// Independent errors in what a model leaves: one per second of each channel, but not more than one per direction of the
+// force. Drives that repeat another one have the same errors.
+double independentErrors(const Calibration& car) {
+    constexpr double kDirections = 4;  // longitudinal, lateral, yaw and roll
+    double errors = 0;
+    for (std::size_t d = 0; d < car.drives().size(); ++d) {
+        if (recording::firstLike(car.drives(), d) != d) continue;
+        const double shown = std::min(1.0, kDirections / static_cast<double>(car.drives()[d].channels.size()));
+        errors += shown * model::comparedRows(car.uncertainty, d) * kSettings.block / kErrorLasts;
+    }
+    return errors;
+}
+
 }  // namespace
 
 Closest closestWith(const Calibration& car, const std::vector<std::size_t>& effects, const Deviation& at) {
-    if (effects.empty()) return car.closest;
+    const std::vector<Eigen::Index> knobs = car.problem.knobsOf(effects);
     const Deviation from = car.problem.withOnly(effects, at);
-    if (std::optional<Closest> found = closestTo(car, from, car.problem.knobsOf(effects))) return std::move(*found);
+    Deviation from_closest = car.closest.at;
+    from_closest(knobs) = at(knobs);
+    std::optional<Closest> best = effects.empty() ? car.closest : closestTo(car, from_closest, knobs);
+    std::optional<Closest> found = closestTo(car, from, knobs);
+    if (found && (!best || squaredGapOf(car, found->rows) < squaredGapOf(car, best->rows))) best = std::move(found);
+    if (best) return std::move(*best);
     const std::optional<Rows> rows = model::rowsAt(car.problem.replays, car.drives(), from);
     return rows ? Closest{from, *rows} : car.closest;
 }
@@ -45,7 +63,7 @@ double gapBeyondNoise(const Calibration& car, const Rows& rows) {
 }
 
 bool closesByChance(const Calibration& car, const Closeness& closeness) {
-    const double independent = comparedRowsOf(car) * kSettings.block / kErrorLasts;
+    const double independent = independentErrors(car);
     const double left = gapBeyondNoise(car, closeness.with.rows);
     return std::any_of(closeness.without.begin(), closeness.without.end(), [&](const Closest& less) {
         const double closed = squaredGapOf(car, less.rows) - squaredGapOf(car, closeness.with.rows);

@@ -16,7 +16,8 @@ struct Closeness {
 // `at`: a point near these cars, from which they are found.
 Closeness closenessOf(const Calibration& car, const std::vector<std::size_t>& effects, const Deviation& at);
 
-// The closest car with some effects; other effects of the point are taken out.
+// The closest car with some effects, found from the point, less its other effects, and from the closest car without
+// effects. The nearer one counts: where cars differ much there are several.
 Closest closestWith(const Calibration& car, const std::vector<std::size_t>& effects, const Deviation& at);
 
 // Squared gap of all drives beyond that of a perfect model.

@@ -13,9 +13,14 @@ namespace {
 
 // Trial steps of a fit, and those after which the columns of the knobs are computed again at the latest.
 constexpr int kMostTrials = 14, kTrialsBeforeRenewal = 6;
-constexpr double kEnough = 0.05;             // nats; the fit has converged when the next step promises less
+constexpr double kEnough = 0.2;  // nats; the fit has converged when the next step promises less
+// A response is rough to within a few nats, since wheels lock and shifts come at instants. A fit also ends after two
+// failed steps in succession that promise less than this.
+constexpr double kRough = 2;
+constexpr int kMostFailed = 2;
 constexpr double kFirstDamping = 1;          // least damping after a failed step, in units of the prior's information
-constexpr double kDamped = 5, kEased = 0.2;  // factors on the damping after a failed and after a successful step
+constexpr double kDamped = 5, kEased = 0.2;  // factors on the damping after a poor and after a good step
+constexpr double kPoor = 0.1, kGood = 0.5;   // shares of what a step promised
 constexpr double kTooShort = 1e-6;  // squared units; a shorter step would amplify rounding errors in Broyden's update
 
 // Information of the prior of an effect's size where it takes no part: a standard deviation of 20 typical sizes, so
@@ -27,10 +32,29 @@ constexpr double kLeastPrior = 1.0 / 400;
 constexpr int kMostTurns = 6, kSizeSteps = 3;
 constexpr double kSizesSettled = 0.1;
 
+// Gives the imperfections of a fit other sizes; the rows stay. Returns the factors on its columns and the residual.
+Eigen::VectorXd scaled(Fit& fit, const Replays& replays, const model::Imperfection& sizes) {
+    const Eigen::Index all = std::ssize(fit.free);
+    Eigen::VectorXd factors = Eigen::VectorXd::Ones(all + 1);
+    for (Eigen::Index i = 0; i < std::ssize(fit.imperfections); ++i) {
+        const Eigen::Index knob = replays.parameters[fit.imperfections[i]].imperfection_of;
+        const auto part = static_cast<std::size_t>(model::partOf(replays.parameters[knob].path()));
+        factors(fit.numbers() + i) = sizes[part] / fit.imperfection[part];
+    }
+    fit.imperfection = sizes;
+    fit.at(fit.free).array() /= factors.head(all).array();
+    for (std::size_t d = 0; d < fit.columns.size(); ++d) {
+        fit.columns[d] = (fit.columns[d] * factors.head(all).asDiagonal()).eval();
+        inference::scaleColumns(fit.products[d], factors);
+    }
+    return factors;
+}
+
 // A fit on its way, with the products of its columns beside the remainder of its sizes.
 struct Moving {
     Fit fit;
     std::vector<inference::MarginalProducts> marginal;  // per drive
+    double damping = 0;
 };
 
 // The problem of one fit, apart from the point.
@@ -71,16 +95,8 @@ struct Fitter {
 
     // Gives the imperfections other sizes; the rows stay.
     void scale(Moving& now, const model::Imperfection& sizes) const {
-        Fit& fit = now.fit;
-        Eigen::VectorXd factors = Eigen::VectorXd::Ones(std::ssize(fit.free) + 1);  // of the columns and the residual
-        factors.segment(fit.numbers(), std::ssize(imperfections)) = each(sizes).cwiseQuotient(each(fit.imperfection));
-        fit.imperfection = sizes;
-        fit.at(fit.free).array() /= factors.head(std::ssize(fit.free)).array();
-        for (std::size_t d = 0; d < fit.columns.size(); ++d) {
-            fit.columns[d] = (fit.columns[d] * factors.head(std::ssize(fit.free)).asDiagonal()).eval();
-            inference::scaleColumns(fit.products[d], factors);
-            now.marginal[d].scaleColumns(factors);
-        }
+        const Eigen::VectorXd factors = scaled(now.fit, replays, sizes);
+        for (inference::MarginalProducts& one : now.marginal) one.scaleColumns(factors);
     }
 
     // Negative log posterior of a point, up to constants (D20).
@@ -183,38 +199,54 @@ inference::QuadraticModel quadraticOf(const Moving& now) {
     return quadraticOf(now.fit, sum);
 }
 
-// Moves the fit from its start to the maximum of the posterior with its sizes: updates point, rows, columns and
-// products.
-void climb(Moving& now, const Fitter& fitter, bool renewed) {
+// What a step promised and what it gained, nats.
+struct Trial {
+    double promised, gained;
+};
+
+// Tries the next step of a fit, if it promises enough, and goes there if the misfit falls. The columns learn from it.
+Trial tryStep(Moving& now, const Fitter& fitter) {
     Fit& fit = now.fit;
-    double misfit = fitter.misfit(now, fit.rows, fit.at), damping = 0;
-    const double at_start = misfit;
-    for (int trial = 0;; ++trial) {
-        const inference::QuadraticModel here = quadraticOf(now);
-        const Eigen::VectorXd step = inference::boundedStep(here, damping, fitter.bounds);
-        fit.converged = inference::gainOf(here, step) < kEnough;
-        const bool settled = fit.converged || trial >= kMostTrials;
-        if (settled && renewed) break;
-        if (settled || (!renewed && trial == kTrialsBeforeRenewal)) {
-            fitter.renewKnobs(now);
-            renewed = true, damping = 0;
-            continue;
-        }
-        Deviation next = fit.at;
-        next(fit.free) = here.at + step;
-        std::optional<Rows> there = model::rowsAt(fitter.replays, fitter.drives, next);
-        if (there) fitter.learn(now, *there, step);
-        const double after =
-            there ? fitter.misfit(now, fitter.imperfect(*there, next, fit.imperfection), next) : kInfinity;
-        if (after < misfit) {
-            fitter.moveTo(now, next, std::move(*there));
-            misfit = after;
-            damping *= kEased;
-        } else {
-            damping = std::max(kFirstDamping, kDamped * damping);
-        }
+    const inference::QuadraticModel here = quadraticOf(now);
+    const Eigen::VectorXd step = inference::boundedStep(here, now.damping, fitter.bounds);
+    const double promised = inference::gainOf(here, step);
+    if (promised < kEnough) return {promised, 0};
+    const double before = fitter.misfit(now, fit.rows, fit.at);
+    Deviation next = fit.at;
+    next(fit.free) = here.at + step;
+    std::optional<Rows> there = model::rowsAt(fitter.replays, fitter.drives, next);
+    if (there) fitter.learn(now, *there, step);
+    const double after = there ? fitter.misfit(now, fitter.imperfect(*there, next, fit.imperfection), next) : kInfinity;
+    const double gained = before - after;
+    if (gained > 0) fitter.moveTo(now, next, std::move(*there)), fit.gained += gained;
+    if (gained > kGood * promised) now.damping *= kEased;
+    else if (gained <= kPoor * promised) now.damping = std::max(kFirstDamping, kDamped * now.damping);
+    return {promised, gained};
+}
+
+// Tells when a fit has converged.
+class Convergence {
+public:
+    bool reachedBy(const Trial& trial) {
+        failed_ = trial.gained < kEnough && trial.promised < kRough ? failed_ + 1 : 0;
+        return trial.promised < kEnough || failed_ == kMostFailed;
     }
-    fit.gained += at_start - misfit;
+
+private:
+    int failed_ = 0;
+};
+
+// Moves the fit to the maximum of the posterior with its sizes: updates point, rows, columns and products.
+void climb(Moving& now, const Fitter& fitter, bool renewed) {
+    Convergence convergence;
+    for (int trial = 0; trial < kMostTrials; ++trial) {
+        const bool due = !renewed && trial == kTrialsBeforeRenewal;
+        now.fit.converged = !due && convergence.reachedBy(tryStep(now, fitter));
+        if (now.fit.converged && renewed) break;
+        if (!now.fit.converged && !due) continue;
+        fitter.renewKnobs(now);
+        renewed = true, now.damping = 0, convergence = {};
+    }
 }
 
 // Sizes of the imperfections closer to the largest evidence (D26b).
@@ -271,18 +303,18 @@ bool resize(Moving& now, const Fitter& fitter) {
 }
 
 // The model at the start of a fit, with the columns and products of the linearisation.
-Moving startOf(const Fitter& fitter, const Linearisation& linearisation, const Deviation& start, Rows rows,
-               SizePrior prior, Remainder remainder) {
+Moving startOf(const Fitter& fitter, const Linearisation& linearisation, const Start& start, Rows rows, SizePrior prior,
+               Remainder remainder) {
     Moving now;
     Fit& fit = now.fit;
     fit.free = fitter.free, fit.knobs = fitter.knobs, fit.imperfections = fitter.imperfections;
-    fit.imperfection = model::usualImperfection();
-    fit.at = start;
+    fit.imperfection = start.imperfection;
+    fit.at = start.at;
     for (const Eigen::Index i : linearisation.imperfections)
         if (std::find(fit.imperfections.begin(), fit.imperfections.end(), i) == fit.imperfections.end()) fit.at(i) = 0;
     fit.of_car = std::move(rows);
     fit.rows = fitter.imperfect(fit.of_car, fit.at, fit.imperfection);
-    fit.sizes = fitter.uncertainty.sizes, fit.prior = prior;
+    fit.sizes = start.sizes.value_or(fitter.uncertainty.sizes), fit.prior = prior;
     if (remainder == Remainder::usual) fit.sizes.fill(1);
     Eigen::VectorXd factors = Eigen::VectorXd::Ones(std::ssize(fit.free));
     factors.segment(fit.numbers(), std::ssize(fit.imperfections)) = fitter.each(fit.imperfection);
@@ -299,10 +331,15 @@ Moving startOf(const Fitter& fitter, const Linearisation& linearisation, const D
 
 }  // namespace
 
-Deviation withoutNuisances(const Fit& fit) {
-    Deviation at = fit.at;
-    for (Eigen::Index i = 0; i < fit.nuisances(); ++i) at(fit.free[i]) = 0;
-    return at;
+Start anew(const Fit& fit) {
+    Start start = endOf(fit);
+    for (Eigen::Index i = 0; i < fit.nuisances(); ++i) start.at(fit.free[i]) = 0;
+    return start;
+}
+
+Fit withUsualImperfections(Fit fit, const Replays& replays) {
+    scaled(fit, replays, model::usualImperfection());
+    return fit;
 }
 
 answer::NuisanceEstimate numberOf(const Fit& fit, const Replays& replays, Eigen::Index i) {
@@ -331,8 +368,8 @@ DriveProducts productsBeside(const Fit& fit, const Uncertainty& uncertainty, std
 
 std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertainty& uncertainty,
                           const Linearisation& linearisation, const std::vector<Eigen::Index>& knobs,
-                          const Deviation& start, SizePrior prior, Remainder remainder) {
-    std::optional<Rows> rows = model::rowsAt(replays, drives, start);
+                          const Start& start, SizePrior prior, Remainder remainder) {
+    std::optional<Rows> rows = model::rowsAt(replays, drives, start.at);
     if (!rows) return std::nullopt;
     const std::vector<Eigen::Index> imperfections =
         remainder == Remainder::estimated ? linearisation.imperfections : std::vector<Eigen::Index>{};

@@ -49,8 +49,24 @@ struct Fit {
     Eigen::Index numbers() const { return nuisances() - std::ssize(imperfections); }
 };
 
-// The point of a fit with its nuisances at their nominal values. A fit that starts there may find another maximum.
-Deviation withoutNuisances(const Fit& fit);
+// Where a fit starts. Without sizes of the remainder, from those of the uncertainty.
+struct Start {
+    Deviation at;
+    std::optional<Sizes> sizes = {};
+    model::Imperfection imperfection = model::usualImperfection();
+};
+
+// Where a fit ended, so that another one goes on from there.
+inline Start endOf(const Fit& fit) {
+    return {fit.at, fit.sizes, fit.imperfection};
+}
+
+// The same with the nuisances at their nominal values, which may hold what they did in place of effects. A fit that
+// starts there may find another maximum.
+Start anew(const Fit& fit);
+
+// The fit with imperfections of their usual sizes; its rows stay.
+Fit withUsualImperfections(Fit fit, const Replays& replays);
 
 // The i-th free parameter of a fit, as the number that it moves first.
 answer::NuisanceEstimate numberOf(const Fit& fit, const Replays& replays, Eigen::Index i);
@@ -63,12 +79,12 @@ DriveProducts productsBeside(const Fit& fit, const Uncertainty& uncertainty, std
 inference::QuadraticModel quadraticAt(const Fit& fit, const Uncertainty& uncertainty);
 
 // Fits nuisances and `knobs` from `start` by a damped Gauss-Newton method (Levenberg) within bounds, in turn with the
-// sizes of the remainder, which start from those of `uncertainty`. The columns are at first those of the linearisation.
+// sizes of the remainder. The columns are at first those of the linearisation.
 // Each replay updates them (C. G. Broyden, A class of methods for solving nonlinear simultaneous equations, 1965), and
 // those of the knobs are computed again once the fit has settled. Nothing when the model cannot be driven at the start.
 std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertainty& uncertainty,
                           const Linearisation& linearisation, const std::vector<Eigen::Index>& knobs,
-                          const Deviation& start, SizePrior prior = SizePrior::typical,
+                          const Start& start, SizePrior prior = SizePrior::typical,
                           Remainder remainder = Remainder::estimated);
 
 }  // namespace tread::diagnose::select

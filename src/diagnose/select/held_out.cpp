@@ -1,6 +1,7 @@
 #include "diagnose/select/held_out.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "diagnose/model/gap.h"
 #include "diagnose/settings.h"
@@ -41,8 +42,12 @@ bool HeldOut::speakAgainst(const Deviation& with, const Deviation& without) cons
         shown += squares((*after)[d] - (*before)[d]);
         expected += uncertainty.noise[d].expected;
     }
-    const double variance = std::max(1.0, std::min(left, was) / expected);
-    return 0.5 * shown > kSettings.clear * variance && left >= was;
+    return speaksAgainst({left, was, shown, std::max(1.0, std::min(left, was) / expected)});
+}
+
+bool speaksAgainst(const HeldOutGap& gap) {
+    const double by_chance = 0.5 * std::erfc(0.5 * std::sqrt(0.5 * gap.difference / gap.variance));
+    return gap.with >= gap.without && by_chance < kSettings.false_alarm;
 }
 
 }  // namespace tread::diagnose::select

@@ -12,10 +12,18 @@ struct HeldOut {
     Drives drives() const { return problem.held_out; }
     // Squared gap of each drive; nothing without drives, or when the model cannot be driven in them.
     std::optional<std::vector<double>> gapOf(const Deviation& at) const;
-    // True when the drives speak against a model: they would show the difference between it and the one without
-    // effects, and the gap does not shrink (D38b).
+    // True when the drives speak against a model: their gap does not shrink, which is improbable where the model is
+    // true, because they show its difference to the one without effects (D38b).
     bool speakAgainst(const Deviation& with, const Deviation& without) const;
 };
 HeldOut heldOut(const Calibration& car);
+
+// Squared residuals of drives with the effects of a model and without, squared difference between the two, and variance
+// of the residuals.
+struct HeldOutGap {
+    double with, without, difference, variance;
+};
+// True when the gap does not shrink and a true model would leave it so by chance only (D38b).
+bool speaksAgainst(const HeldOutGap& gap);
 
 }  // namespace tread::diagnose::select

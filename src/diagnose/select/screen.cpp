@@ -79,7 +79,8 @@ Screen screen(const Calibration& car) {
         for (const Eigen::Index i : placesOf(car.problem, e)) most = std::max(most, 0.5 * result.products(i, i));
         result.expected_evidence.push_back(most);
     }
-    result.gain = gainsOver(car, car.about, car.fit, car.uncertainty.sizes);
+    result.gain =
+        gainsOver(car, car.about, withUsualImperfections(car.fit, car.problem.replays), car.uncertainty.sizes);
     result.least_gain = gainsOver(car, car.about, car.fit, car.fit.sizes);
     return result;
 }

@@ -13,7 +13,7 @@ namespace tread::diagnose::select {
 struct Screen {
     std::vector<double> expected_evidence;  // nats at typical size, per effect
     // Nats over the model without effects, in the linear model, per effect: with the remainder that all effects
-    // together leave, and with that of the model without effects.
+    // together leave and usual imperfections, and with remainder and imperfections of the model without effects.
     std::vector<double> gain, least_gain;
     Eigen::MatrixXd products;  // of all knobs, then the residual; nuisances and disturbances marginalised
 };

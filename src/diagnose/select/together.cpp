@@ -36,13 +36,22 @@ double sumOf(const std::vector<double>& ends) {
     return std::accumulate(ends.begin(), ends.end(), 0.0);
 }
 
-std::vector<recording::RecordedDrive> cutDrives(const Calibration& car) {
-    std::vector<recording::RecordedDrive> cut;
+// Drives that end because car and model slide apart.
+std::vector<bool> cut(const Calibration& car) {
+    std::vector<bool> those;
     for (std::size_t d = 0; d < car.drives().size(); ++d) {
         const recording::RecordedDrive& drive = car.drives()[d];
-        if (car.uncertainty.until[d] < std::min(drive.until, drive.duration())) cut.push_back(drive);
+        those.push_back(car.uncertainty.until[d] < std::min(drive.until, drive.duration()));
     }
-    return cut;
+    return those;
+}
+
+std::vector<recording::RecordedDrive> cutDrives(const Calibration& car) {
+    const std::vector<bool> those = cut(car);
+    std::vector<recording::RecordedDrive> drives;
+    for (std::size_t d = 0; d < those.size(); ++d)
+        if (those[d]) drives.push_back(car.drives()[d]);
+    return drives;
 }
 
 // The trial of an effect that keeps car and model together longest.
@@ -80,22 +89,32 @@ std::vector<Trial> trials(const Calibration& car) {
     return worth;
 }
 
-// Fits an effect, from the point of a trial, to all that is compared there. Nothing when the fit slides away from the
-// car sooner than the trial did, or explains no more than the car without the effect.
-std::optional<Fit> fitAt(const Calibration& car, const Trial& trial) {
+// Fits an effect, from the point of a trial, to all that is compared there. Drives that were not cut are told as about
+// the car. Nothing when the fit slides away from the car sooner than the trial did, or explains no more than the car
+// without the effect, which is asked of the first fit only.
+std::optional<Fit> fitAt(const Calibration& car, const Trial& trial, bool first) {
     const Problem& problem = car.problem;
     const Drives drives = problem.drives;
-    std::optional<Rows> rows = model::rowsAt(problem.replays, drives, trial.at);
-    if (!rows) return std::nullopt;
-    Uncertainty uncertainty = model::uncertaintyAt(problem.replays, drives, trial.at, *rows, model::endsOf(drives));
+    const std::vector<Eigen::Index>& nuisances = car.about.nuisances;
+    const std::vector<bool> renewed = cut(car);
+    model::Sensitivities about = model::sensitivities(
+        problem.replays, drives, trial.at,
+        {.parameters = nuisances, .worth = model::onlyIn(renewed, nuisances.size()), .elsewhere = &car.about.about});
+    if (std::any_of(about.rows.begin(), about.rows.end(), [](const Eigen::VectorXd& rows) { return rows.size() == 0; }))
+        return std::nullopt;
+    Uncertainty uncertainty = model::uncertaintyAt(problem.replays, drives, trial.at, about.rows, model::endsOf(drives),
+                                                   &car.uncertainty, renewed);
     uncertainty.sizes = car.fit.sizes;
-    const Linearisation here = model::linearisation(
-        model::nuisancesAt(problem.replays, drives, trial.at, car.about, uncertainty, [](double) {}),
-        car.about.nuisances, problem.knobs[trial.effect], uncertainty, problem.replays.threads);
-    std::optional<Fit> with = fitted(problem.replays, drives, uncertainty, here, problem.knobs[trial.effect], trial.at);
-    const std::optional<Fit> without = fitted(problem.replays, drives, uncertainty, here, {}, car.fit.at);
-    if (!with || (without && with->log_evidence < without->log_evidence + kSettings.effect)) return std::nullopt;
-    if (sumOf(endsAt(drives, with->rows)) < sumOf(endsAt(drives, *rows)) - kWorth) return std::nullopt;
+    const double time = sumOf(endsAt(drives, about.rows));
+    const Linearisation here = model::linearisation(std::move(about), nuisances, problem.knobs[trial.effect],
+                                                    uncertainty, problem.replays.threads);
+    std::optional<Fit> with =
+        fitted(problem.replays, drives, uncertainty, here, problem.knobs[trial.effect], {trial.at});
+    if (!with || sumOf(endsAt(drives, with->rows)) < time - kWorth) return std::nullopt;
+    if (first) {
+        const std::optional<Fit> without = fitted(problem.replays, drives, uncertainty, here, {}, {car.fit.at});
+        if (without && with->log_evidence < without->log_evidence + kSettings.effect) return std::nullopt;
+    }
     return with;
 }
 
@@ -104,7 +123,7 @@ std::optional<Fit> settled(const Calibration& car, Trial trial) {
     std::optional<Fit> best;
     double time = 0;
     for (int round = 0; round < kMostRounds; ++round) {
-        std::optional<Fit> fit = fitAt(car, trial);
+        std::optional<Fit> fit = fitAt(car, trial, round == 0);
         if (!fit) break;
         const double now = sumOf(endsAt(car.drives(), fit->rows));
         const bool longer = now > time + kWorth;

@@ -116,7 +116,7 @@ Fit released(const Calibration& car, const Candidate& named) {
     if (named.effects.empty()) return fit;
     for (int round = 0; round < kMostRounds; ++round) {
         std::optional<Fit> again = fitted(car.problem.replays, car.drives(), car.uncertainty, linearisedAt(car, fit.at),
-                                          fit.knobs, fit.at, SizePrior::none);
+                                          fit.knobs, endOf(fit), SizePrior::none);
         if (!again) break;
         fit = std::move(*again);
         if (fit.gained < kSettled) break;

@@ -1,0 +1,157 @@
+#include "diagnose/select/candidate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/settings.h"
+
+namespace tread::diagnose::select {
+namespace {
+
+constexpr int kMostRounds = 3;    // renewals of the linearisation about one candidate
+constexpr double kSettled = 8;    // nats; the linearisation is not renewed after a fit that gained less
+constexpr double kStuck = 0.02;   // units; a knob that moved less counts as stuck at its limit
+constexpr double kFarShort = 25;  // nats by which a fit may fall short of what the screen promised
+constexpr std::size_t kMovedAtOnce = 3, kPointsAround = 2;  // knobs moved for points around the car; points kept
+
+// Start points for a fit of these knobs: the given point and, if a knob at 0 is bounded to one side, a second one with
+// that knob at its typical size. At a limit the sensitivity may be 0 although the effect is not.
+std::vector<Deviation> starts(const Problem& problem, const std::vector<Eigen::Index>& knobs, const Deviation& from) {
+    std::vector<Deviation> points{from};
+    Deviation inside = from;
+    bool one_sided = false;
+    for (const Eigen::Index k : knobs) {
+        const Parameter& parameter = problem.replays.parameters[k];
+        if (from(k) != 0 || (parameter.lowest < 0 && parameter.highest > 0)) continue;
+        inside(k) = parameter.lowest == 0 ? std::min(1.0, parameter.highest) : std::max(-1.0, parameter.lowest);
+        one_sided = true;
+    }
+    if (one_sided) points.push_back(inside);
+    return points;
+}
+
+// Moves to these knobs what the nuisances did in their place: the same car at a larger prior density (D17).
+Deviation handedOver(const Calibration& car, const std::vector<Eigen::Index>& knobs, Deviation at) {
+    for (const Eigen::Index k : knobs) {
+        if (at(k) != 0) continue;
+        const Parameter& knob = car.problem.replays.parameters[k];
+        double both = 0, squares = 1;
+        const std::vector<model::Share> shares = car.asNuisances(knob);
+        for (const model::Share& share : shares) {
+            both += share.units * at(share.of);
+            squares += share.units * share.units;
+        }
+        at(k) = std::clamp(both / squares, knob.lowest, knob.highest);
+        for (const model::Share& share : shares) at(share.of) -= at(k) * share.units;
+    }
+    return at;
+}
+
+// Squares that a point leaves beside the remainder of the calibrated car; nothing when the car cannot be driven there.
+std::optional<double> squaresAt(const Calibration& car, const Deviation& at) {
+    const std::optional<Rows> rows = model::rowsAt(car.problem.replays, car.drives(), at);
+    if (!rows) return std::nullopt;
+    double left = 0;
+    for (std::size_t d = 0; d < rows->size(); ++d)
+        left += model::squaresOf(car.uncertainty, d, model::residual(car.drives(), car.uncertainty, *rows, d),
+                                 car.fit.sizes);
+    return left;
+}
+
+// Of the points with the first knobs of an effect at once or twice their typical sizes, to all sides, those that leave
+// the smallest squares.
+std::vector<Deviation> pointsAround(const Calibration& car, std::size_t effect) {
+    const std::vector<Eigen::Index>& knobs = car.problem.knobs[effect];
+    const std::size_t moved = std::min(knobs.size(), kMovedAtOnce);
+    std::vector<std::pair<double, Deviation>> points;
+    for (const double size : {1.0, 2.0}) {
+        for (std::size_t sides = 0; sides < (std::size_t{1} << moved); ++sides) {
+            Deviation at = car.fit.at;
+            for (std::size_t i = 0; i < moved; ++i) {
+                const Parameter& knob = car.problem.replays.parameters[knobs[i]];
+                at(knobs[i]) = std::clamp((sides >> i & 1) != 0 ? -size : size, knob.lowest, knob.highest);
+            }
+            if (const std::optional<double> left = squaresAt(car, at)) points.emplace_back(*left, at);
+        }
+    }
+    std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Deviation> best;
+    for (std::size_t i = 0; i < std::min(points.size(), kPointsAround); ++i) best.push_back(points[i].second);
+    return best;
+}
+
+// A load has a moment and hardly a mass: beyond the mass whose moment would lie outside the car the evidence falls, and
+// rises again towards the mass that has the inertia, too.
+bool othersMovedFurther(const Candidate& single) {
+    if (single.log_evidence < kSettings.effect) return false;
+    const Eigen::VectorXd moved = single.fit.at(single.fit.knobs).cwiseAbs();
+    return moved(0) < moved.maxCoeff();
+}
+
+// Where an effect was fitted to keep car and model together; null when it was not.
+const Deviation* triedAt(const Calibration& car, std::size_t effect) {
+    if (!car.together) return nullptr;
+    const auto found = car.together->tried.find(effect);
+    return found == car.together->tried.end() ? nullptr : &found->second;
+}
+
+void keepBetter(std::optional<Candidate>& best, std::optional<Candidate> other) {
+    if (other && (!best || other->log_evidence > best->log_evidence)) best = std::move(other);
+}
+
+}  // namespace
+
+bool Candidate::of(const std::vector<std::size_t>& others) const {
+    return std::is_permutation(effects.begin(), effects.end(), others.begin(), others.end());
+}
+
+CandidateFitter::CandidateFitter(const Calibration& car) : car_(car), none_(car.fit) {}
+
+bool CandidateFitter::refitNone(const Linearisation& about) {
+    std::optional<Fit> again = fitted(car_.problem.replays, car_.drives(), car_.uncertainty, about, {}, {none_.at});
+    if (!again || again->log_evidence <= none_.log_evidence) return false;
+    none_ = std::move(*again);
+    return true;
+}
+
+std::optional<Candidate> CandidateFitter::single(std::size_t effect, double promised) const {
+    std::optional<Candidate> best = fit(car_.about, {effect}, {car_.fit.at});
+    if (const Deviation* tried = triedAt(car_, effect)) keepBetter(best, fit(car_.about, {effect}, {*tried}));
+    if (best && best->log_evidence > promised - kFarShort && !othersMovedFurther(*best)) return best;
+    for (const Deviation& from : pointsAround(car_, effect)) keepBetter(best, fit(car_.about, {effect}, {from}));
+    return best;
+}
+
+std::optional<Candidate> CandidateFitter::fit(const Linearisation& about, const std::vector<std::size_t>& effects,
+                                              const Start& from) const {
+    std::optional<Candidate> best;
+    const std::vector<Eigen::Index> knobs = car_.problem.knobsOf(effects);
+    for (Deviation& at : starts(car_.problem, knobs, handedOver(car_, knobs, from.at))) {
+        // The second start is needed only when a knob did not leave its limit.
+        if (best && (best->fit.at(knobs) - from.at(knobs)).cwiseAbs().minCoeff() > kStuck) break;
+        std::optional<Fit> found = fitted(car_.problem.replays, car_.drives(), car_.uncertainty, about, knobs,
+                                          {std::move(at), from.sizes, from.imperfection});
+        if (found) keepBetter(best, Candidate{effects, over(*found), std::move(*found), true});
+    }
+    return best;
+}
+
+Linearisation CandidateFitter::settle(Candidate& candidate) const {
+    Linearisation here;
+    for (int round = 0; round < kMostRounds; ++round) {
+        here = linearisedAt(car_, candidate.fit.at);
+        std::optional<Candidate> again = fit(here, candidate.effects, endOf(candidate.fit));
+        if (!again) break;
+        const double gained = again->log_evidence - candidate.log_evidence;
+        if (gained > 0) candidate = std::move(*again);
+        if (gained < kSettled) break;
+    }
+    std::optional<Candidate> other = fit(here, candidate.effects, anew(candidate.fit));
+    if (other && other->log_evidence > candidate.log_evidence + kSettled) {
+        candidate = std::move(*other);
+        here = linearisedAt(car_, candidate.fit.at);
+    }
+    return here;
+}
+
+}  // namespace tread::diagnose::select
