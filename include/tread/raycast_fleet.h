@@ -6,9 +6,11 @@
 //
 // The result is the same, bit for bit, for any number of threads. All vehicles look at the world as it is before any of
 // them pushes it, then push in the order in which they were added; as long as none stands on what another one moves,
-// each does exactly what it would do alone.
+// each does exactly what it would do alone. An updateVehicle that a class derived from RaycastVehicle overrides is not
+// called: such a vehicle is added to the world itself.
 #pragma once
 
+#include "tread/api.h"
 #include "tread/bullet_precision.h"
 #include "tread/raycast_vehicle.h"
 
@@ -17,7 +19,7 @@ namespace tread {
 inline namespace TREAD_BULLET_PRECISION {
 
 // The action. Vehicles and world must outlive its steps; a vehicle may belong to one fleet.
-class RaycastFleet : public btActionInterface {
+class TREAD_API RaycastFleet : public btActionInterface {
 public:
     // Threads that compute, the caller's included; at least one. User raycasters and surface functions are called from
     // all of them, one call at a time.
@@ -37,7 +39,7 @@ public:
 
 private:
     struct Implementation;
-    std::unique_ptr<Implementation> self_;
+    Implementation* self_;
 };
 }  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

@@ -1,30 +1,25 @@
 // The drop-in for Bullet's btRaycastVehicle: a game keeps its btRaycastVehicle* and changes the class that it makes.
 //
 //     btRaycastVehicle* vehicle = new tread::RaycastVehicle(tuning, chassis, raycaster);
-//     btRaycastVehicle* vehicle = new tread::RaycastVehicle(tuning, chassis, raycaster, "compact.yaml");
+//
+// Needs Bullet and C++17, no exceptions, no run-time type information. Tyres and suspension of a vehicle file:
+// raycast_vehicle_file.h.
 //
 // What the stock numbers mean here (mass is that of the chassis):
 //   stiffness, damping     times mass: N/m and N s/m at the wheel, as in stock; the tyre's own spring is taken off, so
 //                          that the car stands as high as in stock
 //   max suspension force   N, most of spring and damper; the stop at the end of the travel carries what is beyond
-//   friction slip          up to 1 the tyre's peak friction; beyond, it tends to 1.2 (10.5 gives 1.18)
+//   friction slip          up to 1 the tyre's peak friction; beyond, it tends to 1.2 (10.5 gives 1.18); see setGrip
 //   roll influence         height of the side force as in stock: 1 at the ground, 0 at the centre of gravity
 //   engine force           N at the ground: torque over wheel radius; wheels spin when the tyre cannot hold it
 //   brake                  stock takes it as an impulse per step; here it is the force that it gives at 60 steps a
 //                          second, brake * 60 N, at every rate, also while the engine pushes
-// From a vehicle file come tyres, wheel inertias, springs, dampers and anti-roll bars; mass, geometry, steering angles,
-// engine and brake forces stay the game's.
 #pragma once
 
 #include <BulletDynamics/Vehicle/btRaycastVehicle.h>
 
-#include <filesystem>
-#include <functional>
-#include <memory>
-
+#include "tread/api.h"
 #include "tread/bullet_precision.h"
-#include "tread/vehicle.h"
-#include "tread/wheeled_body_state.h"
 
 class btCollisionObject;
 
@@ -46,105 +41,115 @@ struct Surface {
     double roughness = 0;  // m, amplitude of bumps about 1 m long
     const char* name = "";
 };
-using SurfaceAt = std::function<Surface(const SurfaceQuery&)>;
+// Says what lies under the wheels. If `at` throws, the vehicle stays as it was and the step throws.
+class TREAD_API SurfaceSource {
+public:
+    SurfaceSource() = default;
+    SurfaceSource(const SurfaceSource&) = delete;
+    SurfaceSource& operator=(const SurfaceSource&) = delete;
+    virtual ~SurfaceSource();
+    virtual Surface at(const SurfaceQuery& query) = 0;
+};
 
 // What happens at a wheel, for sound, smoke, skid marks and force feedback.
 struct WheelTelemetry {
-    double load = 0;
-    double fx = 0;
-    double fy = 0;
-    double slip_ratio = 0;
-    double slip_angle = 0;
-    double slip_power = 0;
-    double spin = 0;
-    double compression = 0;
-    double deflection = 0;
-    double steer_torque = 0;
-    double grip = 0;
-    double contact_x = 0;
+    double load = 0;          // N, of the tyre, normal to the ground
+    double fx = 0;            // N, force of the ground on the tyre, forward
+    double fy = 0;            // N, to the left
+    double slip_ratio = 0;    // longitudinal slip, positive when driving
+    double slip_angle = 0;    // rad, positive when the wheel slides to the left
+    double slip_power = 0;    // W, lost between tyre and ground: smoke, squeal, wear
+    double spin = 0;          // rad/s, positive forward
+    double compression = 0;   // m, of the suspension
+    double deflection = 0;    // m, of the tyre
+    double steer_torque = 0;  // N m, of the ground about the strut, positive to the left; their sum turns the wheel
+    double grip = 0;          // N, largest force that the tyre can hold along the ground
+    double contact_x = 0;     // m, contact point in the world
     double contact_y = 0;
     double contact_z = 0;
-
-    static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(load), About{"N", "load of the tyre, normal to the ground"});
-        field(TREAD_FIELD(fx), About{"N", "force of the ground on the tyre, forward"});
-        field(TREAD_FIELD(fy), About{"N", "force of the ground on the tyre, to the left"});
-        field(TREAD_FIELD(slip_ratio), About{"-", "longitudinal slip, positive when driving"});
-        field(TREAD_FIELD(slip_angle), About{"rad", "slip angle, positive when the wheel slides to the left"});
-        field(TREAD_FIELD(slip_power), About{"W", "power lost between tyre and ground, for smoke, squeal and wear"});
-        field(TREAD_FIELD(spin), About{"rad/s", "wheel speed, positive forward"});
-        field(TREAD_FIELD(compression), About{"m", "suspension compression"});
-        field(TREAD_FIELD(deflection), About{"m", "tyre deflection"});
-        field(TREAD_FIELD(steer_torque), About{"N m",
-                                               "moment of the ground about the strut, positive to the left; summed "
-                                               "over the wheels for the steering wheel"});
-        field(TREAD_FIELD(grip), About{"N", "largest force that the tyre can hold along the ground"});
-        field(TREAD_FIELD(contact_x), About{"m", "contact point in the world"});
-        field(TREAD_FIELD(contact_y), About{"m", "contact point in the world"});
-        field(TREAD_FIELD(contact_z), About{"m", "contact point in the world"});
-    }
 };
-static_assert(describesEveryMember<WheelTelemetry>());
 
-// Everything that a step depends on, the chassis' motion included: a copy of it is a snapshot.
-struct RaycastVehicleState {
-    WheeledBodyState car;
-    std::array<WheelDemand, kMostWheels> demands;  // at the end of the last step
-    std::array<double, 6> velocity{};              // linear and angular, at the instant of the last step
-    std::array<double, 6> expected{};              // what the chassis shows if nobody else pushes it
-    double planned = 0;                            // s, length of the step for which that was planned
-    std::array<double, 12> pose{};                 // of the chassis: basis by rows, origin
-    std::array<double, 6> body_velocity{};
-    double deactivation_time = 0;
-    int activation_state = 0;
-    int wheel_count = 0;
-    bool asleep = false;
+// All that a vehicle's next step depends on, its chassis' motion included. A copy is a snapshot of its own.
+class TREAD_API RaycastSnapshot {
+public:
+    RaycastSnapshot(const RaycastSnapshot& other);
+    RaycastSnapshot& operator=(const RaycastSnapshot& other);
+    ~RaycastSnapshot();
+    bool operator==(const RaycastSnapshot& other) const;  // every number alike: peers are in step
+    bool operator!=(const RaycastSnapshot& other) const { return !(*this == other); }
+
+    struct State;
+
+private:
+    friend class RaycastVehicle;
+    RaycastSnapshot();
+    State* state_;
 };
-static_assert(std::is_trivially_copyable_v<RaycastVehicleState>);
 
 // Bullet's btRaycastVehicle on tread's tyres.
-class RaycastVehicle : public btRaycastVehicle {
+class TREAD_API RaycastVehicle : public ::btRaycastVehicle {
 public:
-    // `chassis` must not be null (std::invalid_argument) and must outlive the vehicle's steps; `raycaster` may be null.
-    // Bullet's own btDefaultVehicleRaycaster is replaced by a ray that sees neither the chassis nor triggers; any other
-    // one is used as it is. Bullet's gyroscopic forces on the chassis are switched off: the vehicle has them.
+    // In a class derived from this one, `btRaycastVehicle` means this class: what calls
+    // btRaycastVehicle::updateVehicle(step) there, as one does on the stock vehicle, reaches tread.
+    using btRaycastVehicle = RaycastVehicle;
+
+    // `chassis` must not be null (std::invalid_argument) and must outlive the vehicle's steps; it may be built later,
+    // before the first use. `raycaster` may be null. Bullet's own btDefaultVehicleRaycaster is replaced by a ray that
+    // sees neither the chassis nor triggers; any other one is used as it is. From the first step on Bullet's gyroscopic
+    // forces on the chassis are switched off: the vehicle has them.
     RaycastVehicle(const btVehicleTuning& tuning, btRigidBody* chassis, btVehicleRaycaster* raycaster);
-    // The same with tyres and suspension of a vehicle file (LoadError) or of its parameters.
-    RaycastVehicle(const btVehicleTuning& tuning, btRigidBody* chassis, btVehicleRaycaster* raycaster,
-                   const std::filesystem::path& vehicle_file);
-    RaycastVehicle(const btVehicleTuning& tuning, btRigidBody* chassis, btVehicleRaycaster* raycaster,
-                   const VehicleParams& params);
     RaycastVehicle(const RaycastVehicle&) = delete;
     RaycastVehicle& operator=(const RaycastVehicle&) = delete;
     ~RaycastVehicle() override;
 
     // Called by Bullet in each step. A world that does not hold the chassis is ignored.
     void updateAction(btCollisionWorld* world, btScalar step) override;
-    void updateVehicle(btScalar step) override;  // the same with the raycaster's rays
-    void updateFriction(btScalar) override {}    // the tyres have done it
+    // The step itself, which updateAction calls; by hand, with the raycaster's rays. Called twice within one step of the
+    // world, the vehicle's forces act twice, as in stock.
+    void updateVehicle(btScalar step) override;
+
+    // ---- Not for overriding: a compiler that points here has found an override that would do nothing ----
+    void updateFriction(btScalar step) final;       // friction is the tyres': override updateVehicle, or see setGrip
+    virtual btScalar rayCast(btWheelInfo&) final;   // give the constructor a btVehicleRaycaster of your own instead
+    virtual void updateSuspension(btScalar) final;  // set stiffness, damping and force of the wheel infos instead
 
     // ---- Beyond the stock vehicle ----
 
-    // Longest substep, s: 0.001 unless set; between 0.0001 and 0.02. Larger is cheaper and coarser.
+    // Longest step of the car within one of the world, s: 1/30 unless set; between 0.0001 and 1/30. Shorter is finer
+    // and costs more.
     void setSubstep(double longest);
 
-    // Called for each ray that meets something; a default-made function takes it away.
-    void setSurface(SurfaceAt surface);
+    // Scales the grip of all tyres, for a game that was tuned on the stock vehicle's: 1 unless set, 0 to 10.
+    void setGrip(double factor);
 
-    // Groups and mask of the wheels' own rays; all unless set.
+    // Whether wheels that the engine spins up or the brake stops turn the chassis against them, as real ones do: seen in
+    // the air. Off unless set, as in stock.
+    void setWheelReaction(bool on);
+
+    // `surface(query)` says what lies where a ray met something; of a copy of the function that the vehicle keeps.
+    template <class Function>
+    void setSurface(Function surface) {
+        struct Source final : SurfaceSource {
+            explicit Source(const Function& f) : function(f) {}
+            Surface at(const SurfaceQuery& query) override { return function(query); }
+            Function function;
+        };
+        takeSurface(new Source(surface));
+    }
+    void clearSurface() { takeSurface(nullptr); }
+    void takeSurface(SurfaceSource* source);  // deleted by the vehicle; null: none
+
+    // Groups and mask of the wheels' own rays; unless set those of Bullet's rays, the default group and all.
     void setCollisionFilter(int group, int mask);
 
     // Edges between the triangles of a mesh or height field that are flatter than this are rounded under the wheels'
     // own rays, over a third of the wheel's radius: 0.45 rad unless set, 0 for none.
     void setEdgeAngle(double angle);
 
-    // Tyre of one wheel from now on, in place of what tuning or file say.
-    void setTyre(int wheel, const TyreParams& tyre);
-
     // Velocities at the instant of the last step, m/s and rad/s in the world: Bullet's own hold what gravity will take
-    // back in the next one.
-    Vector3 velocity() const;
-    Vector3 angularVelocity() const;
+    // back in the next one. Zero before the first step.
+    btVector3 velocity() const;
+    btVector3 angularVelocity() const;
 
     WheelTelemetry telemetry(int wheel) const;
 
@@ -155,14 +160,16 @@ public:
     const char* surfaceName(int wheel) const;
 
     // A restored vehicle repeats its steps bit for bit as long as inputs and ground are the same.
-    RaycastVehicleState snapshot() const;
-    void restore(const RaycastVehicleState& state);
+    RaycastSnapshot snapshot() const;
+    void snapshot(RaycastSnapshot& into) const;  // the same without allocating
+    void restore(const RaycastSnapshot& snapshot);
 
 private:
-    friend class RaycastFleet;
-    bool isHeldBy(const btCollisionWorld& world) const;
     struct Implementation;
-    std::unique_ptr<Implementation> self_;
+    friend class RaycastFleet;
+    friend Implementation& implementationOf(RaycastVehicle& vehicle);
+    bool isHeldBy(const btCollisionWorld& world) const;
+    Implementation* self_;
 };
 }  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

@@ -399,6 +399,8 @@ struct BasicTyreState {
     T dv = 0;     // m/s
     T kappa = 0;  // slip of the contact patch; a state of its own only near standstill
     T alpha = 0;
+
+    bool operator==(const BasicTyreState&) const = default;
 };
 using TyreState = BasicTyreState<double>;
 
@@ -413,6 +415,8 @@ struct BasicTyreMotion {
     T psidot = 0;
     T gamma = 0;
     T Fz = 0;
+
+    bool operator==(const BasicTyreMotion&) const = default;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(Vsx), About{"m/s", "longitudinal slip velocity of the rim"});

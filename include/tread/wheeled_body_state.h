@@ -42,12 +42,16 @@ struct BodyWheelState {
     std::array<double, 3> contact_B{};  // m, contact centre
     std::array<double, 3> force_W{};    // N, of the road on the tyre
     bool touches = false;
+
+    bool operator==(const BodyWheelState&) const = default;
 };
 
 struct WheeledBodyState {
     std::array<BodyWheelState, kMostWheels> wheels;
     std::array<double, 3> acceleration_W{};
     std::array<double, 3> angular_acceleration_W{};
+
+    bool operator==(const WheeledBodyState&) const = default;
 };
 static_assert(std::is_trivially_copyable_v<WheeledBodyState>, "a snapshot is a copy");
 

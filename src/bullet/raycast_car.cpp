@@ -40,7 +40,9 @@ Vector3 RaycastVehicle::Implementation::gravity() const {
 }
 
 WheelDemand RaycastVehicle::Implementation::demand(std::size_t wheel) {
-    return demandOf(info(wheel), car.wheels[wheel], state.wheels[wheel].spin, file.has_value());
+    WheelDemand demand = demandOf(info(wheel), car.wheels[wheel], state.wheels[wheel].spin, file.has_value());
+    demand.friction *= grip;
+    return demand;
 }
 
 void RaycastVehicle::Implementation::takeBody() {

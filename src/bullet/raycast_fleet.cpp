@@ -25,6 +25,7 @@ RaycastFleet::RaycastFleet(int threads) : self_(new Implementation(threads)) {}
 
 RaycastFleet::~RaycastFleet() {
     for (RaycastVehicle* vehicle : self_->vehicles) vehicle->self_->rays = nullptr;
+    delete self_;
 }
 
 void RaycastFleet::add(RaycastVehicle& vehicle) {

@@ -153,7 +153,9 @@ void RaycastVehicle::Implementation::showSpeed(double dt) {
     auto& wheels = face.m_wheelInfo;
     const int count = wheels.size();
     wheels.resizeNoInitialize(0);
-    face.btRaycastVehicle::updateVehicle(static_cast<btScalar>(dt));
+    showing_speed = true;
+    face.::btRaycastVehicle::updateVehicle(static_cast<btScalar>(dt));
+    showing_speed = false;
     wheels.resizeNoInitialize(count);
 }
 

@@ -1,11 +1,13 @@
 // What a RaycastVehicle consists of, for the files that make up its step.
 #pragma once
 
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
 
 #include "bullet/body_link.h"
+#include "bullet/raycast_state.h"
 #include "bullet/stock_tuning.h"
 #include "bullet/substep.h"
 #include "bullet/wheel_ray.h"
@@ -35,10 +37,11 @@ struct RaycastVehicle::Implementation {
     bool own_rays;                  // it is Bullet's default one, or none
     std::optional<VehicleParams> file;
     std::array<std::optional<TyreParams>, kMostWheels> own_tyres{};
-    SurfaceAt surface{};
+    std::unique_ptr<SurfaceSource> surface{};
     RayFilter filter{};
     double edge_angle = Rounding{}.angle;
-    Substep substep{};
+    Substep substep{1.0 / 30, 1.0 / 30};  // s: a frame of a game, down to 30 a second
+    double grip = 1;
 
     // What the car was made of, and the car.
     std::array<WheelTuning, kMostWheels> tunings{};
@@ -54,6 +57,11 @@ struct RaycastVehicle::Implementation {
     ChassisMotion reached{};     // where it ended
     std::mutex* rays = nullptr;  // held while a ray is cast; of a fleet with threads
     double planned = 0;          // s, length of the step that the chassis' velocity was planned for; asleep 0
+    bool met = false;            // it has stepped: the chassis was there
+    bool showing_speed = false;  // Bullet's own step runs, without wheels
+    const btCollisionWorld* world = nullptr;  // that steps the vehicle, while it does
+    BodyLink given{};                         // the chassis' velocities as the last step left them,
+    btTransform given_pose{};                 // and its pose
     Vector3 seen_velocity = Vector3::Zero();  // at the instant of the last step; `motion` is ahead of it
     Vector3 seen_angular_velocity = Vector3::Zero();
     WheeledBodyState state{};
@@ -81,31 +89,40 @@ struct RaycastVehicle::Implementation {
     void takeBody();
 
     // raycast_step.cpp
-    void step(const btCollisionWorld* world, double dt);
+    void step(const btCollisionWorld* in, double dt);
     // The parts of a step. What changes what others see stands in `begin` and `finish`; `drive` only looks at the
     // world.
-    bool begin(const btCollisionWorld* world, double dt);  // false: there is nothing to do
-    void drive(const btCollisionWorld* world, double dt);
+    bool begin(const btCollisionWorld* in, double dt);  // false: there is nothing to do
+    void drive(const btCollisionWorld* in, double dt);
     void finish();
+    void meetChassis(double dt);
+    bool isSecondStep() const;
     void takeBackGravity(double dt);
     bool isTeleported(double dt) const;
     void takeUp(double dt);
-    void lookDown(const btCollisionWorld* world, double dt);
+    void lookDown(const btCollisionWorld* in, double dt);
     WheelRay rayOf(std::size_t wheel, double dt) const;
     std::unique_lock<std::mutex> lockRays() const;
     bool isFarFromRay(std::size_t wheel) const;
-    void findGround(std::size_t wheel, const WheelRay& ray, const btCollisionWorld* world);
-    void move(const btCollisionWorld* world, double dt);
+    void findGround(std::size_t wheel, const WheelRay& ray, const btCollisionWorld* in);
+    bool mayThrow(const btCollisionWorld* in) const;
+    void driveUnguarded(const btCollisionWorld* in, double dt);
+    void move(const btCollisionWorld* in, double dt);
     void pushGround();
 
     // raycast_sleep.cpp
-    bool staysAsleep(const btCollisionWorld* world);
+    bool staysAsleep(const btCollisionWorld* in);
     void fallAsleepOrNot();
 
     // raycast_output.cpp
     void show(double dt);
     double instantDrawn() const;
     void showSpeed(double dt);
+
+    // raycast_stock.cpp: Bullet's own step, where a game still calls it.
+    void takeBackStock(double dt);
 };
+
+RaycastVehicle::Implementation& implementationOf(RaycastVehicle& vehicle);
 }  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

@@ -19,7 +19,7 @@ constexpr double kRestSpin = 0.05;   // rad/s
 }  // namespace
 
 // A sleeping car costs a look at its inputs and at the ground that it stands on.
-bool RaycastVehicle::Implementation::staysAsleep(const btCollisionWorld* world) {
+bool RaycastVehicle::Implementation::staysAsleep(const btCollisionWorld* in) {
     if (chassis.getActivationState() != ISLAND_SLEEPING) return true;  // the game switched its simulation off
     bool wakes = !asleep || wheelCount() != car.wheel_count;
     if (!asleep) {
@@ -35,7 +35,7 @@ bool RaycastVehicle::Implementation::staysAsleep(const btCollisionWorld* world) 
     }
     for (std::size_t i = 0; i < wheelCount() && !wakes; ++i) {
         wakes = demand(i) != demands[i] || !(tuningOf(info(i)) == tunings[i]);
-        if (world && !wakes) wakes = !isThere(grounds[i], *world);
+        if (in && !wakes) wakes = !isThere(grounds[i], *in);
     }
     if (!wakes) return true;
     chassis.activate(true);

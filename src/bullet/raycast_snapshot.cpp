@@ -36,9 +36,28 @@ btTransform poseOf(const std::array<double, 12>& n) {
 
 }  // namespace
 
-RaycastVehicleState RaycastVehicle::snapshot() const {
+RaycastSnapshot::RaycastSnapshot() : state_(new State) {}
+RaycastSnapshot::RaycastSnapshot(const RaycastSnapshot& other) : state_(new State(*other.state_)) {}
+RaycastSnapshot& RaycastSnapshot::operator=(const RaycastSnapshot& other) {
+    *state_ = *other.state_;
+    return *this;
+}
+RaycastSnapshot::~RaycastSnapshot() {
+    delete state_;
+}
+bool RaycastSnapshot::operator==(const RaycastSnapshot& other) const {
+    return *state_ == *other.state_;
+}
+
+RaycastSnapshot RaycastVehicle::snapshot() const {
+    RaycastSnapshot made;
+    snapshot(made);
+    return made;
+}
+
+void RaycastVehicle::snapshot(RaycastSnapshot& into) const {
     const Implementation& s = *self_;
-    RaycastVehicleState state;
+    RaycastSnapshot::State& state = *into.state_;
     state.car = s.state;
     state.demands = s.demands;
     state.velocity = toArray(s.motion.velocity_W, s.motion.angular_velocity_W);
@@ -51,11 +70,13 @@ RaycastVehicleState RaycastVehicle::snapshot() const {
     state.activation_state = s.chassis.getActivationState();
     state.wheel_count = static_cast<int>(s.wheels_before);
     state.asleep = s.asleep;
-    return state;
 }
 
-void RaycastVehicle::restore(const RaycastVehicleState& state) {
+void RaycastVehicle::restore(const RaycastSnapshot& snapshot) {
     Implementation& s = *self_;
+    const RaycastSnapshot::State& state = *snapshot.state_;
+    s.met = true;
+    switchOffGyroscopicForces(s.chassis);
     s.state = state.car;
     s.demands = state.demands;
     s.motion.velocity_W = vectorAt(state.velocity, 0);

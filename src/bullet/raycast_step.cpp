@@ -37,28 +37,53 @@ WheelDemand between(const WheelDemand& a, const WheelDemand& b, double at) {
 
 }  // namespace
 
-void RaycastVehicle::Implementation::step(const btCollisionWorld* world, double dt) {
-    if (!begin(world, dt)) return;
-    drive(world, dt);
+void RaycastVehicle::Implementation::step(const btCollisionWorld* in, double dt) {
+    if (!begin(in, dt)) return;
+    drive(in, dt);
     finish();
 }
 
-bool RaycastVehicle::Implementation::begin(const btCollisionWorld* world, double dt) {
+bool RaycastVehicle::Implementation::begin(const btCollisionWorld* in, double dt) {
     simulated = 0;
     if (!(dt > 0) || !std::isfinite(dt)) return false;
-    if (!chassis.isActive() && staysAsleep(world)) return false;
+    if (!met) meetChassis(dt);
+    if (!chassis.isActive() && staysAsleep(in)) return false;
     makeCar();
     takeUp(dt);
     return true;
 }
 
-void RaycastVehicle::Implementation::drive(const btCollisionWorld* world, double dt) {
-    lookDown(world, dt);
+// What a game's raycaster or surface throws leaves the car as it was: it falls freely over this step.
+void RaycastVehicle::Implementation::drive(const btCollisionWorld* in, double dt) {
+    if (!mayThrow(in)) return driveUnguarded(in, dt);
+    const ChassisMotion motion_before = motion;
+    const WheeledBodyState state_before = state;
+    const auto demands_before = demands;
+    const auto grounds_before = grounds;
+    const std::size_t count_before = wheels_before;
+    try {
+        driveUnguarded(in, dt);
+    } catch (...) {
+        motion = motion_before;
+        state = state_before;
+        demands = demands_before;
+        grounds = grounds_before;
+        wheels_before = count_before;
+        throw;
+    }
+}
+
+bool RaycastVehicle::Implementation::mayThrow(const btCollisionWorld* in) const {
+    return surface || !own_rays || !in;
+}
+
+void RaycastVehicle::Implementation::driveUnguarded(const btCollisionWorld* in, double dt) {
+    lookDown(in, dt);
     showSpeed(dt);
     const bool moves = car.mass > 0 && motion.position_W.allFinite() && motion.orientation.coeffs().allFinite();
     start = motion;
     if (moves) {
-        move(world, std::min(dt, kLongestStep));
+        move(in, std::min(dt, kLongestStep));
         simulated = std::min(dt, kLongestStep);
     }
     reached = motion;
@@ -73,8 +98,30 @@ void RaycastVehicle::Implementation::finish() {
         giveMotion(chassis, link, start, reached, simulated);
         planned = simulated;
         pushGround();
+        expectWhatBodyHas(given, chassis);
+        given_pose = chassis.getCenterOfMassTransform();
     }
     fallAsleepOrNot();
+}
+
+// At the first step: until then the chassis may not have been built.
+void RaycastVehicle::Implementation::meetChassis(double dt) {
+    met = true;
+    switchOffGyroscopicForces(chassis);
+    expectWhatBodyHas(link, chassis);
+    motion.velocity_W = link.velocity;
+    motion.angular_velocity_W = link.angular_velocity;
+    takeMotion(motion, link, chassis, Quaternion::Identity());
+    planned = dt;
+}
+
+// Whether the world has not moved the chassis since the last step, as where a game calls updateVehicle besides it. (At
+// rest without gravity it makes no difference.)
+bool RaycastVehicle::Implementation::isSecondStep() const {
+    BodyLink now;
+    expectWhatBodyHas(now, chassis);
+    return now.velocity == given.velocity && now.angular_velocity == given.angular_velocity &&
+           chassis.getCenterOfMassTransform() == given_pose;
 }
 
 // Bullet has moved the chassis on with the velocity that was planned for a step of the length before, and with gravity
@@ -106,8 +153,10 @@ bool RaycastVehicle::Implementation::isTeleported(double dt) const {
 
 // Takes the chassis' motion.
 void RaycastVehicle::Implementation::takeUp(double dt) {
-    teleported = isTeleported(dt);
+    const bool second = isSecondStep();
+    teleported = !second && isTeleported(dt);
     if (teleported) asleep = false;
+    else if (second) link = given;
     else takeBackGravity(dt);
     takeMotion(motion, link, chassis, Quaternion::Identity());
     if (teleported || !motion.velocity_W.allFinite() || !motion.angular_velocity_W.allFinite()) {
@@ -120,13 +169,13 @@ void RaycastVehicle::Implementation::takeUp(double dt) {
 }
 
 // The ground under each wheel; one that was put somewhere else starts anew there.
-void RaycastVehicle::Implementation::lookDown(const btCollisionWorld* world, double dt) {
+void RaycastVehicle::Implementation::lookDown(const btCollisionWorld* in, double dt) {
     std::array<WheelRay, kMostWheels> rays_down;
     for (std::size_t i = 0; i < car.wheel_count; ++i) rays_down[i] = rayOf(i, dt);
     around.known = false;
-    if (own_rays && world) {
+    if (own_rays && in) {
         const auto alone = lockRays();
-        lookAround(around, *world, {rays_down.data(), car.wheel_count});
+        lookAround(around, *in, {rays_down.data(), car.wheel_count});
     }
     for (std::size_t i = 0; i < car.wheel_count; ++i) {
         const bool added = i >= wheels_before;
@@ -134,7 +183,7 @@ void RaycastVehicle::Implementation::lookDown(const btCollisionWorld* world, dou
         if (added) state.wheels[i] = {};
         if (reset) state.wheels[i].compression = 0;
         near[i].age += dt;
-        findGround(i, rays_down[i], world);
+        findGround(i, rays_down[i], in);
         if (teleported || reset || added) {
             setDown(state, motion, car, i, grounds[i].plane);
             demands[i] = demand(i);
@@ -158,10 +207,10 @@ std::unique_lock<std::mutex> RaycastVehicle::Implementation::lockRays() const {
     return rays ? std::unique_lock(*rays) : std::unique_lock<std::mutex>();
 }
 
-void RaycastVehicle::Implementation::findGround(std::size_t wheel, const WheelRay& ray, const btCollisionWorld* world) {
-    const bool by_user = !own_rays || !world;
+void RaycastVehicle::Implementation::findGround(std::size_t wheel, const WheelRay& ray, const btCollisionWorld* in) {
+    const bool by_user = !own_rays || !in;
     const Rounding rounding{.angle = edge_angle, .reach = kRounded * car.wheels[wheel].tyre.parameters.Ro};
-    const RaySource source{chassis, world,      by_user ? raycaster : nullptr, filter, surface, rounding,
+    const RaySource source{chassis, in,         by_user ? raycaster : nullptr, filter, surface.get(), rounding,
                            around,  near[wheel]};
     const auto alone = lockRays();
     grounds[wheel] = castRay(ray, source);
@@ -173,8 +222,8 @@ bool RaycastVehicle::Implementation::isFarFromRay(std::size_t wheel) const {
 }
 
 // Moves `motion` to the end of the step.
-void RaycastVehicle::Implementation::move(const btCollisionWorld* world, double dt) {
-    const int substeps = substep.within(dt);
+void RaycastVehicle::Implementation::move(const btCollisionWorld* in, double dt) {
+    const int substeps = substep.within(dt, longestStep(car, motion.velocity_W.norm()));
     const double h = dt / substeps;
     auto& [next, begin, end, planes] = room;
     for (std::size_t i = 0; i < car.wheel_count; ++i) {
@@ -185,7 +234,7 @@ void RaycastVehicle::Implementation::move(const btCollisionWorld* world, double 
         for (std::size_t i = 0; i < car.wheel_count; ++i) {
             begin[i] = between(demands[i], next[i], static_cast<double>(k) / substeps);
             end[i] = between(demands[i], next[i], (k + 1.0) / substeps);
-            if (k > 0 && isFarFromRay(i)) findGround(i, rayOf(i, dt - k * h), world);
+            if (k > 0 && isFarFromRay(i)) findGround(i, rayOf(i, dt - k * h), in);
             planes[i] = grounds[i].plane;
             planes[i].point_W += (k + 1) * h * planes[i].velocity_W;
         }

@@ -4,12 +4,11 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
+#include <cstring>
 #include <stdexcept>
-#include <typeinfo>
 
 #include "bullet/convert.h"
 #include "bullet/raycast_parts.h"
-#include "tread/load.h"
 
 namespace tread {
 
@@ -17,7 +16,8 @@ inline namespace TREAD_BULLET_PRECISION {
 
 namespace {
 
-constexpr double kSharpest = 1.5;  // rad, that an edge is rounded at
+constexpr double kSharpest = 1.5;   // rad, that an edge is rounded at
+constexpr double kMostGrip = 10;
 
 btRigidBody& checked(btRigidBody* chassis) {
     if (!chassis)
@@ -25,38 +25,32 @@ btRigidBody& checked(btRigidBody* chassis) {
     return *chassis;
 }
 
+// By their tables of virtual functions: a raycaster that was compiled without run-time type information has no typeid.
 bool isBulletsOwn(const btVehicleRaycaster* raycaster) {
-    return !raycaster || typeid(*raycaster) == typeid(btDefaultVehicleRaycaster);
+    static const btDefaultVehicleRaycaster bullets(nullptr);
+    return !raycaster || std::memcmp(static_cast<const void*>(raycaster), static_cast<const void*>(&bullets),
+                                     sizeof(void*)) == 0;
 }
 
 }  // namespace
 
+SurfaceSource::~SurfaceSource() = default;
+
 RaycastVehicle::RaycastVehicle(const btVehicleTuning& tuning, btRigidBody* chassis, btVehicleRaycaster* raycaster)
-    : btRaycastVehicle(tuning, &checked(chassis), raycaster),
+    : ::btRaycastVehicle(tuning, &checked(chassis), raycaster),
       self_(new Implementation{.face = *this,
                                .chassis = *chassis,
                                .raycaster = raycaster,
                                .own_rays = isBulletsOwn(raycaster),
-                               .file = {}}) {
-    Implementation& s = *self_;
-    switchOffGyroscopicForces(*chassis);
-    expectWhatBodyHas(s.link, *chassis);
-    s.motion.velocity_W = s.link.velocity;
-    s.motion.angular_velocity_W = s.link.angular_velocity;
-    takeMotion(s.motion, s.link, *chassis, Quaternion::Identity());
+                               .file = {}}) {}
+
+RaycastVehicle::~RaycastVehicle() {
+    delete self_;
 }
 
-RaycastVehicle::RaycastVehicle(const btVehicleTuning& tuning, btRigidBody* chassis, btVehicleRaycaster* raycaster,
-                               const std::filesystem::path& vehicle_file)
-    : RaycastVehicle(tuning, chassis, raycaster, loadVehicle(vehicle_file)) {}
-
-RaycastVehicle::RaycastVehicle(const btVehicleTuning& tuning, btRigidBody* chassis, btVehicleRaycaster* raycaster,
-                               const VehicleParams& params)
-    : RaycastVehicle(tuning, chassis, raycaster) {
-    self_->file = params;
+RaycastVehicle::Implementation& implementationOf(RaycastVehicle& vehicle) {
+    return *vehicle.self_;
 }
-
-RaycastVehicle::~RaycastVehicle() = default;
 
 bool RaycastVehicle::isHeldBy(const btCollisionWorld& world) const {
     const auto& objects = world.getCollisionObjectArray();
@@ -65,19 +59,35 @@ bool RaycastVehicle::isHeldBy(const btCollisionWorld& world) const {
 }
 
 void RaycastVehicle::updateAction(btCollisionWorld* world, btScalar step) {
-    if (world && isHeldBy(*world)) self_->step(world, step);
+    if (!world || !isHeldBy(*world)) return;
+    struct Within {
+        explicit Within(const btCollisionWorld*& at, const btCollisionWorld* world) : stepping(at) { stepping = world; }
+        ~Within() { stepping = nullptr; }
+        Within(const Within&) = delete;
+        Within& operator=(const Within&) = delete;
+        const btCollisionWorld*& stepping;
+    } within(self_->world, world);
+    updateVehicle(step);
 }
 
 void RaycastVehicle::updateVehicle(btScalar step) {
-    self_->step(nullptr, step);
+    self_->step(self_->world, step);
 }
 
 void RaycastVehicle::setSubstep(double longest) {
     self_->substep.limit(longest);
 }
 
-void RaycastVehicle::setSurface(SurfaceAt surface) {
-    self_->surface = std::move(surface);
+void RaycastVehicle::setGrip(double factor) {
+    self_->grip = factor >= 0 ? std::min(factor, kMostGrip) : 0;
+}
+
+void RaycastVehicle::setWheelReaction(bool on) {
+    self_->car.wheel_reaction = on;
+}
+
+void RaycastVehicle::takeSurface(SurfaceSource* source) {
+    self_->surface.reset(source);
 }
 
 void RaycastVehicle::setCollisionFilter(int group, int mask) {
@@ -88,19 +98,12 @@ void RaycastVehicle::setEdgeAngle(double angle) {
     self_->edge_angle = angle >= 0 ? std::min(angle, kSharpest) : 0;
 }
 
-void RaycastVehicle::setTyre(int wheel, const TyreParams& tyre) {
-    const auto i = static_cast<std::size_t>(wheel);
-    if (wheel < 0 || i >= kMostWheels) throw std::out_of_range("tread::RaycastVehicle::setTyre: no such wheel");
-    self_->own_tyres[i] = tyre;
-    self_->made = false;
+btVector3 RaycastVehicle::velocity() const {
+    return toBullet(self_->seen_velocity);
 }
 
-Vector3 RaycastVehicle::velocity() const {
-    return self_->seen_velocity;
-}
-
-Vector3 RaycastVehicle::angularVelocity() const {
-    return self_->seen_angular_velocity;
+btVector3 RaycastVehicle::angularVelocity() const {
+    return toBullet(self_->seen_angular_velocity);
 }
 }  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

@@ -9,17 +9,21 @@ namespace tread {
 class Substep {
 public:
     static constexpr double kShortest = 1e-4;  // s
-    static constexpr double kLongest = 0.02;   // s: one step of a game
-    static constexpr double kUsual = 0.001;    // s: 60 Hz and 1000 Hz then differ by rounding of the step alone
+
+    // As long as `usual` until limited, and never longer than `most`, s.
+    constexpr Substep(double usual, double most) : longest_(usual), most_(most) {}
 
     // Within the limits; what is no number is the shortest.
-    void limit(double longest) { longest_ = longest >= kShortest ? std::min(longest, kLongest) : kShortest; }
+    void limit(double longest) { longest_ = longest >= kShortest ? std::min(longest, most_) : kShortest; }
 
-    // How many equal ones make a step of the world, s.
-    int within(double dt) const { return std::max(1, static_cast<int>(std::ceil(dt / longest_ - 1e-6))); }
+    // How many equal ones make a step of the world, s, when none may be longer than `most` either.
+    int within(double dt, double most) const {
+        return std::max(1, static_cast<int>(std::ceil(dt / std::min(longest_, most) - 1e-6)));
+    }
+    int within(double dt) const { return within(dt, longest_); }
 
 private:
-    double longest_ = kUsual;
+    double longest_, most_;
 };
 
 }  // namespace tread

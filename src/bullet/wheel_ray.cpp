@@ -138,8 +138,8 @@ double bump(const Vector3& at, double amplitude) {
 constexpr double kFastestGround = 340;
 
 // Completes a ground whose plane is known.
-void describe(WheelGround& ground, const SurfaceQuery& query, const SurfaceAt& surface) {
-    if (surface) ground.surface = surface(query);
+void describe(WheelGround& ground, const SurfaceQuery& query, SurfaceSource* surface) {
+    if (surface) ground.surface = surface->at(query);
     const double friction = ground.surface.friction;
     ground.plane.friction = std::isfinite(friction) && friction > 0 ? friction : 0;
     const double roughness = std::isfinite(ground.surface.roughness) ? ground.surface.roughness : 0;

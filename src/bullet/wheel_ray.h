@@ -7,6 +7,7 @@
 #include "bullet/smooth_normal.h"
 #include "tread/bullet_precision.h"
 #include "tread/raycast_vehicle.h"
+#include "tread/road.h"
 
 namespace tread {
 
@@ -54,7 +55,7 @@ struct RaySource {
     const btCollisionWorld* world;  // may be null
     btVehicleRaycaster* user;       // may be null
     RayFilter filter;
-    const SurfaceAt& surface;
+    SurfaceSource* surface;         // may be null
     const Rounding& rounding;
     NearObjects& around;
     NearFaces& near;  // of this wheel

@@ -1,8 +1,36 @@
 // What follows from the tyres of a body on wheels.
+#include <algorithm>
+#include <cmath>
+
 #include "tyre/standstill.h"
 #include "vehicle/wheeled_body.h"
 
 namespace tread {
+
+namespace {
+
+// The stiffness of all carcasses together, along and across, against the mass and the inertia about the other axis.
+double rockingRate(const WheeledBody& body) {
+    double along = 0, across = 0;
+    for (std::size_t i = 0; i < body.wheel_count; ++i) {
+        const BodyWheel& wheel = body.wheels[i];
+        const TyreCoefficients& p = wheel.tyre.parameters;
+        const Vector3 forward_B = wheel.left_B.cross(-wheel.down_B);
+        const double height = wheel.top_B.dot(wheel.down_B) + wheel.strut.length + p.Ro;
+        const auto yielding = [&](const Vector3& axis_B) {
+            return 1 / body.mass + height * height * body.inverse_inertia.dot(axis_B.cwiseAbs2());
+        };
+        along += p.cFx * yielding(wheel.left_B);
+        across += p.cFy * yielding(forward_B);
+    }
+    return std::sqrt(std::max(along, across));
+}
+
+}  // namespace
+
+double longestStep(const WheeledBody& body, double speed) {
+    return speed < kNoHoldSpeed && body.rocking > 0 ? kRockingStep / body.rocking : kInfinity;
+}
 
 void prepareTyres(WheeledBody& body) {
     for (std::size_t first = 0; first < body.wheel_count; first += kWheels) {
@@ -18,6 +46,7 @@ void prepareTyres(WheeledBody& body) {
         body.peak_ratio[i] = peaks.kappa_peak;
         body.peak_angle[i] = peaks.alpha_peak;
     }
+    body.rocking = rockingRate(body);
 }
 
 }  // namespace tread

@@ -62,14 +62,21 @@ struct WheeledBody {
     Vector3 inverse_inertia = Vector3::Ones();  // 1/(kg m2), about the body's axes
     Vector3 linear_factor_W = Vector3::Ones();  // share of each component of the accelerations that happens
     Vector3 angular_factor_W = Vector3::Ones();
+    bool wheel_reaction = true;  // a wheel that is spun up or stopped turns the body against it
     std::size_t wheel_count = 0;
     std::array<BodyWheel, kMostWheels> wheels;
     std::array<FourTyres, kMostWheels / kWheels> packs;  // of the wheels' tyres; idle places repeat the first
     std::array<double, kMostWheels> peak_ratio{};        // slip ratio of the greatest force at the nominal load
     std::array<double, kMostWheels> peak_angle{};        // slip angle likewise, rad
+    double rocking = 0;  // rad/s, at which the body rocks on the carcasses of tyres that stand
 };
 // Completes `packs` and what follows from the tyres.
 void prepareTyres(WheeledBody& body);
+
+// Longest step of a body at this speed, s: any while it rolls; standing on its carcasses, it may rock by no more than
+// kRockingStep within a step.
+double longestStep(const WheeledBody& body, double speed);
+inline constexpr double kRockingStep = 0.85;  // rad; from 1.1 on the rocking of a car does not die down any more
 
 // ---- Motion ----
 

@@ -52,16 +52,15 @@ void asleep(benchmark::State& state) {
 BENCHMARK(asleep<btRaycastVehicle>)->Name("game_asleep/stock");
 BENCHMARK(asleep<RaycastVehicle>)->Name("game_asleep/tread");
 
-// 1000 cars on the height field, one picture at 60 Hz; `real_time`: cars that one core drives in real time.
+// So many cars, one picture at 60 Hz, as they are by default; `real_time`: cars that would keep up with real time.
 template <class Vehicle>
-void thousand(benchmark::State& state, int fleet_threads) {
-    constexpr int kCars = 1000;
+void crowd(benchmark::State& state, Ground ground, int count, int fleet_threads) {
     scene::World world;
     game::Hills hills;
-    hills.add(world, Ground::height_field);
+    hills.add(world, ground);
     std::vector<std::unique_ptr<scene::Car<Vehicle>>> cars;
-    for (int i = 0; i < kCars; ++i) {
-        scene::Setup setup{.height = 0.56, .speed = 5, .substep = 0.002};
+    for (int i = 0; i < count; ++i) {
+        scene::Setup setup{.height = 0.56, .speed = 5};
         setup.place.setOrigin(scene::vector(6 * (i % 40 - 20), 0, 8 * (i / 40 - 12)));
         cars.push_back(std::make_unique<scene::Car<Vehicle>>(world, setup));
         cars.back()->push(200);
@@ -82,7 +81,7 @@ void thousand(benchmark::State& state, int fleet_threads) {
         world.dynamics.stepSimulation(scene::scalar(1.0 / 60), 0);
         ++pictures;
     }
-    state.counters["real_time"] = benchmark::Counter(pictures * kCars / 60, benchmark::Counter::kIsRate);
+    state.counters["real_time"] = benchmark::Counter(pictures * count / 60, benchmark::Counter::kIsRate);
 }
 
 const bool registered = [] {
@@ -94,13 +93,20 @@ const bool registered = [] {
         benchmark::RegisterBenchmark((title + "/tread").c_str(), drives<RaycastVehicle>, ground);
     }
     using benchmark::kMillisecond;
-    benchmark::RegisterBenchmark("game_1000/stock", thousand<btRaycastVehicle>, 0)->Unit(kMillisecond);
-    benchmark::RegisterBenchmark("game_1000/tread", thousand<RaycastVehicle>, 0)->Unit(kMillisecond);
-    for (int threads : {1, 2}) {
-        const std::string title = "game_1000/fleet_of_threads_" + std::to_string(threads);
-        benchmark::RegisterBenchmark(title.c_str(), thousand<RaycastVehicle>, threads)
-            ->UseRealTime()
-            ->Unit(kMillisecond);
+    for (const auto& [name, ground] : grounds) {
+        for (int count : {100, 1000}) {
+            const std::string title = "game_60Hz_" + std::to_string(count) + "/" + name;
+            benchmark::RegisterBenchmark((title + "/stock").c_str(), crowd<btRaycastVehicle>, ground, count, 0)
+                ->Unit(kMillisecond);
+            benchmark::RegisterBenchmark((title + "/tread").c_str(), crowd<RaycastVehicle>, ground, count, 0)
+                ->Unit(kMillisecond);
+            for (int threads : {1, 2}) {
+                const std::string fleet = title + "/fleet_of_threads_" + std::to_string(threads);
+                benchmark::RegisterBenchmark(fleet.c_str(), crowd<RaycastVehicle>, ground, count, threads)
+                    ->UseRealTime()
+                    ->Unit(kMillisecond);
+            }
+        }
     }
     return true;
 }();

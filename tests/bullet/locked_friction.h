@@ -2,6 +2,7 @@
 #pragma once
 
 #include "stock_vs_tread/scene.h"
+#include "tread/tyre.h"
 
 namespace tread {
 

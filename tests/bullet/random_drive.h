@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "stock_vs_tread/scene.h"
+#include "tread/tyre.h"
 
 namespace tread::random_drive {
 

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "stock_vs_tread/scene.h"
+#include "tread/vector.h"
 
 namespace tread {
 namespace {

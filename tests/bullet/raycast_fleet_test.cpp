@@ -104,7 +104,7 @@ TEST(RaycastFleet, WhatASurfaceThrowsArrives) {
     lot.cars[7]->vehicle->setSurface(
         [](const SurfaceQuery&) -> Surface { throw std::runtime_error("no such material"); });
     EXPECT_THROW(run(lot.world, 0.1, 60), std::runtime_error);
-    lot.cars[7]->vehicle->setSurface({});
+    lot.cars[7]->vehicle->clearSurface();
     run(lot.world, 1, 60);
     EXPECT_NEAR(lot.cars[7]->place().y(), 0.54, 0.02) << "and then it goes on";
 }

@@ -85,7 +85,7 @@ TEST(RaycastVehicleLayout, DrivesForwardWhicheverAxesTheGameHas) {
             EXPECT_GT(chassis.getCenterOfMassPosition().dot(f), 11) << "up " << up << ", forward " << forward;
             EXPECT_LT(chassis.getCenterOfMassPosition().dot(r), -0.2) << "steered to the left";
             EXPECT_NEAR(chassis.getCenterOfMassPosition().dot(u), 0.5387, 0.002);
-            EXPECT_NEAR(vehicle.getCurrentSpeedKmHour(), 3.6 * vehicle.velocity().norm(), 0.5) << "and positive";
+            EXPECT_NEAR(vehicle.getCurrentSpeedKmHour(), 3.6 * vehicle.velocity().length(), 0.5) << "and positive";
             EXPECT_GT(vehicle.getWheelInfo(0).m_rotation, 30);
             world.dynamics.removeVehicle(&vehicle);
             world.dynamics.removeRigidBody(&chassis);

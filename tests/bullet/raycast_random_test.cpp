@@ -65,9 +65,9 @@ TEST(RaycastVehicleRandom, TyresGiveNoEnergy) {
         const auto energy = [&] {
             const btVector3 inverse = car.chassis->getInvInertiaDiagLocal();
             const btMatrix3x3& basis = car.chassis->getWorldTransform().getBasis();
-            const Vector3 v = car.vehicle->velocity(), w = car.vehicle->angularVelocity();
-            const btVector3 w_B = btVector3(scalar(w.x()), scalar(w.y()), scalar(w.z())) * basis;
-            double sum = 0.5 * 1500 * v.squaredNorm() + 1500 * kGravity * static_cast<double>(car.place().y());
+            const btVector3 v = car.vehicle->velocity(), w = car.vehicle->angularVelocity();
+            const btVector3 w_B = w * basis;
+            double sum = 0.5 * 1500 * static_cast<double>(v.length2()) + 1500 * kGravity * static_cast<double>(car.place().y());
             for (int k = 0; k < 3; ++k) sum += 0.5 * static_cast<double>(w_B[k] * w_B[k] / inverse[k]);
             return sum;
         };

@@ -8,6 +8,7 @@
 #include "places/places.h"
 #include "stock_vs_tread/scene.h"
 #include "tread/load.h"
+#include "tread/raycast_vehicle_file.h"
 
 namespace tread {
 namespace {
@@ -22,7 +23,7 @@ TEST(RaycastVehicleTyres, MayBeChangedWhileDriving) {
     run(world, 1, 60);
     TyreParams worn = similarTyre(0.25 * 1500 * kGravity, 0.3);
     worn.lambda.mux = worn.lambda.muy = 0.5;
-    for (int i = 0; i < 4; ++i) car.vehicle->setTyre(i, worn);
+    for (int i = 0; i < 4; ++i) setTyre(*car.vehicle, i, worn);
     car.brake(1000);
     run(world, 0.5, 60);
     const double before = car.velocity().z();
@@ -56,7 +57,7 @@ TEST(RaycastVehicleTyres, TelemetryTellsSlipPowerOfLockedWheels) {
         run(world, 1.0 / 60, 60);
         const WheelTelemetry wheel = car.vehicle->telemetry(0);
         power += wheel.slip_power;
-        expected += std::hypot(wheel.fx, wheel.fy) * car.vehicle->velocity().norm();
+        expected += std::hypot(wheel.fx, wheel.fy) * car.vehicle->velocity().length();
     }
     EXPECT_NEAR(power, expected, 0.03 * expected);
     const WheelTelemetry locked = car.vehicle->telemetry(0);
@@ -75,7 +76,8 @@ TEST(RaycastVehicleFile, GivesTyresAndSuspensionOfTheCar) {
     world.dynamics.addRigidBody(&chassis);
     btRaycastVehicle::btVehicleTuning tuning;
     btDefaultVehicleRaycaster raycaster(&world.dynamics);
-    RaycastVehicle vehicle(tuning, &chassis, &raycaster, sourceFile("vehicles/compact.yaml"));
+    RaycastVehicle vehicle(tuning, &chassis, &raycaster);
+    setVehicle(vehicle, sourceFile("vehicles/compact.yaml"));
     world.dynamics.addVehicle(&vehicle);
     for (int i = 0; i < 4; ++i)
         vehicle.addWheel(vector(i % 2 ? -0.76 : 0.76, 0, i < 2 ? 1.03 : -1.59), vector(0, -1, 0), vector(-1, 0, 0),
@@ -90,7 +92,7 @@ TEST(RaycastVehicleFile, GivesTyresAndSuspensionOfTheCar) {
     EXPECT_NEAR(front.deflection, front.load / compact.front.tyre.parameters.pz1, 1e-4);
     world.dynamics.removeVehicle(&vehicle);
     world.dynamics.removeRigidBody(&chassis);
-    EXPECT_THROW(RaycastVehicle(tuning, &chassis, &raycaster, "no such file.yaml"), LoadError);
+    EXPECT_THROW(setVehicle(vehicle, "no such file.yaml"), LoadError);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "problems.h"
 #include "scene.h"
+#include "tread/raycast_vehicle_file.h"
 
 namespace problems {
 namespace {
@@ -38,7 +39,7 @@ double bounce() {
     if constexpr (std::is_same_v<Vehicle, tread::RaycastVehicle>) {
         tread::TyreParams tyre = tread::similarTyre(0.25 * 1500 * kGravity, 0.3);
         tyre.parameters.pz2 = 0;
-        for (int i = 0; i < 4; ++i) car.vehicle->setTyre(i, tyre);
+        for (int i = 0; i < 4; ++i) tread::setTyre(*car.vehicle, i, tyre);
     }
     constexpr double kMiddle = 0.6;  // m, of the centre of gravity with the struts just free
     const double start = kGravity * (0.9 - kMiddle);
