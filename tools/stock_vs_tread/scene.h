@@ -109,7 +109,7 @@ public:
                 vehicle->addWheel(at, vector(0, -1, 0), vector(-1, 0, 0), scalar(0.3), scalar(0.3), tuning, front);
             wheel.m_rollInfluence = scalar(setup.roll_influence);
         }
-        if constexpr (std::is_same_v<Vehicle, tread::RaycastVehicle>) {
+        if constexpr (std::is_base_of_v<tread::RaycastVehicle, Vehicle>) {
             if (setup.substep > 0) vehicle->setSubstep(setup.substep);
         }
     }

@@ -1,0 +1,198 @@
+// How a game calls a RaycastVehicle: before the chassis is built, twice a frame, through Bullet's own step, with
+// callbacks that throw.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <new>
+#include <stdexcept>
+
+#include "bullet/locked_friction.h"
+#include "stock_vs_tread/scene.h"
+
+namespace tread {
+namespace {
+
+using namespace scene;
+using DropIn = Car<RaycastVehicle>;
+
+TEST(RaycastVehicleCalls, ConstructorDoesNotTouchAChassisThatIsNotBuiltYet) {
+    alignas(btRigidBody) unsigned char place[sizeof(btRigidBody)], before[sizeof(btRigidBody)];
+    std::memset(place, 0xAB, sizeof place);
+    std::memcpy(before, place, sizeof place);
+    World world;
+    world.addPlane();
+    auto* chassis = reinterpret_cast<btRigidBody*>(place);
+    btRaycastVehicle::btVehicleTuning tuning;
+    tuning.m_suspensionStiffness = 40;
+    tuning.m_suspensionCompression = tuning.m_suspensionDamping = 4;
+    RaycastVehicle vehicle(tuning, chassis, nullptr);
+    vehicle.setCoordinateSystem(0, 1, 2);
+    vehicle.setGrip(1);
+    vehicle.setSubstep(0.01);
+    vehicle.setCollisionFilter(1, -1);
+    EXPECT_EQ(std::memcmp(place, before, sizeof place), 0);
+
+    btBoxShape shape(vector(0.8, 0.25, 2));
+    btVector3 inertia;
+    shape.calculateLocalInertia(800, inertia);
+    new (place) btRigidBody(800, nullptr, &shape, inertia);
+    chassis->setWorldTransform(btTransform(btQuaternion::getIdentity(), vector(0, 0.6, 0)));
+    for (int i = 0; i < 4; ++i)
+        vehicle.addWheel(vector(i % 2 ? -0.7 : 0.7, 0, i < 2 ? 1.3 : -1.3), vector(0, -1, 0), vector(-1, 0, 0),
+                         scalar(0.3), scalar(0.3), tuning, i < 2);
+    world.dynamics.addRigidBody(chassis);
+    world.dynamics.addVehicle(&vehicle);
+    run(world, 3, 60);
+    EXPECT_NEAR(chassis->getCenterOfMassPosition().y(), 0.6 - kGravity / 4 / 40, 0.01) << "a spring of 40 N/m per kg";
+    world.dynamics.removeVehicle(&vehicle);
+    world.dynamics.removeRigidBody(chassis);
+    chassis->~btRigidBody();
+}
+
+// A game that adds the vehicle to the world and steps it by hand as well.
+TEST(RaycastVehicleCalls, SecondStepWithinAFrameActsTwiceAsInStock) {
+    World once_world, twice_world;
+    once_world.addPlane();
+    twice_world.addPlane();
+    DropIn once(once_world, {.speed = 30}), twice(twice_world, {.speed = 30});
+    once.push(2000);
+    twice.push(2000);
+    for (int frame = 0; frame < 120; ++frame) {
+        run(once_world, 1.0 / 60, 60);
+        run(twice_world, 1.0 / 60, 60);
+        twice.vehicle->updateVehicle(scalar(1.0 / 60));
+    }
+    const double gain = once.velocity().z() - scalar(30), doubled = twice.velocity().z() - scalar(30);
+    EXPECT_NEAR(gain, (2000 / 1500.0 - 0.01 * kGravity) * 2, 0.1) << "force less rolling resistance over mass";
+    EXPECT_NEAR(doubled, 2 * gain, 0.05 * gain);
+    EXPECT_NEAR(twice.place().y(), once.place().y(), 1e-3) << "the springs carry the car once";
+}
+
+// By hand only: the world knows no vehicle.
+TEST(RaycastVehicleCalls, StepByHandIsTheSameAsTheWorlds) {
+    World world, by_hand_world;
+    world.addPlane();
+    by_hand_world.addPlane();
+    DropIn car(world, {.speed = 20}), by_hand(by_hand_world, {.speed = 20});
+    by_hand_world.dynamics.removeVehicle(by_hand.vehicle.get());
+    for (int frame = 0; frame < 180; ++frame) {
+        for (DropIn* each : {&car, &by_hand}) {
+            each->steer(0.02);
+            each->push(frame < 60 ? 3000 : 0);
+            each->brake(frame < 120 ? 0 : 30);
+        }
+        run(world, 1.0 / 60, 60);
+        run(by_hand_world, 1.0 / 60, 60);
+        by_hand.vehicle->updateVehicle(scalar(1.0 / 60));
+    }
+    EXPECT_NEAR((car.place() - by_hand.place()).length(), 0, 0.02) << "of 60 m; rays are Bullet's";
+}
+
+// ---- Derived classes ----
+
+// As a game wrote it for the stock vehicle; only the base class is another one.
+class Counting : public RaycastVehicle {
+public:
+    using RaycastVehicle::RaycastVehicle;
+    void updateVehicle(btScalar step) override {
+        ++steps;
+        btRaycastVehicle::updateVehicle(step);
+    }
+    int steps = 0;
+};
+class FullyQualified : public RaycastVehicle {
+public:
+    using RaycastVehicle::RaycastVehicle;
+    void updateVehicle(btScalar step) override { ::btRaycastVehicle::updateVehicle(step); }
+};
+
+template <class Vehicle>
+btVector3 placeAfterADrive() {
+    World world;
+    world.addPlane();
+    Car<Vehicle> car(world, {.friction = 0.8, .speed = 15});
+    for (int frame = 0; frame < 240; ++frame) {
+        car.steer(frame < 60 ? 0 : 0.1);
+        car.push(frame < 120 ? 6000 : 0);
+        car.brake(frame < 180 ? 0 : 200);
+        run(world, 1.0 / 60, 60);
+    }
+    return car.place();
+}
+
+TEST(RaycastVehicleCalls, StocksStepReachesTreadFromADerivedClass) {
+    const btVector3 tread = placeAfterADrive<RaycastVehicle>();
+    const btVector3 stock = placeAfterADrive<btRaycastVehicle>();
+    EXPECT_EQ((placeAfterADrive<Counting>() - tread).length(), 0);
+    EXPECT_LT((placeAfterADrive<FullyQualified>() - tread).length(), 0.01);
+    EXPECT_GT((stock - tread).length(), 5) << "the drive tells them apart";
+}
+
+TEST(RaycastVehicleCalls, WorldCallsTheOverriddenStep) {
+    World world;
+    world.addPlane();
+    Car<Counting> car(world);
+    run(world, 1, 60);
+    EXPECT_EQ(car.vehicle->steps, 60);
+}
+
+// ---- Callbacks that throw ----
+
+TEST(RaycastVehicleCalls, ThrowingSurfaceLeavesTheCarAsItWas) {
+    World world;
+    world.addPlane();
+    DropIn car(world, {.speed = 20});
+    car.steer(0.05);
+    bool throws = false;
+    car.vehicle->setSurface([&](const SurfaceQuery& query) {
+        if (throws && query.wheel == 2) throw std::runtime_error("no such material");
+        return Surface{};
+    });
+    run(world, 2, 60);
+    const double height = car.place().y();
+    std::array<WheelTelemetry, 4> before, after;
+    for (int i = 0; i < 4; ++i) before[static_cast<std::size_t>(i)] = car.vehicle->telemetry(i);
+    throws = true;
+    EXPECT_THROW(run(world, 1.0 / 60, 60), std::runtime_error);
+    for (int i = 0; i < 4; ++i) after[static_cast<std::size_t>(i)] = car.vehicle->telemetry(i);
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(before[i].load, after[i].load);
+        EXPECT_EQ(before[i].fy, after[i].fy);
+        EXPECT_EQ(before[i].spin, after[i].spin);
+        EXPECT_EQ(before[i].compression, after[i].compression);
+    }
+    throws = false;
+    double lowest = height, highest = height;
+    for (int i = 0; i < 60; ++i) {
+        run(world, 1.0 / 60, 60);
+        lowest = std::min(lowest, static_cast<double>(car.place().y()));
+        highest = std::max(highest, static_cast<double>(car.place().y()));
+    }
+    // It fell freely for 1/60 s; what that gave it swings on springs of four times 40 N/m per kg.
+    const double swing = kGravity / 60 / std::sqrt(4 * 40);
+    EXPECT_GT(lowest, height - 1.1 * swing);
+    EXPECT_LT(highest, height + swing);
+}
+
+// ---- Settings ----
+
+TEST(RaycastVehicleCalls, GripScalesTheTyres) {
+    for (const double grip : {0.4, 1.0, 1.8}) {
+        World world;
+        world.addPlane();
+        DropIn car(world, {.friction = 0.5, .speed = 30});
+        car.vehicle->setGrip(grip);
+        run(world, 0.5, 60);
+        car.brake(1000);
+        run(world, 0.5, 60);
+        const double before = car.velocity().z();
+        run(world, 0.5, 60);
+        EXPECT_NEAR((before - car.velocity().z()) / 0.5 / kGravity, lockedFriction(0.5 * grip), 0.02) << grip;
+    }
+}
+
+}  // namespace
+}  // namespace tread
