@@ -48,8 +48,9 @@ struct WheelRay {
     bool isFinite() const { return top_W.allFinite() && down_W.allFinite(); }
 };
 
+// As those of btDefaultVehicleRaycaster.
 struct RayFilter {
-    int group = btBroadphaseProxy::AllFilter;
+    int group = btBroadphaseProxy::DefaultFilter;
     int mask = btBroadphaseProxy::AllFilter;
 };
 

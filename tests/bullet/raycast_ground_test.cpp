@@ -10,14 +10,15 @@
 #include <string>
 
 #include "stock_vs_tread/scene.h"
+#include "tread/bullet_road.h"
 
 namespace tread {
 namespace {
 
 using namespace scene;
 
-// Of the car in scene.h on level ground: hard points are as high as the centre of gravity, their wheels 0.3 m large.
-constexpr double kHeight = 0.54, kRadius = 0.3;
+// Of the car in scene.h on level ground: m, of the centre of gravity and of the hard points above wheels of 0.3 m.
+constexpr double kHeight = 0.54;
 constexpr double kRoof = kHeight + 0.25;  // m, top of the chassis
 
 btTransform at(double x, double y, double z) {
@@ -410,6 +411,58 @@ TEST(RaycastVehicleRoof, LiesOnTheGroundWithoutItsWheelsAsThatOfTheStockVehicle)
         expectToLieOnItsRoof<btRaycastVehicle>(world);
         expectToLieOnItsRoof<RaycastVehicle>(world);
     });
+}
+
+// ---- What collides with what
+
+// A step 10 cm high, of a group of its own, that a car comes to at 5 m/s: how high it gets.
+template <class Vehicle>
+double climbs(int group, int mask, const std::function<void(Vehicle&)>& set = {}) {
+    World world;
+    world.addPlane();
+    btBoxShape shape(vector(5, 0.1, 5));
+    btRigidBody step(0, nullptr, &shape);
+    step.setWorldTransform(at(0, 0, 15));
+    world.dynamics.addRigidBody(&step, group, mask);
+    Car<Vehicle> car(world, {.speed = 5});
+    if (set) set(*car.vehicle);
+    run(world, 1, 60);
+    const double climbed = strays(world, car, 2);
+    world.dynamics.removeRigidBody(&step);
+    return climbed;
+}
+
+TEST(RaycastVehicleFilter, IsThatOfTheStockVehicleUnlessSet) {
+    constexpr int kOwn = 64, kAll = btBroadphaseProxy::AllFilter;
+    constexpr int kNotDefault = kAll ^ btBroadphaseProxy::DefaultFilter;
+    EXPECT_GT(climbs<btRaycastVehicle>(kOwn, kAll), 0.09);
+    EXPECT_GT(climbs<RaycastVehicle>(kOwn, kAll), 0.09);
+    EXPECT_LT(climbs<btRaycastVehicle>(kOwn, kNotDefault), 0.01);
+    EXPECT_LT(climbs<RaycastVehicle>(kOwn, kNotDefault), 0.01);
+    const auto set = [&](int group, int mask) {
+        return climbs<RaycastVehicle>(kOwn, kNotDefault,
+                                      [=](RaycastVehicle& vehicle) { vehicle.setCollisionFilter(group, mask); });
+    };
+    EXPECT_GT(set(kOwn, kAll), 0.09);
+    EXPECT_LT(set(kOwn, kNotDefault ^ kOwn), 0.01);
+}
+
+TEST(BulletRoadFilter, IsThatOfAnyRayOfBullets) {
+    constexpr int kAll = btBroadphaseProxy::AllFilter, kOwn = 64;
+    for (int mask : {kAll, kAll ^ btBroadphaseProxy::DefaultFilter}) {
+        World world;
+        world.addPlane();
+        btBoxShape shape(vector(5, 0.1, 5));
+        btCollisionObject step, own;
+        step.setCollisionShape(&shape);
+        world.dynamics.addCollisionObject(&step, kOwn, mask);
+        btCollisionWorld::ClosestRayResultCallback ray(vector(1, 1, 1), vector(1, -1, 1));
+        world.dynamics.rayTest(ray.m_rayFromWorld, ray.m_rayToWorld, ray);
+        const BulletRoad road(world.dynamics, own, Vector3::UnitY(), 2);
+        EXPECT_NEAR(road.contact({1, 0.5, 1}, 0).point_W.y(), ray.m_hitPointWorld.y(), 1e-6);
+        EXPECT_NEAR(ray.m_hitPointWorld.y(), mask == kAll ? 0.1 : 0, 1e-6);
+        world.dynamics.removeCollisionObject(&step);
+    }
 }
 
 }  // namespace
