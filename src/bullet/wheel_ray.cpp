@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "bullet/convert.h"
 #include "bullet/ground_below.h"
@@ -61,69 +62,183 @@ std::optional<Meets> enterBox(const btCollisionObject& object, const Way& ray) {
     return Meets{enters, normal};
 }
 
-// What a user's filter lets through, with the part of a shape that was hit; planes, boxes and the faces of the mesh or
-// height field on which the wheel stood last are met exactly, and without Bullet.
-struct FilteredGround : GroundBelow {
-    FilteredGround(const Way& r, const RaySource& s)
-        : GroundBelow(toBullet(r.start_W), toBullet(Vector3(r.start_W + r.way_W)), s.chassis), ray(r), source(s) {
-        m_collisionFilterGroup = source.filter.group;
-        m_collisionFilterMask = source.filter.mask;
-    }
-    // Whether Bullet must look closer.
-    bool needsCollision(btBroadphaseProxy* proxy) const override {
-        const auto* object = static_cast<const btCollisionObject*>(proxy->m_clientObject);
-        return GroundBelow::needsCollision(proxy) && source.chassis.checkCollideWith(object) &&
-               !const_cast<FilteredGround*>(this)->isDone(*object);
-    }
-    void askBullet(btCollisionObject& object) {
-        const btTransform from(btQuaternion::getIdentity(), m_rayFromWorld),
-            to(btQuaternion::getIdentity(), m_rayToWorld);
-        btCollisionWorld::rayTestSingle(from, to, &object, object.getCollisionShape(), object.getWorldTransform(),
-                                        *this);
-    }
-    bool isDone(const btCollisionObject& object) {
-        const btCollisionShape& shape = *object.getCollisionShape();
-        if (shape.getShapeType() == STATIC_PLANE_PROXYTYPE) take(object, meetPlane(object, ray));
-        else if (shape.getShapeType() == BOX_SHAPE_PROXYTYPE) take(object, enterBox(object, ray));
-        else if (&object == source.near.object && hasFaces(shape)) takeFaces(object);
-        else return false;
-        return true;
-    }
-    void takeFaces(const btCollisionObject& object) {
-        know(source.near, object, ray, source.rounding.reach);
-        take(object, meetFaces(source.near, ray));
-    }
-    void take(const btCollisionObject& object, const std::optional<Meets>& met) {
-        if (!met || met->fraction >= static_cast<double>(m_closestHitFraction)) return;
-        exact = met;
-        m_collisionObject = &object;
-        m_closestHitFraction = static_cast<btScalar>(met->fraction);
-        m_hitPointWorld = toBullet(Vector3(ray.start_W + met->fraction * ray.way_W));
-        m_hitNormalWorld = toBullet(met->normal_W);
-        part = met->part;
-        triangle = met->triangle;
+// m: a gap that a ray of Bullet's can tell from none, 10 km from the origin in single precision. What is thinner has no
+// inside.
+constexpr double kThinnest = 1e-3;
+
+// Bullet's answer for one object.
+struct Asked : GroundBelow {
+    Asked(const Way& way, const btCollisionObject& own)
+        : GroundBelow(toBullet(way.start_W), toBullet(Vector3(way.start_W + way.way_W)), own) {
+        m_flags |= btTriangleRaycastCallback::kF_KeepUnflippedNormal;
     }
     btScalar addSingleResult(btCollisionWorld::LocalRayResult& result, bool normal_in_world) override {
-        exact.reset();
+        // A body that holds the start is not met, but may be said to be met there.
+        if (!(result.m_hitFraction > 0)) return m_closestHitFraction;
         part = result.m_localShapeInfo ? result.m_localShapeInfo->m_shapePart : -1;
         triangle = result.m_localShapeInfo ? result.m_localShapeInfo->m_triangleIndex : -1;
         return ClosestRayResultCallback::addSingleResult(result, normal_in_world);
     }
-    // Of a mesh or height field that Bullet met: from now on its faces are asked, and so they are now.
-    void lookAround() {
-        if (exact) return;
-        const btCollisionObject& object = *m_collisionObject;
-        know(source.near, object, ray, source.rounding.reach);
-        if (!hasFaces(*object.getCollisionShape())) return;
-        const std::optional<Meets> met = meetFaces(source.near, ray);
-        if (met) m_closestHitFraction = 1;
-        take(object, met);
-    }
-    const Way& ray;
-    const RaySource& source;
-    std::optional<Meets> exact;  // of what was met last
     int part = -1;
     int triangle = -1;
+};
+
+// A body that was met, and where.
+struct Hit {
+    Meets met{.fraction = 0, .normal_W = Vector3::Zero()};
+    const Way* way = nullptr;
+    btCollisionObject* object = nullptr;  // null: nothing was met
+    double depth = kInfinity;             // m, below the hard point
+    bool by_bullet = false;
+
+    Vector3 point_W() const { return way->start_W + met.fraction * way->way_W; }
+};
+
+// Whether the object stays where it is: what a car carries does not.
+bool neverMoves(const btCollisionObject& object) {
+    const int kind = object.getInternalType(), flags = object.getCollisionFlags();
+    constexpr int kMoves = btCollisionObject::CF_KINEMATIC_OBJECT | btCollisionObject::CF_CHARACTER_OBJECT;
+    return (kind == btCollisionObject::CO_RIGID_BODY || kind == btCollisionObject::CO_COLLISION_OBJECT) &&
+           object.isStaticObject() && (flags & kMoves) == 0;
+}
+
+// Looks from body to body for the ground. Planes, boxes and the faces of the mesh or height field on which the wheel
+// stood last are met exactly, and without Bullet.
+class Search {
+public:
+    Search(const WheelRay& r, const RaySource& s)
+        : ray_(r),
+          source_(s),
+          whole_{r.start_W(), r.way_W()},
+          below_{r.top_W, r.below() * r.down_W},
+          filter_(toBullet(whole_.start_W), toBullet(Vector3(whole_.start_W + whole_.way_W)), s.chassis) {
+        filter_.m_collisionFilterGroup = source_.filter.group;
+        filter_.m_collisionFilterMask = source_.filter.mask;
+    }
+    Box box() const { return Box::around(filter_.m_rayFromWorld, filter_.m_rayToWorld); }
+
+    void lookAt(btBroadphaseProxy& proxy) {
+        auto& object = *static_cast<btCollisionObject*>(proxy.m_clientObject);
+        if (!filter_.needsCollision(&proxy) || !source_.chassis.checkCollideWith(&object)) return;
+        if (!neverMoves(object)) {
+            take(meet(object, below_, ground_.depth));
+            return;
+        }
+        const Hit hit = meet(object, whole_, ground_.depth);
+        if (!isAbove(hit)) {
+            take(hit);
+            return;
+        }
+        above_.push_back({hit, meet(object, below_, kInfinity)});
+        take(above_.back().below);
+    }
+
+    // When all bodies were looked at.
+    Hit ground() {
+        const bool carried = ground_.object;
+        for (const Above& above : above_) {
+            if (above.hit.depth < ground_.depth && holdsHardPoint(above, carried)) ground_ = above.hit;
+        }
+        if (ground_.object && ground_.met.triangle >= 0) knowFaces();
+        return ground_;
+    }
+
+private:
+    // A body met above the hard point, and what the ray meets of it below.
+    struct Above {
+        Hit hit, below;
+    };
+
+    static bool isAbove(const Hit& hit) { return hit.object && hit.depth < 0; }
+    static bool facesUp(const Hit& hit) { return hit.met.normal_W.dot(hit.way->way_W) < 0; }
+    static bool isConcave(const btCollisionObject& object) {
+        const btCollisionShape& shape = *object.getCollisionShape();
+        return shape.isConcave() && shape.getShapeType() != STATIC_PLANE_PROXYTYPE;
+    }
+    static bool isField(const btCollisionObject& object) {
+        return object.getCollisionShape()->getShapeType() == TERRAIN_SHAPE_PROXYTYPE;
+    }
+    bool isUpright() const { return ray_.down_W.dot(fromBullet(source_.chassis.getGravity())) >= 0; }
+
+    // Whether the ray comes into the body where it meets it. A mesh may be open, with an inside on neither side, and
+    // its faces may look to either; those of a height field look to where its options turn them. So a rolled car,
+    // whose roof lies on them, has none of them above its hard points. Where something carries the wheel below, what is
+    // above must be the upper side of its faces, and not stand over an upper side of the same mesh, as a bridge over
+    // its road.
+    bool comesIn(const Above& above, bool carried) const {
+        if (!isConcave(*above.hit.object)) return facesUp(above.hit);
+        if (!isUpright()) return false;
+        if (isField(*above.hit.object) || !carried) return true;
+        return facesUp(above.hit) && !(above.below.object && facesUp(above.below));
+    }
+
+    // Whether it also does not leave it before the hard point.
+    bool holdsHardPoint(const Above& above, bool carried) {
+        if (!comesIn(above, carried)) return false;
+        const Way up{ray_.top_W, (above.hit.depth + kThinnest) * ray_.down_W};
+        return above.hit.depth > -kThinnest || !meet(*above.hit.object, up, kInfinity).object;
+    }
+
+    // What a way along the strut meets of the object, if less deep than `depth`.
+    Hit meet(btCollisionObject& object, const Way& way, double depth) {
+        const btCollisionShape& shape = *object.getCollisionShape();
+        std::optional<Meets> met;
+        bool by_bullet = false;
+        if (shape.getShapeType() == STATIC_PLANE_PROXYTYPE) met = meetPlane(object, way);
+        else if (shape.getShapeType() == BOX_SHAPE_PROXYTYPE) met = enterBox(object, way);
+        else if (&object == source_.near.object && hasFaces(shape)) met = meetKnownFaces(object, way);
+        else {
+            met = askBullet(object, way, depth);
+            by_bullet = true;
+        }
+        if (!met) return {};
+        const double at = depthOf(way, met->fraction);
+        return at < depth ? Hit{*met, &way, &object, at, by_bullet} : Hit{};
+    }
+    double depthOf(const Way& way, double fraction) const {
+        if (&way == &whole_) return fraction * (ray_.raised + ray_.below()) - ray_.raised;
+        return fraction * way.way_W.dot(ray_.down_W);
+    }
+    std::optional<Meets> meetKnownFaces(const btCollisionObject& object, const Way& way) {
+        know(source_.near, object, whole_, source_.rounding.reach);
+        return meetFaces(source_.near, way);
+    }
+    std::optional<Meets> askBullet(btCollisionObject& object, const Way& way, double depth) const {
+        Asked asked(way, source_.chassis);
+        if (depth < kInfinity) asked.m_closestHitFraction = std::min(btScalar(1), fractionOf(way, depth));
+        const btTransform from(btQuaternion::getIdentity(), asked.m_rayFromWorld),
+            to(btQuaternion::getIdentity(), asked.m_rayToWorld);
+        btCollisionWorld::rayTestSingle(from, to, &object, object.getCollisionShape(), object.getWorldTransform(),
+                                        asked);
+        if (!asked.hasHit()) return {};
+        return Meets{static_cast<double>(asked.m_closestHitFraction), fromBullet(asked.m_hitNormalWorld), asked.part,
+                     asked.triangle};
+    }
+    btScalar fractionOf(const Way& way, double depth) const {
+        const double raised = &way == &whole_ ? ray_.raised : 0;
+        return static_cast<btScalar>((raised + depth) / (raised + ray_.below()));
+    }
+
+    void take(const Hit& hit) {
+        if (hit.depth < ground_.depth) ground_ = hit;
+    }
+    // Of a mesh or height field that Bullet met: from now on its faces are asked, and so they are now. They remember
+    // which face was met last.
+    void knowFaces() {
+        if (!ground_.by_bullet && above_.empty()) return;
+        const btCollisionObject& object = *ground_.object;
+        know(source_.near, object, whole_, source_.rounding.reach);
+        if (!hasFaces(*object.getCollisionShape())) return;
+        const std::optional<Meets> met = meetFaces(source_.near, *ground_.way);
+        if (met) ground_.met = *met;
+    }
+
+    const WheelRay& ray_;
+    const RaySource& source_;
+    const Way whole_, below_;  // from the raised start, and from the hard point
+    GroundBelow filter_;
+    Hit ground_;                // the least deep so far
+    std::vector<Above> above_;  // seldom anything
 };
 
 // Height of a rough surface: bumps about a metre long, the same whenever one comes there.
@@ -192,27 +307,24 @@ WheelGround castByUser(const WheelRay& ray, const RaySource& source) {
 
 WheelGround castIntoWorld(const WheelRay& ray, const RaySource& source) {
     WheelGround ground = nothingUnder(ray);
-    const Way way{ray.start_W(), ray.way_W()};
-    FilteredGround hit(way, source);
-    const Box box = Box::around(hit.m_rayFromWorld, hit.m_rayToWorld);
+    Search search(ray, source);
+    const Box box = search.box();
     if (!source.around.cover(box)) source.around.find(*source.world, box);
     for (btBroadphaseProxy* proxy : source.around.objects) {
-        if (box.meets(*proxy) && hit.needsCollision(proxy))
-            hit.askBullet(*static_cast<btCollisionObject*>(proxy->m_clientObject));
+        if (box.meets(*proxy)) search.lookAt(*proxy);
     }
-    if (hit.triangle >= 0) hit.lookAround();
-    const Vector3 normal = hit.exact ? hit.exact->normal_W : fromBullet(hit.m_hitNormalWorld);
-    ground.plane.exists = hit.hasHit() && isUnit(normal);
+    const Hit hit = search.ground();
+    ground.plane.exists = hit.object && isUnit(hit.met.normal_W);
     if (!ground.plane.exists) return ground;
-    // Depth along the ray in double: the hit point itself is rounded to the world's precision.
-    ground.handle = ground.object = const_cast<btCollisionObject*>(hit.m_collisionObject);
-    const double fraction = hit.exact ? hit.exact->fraction : static_cast<double>(hit.m_closestHitFraction);
-    ground.plane.point_W = way.start_W + fraction * way.way_W;
-    ground.plane.normal_W = normal.normalized();
+    // In double: Bullet's hit point is rounded to the world's precision.
+    ground.handle = ground.object = hit.object;
+    ground.plane.point_W = hit.point_W();
+    ground.plane.normal_W = hit.met.normal_W.normalized();
     if (ground.plane.normal_W.dot(ray.down_W) > 0) ground.plane.normal_W = -ground.plane.normal_W;
-    if (hit.triangle >= 0 && source.rounding.angle > 0)
+    if (hit.met.triangle >= 0 && source.rounding.angle > 0)
         ground.plane.normal_W = smoothNormal(source.near, ground.plane.point_W, ground.plane.normal_W, source.rounding);
-    describe(ground, {ground.object, hit.part, hit.triangle, hit.m_hitPointWorld, ray.wheel}, source.surface);
+    const btVector3 point = toBullet(ground.plane.point_W);
+    describe(ground, {ground.object, hit.met.part, hit.met.triangle, point, ray.wheel}, source.surface);
     return ground;
 }
 

@@ -1,4 +1,9 @@
 // What lies under a wheel, found by a ray along its strut.
+//
+// What the ray meets below the hard point (the top of the strut) is ground, as for the stock vehicle. A wheel may also
+// have come so far into a steep obstacle, or in a hard landing into the ground, that the hard point itself lies inside:
+// then the surface up to one radius above it is ground. Only of what never moves and holds the hard point: what lies on
+// the car, hangs on it or reaches over its wheels carries none of them.
 #pragma once
 
 #include <span>
@@ -38,13 +43,15 @@ struct WheelRay {
     double ahead;    // m, how much farther the wheel may come within the step
     int wheel;
 
+    double below() const { return length + ahead; }
     Vector3 start_W() const { return top_W - raised * down_W; }
-    Vector3 way_W() const { return (raised + length + ahead) * down_W; }
+    Vector3 way_W() const { return (raised + below()) * down_W; }
     bool isFinite() const { return top_W.allFinite() && down_W.allFinite(); }
 };
 
+// As those of btDefaultVehicleRaycaster.
 struct RayFilter {
-    int group = btBroadphaseProxy::AllFilter;
+    int group = btBroadphaseProxy::DefaultFilter;
     int mask = btBroadphaseProxy::AllFilter;
 };
 
