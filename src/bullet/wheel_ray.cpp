@@ -12,6 +12,7 @@
 
 #include "bullet/convert.h"
 #include "bullet/ground_below.h"
+#include "tread/describe.h"
 
 namespace tread {
 
