@@ -20,6 +20,11 @@ constexpr double kMostDemand = 1000;       // of engine or brake, over the tyre'
 // A spring is never softer than this share of its tyre's stiffness, nor harder than this multiple.
 constexpr double kSoftestSpring = 1e-3;
 constexpr double kHardestSpring = 9;
+// A tyre made for the stock numbers is at least so many times as stiff as the stock spring: most of the way is the
+// suspension's, as in a car. Besides, it is so stiff that the rim carries only when the suspension is at its stop.
+constexpr double kSoftestTyre = 3;
+// The stop at the end of the travel lets the car swing by no more than this: one step of a slow game follows it.
+constexpr double kStopFrequency = 30;  // rad/s
 // Wheels are about a twentieth of the mass that they carry, at 0.77 of their radius (a car's: 19 kg, 1 kg m2).
 constexpr double kWheelMassShare = 0.05;
 constexpr double kGyrationSquared = 0.6;
@@ -60,6 +65,34 @@ double radiusOf(const btWheelInfo& info) {
     return within(info.m_wheelsRadius, kSmallestRadius, kLargestRadius, 0.3);
 }
 
+// Spring and tyre in series are as soft as the stock spring alone.
+//
+// With a tyre of somebody's own, strut and damper then are what is left. A tyre made for the stock numbers takes its
+// part of the damping as well: of spring k and damper c it gets k/s and c/s, the strut k/(1-s) and c/(1-s), where s is
+// the share of the way that the tyre gives. Both then give way in the same proportion at every instant, and between
+// body and road is spring k with damper c, as in stock, at any stiffness and any damping. A tyre without damping that
+// is softer than the spring would carry the motion past the damper, and the car would bounce on it for ever.
+void suspend(BodyWheel& wheel, const btWheelInfo& info, double mass, bool own_numbers) {
+    const double radius = radiusOf(info);
+    StrutParams& strut = wheel.strut;
+    double& pz1 = wheel.tyre.parameters.pz1;
+    const double stock = within(info.m_suspensionStiffness * mass, 0, kMostForce, 0.2 * radialStiffness(wheel.tyre));
+    strut.bump = within(info.m_wheelsDampingCompression * mass, 0, kMostForce, 0);
+    strut.rebound = within(info.m_wheelsDampingRelaxation * mass, 0, kMostForce, 0);
+    if (own_numbers) pz1 = std::max(pz1, stock * std::max(kSoftestTyre, strut.travel / (kRimDeflection * radius)));
+
+    const double radial = radialStiffness(wheel.tyre);
+    const double share = stock / radial;
+    const double alone = share < kHardestSpring / (1 + kHardestSpring) ? share / (1 - share) : kHardestSpring;
+    strut.stiffness = radial * std::max(alone, kSoftestSpring);
+    if (!own_numbers) return;
+    const double of_tyre = std::max(share, kSoftestSpring);
+    strut.tyre_bump = strut.bump / of_tyre;
+    strut.tyre_rebound = strut.rebound / of_tyre;
+    strut.bump /= 1 - of_tyre;
+    strut.rebound /= 1 - of_tyre;
+}
+
 TyreParams mounted(const TyreParams& tyre, bool left) {
     return (tyre.side == TyreSide::left) == left ? tyre : mirrored(tyre);
 }
@@ -86,17 +119,11 @@ BodyWheel wheelFromTuning(const btWheelInfo& info, double mass, double resting_l
     wheel.inertia = kGyrationSquared * kWheelMassShare * resting_load / kStandardGravity * radius * radius;
     wheel.roll_share = within(info.m_rollInfluence, 0, 1, 0.1);
 
-    // Spring and tyre in series are as soft as the stock spring alone.
-    const double radial = radialStiffness(wheel.tyre);
-    const double stock = within(info.m_suspensionStiffness * mass, 0, kMostForce, 0.2 * radial);
-    const double share = stock / radial;
-    const double alone = share < kHardestSpring / (1 + kHardestSpring) ? share / (1 - share) : kHardestSpring;
-    wheel.strut.stiffness = radial * std::max(alone, kSoftestSpring);
-    wheel.strut.bump = within(info.m_wheelsDampingCompression * mass, 0, kMostForce, 0);
-    wheel.strut.rebound = within(info.m_wheelsDampingRelaxation * mass, 0, kMostForce, 0);
     wheel.strut.most_force = within(info.m_maxSuspensionForce, 0, kMostForce, kMostForce);
     wheel.strut.travel =
         within(0.01 * info.m_maxSuspensionTravelCm, 0, wheel.strut.length + 0.5 * radius, wheel.strut.length);
+    suspend(wheel, info, mass, !tyre);
+    wheel.strut.stop = kStopFrequency * kStopFrequency * resting_load / kStandardGravity;
     return wheel;
 }
 

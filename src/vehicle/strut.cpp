@@ -33,26 +33,69 @@ struct StrutForce {
 
 // Normal force of the road at compression x, and its slope with x.
 struct RoadForce {
+    const StrutParams& strut;
     const TyreParams& tyre;
     const StrutPush& push;
     double start;
+    double before;  // m, deflection at the start of the step, for the tyre's damping
     double per_second;
 
     double deflection(double x) const { return push.deflection - push.lift * x; }
 
     ForceAndSlope operator()(double x) const {
         const double rate = push.closing - push.lift * (x - start) * per_second;
-        const TyreLoad load = tyreLoad(tyre, {.value = deflection(x), .rate = rate, .fall = push.closing});
-        return {load.load, -push.lift * (load.by_deflection + load.by_rate * per_second)};
+        const double pressed = deflection(x) - before;
+        const double damping = (pressed > 0 ? strut.tyre_bump : strut.tyre_rebound) * per_second;
+        const TyreLoad load =
+            tyreLoad(tyre, {.value = deflection(x), .rate = rate, .fall = push.closing}, damping * pressed);
+        const double slope = load.by_deflection + load.by_rate * per_second + (load.by_deflection > 0 ? damping : 0);
+        return {load.load, -push.lift * slope};
     }
 };
 
+// Share of a damping that counts over a step: a damper takes no more than the whole motion of the body. One which took
+// more would turn the motion round, and one which took twice as much would swing it without end.
+double shareOverStep(double damping, double yielding) {
+    return 1 / std::max(damping * yielding, 1.0);
+}
+
+// Strut and tyre with damping of both stand between body and road as one damper, that of the two in series.
+StrutParams overStep(StrutParams strut, double yielding) {
+    const auto scale = [yielding](double& a, double& b) {
+        if (!(a > 0 && b > 0)) return;
+        const double share = shareOverStep(a * b / (a + b), yielding);
+        a *= share;
+        b *= share;
+    };
+    scale(strut.bump, strut.tyre_bump);
+    scale(strut.rebound, strut.tyre_rebound);
+    return strut;
+}
+
+// What the dampers see at the start of the step.
+struct DampedFrom {
+    double compression;  // m, of the strut
+    double deflection;   // m, of the tyre
+};
+// A wheel that comes down within the step counts as if it had touched all the time, strut and tyre in proportion: the
+// damping then meets the whole speed, as in stock, and not what is left of the step.
+DampedFrom dampedFrom(const StrutParams& strut, const StrutPush& push, double compression) {
+    const double deflection = push.before - push.lift * compression;
+    if (deflection >= 0 || !(strut.tyre_bump > 0)) return {compression, std::max(deflection, 0.0)};
+    const double of_tyre = strut.bump / (strut.bump + strut.tyre_bump);
+    return {compression + (1 - of_tyre) * deflection / push.lift, of_tyre * deflection};
+}
+
 }  // namespace
 
-StrutYield yield(const StrutParams& strut, const TyreParams& tyre, const StrutPush& push, double compression,
+StrutYield yield(const StrutParams& params, const TyreParams& tyre, const StrutPush& push, double compression,
                  double partner, double dt) {
-    const StrutForce spring{strut, kStopStiffness * radialStiffness(tyre), compression, partner, 1 / dt};
-    const RoadForce road{tyre, push, compression, 1 / dt};
+    const StrutParams strut = overStep(params, push.yielding);
+    const bool reaches = push.deflection > 0;
+    const DampedFrom from = reaches ? dampedFrom(strut, push, compression) : DampedFrom{compression, 0};
+    const StrutForce spring{strut, std::min(strut.stop, kStopStiffness * radialStiffness(tyre)), from.compression,
+                            partner, 1 / dt};
+    const RoadForce road{strut, tyre, push, compression, from.deflection, 1 / dt};
 
     // The balance rises with x: between full extension and the compression at which the tyre leaves the road it is met.
     double low = 0;

@@ -11,6 +11,8 @@ struct StrutPush {
     double closing;     // m/s, rate of that deflection
     double lift;        // m of deflection lost per m of compression
     double share;       // component along the strut of a normal force of 1
+    double before;      // m, that deflection as it was at the start of the step
+    double yielding;    // s/kg, change of the body's speed at the wheel within the step, per force of all wheels
 };
 struct StrutYield {
     double compression;  // m
@@ -22,7 +24,7 @@ struct StrutYield {
 
 // Implicit in the compression, so that any damper and any step are stable. `partner` is the compression of the wheel
 // at the other end of the anti-roll bar.
-StrutYield yield(const StrutParams& strut, const TyreParams& tyre, const StrutPush& push, double compression,
+StrutYield yield(const StrutParams& params, const TyreParams& tyre, const StrutPush& push, double compression,
                  double partner, double dt);
 
 }  // namespace tread

@@ -40,11 +40,12 @@ struct TyreLoad {
     double by_deflection;  // N/m
     double by_rate;        // N s/m
 };
-inline TyreLoad tyreLoad(const TyreParams& tyre, const TyreDeflection& deflection) {
+// `more` is a further damping force, N.
+inline TyreLoad tyreLoad(const TyreParams& tyre, const TyreDeflection& deflection, double more = 0) {
     if (deflection.value <= 0) return {0, 0, 0};
     const double stiffness = radialStiffness(tyre);
     const double damping = tyre.parameters.pz2 * tyre.lambda.Kz;
-    const double load = stiffness * deflection.value + damping * deflection.rate;  // (83)
+    const double load = stiffness * deflection.value + damping * deflection.rate + more;  // (83)
     const TyreLoad soft = load > 0 ? TyreLoad{load, stiffness, damping} : TyreLoad{0, 0, 0};
     if (deflection.value <= kRimDeflection * tyre.parameters.Ro) return soft;
     const ForceAndSlope rim = rimForce(tyre, deflection);

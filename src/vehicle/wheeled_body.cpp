@@ -17,12 +17,20 @@ namespace {
 // Struts that lean on the ground by more than about 84 degrees carry nothing.
 constexpr double kLeastShare = 0.1;
 
-// The wheel with its strut compressed.
+// The wheel with its strut compressed. Where no ground is known, one square to the strut stands in for it: the tyre has
+// no load there, but it remembers its slip, which must be that of the car's way and not of its fall.
 WheelContact hang(const BodyWheel& wheel, const BodyMotion& body, const RoadContact& ground, double steer,
                   double compression) {
     Vector3 axis_B = wheel.left_B;
     if (steer != 0) axis_B = Eigen::AngleAxisd(steer, -wheel.down_B) * wheel.left_B;
-    return wheelContact(wheel.top_B + (wheel.strut.length - compression) * wheel.down_B, axis_B, body, ground);
+    const Vector3 hub_B = wheel.top_B + (wheel.strut.length - compression) * wheel.down_B;
+    if (ground.exists) return wheelContact(hub_B, axis_B, body, ground);
+    RoadContact below = ground;
+    const Vector3 lowest_B = hub_B + wheel.tyre.parameters.Ro * wheel.down_B;
+    below.point_W = body.position_W + body.to_world * lowest_B;
+    below.normal_W = -(body.to_world * wheel.down_B);
+    below.velocity_W.setZero();
+    return wheelContact(hub_B, axis_B, body, below);
 }
 
 // Where the side force acts: at the contact centre, or raised towards the height of the body's centre of gravity.
@@ -31,15 +39,33 @@ Vector3 sidePoint(const WheelContact& contact, const BodyWheel& wheel) {
     return at - (1 - wheel.roll_share) * at.dot(wheel.down_B) * wheel.down_B;
 }
 
+// By how much a force of 1 at each wheel accelerates the body where the wheels are, 1/kg: up and down, in roll or in
+// pitch, whichever is most.
+double givingWay(const WheeledBody& body) {
+    Vector3 turning = Vector3::Zero();
+    for (std::size_t i = 0; i < body.wheel_count; ++i)
+        turning += body.wheels[i].top_B.cross(body.wheels[i].down_B).cwiseAbs2();
+    const double heave = static_cast<double>(body.wheel_count) / body.mass;
+    return std::max(heave, turning.cwiseProduct(body.inverse_inertia).maxCoeff());
+}
+
 // Compression of the strut and load of the tyre at the end of the step; the contact there.
-WheelContact stand(BodyWheelState& state, const BodyWheel& wheel, const BodyMotion& body, const RoadContact& ground,
-                   double steer, double partner, double dt) {
+WheelContact stand(BodyWheelState& state, const BodyWheel& wheel, const BodyMotion& before, const BodyMotion& body,
+                   const RoadContact& ground, double steer, double partner, double yielding, double dt) {
     WheelContact contact = hang(wheel, body, ground, steer, 0);
-    StrutPush push{.deflection = -1, .closing = 0, .lift = 1, .share = -wheel.down_B.dot(contact.normal_B)};
+    StrutPush push{.deflection = -1,
+                   .closing = 0,
+                   .lift = 1,
+                   .share = -wheel.down_B.dot(contact.normal_B),
+                   .before = -1,
+                   .yielding = yielding};
     if (ground.exists && push.share > kLeastShare) {
         const Vector3 hub_B = contact.hub_B - state.compression * wheel.down_B;
         push.deflection = wheel.tyre.parameters.Ro - contact.radius;
         push.closing = deflectionRate(contact, velocityAt(body, hub_B));
+        const Vector3 road_W = ground.point_W - dt * ground.velocity_W;
+        const Vector3 hub_W = before.position_W + before.to_world * contact.hub_B;
+        push.before = wheel.tyre.parameters.Ro - (hub_W - road_W).dot(ground.normal_W) / contact.cosine;
         push.lift = push.share / contact.cosine;
     }
     const StrutYield end = yield(wheel.strut, wheel.tyre, push, state.compression, partner, dt);
@@ -48,7 +74,7 @@ WheelContact stand(BodyWheelState& state, const BodyWheel& wheel, const BodyMoti
     state.strut_force = end.force;
     state.deflection = end.deflection;
     state.load = end.load;
-    state.touches = end.load > 0;
+    state.touches = end.deflection > 0;
     state.steer = steer;
     shift(contact, -end.compression * wheel.down_B);
     return contact;
@@ -166,17 +192,19 @@ void advance(ChassisMotion& motion, WheeledBodyState& state, const WheeledBody& 
              std::span<const WheelDemand> begin, std::span<const WheelDemand> end, std::span<const RoadContact> ground,
              const Vector3& gravity_W, double dt) {
     ChassisMotion next = predicted(motion, state.acceleration_W, state.angular_acceleration_W, dt);
+    const BodyMotion before = bodyMotion(motion);
     const BodyMotion moved = bodyMotion(next);
+    const double yielding = dt * givingWay(body);
 
     // Struts and loads; the other end of an anti-roll bar counts as it was.
     std::array<WheelContact, kMostWheels> contacts;
     std::array<TyreMotion, kMostWheels> motions;
-    std::array<double, kMostWheels> before;
-    for (std::size_t i = 0; i < body.wheel_count; ++i) before[i] = state.wheels[i].compression;
+    std::array<double, kMostWheels> compressed;
+    for (std::size_t i = 0; i < body.wheel_count; ++i) compressed[i] = state.wheels[i].compression;
     for (std::size_t i = 0; i < body.wheel_count; ++i) {
         const BodyWheel& wheel = body.wheels[i];
-        const double partner = wheel.partner < body.wheel_count ? before[wheel.partner] : before[i];
-        contacts[i] = stand(state.wheels[i], wheel, moved, ground[i], end[i].steer, partner, dt);
+        const double partner = wheel.partner < body.wheel_count ? compressed[wheel.partner] : compressed[i];
+        contacts[i] = stand(state.wheels[i], wheel, before, moved, ground[i], end[i].steer, partner, yielding, dt);
         const double steer_rate = (end[i].steer - begin[i].steer) / dt;
         motions[i] = motionOf(contacts[i], wheel, moved, steer_rate, state.wheels[i].load);
     }

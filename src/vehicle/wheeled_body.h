@@ -28,6 +28,9 @@ struct StrutParams {
     double most_force = kInfinity;
     double travel = 0.2;
     double anti_roll_bar = 0;
+    double tyre_bump = 0;
+    double tyre_rebound = 0;
+    double stop = kInfinity;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(length), About{"m", "from the connection point to the wheel centre, unloaded", kNonNegative});
@@ -38,6 +41,11 @@ struct StrutParams {
         field(TREAD_FIELD(travel), About{"m", "compression at which the stop begins", kNonNegative});
         field(TREAD_FIELD(anti_roll_bar),
               About{"N/m", "force per difference of compression with the partner", kNonNegative});
+        field(TREAD_FIELD(tyre_bump),
+              About{"N s/m", "damping of the tyre in compression, besides its own", kNonNegative});
+        field(TREAD_FIELD(tyre_rebound),
+              About{"N s/m", "damping of the tyre in extension, besides its own", kNonNegative});
+        field(TREAD_FIELD(stop), About{"N/m", "most stiffness of the stop at the end of the travel", kNonNegative});
     }
 };
 static_assert(describesEveryMember<StrutParams>());

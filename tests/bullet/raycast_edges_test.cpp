@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "stock_vs_tread/scene.h"
 #include "tread/vector.h"
@@ -62,6 +63,7 @@ Ride ride(Surface& surface, double edge_angle, const std::function<Vector3(doubl
     run(surface.world, 0.5, 1000);
     Ride seen;
     std::array<btVector3, 4> before{};
+    std::array<bool, 4> touched{};  // in the step before: a wheel that comes down again finds another normal
     double speed = 0, acceleration = 0;
     for (int step = 0; step < 2000; ++step) {
         run(surface.world, 0.001, 1000);
@@ -69,8 +71,9 @@ Ride ride(Surface& surface, double edge_angle, const std::function<Vector3(doubl
             const auto& ray = car.vehicle->getWheelInfo(i).m_raycastInfo;
             const btVector3 normal = ray.m_contactNormalWS, at = ray.m_contactPointWS;
             btVector3& last = before[static_cast<std::size_t>(i)];
+            const bool stays = std::exchange(touched[static_cast<std::size_t>(i)], ray.m_isInContact);
             if (!ray.m_isInContact) continue;
-            if (step > 0) seen.normal_jump = std::max(seen.normal_jump, double((normal - last).length()));
+            if (stays) seen.normal_jump = std::max(seen.normal_jump, double((normal - last).length()));
             const Vector3 expected = normal_at(at.x(), at.z());
             const Vector3 off = Vector3(normal.x(), normal.y(), normal.z()) - expected;
             seen.normal_error = std::max(seen.normal_error, off.norm());
