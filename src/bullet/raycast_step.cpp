@@ -223,7 +223,7 @@ bool RaycastVehicle::Implementation::isFarFromRay(std::size_t wheel) const {
 
 // Moves `motion` to the end of the step.
 void RaycastVehicle::Implementation::move(const btCollisionWorld* in, double dt) {
-    const int substeps = substep.within(dt, longestStep(car, motion.velocity_W.norm()));
+    const int substeps = substep.within(dt, longestStep(car, state));
     const double h = dt / substeps;
     auto& [next, begin, end, planes] = room;
     for (std::size_t i = 0; i < car.wheel_count; ++i) {

@@ -38,10 +38,16 @@ struct Relaxation {
     T kFy(const BasicTyreCoefficients<T>& p) const { return p.kFy + weight * kHysteresisTime * p.cFy; }
 };
 
+// What the extension fades with, m/s: the wheel's speed and slip velocity together.
+template <class T>
+T standstillSpeed(const BasicTyreMotion<T>& motion) {
+    return squareRoot(T(motion.Vx * motion.Vx + motion.Vsx * motion.Vsx + motion.Vsy * motion.Vsy));
+}
+
 template <class T>
 Relaxation<T> relaxation(const BasicTyreCoefficients<T>& p, const BasicTyreMotion<T>& motion, Standstill standstill) {
     if (standstill == Standstill::paper) return {};
-    const T speed = squareRoot(T(motion.Vx * motion.Vx + motion.Vsx * motion.Vsx + motion.Vsy * motion.Vsy));
+    const T speed = standstillSpeed(motion);
     if (all(speed >= T(kNoHoldSpeed))) return {};
     const T x = larger(smaller(T((kNoHoldSpeed - speed) / (kNoHoldSpeed - kFullHoldSpeed)), T(1)), T(0));
     const T weight = x * x * (3 - 2 * x);

@@ -28,8 +28,12 @@ double rockingRate(const WheeledBody& body) {
 
 }  // namespace
 
-double longestStep(const WheeledBody& body, double speed) {
-    return speed < kNoHoldSpeed && body.rocking > 0 ? kRockingStep / body.rocking : kInfinity;
+double longestStep(const WheeledBody& body, const WheeledBodyState& state) {
+    for (std::size_t i = 0; i < body.wheel_count; ++i) {
+        const BodyWheelState& wheel = state.wheels[i];
+        if (wheel.touches && standstillSpeed(wheel.motion) < kNoHoldSpeed) return kRockingStep / body.rocking;
+    }
+    return kInfinity;
 }
 
 void prepareTyres(WheeledBody& body) {

@@ -81,9 +81,9 @@ struct WheeledBody {
 // Completes `packs` and what follows from the tyres.
 void prepareTyres(WheeledBody& body);
 
-// Longest step of a body at this speed, s: any while it rolls; standing on its carcasses, it may rock by no more than
+// Longest step that a body may make, s: any while it rolls; standing on carcasses, it may rock by no more than
 // kRockingStep within a step.
-double longestStep(const WheeledBody& body, double speed);
+double longestStep(const WheeledBody& body, const WheeledBodyState& state);
 inline constexpr double kRockingStep = 0.85;  // rad; from 1.1 on the rocking of a car does not die down any more
 
 // ---- Motion ----
