@@ -50,6 +50,13 @@ struct StrutParams {
 };
 static_assert(describesEveryMember<StrutParams>());
 
+// How the drive torque falls as the rim runs ahead of the ground, in the sense of the torque. Nothing, as it is made.
+struct DriveLimit {
+    double loss = 0;           // N s/m, force at the rim that is lost per slip speed
+    double fades = kInfinity;  // m/s, slip speed from which on the torque fades
+    double ends = kInfinity;   // m/s, slip speed at which it is gone
+};
+
 struct BodyWheel {
     static constexpr std::size_t kAlone = kMostWheels;
 
@@ -62,6 +69,7 @@ struct BodyWheel {
     double roll_share = 1;  // where the side force acts: 1 at the contact (as it is), 0 at the height of the body's
                             // centre of gravity (a game's help against tipping)
     std::size_t partner = kAlone;  // the wheel at the other end of the anti-roll bar
+    DriveLimit limit;
 };
 
 // What follows from the parameters.
@@ -70,6 +78,12 @@ struct WheeledBody {
     Vector3 inverse_inertia = Vector3::Ones();  // 1/(kg m2), about the body's axes
     Vector3 linear_factor_W = Vector3::Ones();  // share of each component of the accelerations that happens
     Vector3 angular_factor_W = Vector3::Ones();
+    double gravity = kStandardGravity;  // m/s2, that the wheels were made for
+    // Whether a wheel that is spun up or down turns the body, and a spinning one resists being turned. Without it the
+    // body feels the road's forces at the contact alone, as in a game whose wheels are drawn only, and a car in the air
+    // keeps its attitude on the throttle. Neither creates energy: the road gives the body fx times the speed of the
+    // contact and takes fx times that of the rim from the wheel, and the slip between them is a loss.
+    bool wheel_reaction = false;
     std::size_t wheel_count = 0;
     std::array<BodyWheel, kMostWheels> wheels;
     std::array<FourTyres, kMostWheels / kWheels> packs;  // of the wheels' tyres; idle places repeat the first
