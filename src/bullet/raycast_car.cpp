@@ -13,6 +13,9 @@ inline namespace TREAD_BULLET_PRECISION {
 
 namespace {
 
+// Gravity may change from step to step, as on the way round a planet: tyres are made anew when it has by this share.
+constexpr double kSameGravity = 0.01;
+
 // The wheel at the other end of an axle: the one of the same end of the car that stands farthest to the other side.
 std::size_t partnerOf(const WheeledBody& car, std::size_t wheel, const auto& isFront) {
     std::size_t partner = BodyWheel::kAlone;
@@ -40,7 +43,9 @@ Vector3 RaycastVehicle::Implementation::gravity() const {
 }
 
 WheelDemand RaycastVehicle::Implementation::demand(std::size_t wheel) {
-    WheelDemand demand = demandOf(info(wheel), car.wheels[wheel], state.wheels[wheel].spin, file.has_value());
+    const BodyWheel& own = car.wheels[wheel];
+    WheelDemand demand = demandOf(info(wheel), own, state.wheels[wheel].spin, car.gravity, file.has_value());
+    demand.limit = driveLimit(info(wheel), own.partner < car.wheel_count ? &info(own.partner) : nullptr, own, car.gravity);
     demand.friction *= grip;
     return demand;
 }
@@ -56,7 +61,9 @@ void RaycastVehicle::Implementation::takeBody() {
 void RaycastVehicle::Implementation::makeCar() {
     takeBody();
     const std::size_t count = wheelCount();
+    const RestingLoad load = restingLoad(car.mass, count, gravity().norm());
     bool changed = !made || count != car.wheel_count || car.mass != made_for_mass;
+    changed |= std::abs(load.gravity - car.gravity) > kSameGravity * car.gravity;
     for (std::size_t i = 0; i < count; ++i) {
         const WheelTuning tuning = tuningOf(info(i));
         changed |= !(tuning == tunings[i]);
@@ -65,8 +72,8 @@ void RaycastVehicle::Implementation::makeCar() {
     if (!changed) return;
     made = true;
     made_for_mass = car.mass;
+    car.gravity = load.gravity;
     car.wheel_count = count;
-    const double load = restingLoad(car.mass, count);
     for (std::size_t i = 0; i < count; ++i) {
         if (file) {
             const BodyWheel place = wheelFromTuning(info(i), car.mass, load, {});

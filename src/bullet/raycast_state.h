@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "tread/raycast_vehicle.h"
-#include "tread/wheeled_body_state.h"
+#include "vehicle/wheeled_body_state.h"
 
 namespace tread {
 

@@ -28,8 +28,20 @@ constexpr double kStopFrequency = 30;  // rad/s
 // Wheels are about a twentieth of the mass that they carry, at 0.77 of their radius (a car's: 19 kg, 1 kg m2).
 constexpr double kWheelMassShare = 0.05;
 constexpr double kGyrationSquared = 0.6;
-// The engine gives nothing any more when the rim is this fast: a wheel in the air does not spin up for ever.
-constexpr double kFastestRim = 200;   // m/s
+// The engine gives nothing any more when the rim is so fast, over the root of gravity times radius: a car's at 200 m/s.
+constexpr double kFastestRim = 117;
+// Likewise, slip speeds at which the engine's force is gone, and over how much it fades. [guess] For a car 14 m/s, of
+// which a burnout with its wheels at 10 m/s feels nothing; for a wheel that is driven against its partner what turns
+// vehicles of different shape as fast as the stock vehicle's at 60 steps a second, within a factor of two or a little
+// more, at one and a half to ten times their weight.
+constexpr double kSlipEnds = 8;
+constexpr double kSlipEndsAgainst = 5;
+constexpr double kSlipFading = 2;
+constexpr double kLossAgainst = 1.4;  // of the weight on the wheel, per root of gravity times radius
+// Gravity outside of these is none, m/s2.
+constexpr double kLeastGravity = 1e-3;
+constexpr double kMostGravity = 1e6;
+constexpr double kLeastLoad = 1e-3;   // N
 constexpr double kStepsOfStock = 60;  // 1/s, at which a stock brake impulse is taken
 constexpr double kSteepestFriction = 1.2;
 
@@ -93,6 +105,23 @@ void suspend(BodyWheel& wheel, const btWheelInfo& info, double mass, bool own_nu
     strut.rebound /= 1 - of_tyre;
 }
 
+// Masses and damping of a tyre are those of its size, whatever it weighs.
+TyreParams tyreFor(const RestingLoad& resting, double radius) {
+    TyreParams tyre = similarTyre(resting.force, radius);
+    const double earthly = kStandardGravity / resting.gravity;
+    for (double* of_mass : {&tyre.parameters.mc, &tyre.parameters.kFx, &tyre.parameters.kFy, &tyre.parameters.pz2})
+        *of_mass *= earthly;
+    return tyre;
+}
+
+double mostDemand(const BodyWheel& wheel) {
+    return kMostDemand * wheel.tyre.parameters.Fzo;
+}
+
+double engineForce(const btWheelInfo& info, const BodyWheel& wheel) {
+    return within(info.m_engineForce, -mostDemand(wheel), mostDemand(wheel), 0);
+}
+
 TyreParams mounted(const TyreParams& tyre, bool left) {
     return (tyre.side == TyreSide::left) == left ? tyre : mirrored(tyre);
 }
@@ -107,27 +136,29 @@ WheelTuning tuningOf(const btWheelInfo& w) {
              w.m_bIsFrontWheel ? btScalar(1) : btScalar(0)}};
 }
 
-double restingLoad(double mass, std::size_t wheels) {
-    return std::max(mass * kStandardGravity / static_cast<double>(std::max<std::size_t>(wheels, 1)), 1e-3);
+RestingLoad restingLoad(double mass, std::size_t wheels, double gravity) {
+    if (!(gravity > kLeastGravity && gravity < kMostGravity)) gravity = kStandardGravity;
+    const double carried = mass / static_cast<double>(std::max<std::size_t>(wheels, 1));
+    return {std::max(carried * gravity, kLeastLoad), gravity};
 }
 
-BodyWheel wheelFromTuning(const btWheelInfo& info, double mass, double resting_load,
+BodyWheel wheelFromTuning(const btWheelInfo& info, double mass, const RestingLoad& resting,
                           const std::optional<TyreParams>& tyre) {
     BodyWheel wheel = geometryOf(info);
     const double radius = radiusOf(info);
-    wheel.tyre = tyre ? *tyre : similarTyre(resting_load, radius);
-    wheel.inertia = kGyrationSquared * kWheelMassShare * resting_load / kStandardGravity * radius * radius;
+    wheel.tyre = tyre ? *tyre : tyreFor(resting, radius);
+    wheel.inertia = kGyrationSquared * kWheelMassShare * resting.mass() * radius * radius;
     wheel.roll_share = within(info.m_rollInfluence, 0, 1, 0.1);
 
     wheel.strut.most_force = within(info.m_maxSuspensionForce, 0, kMostForce, kMostForce);
     wheel.strut.travel =
         within(0.01 * info.m_maxSuspensionTravelCm, 0, wheel.strut.length + 0.5 * radius, wheel.strut.length);
     suspend(wheel, info, mass, !tyre);
-    wheel.strut.stop = kStopFrequency * kStopFrequency * resting_load / kStandardGravity;
+    wheel.strut.stop = kStopFrequency * kStopFrequency * resting.mass();
     return wheel;
 }
 
-BodyWheel wheelFromFile(const btWheelInfo& info, const VehicleParams& params, bool left, double resting_load,
+BodyWheel wheelFromFile(const btWheelInfo& info, const VehicleParams& params, bool left, const RestingLoad& resting,
                         const std::optional<TyreParams>& tyre) {
     const AxleParams& axle = info.m_bIsFrontWheel ? params.front : params.rear;
     const WheelParams& own = left ? axle.left : axle.right;
@@ -138,16 +169,24 @@ BodyWheel wheelFromFile(const btWheelInfo& info, const VehicleParams& params, bo
     wheel.strut.bump = axle.suspension.damper.bump;
     wheel.strut.rebound = axle.suspension.damper.rebound;
     wheel.strut.most_force = kMostForce;
-    wheel.strut.travel = resting_load / wheel.strut.stiffness + axle.suspension.bump_stop.clearance;
+    wheel.strut.travel = resting.force / wheel.strut.stiffness + axle.suspension.bump_stop.clearance;
     wheel.strut.anti_roll_bar = axle.suspension.anti_roll_bar;
     return wheel;
 }
 
-WheelDemand demandOf(const btWheelInfo& info, const BodyWheel& wheel, double spin, bool from_file) {
+DriveLimit driveLimit(const btWheelInfo& info, const btWheelInfo* partner, const BodyWheel& wheel, double gravity) {
+    const double speed = std::sqrt(gravity * wheel.tyre.parameters.Ro);
+    const double own = engineForce(info, wheel), other = partner ? engineForce(*partner, wheel) : own;
+    const double against = own != 0 ? std::clamp(1 - other / own, 0.0, 1.0) : 0;
+    const double ends = kSlipEnds - against * (kSlipEnds - kSlipEndsAgainst);
+    return {kLossAgainst * against * wheel.tyre.parameters.Fzo / speed, (ends - kSlipFading) * speed, ends * speed};
+}
+
+WheelDemand demandOf(const btWheelInfo& info, const BodyWheel& wheel, double spin, double gravity, bool from_file) {
     const double radius = wheel.tyre.parameters.Ro;
-    const double most = kMostDemand * wheel.tyre.parameters.Fzo;
-    const double force = within(info.m_engineForce, -most, most, 0);
-    const double rim = spin * radius / kFastestRim;
+    const double most = mostDemand(wheel);
+    const double force = engineForce(info, wheel);
+    const double rim = spin * radius / (kFastestRim * std::sqrt(gravity * radius));
     const double left = rim * force > 0 ? std::max(1 - rim * rim, 0.0) : 1;
     WheelDemand demand;
     demand.steer = within(info.m_steering, -kMostSteer, kMostSteer, 0);

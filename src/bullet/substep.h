@@ -16,9 +16,10 @@ public:
     // Within the limits; what is no number is the shortest.
     void limit(double longest) { longest_ = longest >= kShortest ? std::min(longest, most_) : kShortest; }
 
-    // How many equal ones make a step of the world, s, when none may be longer than `most` either.
+    // How many equal ones make a step of the world, s; none longer than `most` either, down to a millisecond.
     int within(double dt, double most) const {
-        return std::max(1, static_cast<int>(std::ceil(dt / std::min(longest_, most) - 1e-6)));
+        const double longest = std::min(longest_, std::max(most, 1e-3));
+        return std::max(1, static_cast<int>(std::ceil(dt / longest - 1e-6)));
     }
     int within(double dt) const { return within(dt, longest_); }
 

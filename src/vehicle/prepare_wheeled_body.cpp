@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tyre/standstill.h"
+#include "vehicle/tyre_load.h"
 #include "vehicle/wheeled_body.h"
 
 namespace tread {
@@ -26,14 +27,28 @@ double rockingRate(const WheeledBody& body) {
     return std::sqrt(std::max(along, across));
 }
 
+// Springs and tyres together, against the mass and the inertia about each axis.
+double bouncingRate(const WheeledBody& body) {
+    double heave = 0;
+    Vector3 turning = Vector3::Zero();
+    for (std::size_t i = 0; i < body.wheel_count; ++i) {
+        const BodyWheel& wheel = body.wheels[i];
+        const double stiffness = 1 / (1 / wheel.strut.stiffness + 1 / radialStiffness(wheel.tyre));
+        heave += stiffness / body.mass;
+        turning += stiffness * wheel.top_B.cross(wheel.down_B).cwiseAbs2().cwiseProduct(body.inverse_inertia);
+    }
+    return std::sqrt(std::max(heave, turning.maxCoeff()));
+}
+
 }  // namespace
 
 double longestStep(const WheeledBody& body, const WheeledBodyState& state) {
     for (std::size_t i = 0; i < body.wheel_count; ++i) {
         const BodyWheelState& wheel = state.wheels[i];
-        if (wheel.touches && standstillSpeed(wheel.motion) < kNoHoldSpeed) return kRockingStep / body.rocking;
+        if (wheel.touches && standstillSpeed(wheel.motion) < kNoHoldSpeed)
+            return kFollowed / std::max(body.bouncing, body.rocking);
     }
-    return kInfinity;
+    return kFollowed / body.bouncing;
 }
 
 void prepareTyres(WheeledBody& body) {
@@ -50,6 +65,7 @@ void prepareTyres(WheeledBody& body) {
         body.peak_ratio[i] = peaks.kappa_peak;
         body.peak_angle[i] = peaks.alpha_peak;
     }
+    body.bouncing = bouncingRate(body);
     body.rocking = rockingRate(body);
 }
 

@@ -8,9 +8,9 @@
 namespace tread {
 namespace {
 
-// The stop of the strut, over the stiffness of the tyre, and the compression over which it sets in.
+// The stop of the strut: its stiffness over that of the tyre, and the compression over which it sets in.
 constexpr double kStopStiffness = 3;
-constexpr double kStopOnset = 0.03;  // m
+constexpr double kStopOnset = 0.1;  // of the tyre's radius
 constexpr int kIterations = 60;
 constexpr double kTolerance = 1e-12;  // m
 
@@ -18,7 +18,8 @@ constexpr double kTolerance = 1e-12;  // m
 struct StrutForce {
     const StrutParams& strut;
     double stop_stiffness;
-    double start;  // m, compression at the start of the step
+    double stop_onset;  // m
+    double start;       // m, compression at the start of the step
     double partner;
     double per_second;  // 1 over the step
 
@@ -26,7 +27,7 @@ struct StrutForce {
         const double damping = (x > start ? strut.bump : strut.rebound) * per_second;
         ForceAndSlope f{strut.stiffness * x + damping * (x - start), strut.stiffness + damping};
         if (f.value > strut.most_force) f = {strut.most_force, 0};
-        const ForceAndSlope stop = onset(x - strut.travel, stop_stiffness, kStopOnset);
+        const ForceAndSlope stop = onset(x - strut.travel, stop_stiffness, stop_onset);
         return {f.value + stop.value + strut.anti_roll_bar * (x - partner), f.slope + stop.slope + strut.anti_roll_bar};
     }
 };
@@ -93,8 +94,8 @@ StrutYield yield(const StrutParams& params, const TyreParams& tyre, const StrutP
     const StrutParams strut = overStep(params, push.yielding);
     const bool reaches = push.deflection > 0;
     const DampedFrom from = reaches ? dampedFrom(strut, push, compression) : DampedFrom{compression, 0};
-    const StrutForce spring{strut, std::min(strut.stop, kStopStiffness * radialStiffness(tyre)), from.compression,
-                            partner, 1 / dt};
+    const double stop = std::min(strut.stop, kStopStiffness * radialStiffness(tyre));
+    const StrutForce spring{strut, stop, kStopOnset * tyre.parameters.Ro, from.compression, partner, 1 / dt};
     const RoadForce road{strut, tyre, push, compression, from.deflection, 1 / dt};
 
     // The balance rises with x: between full extension and the compression at which the tyre leaves the road it is met.

@@ -90,6 +90,21 @@ TyreMotion motionOf(const WheelContact& contact, const BodyWheel& wheel, const B
     return motion;
 }
 
+// The mean drive torque over the step, with the slip speed at its end: the rim does not run past the limit, however
+// short of inertia the wheel is. The road holds against it as in the last step.
+double limitedTorque(const DriveLimit& limit, const BodyWheel& wheel, const BodyWheelState& state, double torque,
+                     double dt) {
+    const TyreCoefficients& p = wheel.tyre.parameters;
+    const double sense = torque < 0 ? -1 : 1, most = std::abs(torque);
+    const double gain = dt * p.Re / wheel.inertia;  // m/s of rim speed per torque
+    const double slip = sense * (p.Re * state.spin - state.motion.Vx) - gain * sense * p.Ro * state.fx;
+    const double loss = p.Ro * limit.loss;
+    double left = (most - loss * slip) / (1 + loss * gain);
+    if (limit.ends < kInfinity)
+        left = std::min(left, most * (limit.ends - slip) / (limit.ends - limit.fades + gain * most));
+    return sense * std::clamp(left, 0.0, most);
+}
+
 // Tyres and spins of up to four wheels, from `first` on.
 void stepTyres(std::array<BodyWheelState, kMostWheels>& wheels, const WheeledBody& body, std::size_t first,
                const std::array<WheelContact, kMostWheels>& contacts,
@@ -110,7 +125,9 @@ void stepTyres(std::array<BodyWheelState, kMostWheels>& wheels, const WheeledBod
         from[k] = wheels[i].motion;
         to[k] = motions[i];
         factors[k].friction = contacts[i].friction * end[i].friction;
-        torques[k] = {body.wheels[i].inertia, contacts[i].radius, 0.5 * (begin[i].drive_torque + end[i].drive_torque),
+        const double drive = 0.5 * (begin[i].drive_torque + end[i].drive_torque);
+        torques[k] = {body.wheels[i].inertia, contacts[i].radius,
+                      limitedTorque(end[i].limit, body.wheels[i], wheels[i], drive, dt),
                       0.5 * (begin[i].brake_torque + end[i].brake_torque)};
     }
     const PerWheel<TyreForces> paper =
@@ -131,13 +148,13 @@ void stepTyres(std::array<BodyWheelState, kMostWheels>& wheels, const WheeledBod
 
 // What one wheel hands to the body, and what it shows.
 void handOver(Wrench& wrench, BodyWheelState& state, const BodyWheel& wheel, const WheelContact& contact,
-              const TyreForces& tyre, const BodyMotion& body, double steer_rate) {
+              const TyreForces& tyre, const BodyMotion& body, double steer_rate, bool reaction) {
     const Vector3 side = tyre.Fy * contact.left_B;
     const Vector3 rest = tyre.Fx * contact.forward_B + state.load * contact.normal_B;
     wrench.add(rest, contact.point_B);
     wrench.add(side, sidePoint(contact, wheel));
     wrench.moment_B += wheelMoment(contact, tyre,
-                                   {.inertia = wheel.inertia,
+                                   {.inertia = reaction ? wheel.inertia : 0,
                                     .spin = state.spin,
                                     .spin_rate = state.spin_rate,
                                     .carrier_B = body.angular_velocity_B - steer_rate * wheel.down_B});
@@ -218,7 +235,8 @@ void advance(ChassisMotion& motion, WheeledBodyState& state, const WheeledBody& 
     Wrench wrench;
     for (std::size_t i = 0; i < body.wheel_count; ++i) {
         const double steer_rate = (end[i].steer - begin[i].steer) / dt;
-        handOver(wrench, state.wheels[i], body.wheels[i], contacts[i], forces[i], moved, steer_rate);
+        handOver(wrench, state.wheels[i], body.wheels[i], contacts[i], forces[i], moved, steer_rate,
+                 body.wheel_reaction);
     }
     correct(next, state.acceleration_W, state.angular_acceleration_W, accelerationsOf(body, moved, wrench, gravity_W),
             dt);

@@ -13,8 +13,8 @@
 #include <span>
 
 #include "tread/vehicle.h"
-#include "tread/wheeled_body_state.h"
 #include "tyre/four_tyres.h"
+#include "vehicle/wheeled_body_state.h"
 
 namespace tread {
 
@@ -70,21 +70,26 @@ struct WheeledBody {
     Vector3 inverse_inertia = Vector3::Ones();  // 1/(kg m2), about the body's axes
     Vector3 linear_factor_W = Vector3::Ones();  // share of each component of the accelerations that happens
     Vector3 angular_factor_W = Vector3::Ones();
-    bool wheel_reaction = true;  // a wheel that is spun up or stopped turns the body against it
+    double gravity = kStandardGravity;  // m/s2, that the wheels were made for
+    // Whether a wheel that is spun up or down turns the body, and a spinning one resists being turned. Without it the
+    // body feels the road's forces at the contact alone, as in a game whose wheels are drawn only, and a car in the air
+    // keeps its attitude on the throttle. Neither creates energy: the road gives the body fx times the speed of the
+    // contact and takes fx times that of the rim from the wheel, and the slip between them is a loss.
+    bool wheel_reaction = false;
     std::size_t wheel_count = 0;
     std::array<BodyWheel, kMostWheels> wheels;
     std::array<FourTyres, kMostWheels / kWheels> packs;  // of the wheels' tyres; idle places repeat the first
     std::array<double, kMostWheels> peak_ratio{};        // slip ratio of the greatest force at the nominal load
     std::array<double, kMostWheels> peak_angle{};        // slip angle likewise, rad
-    double rocking = 0;  // rad/s, at which the body rocks on the carcasses of tyres that stand
+    double bouncing = 0;  // rad/s, fastest at which the body moves on its suspension
+    double rocking = 0;   // rad/s, at which it rocks on the carcasses of tyres that stand
 };
 // Completes `packs` and what follows from the tyres.
 void prepareTyres(WheeledBody& body);
 
-// Longest step that a body may make, s: any while it rolls; standing on carcasses, it may rock by no more than
-// kRockingStep within a step.
+// Longest step that follows the body's own motions, s: on its suspension, and while it stands on its carcasses.
 double longestStep(const WheeledBody& body, const WheeledBodyState& state);
-inline constexpr double kRockingStep = 0.85;  // rad; from 1.1 on the rocking of a car does not die down any more
+inline constexpr double kFollowed = 0.85;  // rad within a step; from 1.1 on a car that rocks does not come to rest
 
 // ---- Motion ----
 

@@ -12,11 +12,21 @@ namespace tread {
 
 inline constexpr std::size_t kMostWheels = 12;
 
+// How the drive torque falls as the rim runs ahead of the ground, in the sense of the torque. Nothing, as it is made.
+struct DriveLimit {
+    double loss = 0;           // N s/m, force at the rim that is lost per slip speed
+    double fades = kInfinity;  // m/s, slip speed from which on the torque fades
+    double ends = kInfinity;   // m/s, slip speed at which it is gone
+
+    bool operator==(const DriveLimit&) const = default;
+};
+
 struct WheelDemand {
     double steer = 0;         // rad about the strut, positive to the left
     double drive_torque = 0;  // N m, positive forward
     double brake_torque = 0;  // N m, that the brake can hold
     double friction = 1;      // scales the tyre's friction, besides the road's
+    DriveLimit limit;
 
     bool operator==(const WheelDemand&) const = default;
 };
