@@ -43,48 +43,69 @@ Vector3 RaycastVehicle::Implementation::gravity() const {
 }
 
 WheelDemand RaycastVehicle::Implementation::demand(std::size_t wheel) {
-    const BodyWheel& own = car.wheels[wheel];
-    WheelDemand demand = demandOf(info(wheel), own, state.wheels[wheel].spin, car.gravity, file.has_value());
-    demand.limit = driveLimit(info(wheel), own.partner < car.wheel_count ? &info(own.partner) : nullptr, own, car.gravity);
+    const BodyWheel& own = car->wheels[wheel];
+    const btWheelInfo* partner = own.partner < car->wheel_count ? &info(own.partner) : nullptr;
+    WheelDemand demand = demandOf(info(wheel), own, state.wheels[wheel].spin, car->gravity, file.has_value());
+    demand.limit = driveLimit(info(wheel), partner, own, car->gravity);
     demand.friction *= grip;
     return demand;
 }
 
-void RaycastVehicle::Implementation::takeBody() {
+// Before the first step.
+const MadeCar& RaycastVehicle::Implementation::noCar() {
+    static const MadeCar none = std::make_shared<const WheeledBody>();
+    return none;
+}
+
+// What the chassis and the wheel infos say now.
+CarRecipe RaycastVehicle::Implementation::recipeNow() {
     const btScalar inverse = chassis.getInvMass();
-    car.mass = inverse > 0 ? 1 / static_cast<double>(inverse) : 0;
-    car.inverse_inertia = fromBullet(chassis.getInvInertiaDiagLocal());
-    car.linear_factor_W = fromBullet(chassis.getLinearFactor());
-    car.angular_factor_W = fromBullet(chassis.getAngularFactor());
+    const double mass = inverse > 0 ? 1 / static_cast<double>(inverse) : 0;
+    const Vector3 inertia = fromBullet(chassis.getInvInertiaDiagLocal());
+    const Vector3 linear = fromBullet(chassis.getLinearFactor()), angular = fromBullet(chassis.getAngularFactor());
+    CarRecipe now;
+    now.wheel_count = wheelCount();
+    double strength = restingLoad(mass, now.wheel_count, gravity().norm()).gravity;
+    if (std::abs(strength - car->gravity) <= kSameGravity * car->gravity) strength = car->gravity;
+    now.body = {mass,      inertia.x(), inertia.y(), inertia.z(), linear.x(), linear.y(),
+                linear.z(), angular.x(), angular.y(), angular.z(), strength,   wheel_reaction ? 1.0 : 0.0};
+    for (std::size_t i = 0; i < now.wheel_count; ++i) now.wheels[i] = tuningOf(info(i));
+    return now;
+}
+
+WheeledBody RaycastVehicle::Implementation::carOf(const CarRecipe& from) {
+    WheeledBody body;
+    const auto& [mass, ix, iy, iz, lx, ly, lz, ax, ay, az, strength, reaction] = from.body;
+    body.mass = mass;
+    body.inverse_inertia = {ix, iy, iz};
+    body.linear_factor_W = {lx, ly, lz};
+    body.angular_factor_W = {ax, ay, az};
+    body.gravity = strength;
+    body.wheel_reaction = reaction != 0;
+    body.wheel_count = from.wheel_count;
+    const RestingLoad load = restingLoad(mass, from.wheel_count, strength);
+    for (std::size_t i = 0; i < body.wheel_count; ++i) {
+        if (file) {
+            const BodyWheel place = wheelFromTuning(info(i), mass, load, {});
+            body.wheels[i] = wheelFromFile(info(i), *file, place.top_B.dot(place.left_B) > 0, load, own_tyres[i]);
+        } else {
+            body.wheels[i] = wheelFromTuning(info(i), mass, load, own_tyres[i]);
+        }
+    }
+    for (std::size_t i = 0; i < body.wheel_count; ++i)
+        body.wheels[i].partner = partnerOf(body, i, [&](std::size_t j) { return info(j).m_bIsFrontWheel; });
+    prepareTyres(body);
+    return body;
 }
 
 void RaycastVehicle::Implementation::makeCar() {
-    takeBody();
-    const std::size_t count = wheelCount();
-    const RestingLoad load = restingLoad(car.mass, count, gravity().norm());
-    bool changed = !made || count != car.wheel_count || car.mass != made_for_mass;
-    changed |= std::abs(load.gravity - car.gravity) > kSameGravity * car.gravity;
-    for (std::size_t i = 0; i < count; ++i) {
-        const WheelTuning tuning = tuningOf(info(i));
-        changed |= !(tuning == tunings[i]);
-        tunings[i] = tuning;
-    }
-    if (!changed) return;
+    CarRecipe now = recipeNow();
+    if (made && now == recipe) return;
+    const bool alone = file || std::any_of(own_tyres.begin(), own_tyres.end(), [](auto& own) { return own.has_value(); });
+    const auto make = [&] { return carOf(now); };
+    car = alone ? std::make_shared<const WheeledBody>(make()) : sharedCar(now, make);
+    recipe = now;
     made = true;
-    made_for_mass = car.mass;
-    car.gravity = load.gravity;
-    car.wheel_count = count;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (file) {
-            const BodyWheel place = wheelFromTuning(info(i), car.mass, load, {});
-            car.wheels[i] = wheelFromFile(info(i), *file, place.top_B.dot(place.left_B) > 0, load, own_tyres[i]);
-        } else {
-            car.wheels[i] = wheelFromTuning(info(i), car.mass, load, own_tyres[i]);
-        }
-    }
-    for (std::size_t i = 0; i < count; ++i)
-        car.wheels[i].partner = partnerOf(car, i, [&](std::size_t j) { return info(j).m_bIsFrontWheel; });
-    prepareTyres(car);
 }
 }  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

@@ -68,8 +68,8 @@ btMatrix3x3 wheelAxes(const btRaycastVehicle& vehicle, const btVector3& up, cons
 void RaycastVehicle::Implementation::show(double dt) {
     drawn_step = dt;
     const btTransform& pose = chassis.getCenterOfMassTransform();
-    for (std::size_t i = 0; i < car.wheel_count; ++i) {
-        const BodyWheel& wheel = car.wheels[i];
+    for (std::size_t i = 0; i < car->wheel_count; ++i) {
+        const BodyWheel& wheel = car->wheels[i];
         const BodyWheelState& now = state.wheels[i];
         const WheelGround& ground = grounds[i];
         btWheelInfo& shown = info(i);
@@ -101,14 +101,14 @@ void RaycastVehicle::Implementation::show(double dt) {
         shown.m_deltaRotation = static_cast<btScalar>(now.spin * dt);
         shown.m_skidInfo =
             now.touches
-                ? static_cast<btScalar>(gripShown(slipOf(now, wheel.tyre), car.peak_ratio[i], car.peak_angle[i]))
+                ? static_cast<btScalar>(gripShown(slipOf(now, wheel.tyre), car->peak_ratio[i], car->peak_angle[i]))
                 : btScalar(1);
         shown.m_wheelsSuspensionForce = static_cast<btScalar>(std::max(now.strut_force, 0.0));
         shown.m_suspensionRelativeVelocity = static_cast<btScalar>(-now.strut_rate);
         const btScalar lean = -ray.m_contactNormalWS.dot(down);
         shown.m_clippedInvContactDotSuspension = lean > btScalar(0.1) ? 1 / lean : btScalar(10);
     }
-    wheels_drawn = car.wheel_count;
+    wheels_drawn = car->wheel_count;
 }
 
 // Instant of the chassis' motion state, as a share of the last step: Bullet keeps its clock to itself, but has moved
@@ -162,9 +162,9 @@ void RaycastVehicle::Implementation::showSpeed(double dt) {
 WheelTelemetry RaycastVehicle::telemetry(int index) const {
     const auto i = static_cast<std::size_t>(index);
     WheelTelemetry shown;
-    if (index < 0 || i >= self_->car.wheel_count) return shown;
+    if (index < 0 || i >= self_->car->wheel_count) return shown;
     const BodyWheelState& now = self_->state.wheels[i];
-    const SlipShown slip = slipOf(now, self_->car.wheels[i].tyre);
+    const SlipShown slip = slipOf(now, self_->car->wheels[i].tyre);
     const btVector3& contact = m_wheelInfo[index].m_raycastInfo.m_contactPointWS;
     shown.load = now.load;
     shown.fx = now.fx;
@@ -185,7 +185,7 @@ WheelTelemetry RaycastVehicle::telemetry(int index) const {
 
 const char* RaycastVehicle::surfaceName(int index) const {
     const auto i = static_cast<std::size_t>(index);
-    if (index < 0 || i >= self_->car.wheel_count || !self_->grounds[i].surface.name) return "";
+    if (index < 0 || i >= self_->car->wheel_count || !self_->grounds[i].surface.name) return "";
     return self_->grounds[i].surface.name;
 }
 }  // namespace TREAD_BULLET_PRECISION

@@ -8,6 +8,7 @@
 
 #include "bullet/body_link.h"
 #include "bullet/raycast_state.h"
+#include "bullet/shared_cars.h"
 #include "bullet/stock_tuning.h"
 #include "bullet/substep.h"
 #include "bullet/wheel_ray.h"
@@ -43,11 +44,12 @@ struct RaycastVehicle::Implementation {
     Substep substep{1.0 / 30, 1.0 / 30};  // s: a frame of a game, down to 30 a second
     double grip = 1;
 
+    bool wheel_reaction = false;
+
     // What the car was made of, and the car.
-    std::array<WheelTuning, kMostWheels> tunings{};
-    double made_for_mass = 0;
-    bool made = false;
-    WheeledBody car{};
+    CarRecipe recipe{};
+    bool made = false;  // of the recipe, file and tyres
+    MadeCar car = noCar();
 
     ChassisMotion motion{};
     BodyLink link{};
@@ -85,8 +87,10 @@ struct RaycastVehicle::Implementation {
     Vector3 gravity() const;
 
     // raycast_car.cpp: the car follows what the game changed.
+    static const MadeCar& noCar();
     void makeCar();
-    void takeBody();
+    CarRecipe recipeNow();
+    WheeledBody carOf(const CarRecipe& from);
 
     // raycast_step.cpp
     void step(const btCollisionWorld* in, double dt);

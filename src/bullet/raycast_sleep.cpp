@@ -21,7 +21,7 @@ constexpr double kRestSpin = 0.05;   // rad/s
 // A sleeping car costs a look at its inputs and at the ground that it stands on.
 bool RaycastVehicle::Implementation::staysAsleep(const btCollisionWorld* in) {
     if (chassis.getActivationState() != ISLAND_SLEEPING) return true;  // the game switched its simulation off
-    bool wakes = !asleep || wheelCount() != car.wheel_count;
+    bool wakes = !asleep || wheelCount() != car->wheel_count;
     if (!asleep) {
         // Bullet has just stopped the chassis, wherever it stood.
         wakes = !made;
@@ -34,7 +34,7 @@ bool RaycastVehicle::Implementation::staysAsleep(const btCollisionWorld* in) {
         for (std::size_t i = 0; i < wheelCount(); ++i) info(i).m_deltaRotation = 0;
     }
     for (std::size_t i = 0; i < wheelCount() && !wakes; ++i) {
-        wakes = demand(i) != demands[i] || !(tuningOf(info(i)) == tunings[i]);
+        wakes = demand(i) != demands[i] || !(tuningOf(info(i)) == recipe.wheels[i]);
         if (in && !wakes) wakes = !isThere(grounds[i], *in);
     }
     if (!wakes) return true;
@@ -47,7 +47,7 @@ bool RaycastVehicle::Implementation::staysAsleep(const btCollisionWorld* in) {
 // Bullet stops what has been slow for two seconds; what still rolls, or stands on what still moves, is kept awake.
 void RaycastVehicle::Implementation::fallAsleepOrNot() {
     bool rests = motion.velocity_W.norm() < kRestSpeed && motion.angular_velocity_W.norm() < kRestSpeed;
-    for (std::size_t i = 0; i < car.wheel_count; ++i) {
+    for (std::size_t i = 0; i < car->wheel_count; ++i) {
         rests &= std::abs(state.wheels[i].spin) < kRestSpin;
         const btRigidBody* body = bodyUnder(grounds[i]);
         rests &= !body || body->isStaticOrKinematicObject() || !body->isActive();

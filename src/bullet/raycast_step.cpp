@@ -80,7 +80,7 @@ bool RaycastVehicle::Implementation::mayThrow(const btCollisionWorld* in) const 
 void RaycastVehicle::Implementation::driveUnguarded(const btCollisionWorld* in, double dt) {
     lookDown(in, dt);
     showSpeed(dt);
-    const bool moves = car.mass > 0 && motion.position_W.allFinite() && motion.orientation.coeffs().allFinite();
+    const bool moves = car->mass > 0 && motion.position_W.allFinite() && motion.orientation.coeffs().allFinite();
     start = motion;
     if (moves) {
         move(in, std::min(dt, kLongestStep));
@@ -171,13 +171,13 @@ void RaycastVehicle::Implementation::takeUp(double dt) {
 // The ground under each wheel; one that was put somewhere else starts anew there.
 void RaycastVehicle::Implementation::lookDown(const btCollisionWorld* in, double dt) {
     std::array<WheelRay, kMostWheels> rays_down;
-    for (std::size_t i = 0; i < car.wheel_count; ++i) rays_down[i] = rayOf(i, dt);
+    for (std::size_t i = 0; i < car->wheel_count; ++i) rays_down[i] = rayOf(i, dt);
     around.known = false;
     if (own_rays && in) {
         const auto alone = lockRays();
-        lookAround(around, *in, {rays_down.data(), car.wheel_count});
+        lookAround(around, *in, {rays_down.data(), car->wheel_count});
     }
-    for (std::size_t i = 0; i < car.wheel_count; ++i) {
+    for (std::size_t i = 0; i < car->wheel_count; ++i) {
         const bool added = i >= wheels_before;
         const bool reset = !added && info(i).m_raycastInfo.m_suspensionLength != shown_length[i];
         if (added) state.wheels[i] = {};
@@ -185,15 +185,15 @@ void RaycastVehicle::Implementation::lookDown(const btCollisionWorld* in, double
         near[i].age += dt;
         findGround(i, rays_down[i], in);
         if (teleported || reset || added) {
-            setDown(state, motion, car, i, grounds[i].plane);
+            setDown(state, motion, *car, i, grounds[i].plane);
             demands[i] = demand(i);
         }
     }
-    wheels_before = car.wheel_count;
+    wheels_before = car->wheel_count;
 }
 
 WheelRay RaycastVehicle::Implementation::rayOf(std::size_t wheel, double dt) const {
-    const BodyWheel& w = car.wheels[wheel];
+    const BodyWheel& w = car->wheels[wheel];
     const double radius = w.tyre.parameters.Ro;
     return {.top_W = strutTop(motion, w),
             .down_W = motion.orientation * w.down_B,
@@ -209,7 +209,7 @@ std::unique_lock<std::mutex> RaycastVehicle::Implementation::lockRays() const {
 
 void RaycastVehicle::Implementation::findGround(std::size_t wheel, const WheelRay& ray, const btCollisionWorld* in) {
     const bool by_user = !own_rays || !in;
-    const Rounding rounding{.angle = edge_angle, .reach = kRounded * car.wheels[wheel].tyre.parameters.Ro};
+    const Rounding rounding{.angle = edge_angle, .reach = kRounded * car->wheels[wheel].tyre.parameters.Ro};
     const RaySource source{chassis, in,         by_user ? raycaster : nullptr, filter, surface.get(), rounding,
                            around,  near[wheel]};
     const auto alone = lockRays();
@@ -217,34 +217,34 @@ void RaycastVehicle::Implementation::findGround(std::size_t wheel, const WheelRa
 }
 
 bool RaycastVehicle::Implementation::isFarFromRay(std::size_t wheel) const {
-    const Vector3 gone = strutTop(motion, car.wheels[wheel]) - grounds[wheel].cast_at;
-    return gone.norm() > kLookAgain * car.wheels[wheel].tyre.parameters.Ro;
+    const Vector3 gone = strutTop(motion, car->wheels[wheel]) - grounds[wheel].cast_at;
+    return gone.norm() > kLookAgain * car->wheels[wheel].tyre.parameters.Ro;
 }
 
 // Moves `motion` to the end of the step.
 void RaycastVehicle::Implementation::move(const btCollisionWorld* in, double dt) {
-    const int substeps = substep.within(dt, longestStep(car, state));
+    const int substeps = substep.within(dt, longestStep(*car, state));
     const double h = dt / substeps;
     auto& [next, begin, end, planes] = room;
-    for (std::size_t i = 0; i < car.wheel_count; ++i) {
+    for (std::size_t i = 0; i < car->wheel_count; ++i) {
         next[i] = demand(i);
         impulses[i].setZero();
     }
     for (int k = 0; k < substeps; ++k) {
-        for (std::size_t i = 0; i < car.wheel_count; ++i) {
+        for (std::size_t i = 0; i < car->wheel_count; ++i) {
             begin[i] = between(demands[i], next[i], static_cast<double>(k) / substeps);
             end[i] = between(demands[i], next[i], (k + 1.0) / substeps);
             if (k > 0 && isFarFromRay(i)) findGround(i, rayOf(i, dt - k * h), in);
             planes[i] = grounds[i].plane;
             planes[i].point_W += (k + 1) * h * planes[i].velocity_W;
         }
-        const std::size_t n = car.wheel_count;
-        advance(motion, state, car, {begin.data(), n}, {end.data(), n}, {planes.data(), n}, gravity(), h);
+        const std::size_t n = car->wheel_count;
+        advance(motion, state, *car, {begin.data(), n}, {end.data(), n}, {planes.data(), n}, gravity(), h);
         for (std::size_t i = 0; i < n; ++i)
             impulses[i] +=
                 h * Vector3(state.wheels[i].force_W[0], state.wheels[i].force_W[1], state.wheels[i].force_W[2]);
     }
-    for (std::size_t i = 0; i < car.wheel_count; ++i) demands[i] = next[i];
+    for (std::size_t i = 0; i < car->wheel_count; ++i) demands[i] = next[i];
 
     if (!motion.position_W.allFinite() || !motion.velocity_W.allFinite() || !motion.angular_velocity_W.allFinite()) {
         // No demand is known that leads here. Whatever does, the car goes on as it was, its wheels anew.
@@ -258,7 +258,7 @@ void RaycastVehicle::Implementation::move(const btCollisionWorld* in, double dt)
 // What the wheels push, they push back. A body that is so light that the tyres' springs would throw it about within one
 // step takes less than the whole.
 void RaycastVehicle::Implementation::pushGround() {
-    for (std::size_t i = 0; i < car.wheel_count; ++i) {
+    for (std::size_t i = 0; i < car->wheel_count; ++i) {
         btRigidBody* body = bodyUnder(grounds[i]);
         if (!body || body->getInvMass() <= 0 || impulses[i].isZero()) continue;
         const auto& [x, y, z] = state.wheels[i].contact_B;
@@ -267,7 +267,7 @@ void RaycastVehicle::Implementation::pushGround() {
         const btVector3 normal = toBullet(grounds[i].plane.normal_W);
         const btVector3 turn = (body->getInvInertiaTensorWorld() * arm.cross(normal)).cross(arm);
         const double inverse_mass = body->getInvMass() + static_cast<double>(normal.dot(turn));
-        const TyreParams& tyre = car.wheels[i].tyre;
+        const TyreParams& tyre = car->wheels[i].tyre;
         const double taken = std::min(1.0, 1 / (simulated * simulated * radialStiffness(tyre) * inverse_mass));
         body->activate();
         body->applyImpulse(toBullet(Vector3(-taken * impulses[i])), arm);

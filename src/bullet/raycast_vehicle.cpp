@@ -83,7 +83,7 @@ void RaycastVehicle::setGrip(double factor) {
 }
 
 void RaycastVehicle::setWheelReaction(bool on) {
-    self_->car.wheel_reaction = on;
+    self_->wheel_reaction = on;
 }
 
 void RaycastVehicle::takeSurface(SurfaceSource* source) {
