@@ -25,12 +25,6 @@ struct ShownWheel {
     double rotation = 0;  // rad
 };
 
-// Room for what a step hands to each of its substeps: cleared once, not in every step.
-struct SubstepRoom {
-    std::array<WheelDemand, kMostWheels> next, begin, end;
-    std::array<RoadContact, kMostWheels> planes;
-};
-
 struct RaycastVehicle::Implementation {
     RaycastVehicle& face;
     btRigidBody& chassis;
@@ -79,7 +73,6 @@ struct RaycastVehicle::Implementation {
     std::size_t wheels_drawn = 0;
     std::size_t wheels_before = 0;
     bool asleep = false;
-    SubstepRoom room{};
 
     std::size_t wheelCount() const;
     btWheelInfo& info(std::size_t wheel) { return face.m_wheelInfo[static_cast<int>(wheel)]; }

@@ -28,6 +28,12 @@ constexpr double kLookAgain = 0.5;
 // The tyre's contact rounds the edges of the ground as far as this share of its radius.
 constexpr double kRounded = 0.33;
 
+// Room for what a step hands to each of its substeps: one for the cars of a thread, since it is never cleared.
+struct SubstepRoom {
+    std::array<WheelDemand, kMostWheels> next, begin, end;
+    std::array<RoadContact, kMostWheels> planes;
+};
+
 // A wheel is steered along the way from one step to the next; forces come at once.
 WheelDemand between(const WheelDemand& a, const WheelDemand& b, double at) {
     WheelDemand demand = b;
@@ -225,6 +231,7 @@ bool RaycastVehicle::Implementation::isFarFromRay(std::size_t wheel) const {
 void RaycastVehicle::Implementation::move(const btCollisionWorld* in, double dt) {
     const int substeps = substep.within(dt, longestStep(*car, state));
     const double h = dt / substeps;
+    static thread_local SubstepRoom room;
     auto& [next, begin, end, planes] = room;
     for (std::size_t i = 0; i < car->wheel_count; ++i) {
         next[i] = demand(i);
