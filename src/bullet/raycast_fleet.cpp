@@ -19,6 +19,8 @@ struct RaycastFleet::Implementation {
     std::mutex rays{};  // Bullet's own stack of a ray is shared, unless it was built to be safe with threads
     std::vector<RaycastVehicle*> vehicles{};
     std::vector<RaycastVehicle*> awake{};  // in this step
+    std::vector<Footprint> of_all{};       // vehicles, in the last step
+    std::vector<Footprint> of_awake{};     // and of those that are awake, one more than there are
 };
 
 RaycastFleet::RaycastFleet(int threads) : self_(new Implementation(threads)) {}
@@ -44,15 +46,27 @@ int RaycastFleet::size() const {
 }
 
 void RaycastFleet::updateAction(btCollisionWorld* world, btScalar step) {
-    auto& awake = self_->awake;
+    auto& [crew, many, rays, vehicles, awake, of_all, of_awake] = *self_;
     awake.clear();
-    for (RaycastVehicle* vehicle : self_->vehicles) {
-        if (world && vehicle->isHeldBy(*world) && vehicle->self_->begin(world, step)) awake.push_back(vehicle);
+    of_awake.clear();
+    of_all.resize(vehicles.size() + 1);
+    for (std::size_t i = 0; i < vehicles.size(); ++i) {
+        RaycastVehicle& vehicle = *vehicles[i];
+        of_all[i] = vehicle.self_->footprint();
+        vehicle.self_->fetchInputs(of_all[i + 1]);
+        if (!world || !vehicle.isHeldBy(*world) || !vehicle.self_->begin(world, step)) continue;
+        awake.push_back(&vehicle);
+        of_awake.push_back(of_all[i]);
     }
-    const auto drive = [&](std::size_t i) { awake[i]->self_->drive(world, step); };
+    of_awake.emplace_back();
+    const auto drive = [&](std::size_t i) {
+        awake[i]->self_->fetchInputs(of_awake[i + 1]);
+        awake[i]->self_->fetchState(of_awake[i + 1]);
+        awake[i]->self_->drive(world, step);
+    };
     std::exception_ptr thrown;
     try {
-        self_->crew.each(awake.size(), drive);
+        crew.each(awake.size(), drive);
     } catch (...) {
         thrown = std::current_exception();
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bullet/body_link.h"
+#include "bullet/fetch_ahead.h"
 #include "bullet/raycast_state.h"
 #include "bullet/shared_cars.h"
 #include "bullet/stock_tuning.h"
@@ -80,6 +81,12 @@ struct RaycastVehicle::Implementation {
     Vector3 gravity() const;
 
     // raycast_car.cpp: the car follows what the game changed.
+    // raycast_fetch.cpp: the memory of the car that steps next.
+    Footprint footprint();
+    void fetchInputs(const Footprint& next) const;  // what `begin` needs
+    void fetchState(const Footprint& next) const;   // what `drive` needs besides
+    void fetchMember(const Footprint& next, const void* member, std::size_t bytes) const;
+
     static const MadeCar& noCar();
     void makeCar();
     CarRecipe recipeNow();

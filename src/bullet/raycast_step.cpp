@@ -44,6 +44,10 @@ WheelDemand between(const WheelDemand& a, const WheelDemand& b, double at) {
 }  // namespace
 
 void RaycastVehicle::Implementation::step(const btCollisionWorld* in, double dt) {
+    static thread_local Trail trail;
+    const Footprint next = trail.after(footprint());
+    fetchInputs(next);
+    fetchState(next);
     if (!begin(in, dt)) return;
     drive(in, dt);
     finish();
