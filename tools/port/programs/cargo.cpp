@@ -83,14 +83,13 @@ void carry(Report& report, Load& load, const char* const (&names)[6]) {
     load.truck.steer(0);
     load.truck.brake(total / 4 / 60);
     fastest = std::max(fastest, load.run(5));
-    // Bullet's friction creeps under load, by up to 0.2 m/s here also on stock: it all stays on the bed; nothing is
-    // thrown.
-    report.within(names[3], fastest, 0, 0.5);
+    // Bullet's friction creeps under load, on stock too. Nothing is thrown: none is as fast as what falls by 5 cm.
+    report.within(names[3], fastest, 0, 1);
     double slid = 0;
     const std::vector<btVector3> places = load.places();
     for (std::size_t i = 0; i < places.size(); ++i)
         slid = std::max(slid, static_cast<double>((places[i] - placed[i]).length()));
-    report.within(names[4], slid, 0, 0.8);
+    report.within(names[4], slid, 0, 0.8);  // the outer planks' way to the end of the bed
     report.like(names[5], load.truck.place().length(), 0.1);
 }
 
@@ -117,7 +116,7 @@ int main(int arguments, char** argument) {
         in_box.setOrigin(vector(0, -0.5, 0));
         btFixedConstraint ropes(tied.truck.chassis, *tied.pieces[0], on_truck, in_box);
         tied.world.dynamics.addConstraint(&ropes, true);
-        // The centre sinks by its part of the weight, the rear by all of it.
+        // The rear sinks by twice as much as the centre does, the front by nothing.
         carry(
             report, tied,
             {"tied_height_m", "tied_sinking_off_m", "tied_lying_m_s", "tied_fastest_m_s", "tied_slid_m", "tied_way_m"});

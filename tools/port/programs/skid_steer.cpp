@@ -18,7 +18,7 @@ CarNumbers robotNumbers() {
 
 struct Figures {
     double yaw_rate;  // rad/s, at the end
-    double least;     // over the last second, of that
+    double least;     // rad/s, over the second half of the time
     double drift;     // m, of the centre
     double upright;   // least
 };
@@ -126,8 +126,8 @@ int main(int arguments, char** argument) {
     report.within("rough_upright", upright, 0.999, 1);
     report.within("rough_steady", steady, 0.4, 1);
 
-    // With motors it turns steadily. They give what drags the wheels aside, 4 N/kg by Coulomb's law, and the
-    // speed of the ground under the wheels follows: the more, the less sliding rubber holds, down to half of its peak.
+    // With motors it turns steadily. They give what drags the wheels aside, 4 N/kg by Coulomb's law, and the speed of
+    // the ground under the wheels follows: the more, the less sliding rubber holds, down to half of its peak.
     const CarNumbers n = robotNumbers();
     const double arm = n.axles[0].left;
     const double drag = 0.8 * kGravity * n.axles[0].forward / std::hypot(arm, n.axles[0].forward);

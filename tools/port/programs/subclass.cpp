@@ -9,7 +9,7 @@ using namespace port;
 class GameCar : public Vehicle {  // in the game: public btRaycastVehicle
 public:
     GameCar(const btVehicleTuning& tuning, btRigidBody* chassis, btVehicleRaycaster* raycaster)
-        : Vehicle(tuning, chassis, raycaster) {}
+        : btRaycastVehicle(tuning, chassis, raycaster) {}
 
     void updateAction(btCollisionWorld* world, btScalar step) override {
         ++actions;

@@ -19,8 +19,7 @@ void drive(Report& report, const char* const (&names)[6], const CarNumbers& n, d
     report.like(names[1], truck.speed(), 0.1);
 
     // 3 m/s2 of setBrake: 60 N for each unit at each wheel, at the radius of addWheel. At the ground it is more by what
-    // the tyre gives way, up to 8 % of its radius, and by 0.1 m/s2 of rolling; wheels that stop with the truck take 3
-    // %.
+    // the tyre gives way, up to 8 % of its radius, and by 0.1 m/s2 of rolling; wheels that stop too take 3 % of it.
     truck.push(0);
     truck.chassis.setLinearVelocity(vector(0, 0, 15));
     world.run(1);
