@@ -67,6 +67,18 @@ public:
         judge(name, value, lowest, highest);
     }
 
+    // Stock's figure; on stock its own.
+    double ofStock(const char* name, double on_stock) {
+        if (!stock_) return on_stock;
+        char line[200], found[100];
+        double value = 0;
+        std::rewind(stock_);
+        while (std::fgets(line, sizeof line, stock_))
+            if (std::sscanf(line, "%99s %lf", found, &value) == 2 && std::strcmp(found, name) == 0) return value;
+        wrong("stock has no such figure:");
+        return std::nan("");
+    }
+
     int status() const {
         return good_ ? 0 : 1;
     }
@@ -84,17 +96,6 @@ private:
         std::printf("%s\n", what);
         good_ = false;
     }
-    double ofStock(const char* name, double on_stock) {
-        if (!stock_) return on_stock;
-        char line[200], found[100];
-        double value = 0;
-        std::rewind(stock_);
-        while (std::fgets(line, sizeof line, stock_))
-            if (std::sscanf(line, "%99s %lf", found, &value) == 2 && std::strcmp(found, name) == 0) return value;
-        wrong("stock has no such figure:");
-        return std::nan("");
-    }
-
     std::FILE* stock_;
     bool good_ = true;
 };
