@@ -83,6 +83,23 @@ if(STEP STREQUAL debian_consumer)
     set(prefix "${FOLDER}/unpacked/usr")
 endif()
 
+# ---- Build the programs of tools/port against the installed tread, and run them ----
+if(STEP MATCHES "^port")
+    set(precision double)
+    if(STEP STREQUAL port_float)
+        set(precision float)
+    endif()
+    set(place ${FOLDER}/${STEP})
+    file(REMOVE_RECURSE ${place})
+    must_run(${CMAKE_COMMAND} -S ${SOURCE}/tools/port -B ${place} -G Ninja -DPORT_PRECISION=${precision}
+        -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${COMPILER}
+        -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
+    must_run(${CMAKE_COMMAND} --build ${place})
+    set(ENV{CTEST_OUTPUT_ON_FAILURE} 1)
+    must_run(${CMAKE_COMMAND} --build ${place} --target test)
+    return()
+endif()
+
 # ---- Configure, build and run the consumer ----
 set(place ${FOLDER}/${STEP})
 file(REMOVE_RECURSE ${place})
