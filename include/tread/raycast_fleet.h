@@ -9,6 +9,7 @@
 // each does exactly what it would do alone.
 #pragma once
 
+#include "tread/api.h"
 #include "tread/bullet_precision.h"
 #include "tread/raycast_vehicle.h"
 
@@ -17,7 +18,7 @@ namespace tread {
 inline namespace TREAD_BULLET_PRECISION {
 
 // The action. Vehicles and world must outlive its steps; a vehicle may belong to one fleet.
-class RaycastFleet : public btActionInterface {
+class TREAD_API RaycastFleet : public btActionInterface {
 public:
     // Threads that compute, the caller's included; at least one. User raycasters and surface functions are called from
     // all of them, one call at a time.
@@ -36,7 +37,7 @@ public:
     void debugDraw(btIDebugDraw* drawer) override;
 
 private:
-    struct Implementation;
+    struct TREAD_INTERNAL Implementation;
     std::unique_ptr<Implementation> self_;
 };
 }  // namespace TREAD_BULLET_PRECISION

@@ -22,6 +22,7 @@
 #include <functional>
 #include <memory>
 
+#include "tread/api.h"
 #include "tread/bullet_precision.h"
 #include "tread/vehicle.h"
 #include "tread/wheeled_body_state.h"
@@ -103,7 +104,7 @@ struct RaycastVehicleState {
 static_assert(std::is_trivially_copyable_v<RaycastVehicleState>);
 
 // Bullet's btRaycastVehicle on tread's tyres.
-class RaycastVehicle : public btRaycastVehicle {
+class TREAD_API RaycastVehicle : public btRaycastVehicle {
 public:
     // `chassis` must not be null (std::invalid_argument) and must outlive the vehicle's steps; `raycaster` may be null.
     // Bullet's own btDefaultVehicleRaycaster is replaced by a ray that sees neither the chassis nor triggers; any other
@@ -161,7 +162,7 @@ public:
 private:
     friend class RaycastFleet;
     bool isHeldBy(const btCollisionWorld& world) const;
-    struct Implementation;
+    struct TREAD_INTERNAL Implementation;
     std::unique_ptr<Implementation> self_;
 };
 }  // namespace TREAD_BULLET_PRECISION

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "tread/api.h"
 #include "tread/vector.h"
 
 namespace tread {
@@ -16,7 +17,7 @@ struct RoadContact {
     bool exists = true;                    // false: nothing under the wheel
 };
 
-class Road {
+class TREAD_API Road {
 public:
     virtual ~Road() = default;
 
