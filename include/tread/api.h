@@ -2,10 +2,10 @@
 // without effect.
 #pragma once
 
-#if defined(__GNUC__)
-#define TREAD_API __attribute__((visibility("default")))
-#define TREAD_INTERNAL __attribute__((visibility("hidden")))  // a part of an API class that is not the API
-#else
+#if defined(_WIN32)
 #define TREAD_API
 #define TREAD_INTERNAL
+#else
+#define TREAD_API __attribute__((visibility("default")))
+#define TREAD_INTERNAL __attribute__((visibility("hidden")))  // a part of an API class that is not the API
 #endif
