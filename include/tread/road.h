@@ -19,7 +19,7 @@ struct RoadContact {
 
 class TREAD_API Road {
 public:
-    virtual ~Road() = default;
+    virtual ~Road();
 
     // Called before each step of the world, of which the car may make several of its own: a road whose queries are dear
     // may ask once per wheel and answer with that plane until the next call.
