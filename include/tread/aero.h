@@ -1,6 +1,7 @@
 // Aerodynamics: forces and moments of the air on the body.
 #pragma once
 
+#include "tread/api.h"
 #include "tread/curve.h"
 #include "tread/describe.h"
 #include "tread/vector.h"
@@ -57,6 +58,6 @@ struct AeroForces {
 
 // Forces at the velocity of the body through the air, in body axes. Aerodynamic sideslip is the angle between that
 // velocity and the body's x axis in the x-y plane.
-AeroForces forces(const AeroParams& params, const Vector3& air_velocity_B);
+TREAD_API AeroForces forces(const AeroParams& params, const Vector3& air_velocity_B);
 
 }  // namespace tread

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "tread/api.h"
 #include "tread/describe.h"
 #include "tread/wheels.h"
 
@@ -65,9 +66,9 @@ struct AntiLockState {
 
 // Pressure of each wheel, of what the driver and the stability control ask for. `speed` is that of the wheel over
 // ground along its heading, `rolling` the spin times the effective rolling radius.
-PerWheel<double> advance(AntiLockState& state, const AntiLockParams& params, const PerWheel<double>& demand,
-                         const PerWheel<double>& speed, const PerWheel<double>& rolling, double dt);
+TREAD_API PerWheel<double> advance(AntiLockState& state, const AntiLockParams& params, const PerWheel<double>& demand,
+                                   const PerWheel<double>& speed, const PerWheel<double>& rolling, double dt);
 
-int regulatedWheels(const AntiLockState& state);
+TREAD_API int regulatedWheels(const AntiLockState& state);
 
 }  // namespace tread

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tread/anti_lock.h"
+#include "tread/api.h"
 #include "tread/curve.h"
 #include "tread/describe.h"
 #include "tread/stability_control.h"
@@ -109,6 +110,6 @@ struct BrakeTorques {
     PerWheel<double> mean;  // over it
 };
 
-BrakeTorques advance(BrakeState& state, const BrakeParams& params, const BrakeInput& input, double dt);
+TREAD_API BrakeTorques advance(BrakeState& state, const BrakeParams& params, const BrakeInput& input, double dt);
 
 }  // namespace tread

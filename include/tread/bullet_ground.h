@@ -13,6 +13,7 @@
 #include <memory>
 #include <vector>
 
+#include "tread/api.h"
 #include "tread/bullet_precision.h"
 #include "tread/height_field.h"
 
@@ -21,7 +22,7 @@ namespace tread {
 inline namespace TREAD_BULLET_PRECISION {
 
 // The same triangles as those of HeightField::at, z up; nothing beyond the border.
-class BulletGround {
+class TREAD_API BulletGround {
 public:
     explicit BulletGround(const HeightField& field);
     BulletGround(const BulletGround&) = delete;

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "tread/api.h"
 #include "tread/bullet_precision.h"
 #include "tread/road.h"
 #include "tread/wheels.h"
@@ -18,7 +19,7 @@ inline namespace TREAD_BULLET_PRECISION {
 
 // Casts a ray from above each wheel centre along gravity. The car's own body and objects without contact response
 // (triggers) are no ground. Between two beginStep() a wheel keeps the plane that its ray found.
-class BulletRoad final : public Road {
+class TREAD_API BulletRoad final : public Road {
 public:
     // `world` and `own_body` must outlive the road. `ray_length`: m, from the wheel centre down; `up` is a unit vector.
     BulletRoad(const btCollisionWorld& world, const btCollisionObject& own_body, const Vector3& up = Vector3::UnitZ(),

@@ -18,6 +18,7 @@
 
 #include <memory>
 
+#include "tread/api.h"
 #include "tread/bullet_precision.h"
 #include "tread/vehicle.h"
 
@@ -36,7 +37,7 @@ struct BodyAxes {
     btVector3 left{0, 1, 0};
 };
 
-class BulletVehicle : public btActionInterface {
+class TREAD_API BulletVehicle : public btActionInterface {
 public:
     // The body's origin is the centre of gravity of the car with its load; its mass and inertia are set from the
     // parameters. `chassis` and
@@ -73,7 +74,7 @@ public:
     void observe();
 
 private:
-    struct Implementation;
+    struct TREAD_INTERNAL Implementation;
     std::unique_ptr<Implementation> self_;
 };
 }  // namespace TREAD_BULLET_PRECISION

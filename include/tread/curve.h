@@ -1,6 +1,8 @@
 // A curve through given points: piecewise linear, held constant beyond both ends.
 #pragma once
 
+#include "tread/cpp20.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

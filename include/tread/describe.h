@@ -18,6 +18,8 @@
 // std::vector, std::optional or std::variant of these. The alternatives of a variant carry their name as `kName`.
 #pragma once
 
+#include "tread/cpp20.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdlib>

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "tread/api.h"
 #include "tread/describe.h"
 #include "tread/differential.h"
 #include "tread/engine.h"
@@ -80,7 +81,8 @@ struct DrivelineTorques {
     PerAxle<double> braked;  // N m, not negative: what the motor recovers for the brake pedal, each wheel of the axle
 };
 
-DrivelineTorques advance(DrivelineState& state, const DrivelineParams& params, const DrivelineInput& input, double dt);
+TREAD_API DrivelineTorques advance(DrivelineState& state, const DrivelineParams& params, const DrivelineInput& input,
+                                   double dt);
 
 // The state in which the driveline runs steadily at a wheel spin, giving a torque (all wheels together) to the wheels,
 // and the throttle that this needs (it may lie outside 0 to 1: the car cannot hold that speed). At standstill a torque
@@ -89,6 +91,6 @@ struct SteadyDriveline {
     DrivelineState state;
     double throttle;
 };
-SteadyDriveline steadyDriveline(const DrivelineParams& params, double wheel_spin, double wheel_torque);
+TREAD_API SteadyDriveline steadyDriveline(const DrivelineParams& params, double wheel_spin, double wheel_torque);
 
 }  // namespace tread

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "tread/api.h"
 #include "tread/curve.h"
 #include "tread/describe.h"
 
@@ -61,11 +62,11 @@ static_assert(describesEveryMember<EngineParams>());
 
 // Net torque at the crankshaft, idle control included. The idle control asks for a torque that falls with speed and is
 // none at idle speed; the engine gives the larger of what it and the pedal ask for, so idling is an equilibrium.
-double engineTorque(const EngineParams& engine, double throttle, double speed);
+TREAD_API double engineTorque(const EngineParams& engine, double throttle, double speed);
 
 // The throttle at which the engine gives a torque; outside 0 to 1 it cannot. Negative where the idle control gives
 // more.
-double throttleFor(const EngineParams& engine, double torque, double speed);
+TREAD_API double throttleFor(const EngineParams& engine, double torque, double speed);
 
 // ---- Electric motor ----
 
@@ -113,9 +114,9 @@ struct MotorTorque {
 };
 
 // Torque at a speed; `brake` is what the brake pedal leaves to the motor, N m at its shaft, not negative.
-MotorTorque motorTorque(const MotorParams& motor, double throttle, double brake, double speed);
+TREAD_API MotorTorque motorTorque(const MotorParams& motor, double throttle, double brake, double speed);
 
 // The throttle at which the motor gives a torque; outside 0 to 1 it cannot.
-double throttleFor(const MotorParams& motor, double torque, double speed);
+TREAD_API double throttleFor(const MotorParams& motor, double torque, double speed);
 
 }  // namespace tread

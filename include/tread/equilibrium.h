@@ -2,6 +2,7 @@
 // the driver did not move.
 #pragma once
 
+#include "tread/api.h"
 #include "tread/vehicle.h"
 
 namespace tread {
@@ -24,6 +25,6 @@ struct Equilibrium {
 
 // A car that rolls is held at its speed and heading while it settles: throttle, steering wheel and sideslip are found
 // that do so (on a bank, or with tyres that pull). A car that stands is left to its brakes.
-Equilibrium equilibrium(const Vehicle& vehicle, const Surroundings& surroundings, const Start& start);
+TREAD_API Equilibrium equilibrium(const Vehicle& vehicle, const Surroundings& surroundings, const Start& start);
 
 }  // namespace tread

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tread/api.h"
 #include "tread/describe.h"
 #include "tread/problem.h"
 
@@ -70,7 +71,7 @@ struct HeightField {
     }
 
     // The triangle over a place.
-    SurfacePoint at(double x, double y) const;
+    TREAD_API SurfacePoint at(double x, double y) const;
 };
 static_assert(describesEveryMember<HeightField>());
 
@@ -80,6 +81,6 @@ static_assert(describesEveryMember<HeightField>());
 //     0.5,      0, 0, 0.02
 // Both must increase in equal steps. Blank lines and lines that begin with # do not count. True when the file is such
 // a file by its name; what is wrong with it goes to `problems`.
-bool readForeign(HeightField& field, const std::filesystem::path& file, std::vector<Problem>& problems);
+TREAD_API bool readForeign(HeightField& field, const std::filesystem::path& file, std::vector<Problem>& problems);
 
 }  // namespace tread

@@ -1,9 +1,13 @@
 // What is wrong with a file or an option, and the exception that carries every such fault at once.
 #pragma once
 
+#include "tread/cpp20.h"
+
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "tread/api.h"
 
 namespace tread {
 
@@ -18,10 +22,10 @@ struct Problem {
 };
 
 // "file:line:column: path: text", without the parts that the problem does not have.
-std::string toText(const Problem& problem);
+TREAD_API std::string toText(const Problem& problem);
 
 // Thrown once, with all that is wrong; what() has one line for each problem.
-class LoadError : public std::runtime_error {
+class TREAD_API LoadError : public std::runtime_error {
 public:
     explicit LoadError(std::vector<Problem> problems);
 

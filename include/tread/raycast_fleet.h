@@ -38,7 +38,7 @@ public:
     void debugDraw(btIDebugDraw* drawer) override;
 
 private:
-    struct Implementation;
+    struct TREAD_INTERNAL Implementation;
     Implementation* self_;
 };
 }  // namespace TREAD_BULLET_PRECISION

@@ -78,7 +78,7 @@ public:
     bool operator==(const RaycastSnapshot& other) const;  // every number alike: peers are in step
     bool operator!=(const RaycastSnapshot& other) const { return !(*this == other); }
 
-    struct State;
+    struct TREAD_INTERNAL State;
 
 private:
     friend class RaycastVehicle;
@@ -165,7 +165,7 @@ public:
     void restore(const RaycastSnapshot& snapshot);
 
 private:
-    struct Implementation;
+    struct TREAD_INTERNAL Implementation;
     friend class RaycastFleet;
     friend Implementation& implementationOf(RaycastVehicle& vehicle);
     bool isHeldBy(const btCollisionWorld& world) const;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "tread/api.h"
 #include "tread/vector.h"
 
 namespace tread {
@@ -16,9 +17,9 @@ struct RoadContact {
     bool exists = true;                    // false: nothing under the wheel
 };
 
-class Road {
+class TREAD_API Road {
 public:
-    virtual ~Road() = default;
+    virtual ~Road();
 
     // Called before each step of the world, of which the car may make several of its own: a road whose queries are dear
     // may ask once per wheel and answer with that plane until the next call.

@@ -11,13 +11,14 @@
 #include <memory>
 #include <vector>
 
+#include "tread/api.h"
 #include "tread/height_field.h"
 #include "tread/road.h"
 #include "tread/road_params.h"
 
 namespace tread {
 
-class RoadSurface final : public Road {
+class TREAD_API RoadSurface final : public Road {
 public:
     explicit RoadSurface(const RoadParams& params);
     ~RoadSurface() override;
@@ -30,7 +31,7 @@ public:
     double friction(double x, double y) const;
 
 private:
-    struct Parts;
+    struct TREAD_INTERNAL Parts;
     SurfacePoint base(double x, double y) const;
     SurfacePoint fieldAveraged(double x, double y) const;
 
@@ -38,7 +39,7 @@ private:
 };
 
 // The simplest road that is what the parameters say: a plane is a plane.
-std::unique_ptr<Road> makeRoad(const RoadParams& params);
+TREAD_API std::unique_ptr<Road> makeRoad(const RoadParams& params);
 
 // A rectangle of the road.
 struct RoadArea {
@@ -47,6 +48,6 @@ struct RoadArea {
 };
 
 // The road's own height at the points of a grid that covers the area, for example for a collision shape.
-HeightField sampled(const RoadSurface& road, const RoadArea& area, double spacing);
+TREAD_API HeightField sampled(const RoadSurface& road, const RoadArea& area, double spacing);
 
 }  // namespace tread

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "tread/api.h"
 #include "tread/describe.h"
 #include "tread/wheels.h"
 
@@ -67,7 +68,7 @@ struct StabilityControlInput {
 };
 
 // Brake torque that it asks of each wheel.
-PerWheel<double> advance(StabilityControlState& state, const StabilityControlParams& params,
-                         const StabilityControlInput& input, double dt);
+TREAD_API PerWheel<double> advance(StabilityControlState& state, const StabilityControlParams& params,
+                                   const StabilityControlInput& input, double dt);
 
 }  // namespace tread

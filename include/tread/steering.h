@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 
+#include "tread/api.h"
 #include "tread/curve.h"
 #include "tread/describe.h"
 #include "tread/state_parts.h"
@@ -96,8 +97,8 @@ struct RoadWheels {
 };
 
 // Road-wheel angles at a steering-wheel angle, without toe. Track and wheelbase in m.
-RoadWheelAngles roadWheelAngles(const SteeringParams& params, double steering_wheel_angle, double track,
-                                double wheelbase);
+TREAD_API RoadWheelAngles roadWheelAngles(const SteeringParams& params, double steering_wheel_angle, double track,
+                                          double wheelbase);
 
 // ---- Motion ----
 
@@ -114,7 +115,8 @@ struct SteeringState {
 };
 
 // At rest with the steering wheel held at an angle.
-SteeringState steadySteering(const SteeringParams& params, double steering_wheel_angle, double track, double wheelbase);
+TREAD_API SteeringState steadySteering(const SteeringParams& params, double steering_wheel_angle, double track,
+                                       double wheelbase);
 
 struct SteeringInput {
     double begin;  // rad, the driver's angle at both ends of the step
@@ -133,7 +135,8 @@ struct SteeringMotion {
     RoadWheelAngles begin;
     RoadWheelAngles end;
 };
-SteeringMotion advance(SteeringState& state, const SteeringParams& params, const SteeringInput& input, double dt);
+TREAD_API SteeringMotion advance(SteeringState& state, const SteeringParams& params, const SteeringInput& input,
+                                 double dt);
 
 // ---- Moments ----
 
@@ -144,7 +147,7 @@ inline double steeringMoment(const SteeringParams& params, double fx, double fy,
 
 // Torque by which the driver turns the steering wheel, N m, positive to the left; without what accelerates it. The
 // moments are those of steeringMoment.
-double steeringWheelTorque(const SteeringState& state, const SteeringParams& params, double left_moment,
-                           double right_moment);
+TREAD_API double steeringWheelTorque(const SteeringState& state, const SteeringParams& params, double left_moment,
+                                     double right_moment);
 
 }  // namespace tread

@@ -2,6 +2,7 @@
 // All rates are at the wheel. Travel is positive in compression and zero where the car stands at its static load.
 #pragma once
 
+#include "tread/api.h"
 #include "tread/curve.h"
 #include "tread/describe.h"
 
@@ -147,7 +148,7 @@ struct SuspensionForce {
     double by_rate;    // N s/m
 };
 
-SuspensionForce forces(const SuspensionParams& params, const SuspensionInput& input);
+TREAD_API SuspensionForce forces(const SuspensionParams& params, const SuspensionInput& input);
 
 // Attitude of a wheel against the body. The sides of the car mirror each other.
 struct WheelAngles {
@@ -155,11 +156,11 @@ struct WheelAngles {
     double toe;     // rad, rotation about +z: positive steers to the left
 };
 
-WheelAngles angles(const SuspensionParams& params, double travel, bool left);
+TREAD_API WheelAngles angles(const SuspensionParams& params, double travel, bool left);
 
 // What the forces of the road on a wheel, ISO 8855 wheel axes, add to that through the compliance of the suspension;
 // not what the aligning moment adds, which is AligningCompliance's.
-WheelAngles compliance(const SuspensionParams& params, double fx, double fy, bool left);
+TREAD_API WheelAngles compliance(const SuspensionParams& params, double fx, double fy, bool left);
 
 // Longitudinal movement of a wheel against the body.
 struct Recession {
@@ -171,9 +172,9 @@ struct Recession {
 
 // Advances it by dt under the push with which the last step ended. SDIRK2: second order, L-stable, so that a hard bush
 // does not ring.
-void advance(Recession& recession, const SuspensionParams& params, double mass, double dt);
+TREAD_API void advance(Recession& recession, const SuspensionParams& params, double mass, double dt);
 
 // The wheel moved under the push of the step's beginning and takes the change to that of its end.
-void takePush(Recession& recession, const SuspensionParams& params, double mass, double push, double dt);
+TREAD_API void takePush(Recession& recession, const SuspensionParams& params, double mass, double push, double dt);
 
 }  // namespace tread

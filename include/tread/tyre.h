@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tread/api.h"
 #include "tread/describe.h"
 
 namespace tread {
@@ -321,7 +322,7 @@ static_assert(describesEveryMember<TyreParams>());
 
 // Takes the file in place of the YAML reader when its name ends in .tir.
 struct Problem;
-bool readForeign(TyreParams& tyre, const std::filesystem::path& file, std::vector<Problem>& problems);
+TREAD_API bool readForeign(TyreParams& tyre, const std::filesystem::path& file, std::vector<Problem>& problems);
 
 // ---- Steady state ----
 
@@ -386,7 +387,7 @@ struct TyreSteadyState {
 static_assert(describesEveryMember<TyreSteadyState>());
 
 // Forces and moments at a given slip, equations (29)-(92). Finite for every finite input.
-TyreSteadyState steadyState(const TyreParams& tyre, const TyreSlip& slip);
+TREAD_API TyreSteadyState steadyState(const TyreParams& tyre, const TyreSlip& slip);
 
 // ---- Transients ----
 
@@ -459,22 +460,23 @@ using TyreSpin = BasicTyreSpin<double>;
 
 // Advances the contact patch by dt with the wheel's motion given at both ends of the step (give the same motion twice
 // to hold it) and returns the forces at its end. Second order, L-stable (SDIRK2 with a damped Newton).
-TyreForces advance(TyreState& state, const TyreParams& tyre, const TyreMotion& begin, const TyreMotion& end, double dt,
-                   Standstill standstill);
+TREAD_API TyreForces advance(TyreState& state, const TyreParams& tyre, const TyreMotion& begin, const TyreMotion& end,
+                             double dt, Standstill standstill);
 
 // The same with the wheel's spin Omega as one more unknown, so that a braked wheel locks and a driven one spins.
-TyreForces advance(TyreState& state, double& Omega, const TyreParams& tyre, const TyreMotion& begin,
-                   const TyreMotion& end, const TyreSpin& spin, double dt, Standstill standstill);
+TREAD_API TyreForces advance(TyreState& state, double& Omega, const TyreParams& tyre, const TyreMotion& begin,
+                             const TyreMotion& end, const TyreSpin& spin, double dt, Standstill standstill);
 
 // The forces of a known state under a given motion, equations (21)-(23), (84), (85): what `advance` returns when the
 // motion is that at the end of its step; and what jumps with the motion while the state cannot.
-TyreForces rimForces(const TyreState& state, const TyreParams& tyre, const TyreMotion& motion, Standstill standstill);
+TREAD_API TyreForces rimForces(const TyreState& state, const TyreParams& tyre, const TyreMotion& motion,
+                               Standstill standstill);
 
 // The same tyre mounted on the other side of the car.
-TyreParams mirrored(const TyreParams& tyre);
+TREAD_API TyreParams mirrored(const TyreParams& tyre);
 
 // A car tyre in the size of any wheel: the shape of a measured 205/60R15, friction 1, its lengths in proportion to the
 // radius and its forces to the load.
-TyreParams similarTyre(double load, double radius);
+TREAD_API TyreParams similarTyre(double load, double radius);
 
 }  // namespace tread

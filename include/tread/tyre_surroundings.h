@@ -7,6 +7,7 @@
 // camber angle. The temperature is one lumped number, its influence a polynomial about where the tyre was measured.
 #pragma once
 
+#include "tread/api.h"
 #include "tread/describe.h"
 #include "tread/tyre.h"
 
@@ -105,22 +106,23 @@ struct TyreSurroundingsParams {
 static_assert(describesEveryMember<TyreSurroundingsParams>());
 
 // The tyre as it is at its inflation pressure.
-TyreParams inflated(TyreParams tyre, const TyrePressureParams& pressure);
+TREAD_API TyreParams inflated(TyreParams tyre, const TyrePressureParams& pressure);
 
 // Whether the temperature can be another than the nominal one.
-bool warms(const TyreTemperatureParams& params);
+TREAD_API bool warms(const TyreTemperatureParams& params);
 // Whether that changes the tyre's forces.
-bool feelsWarmth(const TyreTemperatureParams& params);
+TREAD_API bool feelsWarmth(const TyreTemperatureParams& params);
 
 // `warming` is the temperature less that at the start, K; `slip_power` in W, `speed` in m/s. Returns it after dt.
-double advanceWarming(double warming, const TyreTemperatureParams& params, double slip_power, double speed, double dt);
+TREAD_API double advanceWarming(double warming, const TyreTemperatureParams& params, double slip_power, double speed,
+                                double dt);
 
 // What the temperature makes of the tyre: factors on its friction and on its slip stiffnesses.
 struct TyreWarmth {
     double friction;
     double stiffness;
 };
-TyreWarmth warmth(const TyreTemperatureParams& params, double warming);
+TREAD_API TyreWarmth warmth(const TyreTemperatureParams& params, double warming);
 
 // Ply-steer and conicity as shifts of the motion under which the tyre's formulas are asked, paper axes.
 struct TyreShift {
@@ -129,7 +131,7 @@ struct TyreShift {
 
     bool none() const { return slip == 0 && camber == 0; }
 };
-TyreShift shiftOf(const TyreSurroundingsParams& params, bool left);
+TREAD_API TyreShift shiftOf(const TyreSurroundingsParams& params, bool left);
 
 inline TyreMotion shifted(TyreMotion motion, const TyreShift& shift) {
     motion.Vsy += shift.slip * motion.Vx;

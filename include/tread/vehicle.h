@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "tread/aero.h"
+#include "tread/api.h"
 #include "tread/brakes.h"
 #include "tread/driveline.h"
 #include "tread/road.h"
@@ -114,7 +115,7 @@ struct VehicleParams;
 
 // The car with its load as part of it: mass, centre of gravity and moments of inertia are those of both, and `load` is
 // neutral.
-VehicleParams loaded(const VehicleParams& params);
+TREAD_API VehicleParams loaded(const VehicleParams& params);
 
 struct VehicleParams {
     std::string name;
@@ -208,7 +209,7 @@ struct Vehicle {
     Eigen::Matrix<double, 6, 6>
         inverse_mass;  // body axes: forces and moments to accelerations, unsprung masses free to move along z
 };
-Vehicle prepare(const VehicleParams& params, double gravity = kStandardGravity);
+TREAD_API Vehicle prepare(const VehicleParams& params, double gravity = kStandardGravity);
 
 // ---- State and motion ----
 
@@ -271,18 +272,18 @@ struct Surroundings {
 };
 
 // Advances car and body by dt (at most about 2 ms); the driver's input is given at both ends of the step.
-void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle, const VehicleInput& begin,
-             const VehicleInput& end, const Surroundings& surroundings, double dt);
+TREAD_API void advance(ChassisMotion& motion, VehicleState& state, const Vehicle& vehicle, const VehicleInput& begin,
+                       const VehicleInput& end, const Surroundings& surroundings, double dt);
 
 // Motion of the point to which the chassis channels refer.
-PointMotion referenceMotion(const ChassisMotion& motion, const VehicleState& state, const Vehicle& vehicle);
+TREAD_API PointMotion referenceMotion(const ChassisMotion& motion, const VehicleState& state, const Vehicle& vehicle);
 
 // What an observer on board reads.
-VehicleOutput observe(const ChassisMotion& motion, const VehicleState& state, const Vehicle& vehicle,
-                      const Vector3& gravity_W);
+TREAD_API VehicleOutput observe(const ChassisMotion& motion, const VehicleState& state, const Vehicle& vehicle,
+                                const Vector3& gravity_W);
 
 // The part of it that is read in every step: the chassis, and what turns.
-void glance(VehicleOutput& output, const ChassisMotion& motion, const VehicleState& state, const Vehicle& vehicle,
-            const Vector3& gravity_W);
+TREAD_API void glance(VehicleOutput& output, const ChassisMotion& motion, const VehicleState& state,
+                      const Vehicle& vehicle, const Vector3& gravity_W);
 
 }  // namespace tread
