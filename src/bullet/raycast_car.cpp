@@ -13,9 +13,6 @@ inline namespace TREAD_BULLET_PRECISION {
 
 namespace {
 
-// Gravity may change from step to step, as on the way round a planet: tyres are made anew when it has by this share.
-constexpr double kSameGravity = 0.01;
-
 // The wheel at the other end of an axle: the one of the same end of the car that stands farthest to the other side.
 std::size_t partnerOf(const WheeledBody& car, std::size_t wheel, const auto& isFront) {
     std::size_t partner = BodyWheel::kAlone;
@@ -60,8 +57,7 @@ void RaycastVehicle::Implementation::makeCar() {
     takeBody();
     const std::size_t count = wheelCount();
     const RestingLoad load = restingLoad(car.mass, count, gravity().norm());
-    bool changed = !made || count != car.wheel_count || car.mass != made_for_mass;
-    changed |= std::abs(load.gravity - car.gravity) > kSameGravity * car.gravity;
+    bool changed = !made || count != car.wheel_count || car.mass != made_for_mass || load.gravity != car.gravity;
     for (std::size_t i = 0; i < count; ++i) {
         const WheelTuning tuning = tuningOf(info(i));
         changed |= !(tuning == tunings[i]);

@@ -105,6 +105,15 @@ void suspend(BodyWheel& wheel, const btWheelInfo& info, double mass, bool own_nu
     strut.rebound /= 1 - of_tyre;
 }
 
+// On the way round a planet gravity changes in every step, and by its last digits if it only turns: to this share of
+// it, the tyres need not be made anew.
+double rounded(double gravity) {
+    constexpr double kParts = 8192;
+    int exponent = 0;
+    const double mantissa = std::frexp(gravity, &exponent);
+    return std::ldexp(std::round(mantissa * kParts) / kParts, exponent);
+}
+
 // Masses and damping of a tyre are those of its size, whatever it weighs.
 TyreParams tyreFor(const RestingLoad& resting, double radius) {
     TyreParams tyre = similarTyre(resting.force, radius);
@@ -137,7 +146,7 @@ WheelTuning tuningOf(const btWheelInfo& w) {
 }
 
 RestingLoad restingLoad(double mass, std::size_t wheels, double gravity) {
-    if (!(gravity > kLeastGravity && gravity < kMostGravity)) gravity = kStandardGravity;
+    gravity = gravity > kLeastGravity && gravity < kMostGravity ? rounded(gravity) : kStandardGravity;
     const double carried = mass / static_cast<double>(std::max<std::size_t>(wheels, 1));
     return {std::max(carried * gravity, kLeastLoad), gravity};
 }

@@ -54,22 +54,23 @@ struct RoadForce {
     }
 };
 
-// Share of a damping that counts over a step: a damper takes no more than the whole motion of the body. One which took
-// more would turn the motion round, and one which took twice as much would swing it without end.
-double shareOverStep(double damping, double yielding) {
-    return 1 / std::max(damping * yielding, 1.0);
-}
-
-// Strut and tyre with damping of both stand between body and road as one damper, that of the two in series.
-StrutParams overStep(StrutParams strut, double yielding) {
-    const auto scale = [yielding](double& a, double& b) {
+// Strut and tyre with damping of both stand between body and road as one damper, that of the two in series, beside the
+// two springs in series. Over a step it takes no more than the whole motion of the body, or it would turn the motion
+// round and at twice as much swing it without end; and less beside a spring that takes of the motion itself: with a
+// spring of s = stiffness * yielding * dt and a damper of d = damping * yielding a step is stable below d = 2 - s/2.
+StrutParams overStep(StrutParams strut, const TyreParams& tyre, double yielding, double dt) {
+    const double radial = radialStiffness(tyre);
+    const double stiffness = strut.stiffness * radial / (strut.stiffness + radial);
+    const double most = std::max(1 - 0.25 * stiffness * yielding * dt, 0.0);
+    const auto limit = [&](double& a, double& b) {
         if (!(a > 0 && b > 0)) return;
-        const double share = shareOverStep(a * b / (a + b), yielding);
-        a *= share;
-        b *= share;
+        const double taken = a * b / (a + b) * yielding;
+        if (taken <= most) return;
+        a *= most / taken;
+        b *= most / taken;
     };
-    scale(strut.bump, strut.tyre_bump);
-    scale(strut.rebound, strut.tyre_rebound);
+    limit(strut.bump, strut.tyre_bump);
+    limit(strut.rebound, strut.tyre_rebound);
     return strut;
 }
 
@@ -91,7 +92,7 @@ DampedFrom dampedFrom(const StrutParams& strut, const StrutPush& push, double co
 
 StrutYield yield(const StrutParams& params, const TyreParams& tyre, const StrutPush& push, double compression,
                  double partner, double dt) {
-    const StrutParams strut = overStep(params, push.yielding);
+    const StrutParams strut = overStep(params, tyre, push.yielding, dt);
     const bool reaches = push.deflection > 0;
     const DampedFrom from = reaches ? dampedFrom(strut, push, compression) : DampedFrom{compression, 0};
     const double stop = std::min(strut.stop, kStopStiffness * radialStiffness(tyre));

@@ -1,5 +1,18 @@
 // A step of the body on its wheels: velocity Verlet for the body with an implicit step of every wheel inside it, as in
 // vehicle.cpp.
+//
+// One source for both cars are a wheel's contact, its motion there and the moments that it hands on (contact.h,
+// body.h), the load (83) with the rim and the part of it that grips (tyre_load.h), the tyre with its patch and spin
+// (four_tyres.h), prediction and correction of the motion (body.h). What is different here, and why:
+//   no ground             a plane square to the strut stands in, as a game's car may lie in the air in any attitude
+//   wheels without mass   the load follows from strut and tyre in series (strut.h), not from the wheel's own motion;
+//                         the rim's loss then goes with the body's speed, since the wheel stops at once
+//   damping of the tyre   beyond pz2, in proportion to the strut's, for tyres that are made from stock numbers
+//   grip                  what the carcass stores beyond it is let go of (tyre_grip.h says why not in the whole car)
+//   side force            at the height that a game wants against tipping, and the side slip of that place with it
+//   drive torque          the game's, which knows no engine and no driveline: it ends as the wheel spins
+//   reaction of the spin  only if it is asked for (wheel_reaction)
+//   steering rate         that of the game's angle over the step; nothing yields
 #include "vehicle/wheeled_body.h"
 
 #include <algorithm>
