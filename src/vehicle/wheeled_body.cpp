@@ -52,26 +52,30 @@ Vector3 sidePoint(const WheelContact& contact, const BodyWheel& wheel) {
     return at - (1 - wheel.roll_share) * at.dot(wheel.down_B) * wheel.down_B;
 }
 
-// By how much a force of 1 at each wheel accelerates the body where the wheels are, 1/kg: up and down, in roll or in
-// pitch, whichever is most.
-double givingWay(const WheeledBody& body) {
-    Vector3 turning = Vector3::Zero();
+// Change of the body's speed where the wheels are, per force that every wheel has, s/kg.
+struct Yielding {
+    double heaving;  // up and down
+    double turning;  // in roll or in pitch, whichever is more
+};
+Yielding yieldingOf(const WheeledBody& body, double dt) {
+    Vector3 arms = Vector3::Zero();
     for (std::size_t i = 0; i < body.wheel_count; ++i)
-        turning += body.wheels[i].top_B.cross(body.wheels[i].down_B).cwiseAbs2();
-    const double heave = static_cast<double>(body.wheel_count) / body.mass;
-    return std::max(heave, turning.cwiseProduct(body.inverse_inertia).maxCoeff());
+        arms += body.wheels[i].top_B.cross(body.wheels[i].down_B).cwiseAbs2();
+    return {dt * static_cast<double>(body.wheel_count) / body.mass,
+            dt * arms.cwiseProduct(body.inverse_inertia).maxCoeff()};
 }
 
 // Compression of the strut and load of the tyre at the end of the step; the contact there.
 WheelContact stand(BodyWheelState& state, const BodyWheel& wheel, const BodyMotion& before, const BodyMotion& body,
-                   const RoadContact& ground, double steer, double partner, double yielding, double dt) {
+                   const RoadContact& ground, double steer, double partner, const Yielding& yielding, double dt) {
     WheelContact contact = hang(wheel, body, ground, steer, 0);
     StrutPush push{.deflection = -1,
                    .closing = 0,
                    .lift = 1,
                    .share = -wheel.down_B.dot(contact.normal_B),
                    .before = -1,
-                   .yielding = yielding};
+                   .heaving = yielding.heaving,
+                   .turning = yielding.turning};
     if (ground.exists && push.share > kLeastShare) {
         const Vector3 hub_B = contact.hub_B - state.compression * wheel.down_B;
         push.deflection = wheel.tyre.parameters.Ro - contact.radius;
@@ -224,7 +228,7 @@ void advance(ChassisMotion& motion, WheeledBodyState& state, const WheeledBody& 
     ChassisMotion next = predicted(motion, state.acceleration_W, state.angular_acceleration_W, dt);
     const BodyMotion before = bodyMotion(motion);
     const BodyMotion moved = bodyMotion(next);
-    const double yielding = dt * givingWay(body);
+    const Yielding yielding = yieldingOf(body, dt);
 
     // Struts and loads; the other end of an anti-roll bar counts as it was.
     std::array<WheelContact, kMostWheels> contacts;
