@@ -13,9 +13,6 @@ inline namespace TREAD_BULLET_PRECISION {
 
 namespace {
 
-// Gravity may change from step to step, as on the way round a planet: tyres are made anew when it has by this share.
-constexpr double kSameGravity = 0.01;
-
 // The wheel at the other end of an axle: the one of the same end of the car that stands farthest to the other side.
 std::size_t partnerOf(const WheeledBody& car, std::size_t wheel, const auto& isFront) {
     std::size_t partner = BodyWheel::kAlone;
@@ -65,8 +62,7 @@ CarRecipe RaycastVehicle::Implementation::recipeNow() {
     const Vector3 linear = fromBullet(chassis.getLinearFactor()), angular = fromBullet(chassis.getAngularFactor());
     CarRecipe now;
     now.wheel_count = wheelCount();
-    double strength = restingLoad(mass, now.wheel_count, gravity().norm()).gravity;
-    if (std::abs(strength - car->gravity) <= kSameGravity * car->gravity) strength = car->gravity;
+    const double strength = restingLoad(mass, now.wheel_count, gravity().norm()).gravity;
     now.body = {mass,      inertia.x(), inertia.y(), inertia.z(), linear.x(), linear.y(),
                 linear.z(), angular.x(), angular.y(), angular.z(), strength,   wheel_reaction ? 1.0 : 0.0};
     for (std::size_t i = 0; i < now.wheel_count; ++i) now.wheels[i] = tuningOf(info(i));

@@ -49,6 +49,7 @@ struct RaycastVehicle::Implementation {
     ChassisMotion motion{};
     BodyLink link{};
     bool teleported = false;     // before this step
+    bool second = false;         // of one step of the world
     double simulated = 0;        // s, of this step; 0: it moved nothing
     ChassisMotion start{};       // where this step began
     ChassisMotion reached{};     // where it ended

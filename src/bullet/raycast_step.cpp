@@ -163,7 +163,7 @@ bool RaycastVehicle::Implementation::isTeleported(double dt) const {
 
 // Takes the chassis' motion.
 void RaycastVehicle::Implementation::takeUp(double dt) {
-    const bool second = isSecondStep();
+    second = isSecondStep();
     teleported = !second && isTeleported(dt);
     if (teleported) asleep = false;
     else if (second) link = given;
@@ -235,6 +235,7 @@ bool RaycastVehicle::Implementation::isFarFromRay(std::size_t wheel) const {
 void RaycastVehicle::Implementation::move(const btCollisionWorld* in, double dt) {
     const int substeps = substep.within(dt, longestStep(*car, state));
     const double h = dt / substeps;
+    const Vector3 pull = second ? Vector3(Vector3::Zero()) : gravity();  // the world's acts once
     static thread_local SubstepRoom room;
     auto& [next, begin, end, planes] = room;
     for (std::size_t i = 0; i < car->wheel_count; ++i) {
@@ -250,7 +251,7 @@ void RaycastVehicle::Implementation::move(const btCollisionWorld* in, double dt)
             planes[i].point_W += (k + 1) * h * planes[i].velocity_W;
         }
         const std::size_t n = car->wheel_count;
-        advance(motion, state, *car, {begin.data(), n}, {end.data(), n}, {planes.data(), n}, gravity(), h);
+        advance(motion, state, *car, {begin.data(), n}, {end.data(), n}, {planes.data(), n}, pull, h);
         for (std::size_t i = 0; i < n; ++i)
             impulses[i] +=
                 h * Vector3(state.wheels[i].force_W[0], state.wheels[i].force_W[1], state.wheels[i].force_W[2]);

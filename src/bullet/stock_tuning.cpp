@@ -37,7 +37,7 @@ constexpr double kFastestRim = 117;
 constexpr double kSlipEnds = 8;
 constexpr double kSlipEndsAgainst = 5;
 constexpr double kSlipFading = 2;
-constexpr double kLossAgainst = 1.4;  // of the weight on the wheel, per root of gravity times radius
+constexpr double kLossAgainst = 1.3;  // of the weight on the wheel, per root of gravity times radius
 // Gravity outside of these is none, m/s2.
 constexpr double kLeastGravity = 1e-3;
 constexpr double kMostGravity = 1e6;
@@ -105,6 +105,15 @@ void suspend(BodyWheel& wheel, const btWheelInfo& info, double mass, bool own_nu
     strut.rebound /= 1 - of_tyre;
 }
 
+// On the way round a planet gravity changes in every step, and by its last digits if it only turns: to this share of
+// it, the tyres need not be made anew.
+double rounded(double gravity) {
+    constexpr double kParts = 8192;
+    int exponent = 0;
+    const double mantissa = std::frexp(gravity, &exponent);
+    return std::ldexp(std::round(mantissa * kParts) / kParts, exponent);
+}
+
 // Masses and damping of a tyre are those of its size, whatever it weighs.
 TyreParams tyreFor(const RestingLoad& resting, double radius) {
     TyreParams tyre = similarTyre(resting.force, radius);
@@ -122,6 +131,12 @@ double engineForce(const btWheelInfo& info, const BodyWheel& wheel) {
     return within(info.m_engineForce, -mostDemand(wheel), mostDemand(wheel), 0);
 }
 
+// What a force at the ground turns the wheel by: the radius under the nominal load.
+double leverOf(const BodyWheel& wheel) {
+    const TyreCoefficients& p = wheel.tyre.parameters;
+    return p.Ro - std::min(p.Fzo / radialStiffness(wheel.tyre), kRimDeflection * p.Ro);
+}
+
 TyreParams mounted(const TyreParams& tyre, bool left) {
     return (tyre.side == TyreSide::left) == left ? tyre : mirrored(tyre);
 }
@@ -137,7 +152,7 @@ WheelTuning tuningOf(const btWheelInfo& w) {
 }
 
 RestingLoad restingLoad(double mass, std::size_t wheels, double gravity) {
-    if (!(gravity > kLeastGravity && gravity < kMostGravity)) gravity = kStandardGravity;
+    gravity = gravity > kLeastGravity && gravity < kMostGravity ? rounded(gravity) : kStandardGravity;
     const double carried = mass / static_cast<double>(std::max<std::size_t>(wheels, 1));
     return {std::max(carried * gravity, kLeastLoad), gravity};
 }
@@ -190,8 +205,8 @@ WheelDemand demandOf(const btWheelInfo& info, const BodyWheel& wheel, double spi
     const double left = rim * force > 0 ? std::max(1 - rim * rim, 0.0) : 1;
     WheelDemand demand;
     demand.steer = within(info.m_steering, -kMostSteer, kMostSteer, 0);
-    demand.drive_torque = left * force * radius;
-    demand.brake_torque = within(info.m_brake * kStepsOfStock, 0, most, 0) * radius;
+    demand.drive_torque = left * force * leverOf(wheel);
+    demand.brake_torque = within(info.m_brake * kStepsOfStock, 0, most, 0) * leverOf(wheel);
     demand.friction = from_file ? 1 : frictionOf(info.m_frictionSlip);
     return demand;
 }

@@ -54,22 +54,29 @@ struct RoadForce {
     }
 };
 
-// Share of a damping that counts over a step: a damper takes no more than the whole motion of the body. One which took
-// more would turn the motion round, and one which took twice as much would swing it without end.
-double shareOverStep(double damping, double yielding) {
-    return 1 / std::max(damping * yielding, 1.0);
-}
+// [guess] Of what swings without end, so much is taken in roll and pitch.
+constexpr double kClear = 0.7;
 
-// Strut and tyre with damping of both stand between body and road as one damper, that of the two in series.
-StrutParams overStep(StrutParams strut, double yielding) {
-    const auto scale = [yielding](double& a, double& b) {
+// Strut and tyre with damping of both stand between body and road as one damper, that of the two in series, beside the
+// two springs in series. Held over a step as at its start, with s = stiffness * yielding * dt and d = damping *
+// yielding, a damper of d = 1 - s/4 takes the whole motion of the body together with the spring, one of more turns it
+// round, and one of 2 - s/2 swings it without end. Up and down it takes no more than the whole; in roll and pitch,
+// where wheels far outside of the mass yield more, it keeps clear of swinging, or roll would set how well the
+// car is damped.
+StrutParams overStep(StrutParams strut, const TyreParams& tyre, const StrutPush& push, double dt) {
+    const double radial = radialStiffness(tyre);
+    const double stiffness = strut.stiffness * radial / (strut.stiffness + radial);
+    const auto whole = [&](double yielding) { return std::max(1 - 0.25 * stiffness * yielding * dt, 0.0); };
+    const double heave = whole(push.heaving), turn = kClear * 2 * whole(push.turning);
+    const auto limit = [&](double& a, double& b) {
         if (!(a > 0 && b > 0)) return;
-        const double share = shareOverStep(a * b / (a + b), yielding);
+        const double series = a * b / (a + b);
+        const double share = std::min({1.0, heave / (series * push.heaving), turn / (series * push.turning)});
         a *= share;
         b *= share;
     };
-    scale(strut.bump, strut.tyre_bump);
-    scale(strut.rebound, strut.tyre_rebound);
+    limit(strut.bump, strut.tyre_bump);
+    limit(strut.rebound, strut.tyre_rebound);
     return strut;
 }
 
@@ -91,7 +98,7 @@ DampedFrom dampedFrom(const StrutParams& strut, const StrutPush& push, double co
 
 StrutYield yield(const StrutParams& params, const TyreParams& tyre, const StrutPush& push, double compression,
                  double partner, double dt) {
-    const StrutParams strut = overStep(params, push.yielding);
+    const StrutParams strut = overStep(params, tyre, push, dt);
     const bool reaches = push.deflection > 0;
     const DampedFrom from = reaches ? dampedFrom(strut, push, compression) : DampedFrom{compression, 0};
     const double stop = std::min(strut.stop, kStopStiffness * radialStiffness(tyre));

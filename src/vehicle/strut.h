@@ -12,7 +12,8 @@ struct StrutPush {
     double lift;        // m of deflection lost per m of compression
     double share;       // component along the strut of a normal force of 1
     double before;      // m, that deflection as it was at the start of the step
-    double yielding;    // s/kg, change of the body's speed at the wheel within the step, per force of all wheels
+    double heaving;  // s/kg, change of the body's speed within the step, per force that every wheel has: up and down,
+    double turning;  // s/kg, and where the wheels are, in roll or pitch
 };
 struct StrutYield {
     double compression;  // m

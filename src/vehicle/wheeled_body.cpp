@@ -1,5 +1,18 @@
 // A step of the body on its wheels: velocity Verlet for the body with an implicit step of every wheel inside it, as in
 // vehicle.cpp.
+//
+// One source for both cars are a wheel's contact, its motion there and the moments that it hands on (contact.h,
+// body.h), the load (83) with the rim and the part of it that grips (tyre_load.h), the tyre with its patch and spin
+// (four_tyres.h), prediction and correction of the motion (body.h). What is different here, and why:
+//   no ground             a plane square to the strut stands in, as a game's car may lie in the air in any attitude
+//   wheels without mass   the load follows from strut and tyre in series (strut.h), not from the wheel's own motion;
+//                         the rim's loss then goes with the body's speed, since the wheel stops at once
+//   damping of the tyre   beyond pz2, in proportion to the strut's, for tyres that are made from stock numbers
+//   grip                  what the carcass stores beyond it is let go of (tyre_grip.h says why not in the whole car)
+//   side force            at the height that a game wants against tipping, and the side slip of that place with it
+//   drive torque          the game's, which knows no engine and no driveline: it ends as the wheel spins
+//   reaction of the spin  only if it is asked for (wheel_reaction)
+//   steering rate         that of the game's angle over the step; nothing yields
 #include "vehicle/wheeled_body.h"
 
 #include <algorithm>
@@ -39,26 +52,30 @@ Vector3 sidePoint(const WheelContact& contact, const BodyWheel& wheel) {
     return at - (1 - wheel.roll_share) * at.dot(wheel.down_B) * wheel.down_B;
 }
 
-// By how much a force of 1 at each wheel accelerates the body where the wheels are, 1/kg: up and down, in roll or in
-// pitch, whichever is most.
-double givingWay(const WheeledBody& body) {
-    Vector3 turning = Vector3::Zero();
+// Change of the body's speed where the wheels are, per force that every wheel has, s/kg.
+struct Yielding {
+    double heaving;  // up and down
+    double turning;  // in roll or in pitch, whichever is more
+};
+Yielding yieldingOf(const WheeledBody& body, double dt) {
+    Vector3 arms = Vector3::Zero();
     for (std::size_t i = 0; i < body.wheel_count; ++i)
-        turning += body.wheels[i].top_B.cross(body.wheels[i].down_B).cwiseAbs2();
-    const double heave = static_cast<double>(body.wheel_count) / body.mass;
-    return std::max(heave, turning.cwiseProduct(body.inverse_inertia).maxCoeff());
+        arms += body.wheels[i].top_B.cross(body.wheels[i].down_B).cwiseAbs2();
+    return {dt * static_cast<double>(body.wheel_count) / body.mass,
+            dt * arms.cwiseProduct(body.inverse_inertia).maxCoeff()};
 }
 
 // Compression of the strut and load of the tyre at the end of the step; the contact there.
 WheelContact stand(BodyWheelState& state, const BodyWheel& wheel, const BodyMotion& before, const BodyMotion& body,
-                   const RoadContact& ground, double steer, double partner, double yielding, double dt) {
+                   const RoadContact& ground, double steer, double partner, const Yielding& yielding, double dt) {
     WheelContact contact = hang(wheel, body, ground, steer, 0);
     StrutPush push{.deflection = -1,
                    .closing = 0,
                    .lift = 1,
                    .share = -wheel.down_B.dot(contact.normal_B),
                    .before = -1,
-                   .yielding = yielding};
+                   .heaving = yielding.heaving,
+                   .turning = yielding.turning};
     if (ground.exists && push.share > kLeastShare) {
         const Vector3 hub_B = contact.hub_B - state.compression * wheel.down_B;
         push.deflection = wheel.tyre.parameters.Ro - contact.radius;
@@ -211,7 +228,7 @@ void advance(ChassisMotion& motion, WheeledBodyState& state, const WheeledBody& 
     ChassisMotion next = predicted(motion, state.acceleration_W, state.angular_acceleration_W, dt);
     const BodyMotion before = bodyMotion(motion);
     const BodyMotion moved = bodyMotion(next);
-    const double yielding = dt * givingWay(body);
+    const Yielding yielding = yieldingOf(body, dt);
 
     // Struts and loads; the other end of an anti-roll bar counts as it was.
     std::array<WheelContact, kMostWheels> contacts;

@@ -89,7 +89,7 @@ void prepareTyres(WheeledBody& body);
 
 // Longest step that follows the body's own motions, s: on its suspension, and while it stands on its carcasses.
 double longestStep(const WheeledBody& body, const WheeledBodyState& state);
-inline constexpr double kFollowed = 0.85;  // rad within a step; from 1.1 on a car that rocks does not come to rest
+inline constexpr double kFollowed = 0.7;  // rad within a step; from 1.1 on a car that rocks does not come to rest
 
 // ---- Motion ----
 

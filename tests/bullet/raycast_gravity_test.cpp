@@ -122,6 +122,25 @@ TEST(RaycastVehicleGravity, MayChangeAsMassMay) {
     EXPECT_NEAR(rover.brakes(0.38 * kGravity), here, 0.03 * here);
 }
 
+// Round a planet, where it changes in every step.
+TEST(RaycastVehicleGravity, ThatChangesAllTheTimeIsRepeatedBitForBit) {
+    Rover rover({.substep = 0.005});
+    const auto drive = [&] {
+        for (int step = 0; step < 120; ++step) {
+            rover.chassis->setGravity(vector(0, -kGravity * (0.7 + 0.002 * step), 0));
+            for (int i = 0; i < 4; ++i) rover.vehicle->applyEngineForce(4000, i);
+            run(rover.world, 1.0 / 60, 60);
+        }
+        return rover.chassis->getCenterOfMassPosition();
+    };
+    drive();
+    const RaycastSnapshot start = rover.vehicle->snapshot();
+    const btVector3 first = drive();
+    rover.vehicle->restore(start);
+    const btVector3 second = drive();
+    for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(first[axis], second[axis]);
+}
+
 // Some games pull their cars down by forces of their own.
 TEST(RaycastVehicleGravity, OfNoneIsThatOfTheEarth) {
     Rover rover({});

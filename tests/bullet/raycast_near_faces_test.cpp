@@ -72,11 +72,11 @@ void expectBulletsAnswers(Grounds& grounds) {
         Closest ray(query.point - down, query.point + down, car.chassis.get());
         grounds.world.dynamics.rayTest(ray.m_rayFromWorld, ray.m_rayToWorld, ray);
         EXPECT_TRUE(ray.hasHit());
-        EXPECT_EQ(ray.m_collisionObject, query.object);
         const double apart = (ray.m_hitPointWorld - query.point).length();
         EXPECT_LT(apart, kBulletsEdge);
         ++asked;
-        beside += ray.part != query.part || ray.triangle != query.triangle || apart > kRounding;
+        const bool same = ray.m_collisionObject == query.object;  // at the seam of two pieces both lie there
+        beside += !same || ray.part != query.part || ray.triangle != query.triangle || apart > kRounding;
         return tread::Surface{};
     });
     car.push(3000);
