@@ -37,7 +37,7 @@ constexpr double kFastestRim = 117;
 constexpr double kSlipEnds = 8;
 constexpr double kSlipEndsAgainst = 5;
 constexpr double kSlipFading = 2;
-constexpr double kLossAgainst = 1.3;  // of the weight on the wheel, per root of gravity times radius
+constexpr double kLossAgainst = 1.4;  // of the weight on the wheel, per root of gravity times radius
 // Gravity outside of these is none, m/s2.
 constexpr double kLeastGravity = 1e-3;
 constexpr double kMostGravity = 1e6;
@@ -131,12 +131,6 @@ double engineForce(const btWheelInfo& info, const BodyWheel& wheel) {
     return within(info.m_engineForce, -mostDemand(wheel), mostDemand(wheel), 0);
 }
 
-// What a force at the ground turns the wheel by: the radius under the nominal load.
-double leverOf(const BodyWheel& wheel) {
-    const TyreCoefficients& p = wheel.tyre.parameters;
-    return p.Ro - std::min(p.Fzo / radialStiffness(wheel.tyre), kRimDeflection * p.Ro);
-}
-
 TyreParams mounted(const TyreParams& tyre, bool left) {
     return (tyre.side == TyreSide::left) == left ? tyre : mirrored(tyre);
 }
@@ -205,8 +199,10 @@ WheelDemand demandOf(const btWheelInfo& info, const BodyWheel& wheel, double spi
     const double left = rim * force > 0 ? std::max(1 - rim * rim, 0.0) : 1;
     WheelDemand demand;
     demand.steer = within(info.m_steering, -kMostSteer, kMostSteer, 0);
-    demand.drive_torque = left * force * leverOf(wheel);
-    demand.brake_torque = within(info.m_brake * kStepsOfStock, 0, most, 0) * leverOf(wheel);
+    // At the loaded radius that is a little more than the force asked for: about what spinning the wheel up and rolling
+    // it take, so that the car accelerates as the stock vehicle does.
+    demand.drive_torque = left * force * radius;
+    demand.brake_torque = within(info.m_brake * kStepsOfStock, 0, most, 0) * radius;
     demand.friction = from_file ? 1 : frictionOf(info.m_frictionSlip);
     return demand;
 }

@@ -47,7 +47,7 @@ BodyWheel wheelFromFile(const btWheelInfo& info, const VehicleParams& params, bo
 // How the engine's force at a wheel falls as the wheel spins, for a car under such a gravity, m/s2. Slip speeds scale
 // with the root of gravity times radius, as all speeds of cars of different size do:
 //   a wheel's force fades as its rim runs six to eight of them ahead of the ground (a car's: 10 to 14 m/s);
-//   one that is driven more than its partner at the other side, as of a skid-steered robot, loses 1.3 times the weight
+//   one that is driven more than its partner at the other side, as of a skid-steered robot, loses 1.4 times the weight
 //   on it for each of them, and all at five, in the proportion in which the partner is driven less: in full if it is
 //   not driven, or the other way.
 // The second is an electric motor's: the more force, the faster it turns the vehicle, but to a rate that stays.

@@ -69,8 +69,8 @@ void carry(Report& report, Load& load, const char* const (&names)[6]) {
     report.near(names[0], load.truck.height(), 0.02 * load.numbers.rest);
     report.within(names[1], before - load.truck.height() - load.sinking(), -0.02 * load.numbers.rest,
                   0.02 * load.numbers.rest);
-    // What lies on a truck that stands does not move.
-    report.within(names[2], lying, 0, 0.02);
+    // What lies on a truck that stands stays there: it hops by half a millimetre at most, sqrt(2 g 0.5 mm).
+    report.within(names[2], lying, 0, 0.1);
 
     const std::vector<btVector3> placed = load.places();
     const double total = load.mass + load.numbers.mass;
