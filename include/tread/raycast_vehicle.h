@@ -104,8 +104,8 @@ public:
 
     // Called by Bullet in each step. A world that does not hold the chassis is ignored.
     void updateAction(btCollisionWorld* world, btScalar step) override;
-    // The step itself, which updateAction calls; by hand, with the raycaster's rays. Called twice within one step of the
-    // world, the vehicle's forces act twice, as in stock.
+    // The step itself, which updateAction calls; by hand, with the raycaster's rays. Called twice within one step of
+    // the world, the vehicle's forces act twice, as in stock.
     void updateVehicle(btScalar step) override;
 
     // ---- Not for overriding: a compiler that points here has found an override that would do nothing ----
@@ -122,8 +122,8 @@ public:
     // Scales the grip of all tyres, for a game that was tuned on the stock vehicle's: 1 unless set, 0 to 10.
     void setGrip(double factor);
 
-    // Whether wheels that the engine spins up or the brake stops turn the chassis against them, as real ones do: seen in
-    // the air. Off unless set, as in stock.
+    // Whether wheels that the engine spins up or the brake stops turn the chassis against them, as real ones do: seen
+    // in the air. Off unless set, as in stock.
     void setWheelReaction(bool on);
 
     // `surface(query)` says what lies where a ray met something; of a copy of the function that the vehicle keeps.

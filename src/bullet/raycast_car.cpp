@@ -63,7 +63,7 @@ CarRecipe RaycastVehicle::Implementation::recipeNow() {
     CarRecipe now;
     now.wheel_count = wheelCount();
     const double strength = restingLoad(mass, now.wheel_count, gravity().norm()).gravity;
-    now.body = {mass,      inertia.x(), inertia.y(), inertia.z(), linear.x(), linear.y(),
+    now.body = {mass,       inertia.x(), inertia.y(), inertia.z(), linear.x(), linear.y(),
                 linear.z(), angular.x(), angular.y(), angular.z(), strength,   wheel_reaction ? 1.0 : 0.0};
     for (std::size_t i = 0; i < now.wheel_count; ++i) now.wheels[i] = tuningOf(info(i));
     return now;
@@ -97,7 +97,8 @@ WheeledBody RaycastVehicle::Implementation::carOf(const CarRecipe& from) {
 void RaycastVehicle::Implementation::makeCar() {
     CarRecipe now = recipeNow();
     if (made && now == recipe) return;
-    const bool alone = file || std::any_of(own_tyres.begin(), own_tyres.end(), [](auto& own) { return own.has_value(); });
+    const bool alone =
+        file || std::any_of(own_tyres.begin(), own_tyres.end(), [](auto& own) { return own.has_value(); });
     const auto make = [&] { return carOf(now); };
     car = alone ? std::make_shared<const WheeledBody>(make()) : sharedCar(now, make);
     recipe = now;

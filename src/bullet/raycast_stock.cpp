@@ -1,5 +1,5 @@
-// Bullet's own step of the vehicle, where a game still calls it: ::btRaycastVehicle::updateVehicle by its full name. Its
-// suspension has pushed when it comes to friction, the one part that it asks of the derived class.
+// Bullet's own step of the vehicle, where a game still calls it: ::btRaycastVehicle::updateVehicle by its full name.
+// Its suspension has pushed when it comes to friction, the one part that it asks of the derived class.
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>

@@ -16,7 +16,7 @@ inline namespace TREAD_BULLET_PRECISION {
 
 namespace {
 
-constexpr double kSharpest = 1.5;   // rad, that an edge is rounded at
+constexpr double kSharpest = 1.5;  // rad, that an edge is rounded at
 constexpr double kMostGrip = 10;
 
 btRigidBody& checked(btRigidBody* chassis) {
@@ -28,8 +28,8 @@ btRigidBody& checked(btRigidBody* chassis) {
 // By their tables of virtual functions: a raycaster that was compiled without run-time type information has no typeid.
 bool isBulletsOwn(const btVehicleRaycaster* raycaster) {
     static const btDefaultVehicleRaycaster bullets(nullptr);
-    return !raycaster || std::memcmp(static_cast<const void*>(raycaster), static_cast<const void*>(&bullets),
-                                     sizeof(void*)) == 0;
+    return !raycaster ||
+           std::memcmp(static_cast<const void*>(raycaster), static_cast<const void*>(&bullets), sizeof(void*)) == 0;
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ struct RaySource {
     const btCollisionWorld* world;  // may be null
     btVehicleRaycaster* user;       // may be null
     RayFilter filter;
-    SurfaceSource* surface;         // may be null
+    SurfaceSource* surface;  // may be null
     const Rounding& rounding;
     NearObjects& around;
     NearFaces& near;  // of this wheel

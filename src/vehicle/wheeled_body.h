@@ -81,8 +81,8 @@ struct WheeledBody {
     std::array<FourTyres, kMostWheels / kWheels> packs;  // of the wheels' tyres; idle places repeat the first
     std::array<double, kMostWheels> peak_ratio{};        // slip ratio of the greatest force at the nominal load
     std::array<double, kMostWheels> peak_angle{};        // slip angle likewise, rad
-    double bouncing = 0;  // rad/s, fastest at which the body moves on its suspension
-    double rocking = 0;   // rad/s, at which it rocks on the carcasses of tyres that stand
+    double bouncing = 0;                                 // rad/s, fastest at which the body moves on its suspension
+    double rocking = 0;  // rad/s, at which it rocks on the carcasses of tyres that stand
 };
 // Completes `packs` and what follows from the tyres.
 void prepareTyres(WheeledBody& body);

@@ -215,5 +215,23 @@ TEST(RaycastVehicleCalls, GripScalesTheTyres) {
     }
 }
 
+// A wheel that spins up in the air turns the car against it: together they keep the angular momentum that they had.
+TEST(RaycastVehicleCalls, WheelReactionIsOffAndCanBeTurnedOn) {
+    for (const bool on : {false, true}) {
+        World world;
+        DropIn car(world, {.height = 100});
+        car.vehicle->setWheelReaction(on);
+        run(world, 0.1, 240);
+        car.push(2000);
+        run(world, 0.5, 240);
+        double spins = 0;
+        for (int i = 0; i < 4; ++i) spins += car.vehicle->telemetry(i).spin;
+        const double wheel = 0.6 * 0.05 * 0.25 * 1500 * 0.3 * 0.3;  // kg m2
+        const double body = 1 / static_cast<double>(car.chassis->getInvInertiaDiagLocal().x());
+        EXPECT_GT(spins, 100);
+        EXPECT_NEAR(car.vehicle->angularVelocity().x(), on ? -wheel * spins / body : 0, 0.01 * wheel * spins / body);
+    }
+}
+
 }  // namespace
 }  // namespace tread

@@ -67,7 +67,8 @@ TEST(RaycastVehicleRandom, TyresGiveNoEnergy) {
             const btMatrix3x3& basis = car.chassis->getWorldTransform().getBasis();
             const btVector3 v = car.vehicle->velocity(), w = car.vehicle->angularVelocity();
             const btVector3 w_B = w * basis;
-            double sum = 0.5 * 1500 * static_cast<double>(v.length2()) + 1500 * kGravity * static_cast<double>(car.place().y());
+            double sum =
+                0.5 * 1500 * static_cast<double>(v.length2()) + 1500 * kGravity * static_cast<double>(car.place().y());
             for (int k = 0; k < 3; ++k) sum += 0.5 * static_cast<double>(w_B[k] * w_B[k] / inverse[k]);
             return sum;
         };
