@@ -168,7 +168,6 @@ private:
     struct TREAD_INTERNAL Implementation;
     friend class RaycastFleet;
     friend Implementation& implementationOf(RaycastVehicle& vehicle);
-    bool isHeldBy(const btCollisionWorld& world) const;
     Implementation* self_;
 };
 }  // namespace TREAD_BULLET_PRECISION

@@ -54,7 +54,7 @@ void RaycastFleet::updateAction(btCollisionWorld* world, btScalar step) {
         RaycastVehicle& vehicle = *vehicles[i];
         of_all[i] = vehicle.self_->footprint();
         vehicle.self_->fetchInputs(of_all[i + 1]);
-        if (!world || !vehicle.isHeldBy(*world) || !vehicle.self_->begin(world, step)) continue;
+        if (!world || !vehicle.self_->isIn(*world) || !vehicle.self_->begin(world, step)) continue;
         awake.push_back(&vehicle);
         of_awake.push_back(of_all[i]);
     }

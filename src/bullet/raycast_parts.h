@@ -76,6 +76,7 @@ struct RaycastVehicle::Implementation {
     std::size_t wheels_before = 0;
     bool asleep = false;
 
+    bool isIn(const btCollisionWorld& in) const;
     std::size_t wheelCount() const;
     btWheelInfo& info(std::size_t wheel) { return face.m_wheelInfo[static_cast<int>(wheel)]; }
     WheelDemand demand(std::size_t wheel);

@@ -52,14 +52,14 @@ RaycastVehicle::Implementation& implementationOf(RaycastVehicle& vehicle) {
     return *vehicle.self_;
 }
 
-bool RaycastVehicle::isHeldBy(const btCollisionWorld& world) const {
-    const auto& objects = world.getCollisionObjectArray();
-    const int place = self_->chassis.getWorldArrayIndex();
-    return place >= 0 && place < objects.size() && objects[place] == &self_->chassis;
+bool RaycastVehicle::Implementation::isIn(const btCollisionWorld& in) const {
+    const auto& objects = in.getCollisionObjectArray();
+    const int place = chassis.getWorldArrayIndex();
+    return place >= 0 && place < objects.size() && objects[place] == &chassis;
 }
 
 void RaycastVehicle::updateAction(btCollisionWorld* world, btScalar step) {
-    if (!world || !isHeldBy(*world)) return;
+    if (!world || !self_->isIn(*world)) return;
     struct Within {
         explicit Within(const btCollisionWorld*& at, const btCollisionWorld* world) : stepping(at) { stepping = world; }
         ~Within() { stepping = nullptr; }

@@ -70,7 +70,8 @@ public:
 
 struct Setup {
     double friction = 1;
-    double damping = 4.4;  // times mass: N s/m
+    double stiffness = 40;  // times mass: N/m
+    double damping = 4.4;   // times mass: N s/m
     double roll_influence = 0.1;
     double height = 0.54;     // m, of the centre of gravity at rest
     double most_force = 1e5;  // N
@@ -95,7 +96,7 @@ public:
         world.dynamics.addRigidBody(chassis.get());
 
         btRaycastVehicle::btVehicleTuning tuning;
-        tuning.m_suspensionStiffness = 40;
+        tuning.m_suspensionStiffness = scalar(setup.stiffness);
         tuning.m_suspensionCompression = tuning.m_suspensionDamping = scalar(setup.damping);
         tuning.m_frictionSlip = scalar(setup.friction);
         tuning.m_maxSuspensionForce = scalar(setup.most_force);

@@ -56,6 +56,23 @@ double bounce() {
     return 100 * worst;
 }
 
+// m above its height of rest that a car with stiff springs comes up to after a fall of 0.5 m, at 60 Hz.
+template <class Vehicle>
+double rebound() {
+    World world;
+    world.addPlane();
+    constexpr double kStiffness = 120, kSag = kGravity / 4 / kStiffness, kTouches = 0.6;
+    Car<Vehicle> car(world, {.stiffness = kStiffness, .damping = 0.35 * 2 * std::sqrt(kStiffness), .height = 1.1});
+    double highest = 0, lowest = 1e9;
+    for (int i = 0; i < 240; ++i) {
+        run(world, 1.0 / 60, 60);
+        const double y = car.place().y();
+        if (y < kTouches && y <= lowest) lowest = y;
+        else if (lowest < kTouches) highest = std::max(highest, y - (kTouches - kSag));
+    }
+    return highest;
+}
+
 // Lowest wheel centre after a fall from 20 m, at 60 Hz.
 template <class Vehicle>
 double fall() {
@@ -131,8 +148,11 @@ void tipping(Rows& rows) {
     const bool single = sizeof(btScalar) == sizeof(float);
     rows.push_back(
         {"turn at 25 m/s, roll influence 1, friction slip 10.5: lean", lean<Stock>(), lean<Tread>(), "deg", 1, 10});
+    // One step a frame meets the ground up to a frame late: some energy is lost, none may be won.
     rows.push_back({"bouncing undamped at 60 Hz: energy in the air, worst in 20 s", bounce<Stock>(), bounce<Tread>(),
-                    "%", 99, 101});
+                    "%", 97, 100.5});
+    rows.push_back({"dropped 0.5 m onto springs of 120 N/m per kg: rebound above rest", 1000 * rebound<Stock>(),
+                    1000 * rebound<Tread>(), "mm", 0, 15});
     rows.push_back(
         {"falling from 20 m at 60 Hz: lowest wheel centre above ground", fall<Stock>(), fall<Tread>(), "m", 0, 0.3});
     rows.push_back(
