@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "bullet/crew.h"
-#include "bullet/raycast_parts.h"
+#include "bullet/drop_in/crew.h"
+#include "bullet/drop_in/raycast_parts.h"
 
 namespace tread {
 

@@ -1,4 +1,4 @@
-#include "bullet/near_faces.h"
+#include "bullet/ground/near_faces.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>

@@ -5,7 +5,7 @@
 #include <functional>
 #include <memory>
 
-#include "bullet/stock_tuning.h"
+#include "bullet/drop_in/stock_tuning.h"
 #include "tread/bullet_precision.h"
 #include "vehicle/wheeled_body.h"
 

@@ -1,4 +1,4 @@
-#include "bullet/shared_cars.h"
+#include "bullet/drop_in/shared_cars.h"
 
 #include <cstring>
 #include <mutex>

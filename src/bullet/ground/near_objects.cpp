@@ -1,4 +1,4 @@
-#include "bullet/near_objects.h"
+#include "bullet/ground/near_objects.h"
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseInterface.h>
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>

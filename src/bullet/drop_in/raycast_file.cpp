@@ -1,6 +1,6 @@
 #include <stdexcept>
 
-#include "bullet/raycast_parts.h"
+#include "bullet/drop_in/raycast_parts.h"
 #include "tread/load.h"
 #include "tread/raycast_vehicle_file.h"
 

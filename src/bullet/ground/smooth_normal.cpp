@@ -1,4 +1,4 @@
-#include "bullet/smooth_normal.h"
+#include "bullet/ground/smooth_normal.h"
 
 #include <algorithm>
 #include <cmath>

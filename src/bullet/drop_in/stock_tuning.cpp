@@ -1,4 +1,4 @@
-#include "bullet/stock_tuning.h"
+#include "bullet/drop_in/stock_tuning.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-#include "bullet/wheel_ray.h"
+#include "bullet/ground/wheel_ray.h"
 
 namespace tread {
 

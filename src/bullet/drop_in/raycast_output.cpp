@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "bullet/convert.h"
-#include "bullet/raycast_parts.h"
+#include "bullet/drop_in/raycast_parts.h"
 #include "tyre/elementary.h"
 
 namespace tread {

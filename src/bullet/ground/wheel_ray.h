@@ -8,8 +8,8 @@
 
 #include <span>
 
-#include "bullet/near_objects.h"
-#include "bullet/smooth_normal.h"
+#include "bullet/ground/near_objects.h"
+#include "bullet/ground/smooth_normal.h"
 #include "tread/bullet_precision.h"
 #include "tread/raycast_vehicle.h"
 #include "tread/road.h"

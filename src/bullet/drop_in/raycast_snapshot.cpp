@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "bullet/convert.h"
-#include "bullet/raycast_parts.h"
+#include "bullet/drop_in/raycast_parts.h"
 
 namespace tread {
 

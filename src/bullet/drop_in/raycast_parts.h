@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "bullet/body_link.h"
-#include "bullet/fetch_ahead.h"
-#include "bullet/raycast_state.h"
-#include "bullet/shared_cars.h"
-#include "bullet/stock_tuning.h"
+#include "bullet/drop_in/fetch_ahead.h"
+#include "bullet/drop_in/raycast_state.h"
+#include "bullet/drop_in/shared_cars.h"
+#include "bullet/drop_in/stock_tuning.h"
+#include "bullet/ground/wheel_ray.h"
 #include "bullet/substep.h"
-#include "bullet/wheel_ray.h"
 #include "tread/bullet_precision.h"
 
 namespace tread {
@@ -38,7 +38,6 @@ struct RaycastVehicle::Implementation {
     double edge_angle = Rounding{}.angle;
     Substep substep{1.0 / 30, 1.0 / 30};  // s: a frame of a game, down to 30 a second
     double grip = 1;
-
     bool wheel_reaction = false;
 
     // What the car was made of, and the car.
@@ -82,13 +81,13 @@ struct RaycastVehicle::Implementation {
     WheelDemand demand(std::size_t wheel);
     Vector3 gravity() const;
 
-    // raycast_car.cpp: the car follows what the game changed.
     // raycast_fetch.cpp: the memory of the car that steps next.
     Footprint footprint();
     void fetchInputs(const Footprint& next) const;  // what `begin` needs
     void fetchState(const Footprint& next) const;   // what `drive` needs besides
     void fetchMember(const Footprint& next, const void* member, std::size_t bytes) const;
 
+    // raycast_car.cpp: the car follows what the game changed.
     static const MadeCar& noCar();
     void makeCar();
     CarRecipe recipeNow();

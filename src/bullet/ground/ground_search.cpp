@@ -1,4 +1,4 @@
-#include "bullet/ground_search.h"
+#include "bullet/ground/ground_search.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bullet/convert.h"
-#include "bullet/ground_below.h"
+#include "bullet/ground/ground_below.h"
 #include "tread/describe.h"
 
 namespace tread {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "bullet/convert.h"
-#include "bullet/raycast_parts.h"
+#include "bullet/drop_in/raycast_parts.h"
 #include "vehicle/tyre_load.h"
 
 namespace tread {

@@ -1,4 +1,4 @@
-#include "bullet/wheel_ray.h"
+#include "bullet/ground/wheel_ray.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "bullet/convert.h"
-#include "bullet/ground_search.h"
+#include "bullet/ground/ground_search.h"
 
 namespace tread {
 

@@ -5,7 +5,7 @@
 // gradually as the point moves. On edges as sharp as the given angle each face keeps its own.
 #pragma once
 
-#include "bullet/near_faces.h"
+#include "bullet/ground/near_faces.h"
 
 namespace tread {
 

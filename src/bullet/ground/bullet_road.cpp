@@ -4,7 +4,7 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include "bullet/convert.h"
-#include "bullet/ground_below.h"
+#include "bullet/ground/ground_below.h"
 
 namespace tread {
 
