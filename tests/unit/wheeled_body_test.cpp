@@ -128,7 +128,7 @@ TEST(WheeledBody, DriveLimitHoldsWithinAStep) {
             Scene scene = inTheAir(false);
             for (std::size_t i = 0; i < 4; ++i) {
                 scene.demands[i].drive_torque = i % 2 == 0 ? torque : -torque;
-                scene.body.wheels[i].limit = {.loss = 0, .fades = 6, .ends = 8};
+                scene.demands[i].limit = {.loss = 0, .fades = 6, .ends = 8};
             }
             for (int i = 0; i < 3 / dt; ++i) {
                 scene.step(dt);
@@ -144,7 +144,7 @@ TEST(WheeledBody, DriveLimitHoldsWithinAStep) {
 // A motor's loss: in the air the rim ends where the loss has eaten the force.
 TEST(WheeledBody, DriveLossEndsWhereItHasEatenTheForce) {
     Scene scene = inTheAir(false);
-    for (std::size_t i = 0; i < 4; ++i) scene.body.wheels[i].limit = {.loss = 100};
+    for (std::size_t i = 0; i < 4; ++i) scene.demands[i].limit = {.loss = 100};
     for (int i = 0; i < 200; ++i) scene.step(1.0 / 60);
     EXPECT_NEAR(scene.state.wheels[0].spin * 0.976 * kRadius, 200 / kRadius / 100, 1e-3);
 }

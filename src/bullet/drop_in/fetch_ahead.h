@@ -33,23 +33,27 @@ struct Footprint {
     std::array<Block, kWheels> faces{};  // of the ground near the wheels
 };
 
-// The cars in the order in which a world steps them, which is the same every time.
+// The cars that a thread steps, in the order in which it does, which is the same every time.
 class Trail {
 public:
-    // Notes a car that steps now; which one came after it in the last round.
-    const Footprint& after(const Footprint& car) {
-        const bool begins = !cars_.empty() && cars_.front().car == car.car;
-        if (begins || at_ == kMost) at_ = 0;
-        if (at_ == cars_.size()) cars_.push_back(car);
-        else cars_[at_] = car;
-        ++at_;
-        return cars_[at_ < cars_.size() ? at_ : 0];
+    // Notes that a car steps now, at its place of the last round, which it keeps; which one came after it then.
+    const Footprint& after(const Footprint& car, std::size_t& place) {
+        const bool known = place < cars_.size() && cars_[place].car == car.car;
+        if (known && place < at_) {  // a new round: what lies beyond the end of the last one is gone
+            cars_.resize(at_);
+            first_ = place;
+        }
+        if (!known) place = at_;
+        if (place == cars_.size()) cars_.push_back(car);
+        cars_[place] = car;
+        at_ = place + 1;
+        return cars_[at_ < cars_.size() ? at_ : first_];
     }
 
 private:
-    static constexpr std::size_t kMost = 1 << 14;  // cars; of more the first ones are noted anew
     std::vector<Footprint> cars_;
-    std::size_t at_ = 0;
+    std::size_t at_ = 0;     // after the car that stepped last
+    std::size_t first_ = 0;  // where this round began
 };
 
 }  // namespace tread

@@ -82,6 +82,7 @@ struct RaycastVehicle::Implementation {
     Vector3 gravity() const;
 
     // raycast_fetch.cpp: the memory of the car that steps next.
+    std::size_t place_in_trail = 0;
     Footprint footprint();
     void fetchInputs(const Footprint& next) const;  // what `begin` needs
     void fetchState(const Footprint& next) const;   // what `drive` needs besides

@@ -45,7 +45,7 @@ WheelDemand between(const WheelDemand& a, const WheelDemand& b, double at) {
 
 void RaycastVehicle::Implementation::step(const btCollisionWorld* in, double dt) {
     static thread_local Trail trail;
-    const Footprint next = trail.after(footprint());
+    const Footprint next = trail.after(footprint(), place_in_trail);
     fetchInputs(next);
     fetchState(next);
     if (!begin(in, dt)) return;

@@ -22,6 +22,8 @@ constexpr double kLookedUp = 4;
 constexpr double kLookedUpAmongMany = 1.5;
 constexpr std::size_t kMany = 60;
 constexpr double kLongestKept = 0.02;  // s
+// Faces that are seldom exceeded: what a wheel keeps then takes memory once.
+constexpr std::size_t kUsual = 48;
 // Neighbours share their corners: a ray between two faces passes each by less than this.
 constexpr double kBetweenFaces = 1e-9;  // m
 
@@ -95,6 +97,7 @@ void know(NearFaces& near, const btCollisionObject& object, const Way& way, doub
     near.age = 0;
     near.inside = 0;
     near.faces.clear();
+    near.faces.reserve(kUsual);
     gather(near, *near.shape, near.pose);
 }
 
