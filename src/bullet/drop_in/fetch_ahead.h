@@ -43,7 +43,7 @@ public:
             cars_.resize(at_);
             first_ = place;
         }
-        if (!known) place = at_;
+        if (!known || place > at_) place = at_;  // a new car, or one whose forerunner is gone
         if (place == cars_.size()) cars_.push_back(car);
         cars_[place] = car;
         at_ = place + 1;
