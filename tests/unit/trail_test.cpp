@@ -61,5 +61,19 @@ TEST(Trail, OfOneCarIsThatCar) {
     EXPECT_EQ(c.after(7), 7);
 }
 
+// A game that makes new cars all the time.
+TEST(Trail, GenerationsOfCarsAreForetoldToo) {
+    std::array<char, 3000> cars{};
+    Trail trail;
+    for (std::size_t first = 0; first + 10 <= cars.size(); first += 10) {
+        std::array<std::size_t, 10> places{};
+        const void* next = nullptr;
+        for (int round = 0; round < 4; ++round)
+            for (std::size_t i = 0; i < 10; ++i) next = trail.after({.car = &cars[first + i]}, places[i]).car;
+        EXPECT_EQ(next, &cars[first]);
+        EXPECT_LT(places[9], 100u);
+    }
+}
+
 }  // namespace
 }  // namespace tread

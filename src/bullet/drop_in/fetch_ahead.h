@@ -38,11 +38,8 @@ class Trail {
 public:
     // Notes that a car steps now, at its place of the last round, which it keeps; which one came after it then.
     const Footprint& after(const Footprint& car, std::size_t& place) {
-        const bool known = place < cars_.size() && cars_[place].car == car.car;
-        if (known && place < at_) {  // a new round: what lies beyond the end of the last one is gone
-            cars_.resize(at_);
-            first_ = place;
-        }
+        bool known = place < cars_.size() && cars_[place].car == car.car;
+        if (known && place < at_) known = beginRound(place);
         if (!known || place > at_) place = at_;  // a new car, or one whose forerunner is gone
         if (place == cars_.size()) cars_.push_back(car);
         cars_[place] = car;
@@ -51,6 +48,17 @@ public:
     }
 
 private:
+    // False if all are noted anew, since most are gone.
+    bool beginRound(std::size_t place) {
+        constexpr std::size_t kFew = 64;
+        cars_.resize(at_);  // what lies beyond the end of the last round is gone
+        first_ = place;     // and what lies before this one
+        if (first_ <= at_ - first_ + kFew) return true;
+        cars_.clear();
+        first_ = at_ = 0;
+        return false;
+    }
+
     std::vector<Footprint> cars_;
     std::size_t at_ = 0;     // after the car that stepped last
     std::size_t first_ = 0;  // where this round began
