@@ -10,6 +10,13 @@ namespace tread {
 
 namespace {
 
+Yielding yieldingOf(const WheeledBody& body) {
+    Vector3 arms = Vector3::Zero();
+    for (std::size_t i = 0; i < body.wheel_count; ++i)
+        arms += body.wheels[i].top_B.cross(body.wheels[i].down_B).cwiseAbs2();
+    return {static_cast<double>(body.wheel_count) / body.mass, arms.cwiseProduct(body.inverse_inertia).maxCoeff()};
+}
+
 // The stiffness of all carcasses together, along and across, against the mass and the inertia about the other axis.
 double rockingRate(const WheeledBody& body) {
     double along = 0, across = 0;
@@ -65,6 +72,7 @@ void prepareTyres(WheeledBody& body) {
         body.peak_ratio[i] = peaks.kappa_peak;
         body.peak_angle[i] = peaks.alpha_peak;
     }
+    body.yielding = yieldingOf(body);
     body.bouncing = bouncingRate(body);
     body.rocking = rockingRate(body);
 }

@@ -68,10 +68,10 @@ StrutParams overStep(StrutParams strut, const TyreParams& tyre, const StrutPush&
     const double stiffness = strut.stiffness * radial / (strut.stiffness + radial);
     const auto whole = [&](double yielding) { return std::max(1 - 0.25 * stiffness * yielding * dt, 0.0); };
     const double heave = whole(push.heaving), turn = kClear * 2 * whole(push.turning);
-    const auto limit = [&](double& a, double& b) {
-        if (!(a > 0 && b > 0)) return;
-        const double series = a * b / (a + b);
-        const double share = std::min({1.0, heave / (series * push.heaving), turn / (series * push.turning)});
+    const double most = std::min(heave / push.heaving, turn / push.turning);
+    const auto limit = [most](double& a, double& b) {
+        if (!(a > 0 && b > 0) || a * b <= most * (a + b)) return;
+        const double share = most * (a + b) / (a * b);
         a *= share;
         b *= share;
     };

@@ -52,19 +52,6 @@ Vector3 sidePoint(const WheelContact& contact, const BodyWheel& wheel) {
     return at - (1 - wheel.roll_share) * at.dot(wheel.down_B) * wheel.down_B;
 }
 
-// Change of the body's speed where the wheels are, per force that every wheel has, s/kg.
-struct Yielding {
-    double heaving;  // up and down
-    double turning;  // in roll or in pitch, whichever is more
-};
-Yielding yieldingOf(const WheeledBody& body, double dt) {
-    Vector3 arms = Vector3::Zero();
-    for (std::size_t i = 0; i < body.wheel_count; ++i)
-        arms += body.wheels[i].top_B.cross(body.wheels[i].down_B).cwiseAbs2();
-    return {dt * static_cast<double>(body.wheel_count) / body.mass,
-            dt * arms.cwiseProduct(body.inverse_inertia).maxCoeff()};
-}
-
 // Compression of the strut and load of the tyre at the end of the step; the contact there.
 WheelContact stand(BodyWheelState& state, const BodyWheel& wheel, const BodyMotion& before, const BodyMotion& body,
                    const RoadContact& ground, double steer, double partner, const Yielding& yielding, double dt) {
@@ -74,8 +61,8 @@ WheelContact stand(BodyWheelState& state, const BodyWheel& wheel, const BodyMoti
                    .lift = 1,
                    .share = -wheel.down_B.dot(contact.normal_B),
                    .before = -1,
-                   .heaving = yielding.heaving,
-                   .turning = yielding.turning};
+                   .heaving = dt * yielding.heaving,
+                   .turning = dt * yielding.turning};
     if (ground.exists && push.share > kLeastShare) {
         const Vector3 hub_B = contact.hub_B - state.compression * wheel.down_B;
         push.deflection = wheel.tyre.parameters.Ro - contact.radius;
@@ -228,7 +215,6 @@ void advance(ChassisMotion& motion, WheeledBodyState& state, const WheeledBody& 
     ChassisMotion next = predicted(motion, state.acceleration_W, state.angular_acceleration_W, dt);
     const BodyMotion before = bodyMotion(motion);
     const BodyMotion moved = bodyMotion(next);
-    const Yielding yielding = yieldingOf(body, dt);
 
     // Struts and loads; the other end of an anti-roll bar counts as it was.
     std::array<WheelContact, kMostWheels> contacts;
@@ -238,7 +224,7 @@ void advance(ChassisMotion& motion, WheeledBodyState& state, const WheeledBody& 
     for (std::size_t i = 0; i < body.wheel_count; ++i) {
         const BodyWheel& wheel = body.wheels[i];
         const double partner = wheel.partner < body.wheel_count ? compressed[wheel.partner] : compressed[i];
-        contacts[i] = stand(state.wheels[i], wheel, before, moved, ground[i], end[i].steer, partner, yielding, dt);
+        contacts[i] = stand(state.wheels[i], wheel, before, moved, ground[i], end[i].steer, partner, body.yielding, dt);
         const double steer_rate = (end[i].steer - begin[i].steer) / dt;
         motions[i] = motionOf(contacts[i], wheel, moved, steer_rate, state.wheels[i].load);
     }

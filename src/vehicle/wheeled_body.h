@@ -64,6 +64,12 @@ struct BodyWheel {
     std::size_t partner = kAlone;  // the wheel at the other end of the anti-roll bar
 };
 
+// By how much a force of 1 N at every wheel accelerates the body where the wheels are, 1/kg.
+struct Yielding {
+    double heaving = 0;  // up and down
+    double turning = 0;  // in roll or in pitch, whichever is more
+};
+
 // What follows from the parameters.
 struct WheeledBody {
     double mass = 1;                            // kg, wheels included
@@ -81,8 +87,9 @@ struct WheeledBody {
     std::array<FourTyres, kMostWheels / kWheels> packs;  // of the wheels' tyres; idle places repeat the first
     std::array<double, kMostWheels> peak_ratio{};        // slip ratio of the greatest force at the nominal load
     std::array<double, kMostWheels> peak_angle{};        // slip angle likewise, rad
-    double bouncing = 0;                                 // rad/s, fastest at which the body moves on its suspension
-    double rocking = 0;  // rad/s, at which it rocks on the carcasses of tyres that stand
+    Yielding yielding;
+    double bouncing = 0;  // rad/s, fastest at which the body moves on its suspension
+    double rocking = 0;   // rad/s, at which it rocks on the carcasses of tyres that stand
 };
 // Completes `packs` and what follows from the tyres.
 void prepareTyres(WheeledBody& body);

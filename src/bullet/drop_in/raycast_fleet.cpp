@@ -16,7 +16,7 @@ struct RaycastFleet::Implementation {
 
     Crew crew;
     bool many;
-    std::mutex rays{};  // Bullet's own stack of a ray is shared, unless it was built to be safe with threads
+    std::mutex one_at_a_time{};  // the game's own raycasters and surfaces
     std::vector<RaycastVehicle*> vehicles{};
     std::vector<RaycastVehicle*> awake{};  // in this step
     std::vector<Footprint> of_all{};       // vehicles, in the last step
@@ -26,7 +26,7 @@ struct RaycastFleet::Implementation {
 RaycastFleet::RaycastFleet(int threads) : self_(new Implementation(threads)) {}
 
 RaycastFleet::~RaycastFleet() {
-    for (RaycastVehicle* vehicle : self_->vehicles) vehicle->self_->rays = nullptr;
+    for (RaycastVehicle* vehicle : self_->vehicles) vehicle->self_->one_at_a_time = nullptr;
     delete self_;
 }
 
@@ -34,11 +34,11 @@ void RaycastFleet::add(RaycastVehicle& vehicle) {
     auto& all = self_->vehicles;
     if (std::find(all.begin(), all.end(), &vehicle) != all.end()) return;
     all.push_back(&vehicle);
-    vehicle.self_->rays = self_->many ? &self_->rays : nullptr;
+    vehicle.self_->one_at_a_time = self_->many ? &self_->one_at_a_time : nullptr;
 }
 
 void RaycastFleet::remove(RaycastVehicle& vehicle) {
-    if (std::erase(self_->vehicles, &vehicle) > 0) vehicle.self_->rays = nullptr;
+    if (std::erase(self_->vehicles, &vehicle) > 0) vehicle.self_->one_at_a_time = nullptr;
 }
 
 int RaycastFleet::size() const {
@@ -46,7 +46,7 @@ int RaycastFleet::size() const {
 }
 
 void RaycastFleet::updateAction(btCollisionWorld* world, btScalar step) {
-    auto& [crew, many, rays, vehicles, awake, of_all, of_awake] = *self_;
+    auto& [crew, many, one_at_a_time, vehicles, awake, of_all, of_awake] = *self_;
     awake.clear();
     of_awake.clear();
     of_all.resize(vehicles.size() + 1);

@@ -47,15 +47,15 @@ struct RaycastVehicle::Implementation {
 
     ChassisMotion motion{};
     BodyLink link{};
-    bool teleported = false;     // before this step
-    bool second = false;         // of one step of the world
-    double simulated = 0;        // s, of this step; 0: it moved nothing
-    ChassisMotion start{};       // where this step began
-    ChassisMotion reached{};     // where it ended
-    std::mutex* rays = nullptr;  // held while a ray is cast; of a fleet with threads
-    double planned = 0;          // s, length of the step that the chassis' velocity was planned for; asleep 0
-    bool met = false;            // it has stepped: the chassis was there
-    bool showing_speed = false;  // Bullet's own step runs, without wheels
+    bool teleported = false;              // before this step
+    bool second = false;                  // of one step of the world
+    double simulated = 0;                 // s, of this step; 0: it moved nothing
+    ChassisMotion start{};                // where this step began
+    ChassisMotion reached{};              // where it ended
+    std::mutex* one_at_a_time = nullptr;  // of a fleet with threads: held while the game's own code is called
+    double planned = 0;                   // s, length of the step that the chassis' velocity was planned for; asleep 0
+    bool met = false;                     // it has stepped: the chassis was there
+    bool showing_speed = false;           // Bullet's own step runs, without wheels
     const btCollisionWorld* world = nullptr;  // that steps the vehicle, while it does
     BodyLink given{};                         // the chassis' velocities as the last step left them,
     btTransform given_pose{};                 // and its pose
@@ -108,7 +108,6 @@ struct RaycastVehicle::Implementation {
     void takeUp(double dt);
     void lookDown(const btCollisionWorld* in, double dt);
     WheelRay rayOf(std::size_t wheel, double dt) const;
-    std::unique_lock<std::mutex> lockRays() const;
     bool isFarFromRay(std::size_t wheel) const;
     void findGround(std::size_t wheel, const WheelRay& ray, const btCollisionWorld* in);
     bool mayThrow(const btCollisionWorld* in) const;

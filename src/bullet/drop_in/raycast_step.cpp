@@ -46,8 +46,10 @@ WheelDemand between(const WheelDemand& a, const WheelDemand& b, double at) {
 void RaycastVehicle::Implementation::step(const btCollisionWorld* in, double dt) {
     static thread_local Trail trail;
     const Footprint next = trail.after(footprint(), place_in_trail);
-    fetchInputs(next);
-    fetchState(next);
+    if (next.car != this) {
+        fetchInputs(next);
+        fetchState(next);
+    }
     if (!begin(in, dt)) return;
     drive(in, dt);
     finish();
@@ -58,13 +60,13 @@ bool RaycastVehicle::Implementation::begin(const btCollisionWorld* in, double dt
     if (!(dt > 0) || !std::isfinite(dt)) return false;
     if (!met) meetChassis(dt);
     if (!chassis.isActive() && staysAsleep(in)) return false;
-    makeCar();
     takeUp(dt);
     return true;
 }
 
 // What a game's raycaster or surface throws leaves the car as it was: it falls freely over this step.
 void RaycastVehicle::Implementation::drive(const btCollisionWorld* in, double dt) {
+    makeCar();
     if (!mayThrow(in)) return driveUnguarded(in, dt);
     const ChassisMotion motion_before = motion;
     const WheeledBodyState state_before = state;
@@ -184,7 +186,6 @@ void RaycastVehicle::Implementation::lookDown(const btCollisionWorld* in, double
     for (std::size_t i = 0; i < car->wheel_count; ++i) rays_down[i] = rayOf(i, dt);
     around.known = false;
     if (own_rays && in) {
-        const auto alone = lockRays();
         lookAround(around, *in, {rays_down.data(), car->wheel_count});
     }
     for (std::size_t i = 0; i < car->wheel_count; ++i) {
@@ -213,16 +214,13 @@ WheelRay RaycastVehicle::Implementation::rayOf(std::size_t wheel, double dt) con
             .wheel = static_cast<int>(wheel)};
 }
 
-std::unique_lock<std::mutex> RaycastVehicle::Implementation::lockRays() const {
-    return rays ? std::unique_lock(*rays) : std::unique_lock<std::mutex>();
-}
-
 void RaycastVehicle::Implementation::findGround(std::size_t wheel, const WheelRay& ray, const btCollisionWorld* in) {
     const bool by_user = !own_rays || !in;
     const Rounding rounding{.angle = edge_angle, .reach = kRounded * car->wheels[wheel].tyre.parameters.Ro};
     const RaySource source{chassis, in,         by_user ? raycaster : nullptr, filter, surface.get(), rounding,
                            around,  near[wheel]};
-    const auto alone = lockRays();
+    std::unique_lock<std::mutex> alone;
+    if (one_at_a_time && (by_user || surface)) alone = std::unique_lock(*one_at_a_time);
     grounds[wheel] = castRay(ray, source);
 }
 
