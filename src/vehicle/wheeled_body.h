@@ -61,6 +61,7 @@ struct BodyWheel {
     double inertia = 1;     // kg m2, of the wheel about its axis
     double roll_share = 1;  // where the side force acts: 1 at the contact (as it is), 0 at the height of the body's
                             // centre of gravity (a game's help against tipping)
+    double own_speed = 0;   // m/s, the root of gravity times radius, if a game's drive limits need it
     std::size_t partner = kAlone;  // the wheel at the other end of the anti-roll bar
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "bullet/convert.h"
 #include "bullet/drop_in/raycast_parts.h"
@@ -42,8 +43,8 @@ Vector3 RaycastVehicle::Implementation::gravity() const {
 WheelDemand RaycastVehicle::Implementation::demand(std::size_t wheel) {
     const BodyWheel& own = car->wheels[wheel];
     const btWheelInfo* partner = own.partner < car->wheel_count ? &info(own.partner) : nullptr;
-    WheelDemand demand = demandOf(info(wheel), own, state.wheels[wheel].spin, car->gravity, file.has_value());
-    demand.limit = driveLimit(info(wheel), partner, own, car->gravity);
+    WheelDemand demand = demandOf(info(wheel), own, state.wheels[wheel].spin, file.has_value());
+    demand.limit = driveLimit(info(wheel), partner, own);
     demand.friction *= grip;
     return demand;
 }
@@ -54,19 +55,25 @@ const MadeCar& RaycastVehicle::Implementation::noCar() {
     return none;
 }
 
-// What the chassis and the wheel infos say now.
-CarRecipe RaycastVehicle::Implementation::recipeNow() {
+// What the chassis says now.
+CarRecipe::Body RaycastVehicle::Implementation::bodyNow() const {
     const btScalar inverse = chassis.getInvMass();
     const double mass = inverse > 0 ? 1 / static_cast<double>(inverse) : 0;
     const Vector3 inertia = fromBullet(chassis.getInvInertiaDiagLocal());
     const Vector3 linear = fromBullet(chassis.getLinearFactor()), angular = fromBullet(chassis.getAngularFactor());
-    CarRecipe now;
-    now.wheel_count = wheelCount();
-    const double strength = restingLoad(mass, now.wheel_count, gravity().norm()).gravity;
-    now.body = {mass,       inertia.x(), inertia.y(), inertia.z(), linear.x(), linear.y(),
-                linear.z(), angular.x(), angular.y(), angular.z(), strength,   wheel_reaction ? 1.0 : 0.0};
-    for (std::size_t i = 0; i < now.wheel_count; ++i) now.wheels[i] = tuningOf(info(i));
-    return now;
+    const double strength = restingLoad(mass, wheelCount(), gravity().norm()).gravity;
+    return {mass,       inertia.x(), inertia.y(), inertia.z(), linear.x(), linear.y(),
+            linear.z(), angular.x(), angular.y(), angular.z(), strength,   wheel_reaction ? 1.0 : 0.0};
+}
+
+// Whether chassis and wheel infos are as they were when the car was made.
+bool RaycastVehicle::Implementation::isAsMade() {
+    if (!made || wheelCount() != recipe.wheel_count) return false;
+    const CarRecipe::Body body = bodyNow();
+    if (std::memcmp(body.data(), recipe.body.data(), sizeof body) != 0) return false;
+    for (std::size_t i = 0; i < recipe.wheel_count; ++i)
+        if (!(tuningOf(info(i)) == recipe.wheels[i])) return false;
+    return true;
 }
 
 WheeledBody RaycastVehicle::Implementation::carOf(const CarRecipe& from) {
@@ -87,6 +94,7 @@ WheeledBody RaycastVehicle::Implementation::carOf(const CarRecipe& from) {
         } else {
             body.wheels[i] = wheelFromTuning(info(i), mass, load, own_tyres[i]);
         }
+        body.wheels[i].own_speed = std::sqrt(strength * body.wheels[i].tyre.parameters.Ro);
     }
     for (std::size_t i = 0; i < body.wheel_count; ++i)
         body.wheels[i].partner = partnerOf(body, i, [&](std::size_t j) { return info(j).m_bIsFrontWheel; });
@@ -95,13 +103,15 @@ WheeledBody RaycastVehicle::Implementation::carOf(const CarRecipe& from) {
 }
 
 void RaycastVehicle::Implementation::makeCar() {
-    CarRecipe now = recipeNow();
-    if (made && now == recipe) return;
+    if (isAsMade()) return;
+    made = false;
+    recipe.body = bodyNow();
+    recipe.wheel_count = wheelCount();
+    for (std::size_t i = 0; i < recipe.wheel_count; ++i) recipe.wheels[i] = tuningOf(info(i));
     const bool alone =
         file || std::any_of(own_tyres.begin(), own_tyres.end(), [](auto& own) { return own.has_value(); });
-    const auto make = [&] { return carOf(now); };
-    car = alone ? std::make_shared<const WheeledBody>(make()) : sharedCar(now, make);
-    recipe = now;
+    const auto make = [&] { return carOf(recipe); };
+    car = alone ? std::make_shared<const WheeledBody>(make()) : sharedCar(recipe, make);
     made = true;
 }
 }  // namespace TREAD_BULLET_PRECISION

@@ -91,7 +91,8 @@ struct RaycastVehicle::Implementation {
     // raycast_car.cpp: the car follows what the game changed.
     static const MadeCar& noCar();
     void makeCar();
-    CarRecipe recipeNow();
+    CarRecipe::Body bodyNow() const;
+    bool isAsMade();
     WheeledBody carOf(const CarRecipe& from);
 
     // raycast_step.cpp

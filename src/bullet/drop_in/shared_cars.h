@@ -16,7 +16,8 @@ inline namespace TREAD_BULLET_PRECISION {
 // All that a car is made of, unless it has a vehicle file or tyres of its own.
 struct CarRecipe {
     // Of the chassis: mass, inverse inertia, linear and angular factor, gravity, wheel reaction.
-    std::array<double, 12> body{};
+    using Body = std::array<double, 12>;
+    Body body{};
     std::size_t wheel_count = 0;
     std::array<WheelTuning, kMostWheels> wheels{};
 

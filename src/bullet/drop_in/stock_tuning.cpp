@@ -183,19 +183,19 @@ BodyWheel wheelFromFile(const btWheelInfo& info, const VehicleParams& params, bo
     return wheel;
 }
 
-DriveLimit driveLimit(const btWheelInfo& info, const btWheelInfo* partner, const BodyWheel& wheel, double gravity) {
-    const double speed = std::sqrt(gravity * wheel.tyre.parameters.Ro);
+DriveLimit driveLimit(const btWheelInfo& info, const btWheelInfo* partner, const BodyWheel& wheel) {
+    const double speed = wheel.own_speed;
     const double own = engineForce(info, wheel), other = partner ? engineForce(*partner, wheel) : own;
     const double against = own != 0 ? std::clamp(1 - other / own, 0.0, 1.0) : 0;
     const double ends = kSlipEnds - against * (kSlipEnds - kSlipEndsAgainst);
     return {kLossAgainst * against * wheel.tyre.parameters.Fzo / speed, (ends - kSlipFading) * speed, ends * speed};
 }
 
-WheelDemand demandOf(const btWheelInfo& info, const BodyWheel& wheel, double spin, double gravity, bool from_file) {
+WheelDemand demandOf(const btWheelInfo& info, const BodyWheel& wheel, double spin, bool from_file) {
     const double radius = wheel.tyre.parameters.Ro;
     const double most = mostDemand(wheel);
     const double force = engineForce(info, wheel);
-    const double rim = spin * radius / (kFastestRim * std::sqrt(gravity * radius));
+    const double rim = spin * radius / (kFastestRim * wheel.own_speed);
     const double left = rim * force > 0 ? std::max(1 - rim * rim, 0.0) : 1;
     WheelDemand demand;
     demand.steer = within(info.m_steering, -kMostSteer, kMostSteer, 0);

@@ -44,16 +44,16 @@ BodyWheel wheelFromTuning(const btWheelInfo& info, double mass, const RestingLoa
 BodyWheel wheelFromFile(const btWheelInfo& info, const VehicleParams& params, bool left, const RestingLoad& resting,
                         const std::optional<TyreParams>& tyre);
 
-// How the engine's force at a wheel falls as the wheel spins, for a car under such a gravity, m/s2. Slip speeds scale
-// with the root of gravity times radius, as all speeds of cars of different size do:
+// How the engine's force at a wheel falls as the wheel spins. Slip speeds scale with the wheel's own_speed, as all
+// speeds of cars of different size do:
 //   a wheel's force fades as its rim runs six to eight of them ahead of the ground (a car's: 10 to 14 m/s);
 //   one that is driven more than its partner at the other side, as of a skid-steered robot, loses 1.4 times the weight
 //   on it for each of them, and all at five, in the proportion in which the partner is driven less: in full if it is
 //   not driven, or the other way.
 // The second is an electric motor's: the more force, the faster it turns the vehicle, but to a rate that stays.
-DriveLimit driveLimit(const btWheelInfo& info, const btWheelInfo* partner, const BodyWheel& wheel, double gravity);
+DriveLimit driveLimit(const btWheelInfo& info, const btWheelInfo* partner, const BodyWheel& wheel);
 
 // The game's demand on a wheel that spins so fast. `from_file`: friction slip does not count.
-WheelDemand demandOf(const btWheelInfo& info, const BodyWheel& wheel, double spin, double gravity, bool from_file);
+WheelDemand demandOf(const btWheelInfo& info, const BodyWheel& wheel, double spin, bool from_file);
 }  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

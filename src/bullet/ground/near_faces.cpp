@@ -21,7 +21,7 @@ namespace {
 constexpr double kLookedUp = 4;
 constexpr double kLookedUpAmongMany = 1.5;
 constexpr std::size_t kMany = 60;
-constexpr double kLongestKept = 0.02;  // s
+constexpr double kLongestKept = 0.034;  // s: two frames of a game
 // Faces that are seldom exceeded: what a wheel keeps then takes memory once.
 constexpr std::size_t kUsual = 48;
 // Neighbours share their corners: a ray between two faces passes each by less than this.

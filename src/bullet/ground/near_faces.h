@@ -53,7 +53,7 @@ struct Meets {
 bool hasFaces(const btCollisionShape& shape);
 
 // Looks up the faces that lie within `reach` of the way, unless they are known. What a game changes in place, in the
-// heights of a field or the corners of a mesh, is seen within 20 ms.
+// heights of a field or the corners of a mesh, is seen within 35 ms.
 void know(NearFaces& near, const btCollisionObject& object, const Way& way, double reach);
 
 // The first of the known faces that the ray meets.
