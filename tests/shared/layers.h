@@ -23,6 +23,7 @@ inline const std::vector<std::string> kOrder{"base",     "inference", "road",   
 // Inside of a layer, a file may include from its own room and from those to its left. A room is a folder; "" is the
 // layer's own, but for the files that kGroundFloor names.
 inline const std::map<std::string, std::vector<std::string>> kRooms{
+    {"bullet", {"", "ground", "drop_in"}},
     {"recording", {"", "checks"}},
     {"diagnose", {"ground", "answer", "catalogue", "model", "select", "explain", ""}},
     {"blind", {"world", "drives", "key", "faults", "detectability", "make", "answers", "score"}},
@@ -39,14 +40,15 @@ inline bool isProse(const Path& name) {
 
 // Public headers share one folder; each belongs to a layer.
 inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{
-    {"base", {"describe", "wheels", "curve", "problem", "state_parts", "vector", "vehicle_output"}},
+    {"base", {"api", "cpp20", "describe", "wheels", "curve", "problem", "state_parts", "vector", "vehicle_output"}},
     {"road", {"road", "height_field", "road_params", "road_surface"}},
     {"tyre", {"tyre"}},
     {"vehicle",
      {"suspension", "steering", "driveline", "engine", "gearbox", "differential", "brakes", "anti_lock",
-      "stability_control", "aero", "tyre_surroundings", "vehicle", "equilibrium", "load", "wheeled_body_state"}},
+      "stability_control", "aero", "tyre_surroundings", "vehicle", "equilibrium", "load"}},
     {"bullet",
-     {"bullet_precision", "bullet_road", "bullet_ground", "bullet_vehicle", "raycast_vehicle", "raycast_fleet"}},
+     {"bullet_precision", "bullet_road", "bullet_ground", "bullet_vehicle", "raycast_vehicle", "raycast_vehicle_file",
+      "raycast_fleet"}},
 };
 
 // The sub-models of the car: they meet in vehicle.h and vehicle.cpp only.
