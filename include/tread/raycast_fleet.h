@@ -22,7 +22,7 @@ inline namespace TREAD_BULLET_PRECISION {
 class TREAD_API RaycastFleet : public btActionInterface {
 public:
     // Threads that compute, the caller's included; at least one. User raycasters and surface functions are called from
-    // all of them, one call at a time.
+    // all of them, one call at a time; the world's broadphase and shapes are asked from all at once.
     explicit RaycastFleet(int threads = 1);
     RaycastFleet(const RaycastFleet&) = delete;
     RaycastFleet& operator=(const RaycastFleet&) = delete;

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "benchmark/game_scene.h"
 #include "stock_vs_tread/scene.h"
 
 namespace tread {
@@ -16,9 +17,11 @@ using namespace scene;
 // 30 cars, each with its own way to drive; some on platforms that the cars push.
 class Lot {
 public:
-    enum class On { ground, planks };
+    enum class On { ground, planks, field, mesh };
     explicit Lot(On on) {
-        world.addPlane();
+        hills.add(world, on == On::field  ? game::Ground::height_field
+                         : on == On::mesh ? game::Ground::mesh
+                                          : game::Ground::plane);
         for (int i = 0; i < 30; ++i) {
             const btVector3 at = vector(6 * (i % 6), on == On::planks ? 0.2 : 0, 9 * (i / 6));
             if (on == On::planks && i % 6 % 2 == 0)  // two cars each
@@ -44,6 +47,7 @@ public:
         world.dynamics.addAction(fleet.get());
     }
 
+    game::Hills hills;
     World world;
     std::vector<std::unique_ptr<Car<RaycastVehicle>>> cars;
     std::unique_ptr<RaycastFleet> fleet;
@@ -80,6 +84,17 @@ TEST(RaycastFleet, ThreadsMakeNoDifferenceOnGroundThatMoves) {
     EXPECT_TRUE(same(one, three));
     EXPECT_TRUE(same(one, many));
     EXPECT_LT((one.cars[0]->place() - before).length(), 20);
+}
+
+// Bullet's shapes and broadphase are asked from all threads at once.
+TEST(RaycastFleet, ThreadsMakeNoDifferenceOnHills) {
+    for (const Lot::On on : {Lot::On::field, Lot::On::mesh}) {
+        Lot alone(on), four(on);
+        four.make(4);
+        for (Lot* lot : {&alone, &four}) run(lot->world, 3, 60);
+        EXPECT_TRUE(same(alone, four));
+        EXPECT_GT(alone.cars[1]->place().z(), 3) << "it has driven";
+    }
 }
 
 TEST(RaycastFleet, CarsComeAndGo) {
