@@ -106,7 +106,10 @@ struct ImportRepairs {
         field(TREAD_FIELD(at_jump), About{"", "longest recording kept; split: one log each; refuse: a fault"});
         field(TREAD_FIELD(fill_gaps),
               About{"", "values that are missing for no longer than max_jump are interpolated"});
-        field(TREAD_FIELD(spikes), About{"", "spikes of up to three samples are interpolated"});
+        field(TREAD_FIELD(spikes),
+              About{"",
+                    "spikes are interpolated: jumps within one sample that no car can do, and back, of any length; "
+                    "shorter than three samples, what is far above the noise"});
         field(TREAD_FIELD(spike_limit),
               About{"-", "height of a spike in robust standard deviations of the change per sample", kPositive});
         field(TREAD_FIELD(rate), About{"Hz", "sampling rate of the log; none: that of the file", kPositive});

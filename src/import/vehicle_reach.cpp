@@ -119,4 +119,14 @@ double fastestChange(std::string_view channel) {
     return known ? known->fastest : kInfinite;
 }
 
+double largestValue(std::string_view channel) {
+    const Quantity* const known = quantity(channel);
+    const auto si = logUnit(std::string(channel));
+    if (!known || !si) return kInfinite;
+    for (const Reach& reach : known->reaches) {
+        if (reach.unit == *si) return reach.most;
+    }
+    return kInfinite;
+}
+
 }  // namespace tread

@@ -23,4 +23,7 @@ std::string implausible(std::string_view channel, std::string_view unit, const s
 // unit per second; infinite for channels that may change at once (pedals, gear) or that tread does not know.
 double fastestChange(std::string_view channel);
 
+// The largest magnitude of a channel in a road vehicle, in its SI unit; infinite where none is known.
+double largestValue(std::string_view channel);
+
 }  // namespace tread
