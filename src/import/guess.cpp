@@ -244,8 +244,31 @@ std::string lettersAndDigits(std::string_view name) {
     return out;
 }
 
-// A column by how it is called: the name as a whole, without its unit, and every tail of a path
-// (twist.linear.x, imu/yaw_rate).
+// Which instrument a channel comes from and where it sits says nothing of what it is.
+constexpr std::string_view kSideWords[] = {"imu",     "vbox", "can",  "gps",      "gnss",   "ins",    "cg",
+                                           "cog",     "com",  "meas", "measured", "actual", "sensor", "sensors",
+                                           "encoder", "data", "msg",  "value",    "signal", "veh",    "vehicle"};
+
+// Small letters and digits of the words of a name that say what it is: "acc x (IMU)" is accx.
+std::string withoutSideWords(std::string_view name) {
+    std::string out, word;
+    const auto take = [&] {
+        if (std::find(std::begin(kSideWords), std::end(kSideWords), word) == std::end(kSideWords)) out += word;
+        word.clear();
+    };
+    for (const char c : name) {
+        if (std::isalnum(static_cast<unsigned char>(c))) {
+            word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        } else {
+            take();
+        }
+    }
+    take();
+    return out;
+}
+
+// A column by how it is called: the name as a whole, without its unit, every tail of a path (twist.linear.x,
+// imu/yaw_rate), and at last without the words for its instrument.
 class Names {
 public:
     explicit Names(const ForeignTable& table) {
@@ -255,18 +278,22 @@ public:
                 const std::string_view part = name.substr(begin);
                 columns_.emplace(lettersAndDigits(part), &column);
                 columns_.emplace(lettersAndDigits(nameWithoutUnit(part)), &column);
+                loose_.emplace(withoutSideWords(nameWithoutUnit(part)), &column);
                 begin = name.find_first_of("./", begin);
                 if (begin != std::string_view::npos) ++begin;
             }
         }
     }
     const ForeignColumn* find(const std::string& name) const {
-        const auto found = columns_.find(name);
-        return found == columns_.end() ? nullptr : found->second;
+        for (const auto* columns : {&columns_, &loose_}) {
+            const auto found = columns->find(name);
+            if (found != columns->end()) return found->second;
+        }
+        return nullptr;
     }
 
 private:
-    std::map<std::string, const ForeignColumn*> columns_;
+    std::map<std::string, const ForeignColumn*> columns_, loose_;
 };
 
 bool measures(std::string_view unit, std::string_view like) {
@@ -291,6 +318,7 @@ public:
         }
         guessWheels();
         guessPositions();
+        alignSiblings();
         correctUnits();
         correctSigns();
         return std::move(result_);
@@ -486,6 +514,38 @@ private:
         }
     }
 
+    // The channels of one instrument are logged in one unit: where values or the file leave no doubt about one of them,
+    // the others follow.
+    void alignSiblings() {
+        static const std::vector<std::vector<std::string_view>> instruments = {
+            {"chassis.ax", "chassis.ay", "chassis.az"},
+            {"chassis.yaw_rate", "chassis.roll_rate", "chassis.pitch_rate"},
+            {"chassis.roll", "chassis.pitch"},
+            {"chassis.vx", "chassis.vy"}};
+        for (const auto& instrument : instruments) {
+            const ImportChannel* sure = nullptr;
+            for (const std::string_view name : instrument) {
+                const ImportChannel* const one = channel(name);
+                if (one && !sure && isSure(*one)) sure = one;
+            }
+            for (const std::string_view name : instrument) {
+                ImportChannel* const one = channel(name);
+                if (sure && one && !isSure(*one)) setUnit(*one, sure->unit, "as " + sure->channel + " is");
+            }
+        }
+    }
+
+    bool isSure(const ImportChannel& one) const {
+        return !guessed_units_.contains(one.channel) || fitsOnlyOneUnit(one.channel, table_.find(one.from)->values);
+    }
+
+    void setUnit(ImportChannel& one, const std::string& unit, const std::string& why) {
+        if (one.unit == unit) return;
+        one.unit = unit;
+        std::erase_if(result_.guesses, [&](const Guess& g) { return g.channel == one.channel && g.field == "unit"; });
+        noteUnit(one.channel, *table_.find(one.from), unit, why);
+    }
+
     // A unit that was guessed gives way to one that fits what the other channels say of the car.
     void correctUnits() {
         if (guessed_units_.empty()) return;
@@ -517,9 +577,7 @@ private:
         if (guessed->unit == large && off(own ? times : 1 / times)) unit = small;
         if (guessed->unit == small && off(own ? 1 / times : times)) unit = large;
         if (unit.empty()) return;
-        guessed->unit = unit;
-        std::erase_if(result_.guesses, [&](const Guess& one) { return one.channel == name && one.field == "unit"; });
-        noteUnit(name, *table_.find(guessed->from), guessed->unit, "then " + relation.says + " agree");
+        setUnit(*guessed, std::string(unit), "then " + relation.says + " agree");
     }
 
     // Signs by the majority of what the channels of a rigid body say of one another.

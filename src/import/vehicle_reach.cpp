@@ -114,6 +114,14 @@ std::string implausible(std::string_view channel, std::string_view unit, const s
     return {};
 }
 
+bool fitsOnlyOneUnit(std::string_view channel, const std::vector<double>& values) {
+    const double peak = peakOf(values);
+    const Quantity* const known = quantity(channel);
+    if (!known || !std::isfinite(peak)) return false;
+    return std::count_if(known->reaches.begin(), known->reaches.end(),
+                         [&](const Reach& reach) { return peak <= reach.most; }) == 1;
+}
+
 double fastestChange(std::string_view channel) {
     const Quantity* const known = quantity(channel);
     return known ? known->fastest : kInfinite;

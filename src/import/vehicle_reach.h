@@ -19,6 +19,9 @@ PlausibleUnit plausibleUnit(std::string_view channel, std::string_view si, const
 // Empty when values in that unit are those of a road vehicle or the channel has no limits; else one clause.
 std::string implausible(std::string_view channel, std::string_view unit, const std::vector<double>& values);
 
+// Whether the peak of the values is that of a road vehicle in one unit only.
+bool fitsOnlyOneUnit(std::string_view channel, const std::vector<double>& values);
+
 // The largest rate of change of a channel that the car, its driver or a collision-free road can bring about, in its SI
 // unit per second; infinite for channels that may change at once (pedals, gear) or that tread does not know.
 double fastestChange(std::string_view channel);

@@ -287,6 +287,8 @@ TEST(ImportGuess, KnowsTheNamesOfVboxCanAndRos) {
                                                           {"brake_pressure_bar", "brakes.pressure"},
                                                           {"velocity kmh", "chassis.vx"},
                                                           {"twist.linear.x", "chassis.vx"},
+                                                          {"acc x (IMU)", "chassis.ax"},
+                                                          {"r_vbox_radps", "chassis.yaw_rate"},
                                                           {"heading", "chassis.yaw"}}) {
         const ForeignTable table =
             bareTable({{"t", "s", [](double t) { return t; }}, {column, "", [](double t) { return 0.5 * t; }}});
@@ -336,6 +338,16 @@ TEST(ImportGuess, WhatTheChannelsSayOfOneAnotherCorrectsAUnit) {
     EXPECT_EQ(guessedFor(wheels, "ws_fl").unit, "km/h");
     EXPECT_EQ(guessedFor(wheels, "ws_fr").unit, "rad/s");
     EXPECT_EQ(guessedFor(wheels, "ws_rl").unit, "m/s");
+}
+
+TEST(ImportGuess, ChannelsOfOneInstrumentShareTheirUnit) {
+    const ForeignTable table = bareTable({{"t", "s", [](double t) { return t; }},
+                                          {"ax", "", [](double t) { return 0.8 * std::sin(t); }},
+                                          {"ay", "", [](double t) { return 9 * std::sin(2 * t); }},
+                                          {"yaw_rate", "deg/s", [](double t) { return 2 * std::sin(2 * t); }},
+                                          {"roll_rate", "", [](double t) { return 2 * std::cos(2 * t); }}});
+    EXPECT_EQ(guessedFor(table, "ax").unit, "m/s2");
+    EXPECT_EQ(guessedFor(table, "roll_rate").unit, "deg/s");
 }
 
 TEST(ImportGuess, AUnitOfTheFileThatNoCarReachesIsToBeConfirmed) {
