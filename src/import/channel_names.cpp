@@ -102,7 +102,7 @@ bool isChannelName(std::string_view name) {
 
 std::string misspelling(const std::string& name) {
     const Split part = split(quantityOf(name));
-    if (isKnown(part)) return {};
+    if (!isChannelName(name) || isKnown(part)) return {};
     const std::string meant = nearest(part), found = "found " + quote(name) + ", which is no channel of tread";
     if (!meant.empty()) {
         const std::string_view source = sourceOf(name);

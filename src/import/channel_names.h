@@ -10,7 +10,7 @@ namespace tread {
 bool isChannelName(std::string_view name);
 
 // Why the name cannot be meant: it is nearly that of a channel of tread, or lies where tread has another set of names.
-// Empty for the channels of tread and for names of one's own.
+// Empty for the channels of tread, for names of one's own and for what is no name of a channel at all.
 std::string misspelling(const std::string& name);
 
 }  // namespace tread

@@ -366,7 +366,7 @@ private:
             return unit;
         }
         const PlausibleUnit guessed = plausibleUnit(name, si, column.values);
-        noteUnit(name, column, guessed.unit, guessed.why);
+        if (!guessed.why.empty()) noteUnit(name, column, guessed.unit, guessed.why);
         return guessed.unit;
     }
 

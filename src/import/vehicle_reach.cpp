@@ -92,7 +92,7 @@ bool fits(const Reach& reach, double peak) {
 PlausibleUnit plausibleUnit(std::string_view channel, std::string_view si, const std::vector<double>& values) {
     const double peak = peakOf(values);
     const Quantity* const known = quantity(channel);
-    if (!known || !std::isfinite(peak)) return {std::string(si), "the unit of the channel"};
+    if (!known || !std::isfinite(peak)) return {std::string(si), si == "-" ? "" : "the unit of the channel"};
     for (const Reach& reach : known->reaches) {
         if (fits(reach, peak)) {
             return {std::string(reach.unit), fmt::format("values peak at {:.3g}, plausible in {}", peak, reach.unit)};

@@ -9,7 +9,7 @@ namespace tread {
 
 struct PlausibleUnit {
     std::string unit;
-    std::string why;  // one clause: "values peak at 40: as rad more than a steering wheel turns"
+    std::string why;  // one clause: "values peak at 40, plausible in deg"; empty: it can be no other
 };
 
 // Of the units that such a channel is usually logged in, the first in which its values are those of a road vehicle; the

@@ -155,6 +155,9 @@ TEST_F(Import, AMistypedChannelOrKeyIsAFaultAtItsPlace) {
         const Result result = runProgram({"import", table, "--map", wrong, "-o", log});
         EXPECT_EQ(result.status, 2) << line;
         EXPECT_EQ(result.err.find(wrong + ":3:"), 0u) << result.err;
+        const Result checked = runProgram({"check", wrong});
+        EXPECT_EQ(checked.status, 2) << line;
+        EXPECT_NE((checked.out + checked.err).find(result.err), std::string::npos) << checked.out << checked.err;
         return result.err.substr(std::min(result.err.size(), wrong.size()));
     };
     EXPECT_EQ(faultOf("  - {channel: chassis.yawrate, from: Yaw rate}\n"),
