@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "import/relations.h"
+#include "import/vehicle_reach.h"
+#include "log/log_columns.h"
 
 namespace tread {
 namespace {
@@ -47,6 +49,27 @@ void judgeSigns(std::vector<Change>& found, const std::vector<BodyRelation>& rel
                                  joined(odd.either, " and "))});
 }
 
+// Values that no road vehicle reaches. Angles that may be counted on, or that a spin takes all round, have no such
+// limit.
+void judgeReach(std::vector<Change>& found, const Log& log) {
+    for (const Channel& channel : log.channels) {
+        const std::string_view name = quantityOf(channel.name);
+        const bool moves = name.starts_with("chassis.") || name == "driver.steering_wheel_angle";
+        if (!moves || name == "chassis.yaw" || name == "chassis.sideslip") continue;
+        const std::string why = implausible(name, channel.unit, channel.values);
+        if (!why.empty()) found.push_back({"doubt", channel.name, 1, why + "; is its unit wrong?"});
+    }
+}
+
+void judgeWheel(std::vector<Change>& found, const BodyRelation& relation) {
+    constexpr double kSmallest = 0.2, kLargest = 0.6;  // m
+    const double radius = 1 / relation.factor;
+    if (!relation.channel.ends_with(".spin") || (radius > kSmallest && radius < kLargest)) return;
+    found.push_back(
+        {"doubt", relation.channel, 1,
+         fmt::format("turns as if its rolling radius were {:.3g} m; is its unit or rolling_radius wrong?", radius)});
+}
+
 }  // namespace
 
 std::string lookOfFactor(double factor) {
@@ -59,6 +82,7 @@ std::string lookOfFactor(double factor) {
 
 std::vector<Change> doubts(const Log& log) {
     std::vector<Change> found;
+    judgeReach(found, log);
     const std::vector<Swapped> swapped = swappedChannels(log);
     for (const Swapped& pair : swapped) {
         found.push_back({"doubt", pair.one, 1,
@@ -74,6 +98,7 @@ std::vector<Change> doubts(const Log& log) {
                                          "(forward, left and up positive); its sign should be -1",
                                          relation.says, relation.correlation)});
         }
+        judgeWheel(found, relation);
         const std::string look = lookOfFactor(relation.factor);
         if (relation.sized && !look.empty()) {
             found.push_back({"doubt", relation.channel, 1,

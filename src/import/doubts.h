@@ -8,8 +8,8 @@
 
 namespace tread {
 
-// Signs, units and places of channels that the physics of a rolling rigid body contradicts, and by the majority of the
-// relations the channel that is the odd one out.
+// Values that no road vehicle reaches; signs, units and places of channels that the physics of a rolling rigid body
+// contradicts, and by the majority of the relations the channel that is the odd one out.
 std::vector<Change> doubts(const Log& log);
 
 // What a factor between two channels looks like; nothing for one that a slide or noise can make.

@@ -110,5 +110,24 @@ TEST(BodyRelations, AWrongUnitIsSeenAlongTheCarToo) {
         << said(log);
 }
 
+TEST(BodyRelations, WheelsThatDoNotRollAreDoubted) {
+    Log log = car();
+    for (double& value : channel(log, "wheel.front_left.spin").values) value *= 60 / 6.2832;  // rpm taken as rad/s
+    EXPECT_NE(said(log).find("wheel.front_left.spin: turns as if its rolling radius were 0.0335 m"), std::string::npos)
+        << said(log);
+}
+
+TEST(Doubts, ValuesBeyondARoadVehicleAreSaid) {
+    Log log = car();
+    std::erase_if(log.channels, [](const Channel& c) { return c.name != "time" && c.name != "chassis.yaw_rate"; });
+    Channel& yaw_rate = channel(log, "chassis.yaw_rate");
+    yaw_rate.unit = "rad/s";
+    EXPECT_EQ(said(log), "");
+    for (double& value : yaw_rate.values) value *= 57.3;
+    EXPECT_EQ(said(log),
+              "chassis.yaw_rate: values peak at 14.3 rad/s, above the 3.2 that a road vehicle reaches; is its unit "
+              "wrong?\n");
+}
+
 }  // namespace
 }  // namespace tread
