@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "import/relations.h"
 #include "import/vehicle_reach.h"
@@ -12,8 +10,6 @@
 
 namespace tread {
 namespace {
-
-constexpr double kDegree = 180 / std::numbers::pi;
 
 std::string joined(const std::vector<std::string>& names, std::string_view last) {
     std::string out;
@@ -71,14 +67,6 @@ void judgeWheel(std::vector<Change>& found, const BodyRelation& relation) {
 }
 
 }  // namespace
-
-std::string lookOfFactor(double factor) {
-    const auto near = [&](double known) { return std::abs(factor / known - 1) < 0.15; };
-    if (near(9.80665) || near(1 / 9.80665)) return ", as if one of them were in g";
-    if (near(kDegree) || near(1 / kDegree)) return ", as if one of them were in degrees";
-    if (near(3.6) || near(1 / 3.6)) return ", as if one of them were in km/h";
-    return "";
-}
 
 std::vector<Change> doubts(const Log& log) {
     std::vector<Change> found;

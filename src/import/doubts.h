@@ -1,7 +1,6 @@
 // Whether the channels of an imported log fit one another.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "import/import.h"
@@ -11,8 +10,5 @@ namespace tread {
 // Values that no road vehicle reaches; signs, units and places of channels that the physics of a rolling rigid body
 // contradicts, and by the majority of the relations the channel that is the odd one out.
 std::vector<Change> doubts(const Log& log);
-
-// What a factor between two channels looks like; nothing for one that a slide or noise can make.
-std::string lookOfFactor(double factor);
 
 }  // namespace tread

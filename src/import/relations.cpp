@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 namespace tread {
@@ -15,10 +16,12 @@ constexpr double kSlowest = 3;       // m/s: below, a car can do anything
 constexpr std::size_t kFewest = 50;  // samples
 constexpr double kCorrelated = 0.7;  // from here two channels show the same thing
 constexpr double kSwapped = 0.9;     // correlation from which channels in each other's place are believed
-constexpr double kTurning = 0.3;     // m/s2 of vx times yaw rate, rms: less is noise
-constexpr double kRolling = 2;       // m/s2: a car that brakes harder may slide anywhere
-constexpr std::size_t kReach = 5;    // samples on either side of a derivative, against noise
-constexpr double kLikeOne = 1.5;     // a factor between 1 over this and this is taken for 1
+constexpr double kBetter = 0.02;     // by so much more it correlates in the right order
+constexpr double kDegree = 180 / std::numbers::pi, kGravity = 9.80665;
+constexpr double kTurning = 0.3;   // m/s2 of vx times yaw rate, rms: less is noise
+constexpr double kRolling = 2;     // m/s2: a car that brakes harder may slide anywhere
+constexpr std::size_t kReach = 5;  // samples on either side of a derivative, against noise
+constexpr double kLikeOne = 1.5;   // a factor between 1 over this and this is taken for 1
 
 using Values = std::vector<double>;
 using At = std::function<double(std::size_t)>;
@@ -59,12 +62,14 @@ public:
         if (yaw_rate_ && ay_) {
             const auto right = fit(turn(), *ay_, kTurning);
             const auto wrong = fit([this](std::size_t i) { return (*vx_)[i] * (*ay_)[i]; }, *yaw_rate_, kTurning);
-            const bool fits = right && right->correlation > kCorrelated && likeOne(right->slope);
-            if (!fits && wrong && std::abs(wrong->correlation) > kSwapped && likeOne(std::abs(wrong->slope))) {
-                found.push_back({"chassis.yaw_rate", "chassis.ay",
-                                 fmt::format("chassis.yaw_rate is {:.2f} times chassis.vx times chassis.ay, as the "
-                                             "lateral acceleration is of speed and yaw rate",
-                                             wrong->slope)});
+            if (wrong && std::abs(wrong->correlation) > kSwapped && !fitsAsItIs(right, *wrong) &&
+                fitsSwapped(right, *wrong)) {
+                found.push_back(
+                    {"chassis.yaw_rate", "chassis.ay",
+                     fmt::format(
+                         "chassis.yaw_rate follows chassis.vx times chassis.ay (correlation {:.2f}), as the lateral "
+                         "acceleration follows speed and yaw rate",
+                         wrong->correlation)});
             }
         }
         if (yaw_rate_ && ax_ && ay_) {
@@ -85,6 +90,22 @@ public:
     }
 
 private:
+    // Where the speed varies, the right order correlates better than the wrong one.
+    static bool isBetter(const Fit& wrong, const std::optional<Fit>& right) {
+        return !right || std::abs(right->correlation) < std::abs(wrong.correlation) - kBetter;
+    }
+    static bool fitsAsItIs(const std::optional<Fit>& right, const Fit& wrong) {
+        return right && std::abs(right->correlation) > kCorrelated && !isBetter(wrong, right) &&
+               (likeOne(std::abs(right->slope)) || !lookOfFactor(std::abs(right->slope)).empty());
+    }
+    // Units that were guessed for swapped columns are wrong as well: deg/s for m/s2, g for rad/s.
+    static bool fitsSwapped(const std::optional<Fit>& right, const Fit& wrong) {
+        const double slope = std::abs(wrong.slope);
+        if (likeOne(slope)) return true;
+        return isBetter(wrong, right) &&
+               (likeOne(slope * kDegree) || likeOne(slope * kGravity) || likeOne(slope * kDegree * kGravity));
+    }
+
     const Values* values(const char* name) const {
         const Channel* const channel = log_.find(name);
         return channel ? &channel->values : nullptr;
@@ -237,6 +258,14 @@ std::size_t indexIn(std::vector<std::string>& names, const std::string& name) {
 }
 
 }  // namespace
+
+std::string lookOfFactor(double factor) {
+    const auto near = [&](double known) { return std::abs(factor / known - 1) < 0.15; };
+    if (near(9.80665) || near(1 / 9.80665)) return ", as if one of them were in g";
+    if (near(kDegree) || near(1 / kDegree)) return ", as if one of them were in degrees";
+    if (near(3.6) || near(1 / 3.6)) return ", as if one of them were in km/h";
+    return "";
+}
 
 std::vector<BodyRelation> bodyRelations(const Log& log) {
     return Body(log).relations();

@@ -28,6 +28,9 @@ struct OddOnes {
 };
 OddOnes oddOnes(const std::vector<BodyRelation>& relations);
 
+// What a factor between two channels looks like; nothing for one that a slide or noise can make.
+std::string lookOfFactor(double factor);
+
 // Channels that have changed places: yaw rate with lateral acceleration, longitudinal with lateral acceleration.
 struct Swapped {
     std::string one, other;

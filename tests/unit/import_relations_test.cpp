@@ -102,6 +102,28 @@ TEST(BodyRelations, ChannelsInEachOthersPlaceAreNamed) {
     EXPECT_EQ(said(axes).find("chassis.ax: seems swapped with chassis.ay ("), 0u) << said(axes);
 }
 
+// As a guess takes them: m/s2 for deg/s, rad/s for g.
+TEST(BodyRelations, ChannelsInEachOthersPlaceAreNamedWhateverTheirUnit) {
+    Log gyro = car();
+    std::swap(channel(gyro, "chassis.yaw_rate").values, channel(gyro, "chassis.ay").values);
+    for (double& value : channel(gyro, "chassis.yaw_rate").values) value *= foreign::kDegree;
+    for (double& value : channel(gyro, "chassis.ay").values) value *= foreign::kGravity;
+    EXPECT_EQ(said(gyro).find("chassis.yaw_rate: seems swapped with chassis.ay ("), 0u) << said(gyro);
+}
+
+// At 7.5 m/s a yaw rate in degrees is as large against vx times ay as one that was swapped.
+TEST(BodyRelations, AYawRateInDegreesIsNotSwapped) {
+    Log log = car();
+    for (double& value : channel(log, "chassis.vx").values) value = 7.5;
+    for (std::size_t i = 0; i < log.samples(); ++i) {
+        const double rate = yawRate(log.channels.front().values[i]);
+        channel(log, "chassis.yaw_rate").values[i] = rate / foreign::kDegree;
+        channel(log, "chassis.ay").values[i] = 7.5 * rate;
+    }
+    EXPECT_EQ(said(log).find("swapped"), std::string::npos) << said(log);
+    EXPECT_NE(said(log).find("as if one of them were in degrees"), std::string::npos) << said(log);
+}
+
 TEST(BodyRelations, AWrongUnitIsSeenAlongTheCarToo) {
     Log log = car();
     for (double& value : channel(log, "chassis.ax").values) value /= foreign::kGravity;
