@@ -11,7 +11,8 @@
 namespace tread {
 namespace {
 
-constexpr double kPeak = 0.99;  // quantile of the magnitude that counts as the peak: spikes lie above
+constexpr double kPeak = 0.99;         // quantile of the magnitude that counts as the peak: spikes lie above
+constexpr double kAmongSpikes = 0.75;  // the same where up to a quarter of the samples are spikes
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 // A unit that a channel may be logged in, and the peaks that a road vehicle reaches in it. Units stand in the order in
@@ -72,13 +73,13 @@ const Quantity* quantity(std::string_view channel) {
     return nullptr;
 }
 
-double peakOf(const std::vector<double>& values) {
+double peakOf(const std::vector<double>& values, double share = kPeak) {
     std::vector<double> sizes;
     for (const double value : values) {
         if (std::isfinite(value)) sizes.push_back(std::abs(value));
     }
     if (sizes.empty()) return std::nan("");
-    const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(kPeak * static_cast<double>(sizes.size() - 1));
+    const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sizes.size() - 1));
     std::nth_element(sizes.begin(), at, sizes.end());
     return *at;
 }
@@ -93,9 +94,12 @@ PlausibleUnit plausibleUnit(std::string_view channel, std::string_view si, const
     const double peak = peakOf(values);
     const Quantity* const known = quantity(channel);
     if (!known || !std::isfinite(peak)) return {std::string(si), si == "-" ? "" : "the unit of the channel"};
-    for (const Reach& reach : known->reaches) {
-        if (fits(reach, peak)) {
-            return {std::string(reach.unit), fmt::format("values peak at {:.3g}, plausible in {}", peak, reach.unit)};
+    for (const double share : {kPeak, kAmongSpikes}) {  // many spikes may hide the car
+        const double most = peakOf(values, share);
+        for (const Reach& reach : known->reaches) {
+            if (!fits(reach, most)) continue;
+            return {std::string(reach.unit), fmt::format("values{} peak at {:.3g}, plausible in {}",
+                                                         share < kPeak ? " without spikes" : "", most, reach.unit)};
         }
     }
     return {std::string(si), fmt::format("values peak at {:.3g}, plausible in no unit that such a channel has", peak)};

@@ -340,6 +340,13 @@ TEST(ImportGuess, WhatTheChannelsSayOfOneAnotherCorrectsAUnit) {
     EXPECT_EQ(guessedFor(wheels, "ws_rl").unit, "m/s");
 }
 
+TEST(ImportGuess, ManySpikesDoNotHideTheUnit) {
+    const ForeignTable table =
+        bareTable({{"t", "s", [](double t) { return t; }},
+                   {"SteerAng", "", [](double t) { return t > 2 && t < 2.8 ? 8000 : 60 * std::sin(2 * t); }}});
+    EXPECT_EQ(guessedFor(table, "SteerAng").unit, "deg");
+}
+
 TEST(ImportGuess, ChannelsOfOneInstrumentShareTheirUnit) {
     const ForeignTable table = bareTable({{"t", "s", [](double t) { return t; }},
                                           {"ax", "", [](double t) { return 0.8 * std::sin(t); }},
