@@ -2,95 +2,99 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <functional>
-#include <numbers>
-#include <optional>
+#include <algorithm>
+
+#include "import/relations.h"
+#include "import/vehicle_reach.h"
+#include "log/log_columns.h"
 
 namespace tread {
 namespace {
 
-constexpr double kSlowest = 3;       // m/s: below, a car can do anything
-constexpr std::size_t kFewest = 50;  // samples
-constexpr double kCorrelated = 0.7;  // from here two channels show the same thing
-constexpr double kTurning = 0.3;     // m/s2 of vx times yaw rate, rms: less is noise
-constexpr double kRolling = 2;       // m/s2: a car that brakes harder may slide anywhere
-constexpr double kDegree = 180 / std::numbers::pi;
-
-struct Fit {
-    double correlation;
-    double slope;  // of the second over the first, through the origin
-};
-
-// Over the samples at which the car moves; nothing when there are too few or the first hardly varies.
-std::optional<Fit> fit(const Log& log, const std::function<double(std::size_t)>& first, const Channel& second,
-                       double least) {
-    const Channel& vx = *log.find("chassis.vx");
-    const Channel* const ax = log.find("chassis.ax");
-    double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
-    for (std::size_t i = 0; i < vx.values.size(); ++i) {
-        const double x = first(i), y = second.values[i];
-        if (ax && std::abs(ax->values[i]) > kRolling) continue;
-        if (!(vx.values[i] > kSlowest) || !std::isfinite(x) || !std::isfinite(y)) continue;
-        n += 1;
-        a += x;
-        b += y;
-        aa += x * x;
-        bb += y * y;
-        ab += x * y;
+std::string joined(const std::vector<std::string>& names, std::string_view last) {
+    std::string out;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (i > 0) out += i + 1 == names.size() ? std::string(last) : ", ";
+        out += names[i];
     }
-    if (n < static_cast<double>(kFewest) || aa / n < least * least) return {};
-    const double spread = (aa - a * a / n) * (bb - b * b / n);
-    if (!(spread > 0)) return {};
-    return Fit{(ab - a * b / n) / std::sqrt(spread), ab / aa};
+    return out;
 }
 
-// What a factor between two channels looks like; nothing for one that a slide or noise can make.
-std::string lookOf(double factor) {
-    const auto near = [&](double known) { return std::abs(factor / known - 1) < 0.15; };
-    if (near(9.80665) || near(1 / 9.80665)) return ", as if one of them were in g";
-    if (near(kDegree) || near(1 / kDegree)) return ", as if one of them were in degrees";
-    if (near(3.6) || near(1 / 3.6)) return ", as if one of them were in km/h";
-    return "";
+// Where the votes do not settle it, the odd one out is one of several.
+void judgeSigns(std::vector<Change>& found, const std::vector<BodyRelation>& relations) {
+    const OddOnes odd = oddOnes(relations);
+    for (const std::string& channel : odd.turned) {
+        std::size_t contradict = 0, all = 0;
+        std::vector<std::string> others;
+        for (const BodyRelation& relation : relations) {
+            if (relation.channel != channel && relation.other != channel) continue;
+            const std::string& other = relation.channel == channel ? relation.other : relation.channel;
+            if (std::find(others.begin(), others.end(), other) == others.end()) others.push_back(other);
+            contradict += relation.correlation < 0;
+            ++all;
+        }
+        found.push_back({"doubt", channel, 1,
+                         fmt::format("is the odd one out: {} of {} checks of a rigid body against {} contradict its "
+                                     "sign; set its sign to -1, or swap its axis",
+                                     contradict, all, joined(others, " and "))});
+    }
+    if (odd.either.empty()) return;
+    found.push_back({"doubt", odd.either.front(), 1,
+                     fmt::format("one of {} has the wrong sign, and no further channel tells which; compare with a "
+                                 "turn to the left, where all of ISO 8855 are positive",
+                                 joined(odd.either, " and "))});
 }
 
-void judge(std::vector<Change>& found, const std::optional<Fit>& fit, std::string_view what, std::string_view channel,
-           bool size_too) {
-    if (!fit || std::abs(fit->correlation) < kCorrelated) return;
-    const std::string name(channel);
-    if (fit->correlation < 0) {
-        found.push_back({"doubt", name, 1,
-                         fmt::format("{} have opposite signs (correlation {:.2f}): one of them is not ISO 8855 (left "
-                                     "and up positive); its sign should be -1",
-                                     what, fit->correlation)});
+// Values that no road vehicle reaches. Angles that may be counted on, or that a spin takes all round, have no such
+// limit.
+void judgeReach(std::vector<Change>& found, const Log& log) {
+    for (const Channel& channel : log.channels) {
+        const std::string_view name = quantityOf(channel.name);
+        const bool moves = name.starts_with("chassis.") || name == "driver.steering_wheel_angle";
+        if (!moves || name == "chassis.yaw" || name == "chassis.sideslip") continue;
+        const std::string why = implausible(name, channel.unit, channel.values);
+        if (!why.empty()) found.push_back({"doubt", channel.name, 1, why + "; is its unit wrong?"});
     }
-    const double size = std::abs(fit->slope);
-    const std::string look = lookOf(size);
-    if (size_too && !look.empty()) {
-        found.push_back(
-            {"doubt", name, 1, fmt::format("{} differ by a factor of {:.3g}{}; is a unit wrong?", what, size, look)});
-    }
+}
+
+void judgeWheel(std::vector<Change>& found, const BodyRelation& relation) {
+    constexpr double kSmallest = 0.2, kLargest = 0.6;  // m
+    const double radius = 1 / relation.factor;
+    if (!relation.channel.ends_with(".spin") || (radius > kSmallest && radius < kLargest)) return;
+    found.push_back(
+        {"doubt", relation.channel, 1,
+         fmt::format("turns as if its rolling radius were {:.3g} m; is its unit or rolling_radius wrong?", radius)});
 }
 
 }  // namespace
 
 std::vector<Change> doubts(const Log& log) {
     std::vector<Change> found;
-    const Channel* const vx = log.find("chassis.vx");
-    if (!vx) return found;
-    const Channel* const yaw_rate = log.find("chassis.yaw_rate");
-    const Channel* const ay = log.find("chassis.ay");
-    const Channel* const wheel = log.find("driver.steering_wheel_angle");
-    if (yaw_rate && ay) {
-        const auto expected = [&](std::size_t i) { return vx->values[i] * yaw_rate->values[i]; };
-        judge(found, fit(log, expected, *ay, kTurning), "chassis.ay and chassis.vx times chassis.yaw_rate",
-              "chassis.ay", true);
+    judgeReach(found, log);
+    const std::vector<Swapped> swapped = swappedChannels(log);
+    for (const Swapped& pair : swapped) {
+        found.push_back({"doubt", pair.one, 1,
+                         fmt::format("seems swapped with {} ({}): exchange their columns", pair.other, pair.why)});
     }
-    if (wheel && (yaw_rate || ay)) {
-        const Channel& turn = yaw_rate ? *yaw_rate : *ay;
-        const auto hand = [&](std::size_t i) { return wheel->values[i]; };
-        judge(found, fit(log, hand, turn, 0.05), "driver.steering_wheel_angle and " + turn.name, wheel->name, false);
+    if (!swapped.empty()) return found;  // signs and units of swapped channels say nothing
+
+    const std::vector<BodyRelation> relations = bodyRelations(log);
+    for (const BodyRelation& relation : relations) {
+        if (relation.correlation < 0) {
+            found.push_back({"doubt", relation.channel, 1,
+                             fmt::format("{} have opposite signs (correlation {:.2f}): one of them is not ISO 8855 "
+                                         "(forward, left and up positive); its sign should be -1",
+                                         relation.says, relation.correlation)});
+        }
+        judgeWheel(found, relation);
+        const std::string look = lookOfFactor(relation.factor);
+        if (relation.sized && !look.empty()) {
+            found.push_back({"doubt", relation.channel, 1,
+                             fmt::format("{} differ by a factor of {:.3g}{}; is a unit wrong?", relation.says,
+                                         relation.factor, look)});
+        }
     }
+    judgeSigns(found, relations);
     return found;
 }
 

@@ -7,8 +7,8 @@
 
 namespace tread {
 
-// Signs and units that the physics of a car contradicts: lateral acceleration against vx times yaw rate, steering wheel
-// against yaw rate, wheel speeds against vx.
+// Values that no road vehicle reaches; signs, units and places of channels that the physics of a rolling rigid body
+// contradicts, and by the majority of the relations the channel that is the odd one out.
 std::vector<Change> doubts(const Log& log);
 
 }  // namespace tread

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/number_text.h"
+#include "import/channel_names.h"
 #include "import/channel_reader.h"
 #include "import/columns.h"
 #include "import/doubts.h"
@@ -16,18 +17,6 @@
 
 namespace tread {
 namespace {
-
-bool isChannelName(std::string_view name) {
-    bool begins = true, of_source = false;
-    for (const char c : name) {
-        const bool letter = c >= 'a' && c <= 'z', digit = c >= '0' && c <= '9';
-        const bool divides = !of_source && (c == '.' || c == '@');
-        if (!letter && (begins || !(digit || c == '_' || divides))) return false;
-        begins = divides;
-        of_source = of_source || c == '@';
-    }
-    return !begins;
-}
 
 // The samples of a recording that the mapping asks for and that every delayed channel reaches.
 Stretch cut(const Stretch& recording, const ImportMap& map, std::vector<Change>& changes) {
@@ -91,6 +80,8 @@ void checkNames(const ImportMap& map) {
         } else if (!seen.insert(name).second) {
             problems.push_back(
                 {"", 0, 0, path, "found " + quote(name) + " for the second time; a channel has one source"});
+        } else if (std::string fault = misspelling(name); !fault.empty()) {
+            problems.push_back({"", 0, 0, path, std::move(fault)});
         }
     };
     for (std::size_t i = 0; i < map.map.size(); ++i) look(map.map[i].channel, fmt::format("map.{}.channel", i));

@@ -36,7 +36,25 @@ nlohmann::json json(const std::vector<Change>& changes);
 // A mapping as YAML, without the fields that have their defaults.
 std::string mappingText(const ImportMap& map);
 
-// The mapping that names and units of a file suggest; `guesses` says what was only guessed.
+// What of a guessed mapping a person has to confirm.
+struct Guess {
+    std::string channel;  // "time" for the time base; empty: a column that was left out
+    std::string field;    // of the channel: "from", "unit", "sign"; empty: none
+    std::string text;     // one clause, that names the column
+    std::string comment;  // the same behind the field
+};
+
+struct GuessedMap {
+    ImportMap map;
+    std::vector<Guess> guesses;
+};
+
+// The mapping that names, units and values of a file suggest: units that make the values those of a road vehicle, signs
+// by the majority of what the channels of a rigid body say of one another.
+GuessedMap guessMap(const ForeignTable& table);
 ImportMap guessMap(const ForeignTable& table, std::vector<std::string>& guesses);
+
+// The mapping with every guess in a comment.
+std::string mappingText(const GuessedMap& guessed);
 
 }  // namespace tread

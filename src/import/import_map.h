@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "import/channel_names.h"
 #include "tread/curve.h"
 #include "tread/describe.h"
 
@@ -53,6 +54,7 @@ struct ImportChannel {
     }
     static void check(const auto& self, auto&& complain) {
         if (self.channel.empty()) complain("channel", "found no name; write the channel that the column becomes");
+        if (const std::string fault = misspelling(self.channel); !fault.empty()) complain("channel", fault);
         if (self.from.empty()) complain("from", "found no name; write the foreign column");
         if (self.sign == 0) complain("sign", "found 0, expected 1 or -1");
     }
@@ -106,7 +108,10 @@ struct ImportRepairs {
         field(TREAD_FIELD(at_jump), About{"", "longest recording kept; split: one log each; refuse: a fault"});
         field(TREAD_FIELD(fill_gaps),
               About{"", "values that are missing for no longer than max_jump are interpolated"});
-        field(TREAD_FIELD(spikes), About{"", "spikes of up to three samples are interpolated"});
+        field(TREAD_FIELD(spikes),
+              About{"",
+                    "spikes are interpolated: jumps within one sample that no car can do, and back, of any length; "
+                    "shorter than three samples, what is far above the noise"});
         field(TREAD_FIELD(spike_limit),
               About{"-", "height of a spike in robust standard deviations of the change per sample", kPositive});
         field(TREAD_FIELD(rate), About{"Hz", "sampling rate of the log; none: that of the file", kPositive});
@@ -123,6 +128,9 @@ struct ImportConstant {
         field(TREAD_FIELD(channel), About{"", "name in the log"});
         field(TREAD_FIELD(value), About{"its unit", "value at every time"});
         field(TREAD_FIELD(unit), About{"", "unit of the value; none: that of the channel"});
+    }
+    static void check(const auto& self, auto&& complain) {
+        if (const std::string fault = misspelling(self.channel); !fault.empty()) complain("channel", fault);
     }
 };
 static_assert(describesEveryMember<ImportConstant>());

@@ -8,12 +8,34 @@
 #include "base/median.h"
 #include "import/spikes.h"
 #include "import/time_base.h"
+#include "import/vehicle_reach.h"
 #include "log/resample.h"
 
 namespace tread {
 namespace {
 
 constexpr double kAverageBelow = 1 / 1.5;  // of the file's rate: a lower rate of the log is had by averaging
+
+std::string many(std::size_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::size_t runsIn(const std::vector<std::size_t>& samples) {
+    std::size_t runs = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) runs += i == 0 || samples[i] != samples[i - 1] + 1;
+    return runs;
+}
+
+std::string criterionText(double fastest, const std::string& unit) {
+    if (!std::isfinite(fastest)) return "away and back within three samples, far above the noise";
+    const std::string rate = unit.ends_with("/s")    ? unit + "2"
+                             : unit.ends_with("/s2") ? unit.substr(0, unit.size() - 1) + "3"
+                                                     : unit + "/s";
+    return fmt::format(
+        "a jump within one sample faster than the {:.6g} {} that a car can do and back, or away and back "
+        "within 50 ms far above the noise",
+        fastest, rate);
+}
 
 }  // namespace
 
@@ -30,13 +52,17 @@ void repair(const WholeChannel& channel, const ImportRepairs& repairs, const std
     };
     if (repairs.spikes && how.spikes) {
         const std::vector<double> before = values;
-        const auto replaced = replaceSpikes(time, values, repairs.spike_limit);
+        const double fastest = fastestChange(how.channel);
+        const auto replaced =
+            replaceSpikes(time, values, {repairs.spike_limit, fastest, repairs.max_jump, largestValue(how.channel)});
         if (!replaced.empty()) {
             const std::size_t first = replaced.front();
+            const std::string instead =
+                std::isfinite(values[first]) ? fmt::format("about {:.4g} {}", values[first], channel.unit) : "nan";
             note("spikes", replaced.size(),
-                 fmt::format("{} of a spike replaced (the first at {:.6g} s: {:.4g} instead of about {:.4g} {})",
-                             replaced.size() == 1 ? "1 sample" : fmt::format("{} samples", replaced.size()),
-                             time[first], before[first], values[first], channel.unit));
+                 fmt::format("{} in {} replaced (the first at {:.6g} s: {:.4g} instead of {}): {}",
+                             many(replaced.size(), "sample"), many(runsIn(replaced), "spike"), time[first],
+                             before[first], instead, criterionText(fastest, channel.unit)));
         }
     }
     const std::size_t filled = repairs.fill_gaps ? fillHoles(time, values, repairs.max_jump) : 0;

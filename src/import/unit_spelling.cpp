@@ -112,6 +112,32 @@ std::size_t lastWord(std::string_view name) {
     return before == std::string_view::npos || before == 0 ? std::string_view::npos : before + 1;
 }
 
+// A quotient at the end of a name, in two words: "yaw_rate_deg_s", "speed km h".
+constexpr std::string_view kQuotients[] = {"m/s", "km/h", "m/s2", "rad/s", "deg/s"};
+
+struct UnitAtEnd {
+    std::string unit;   // empty: none
+    std::size_t begin;  // of its first word
+};
+
+UnitAtEnd unitAtEnd(std::string_view name) {
+    const std::size_t last = lastWord(name);
+    if (last == std::string_view::npos) return {{}, name.size()};
+    const std::size_t before = lastWord(name.substr(0, last - 1));
+    if (before != std::string_view::npos) {
+        const std::string two =
+            lowerWithoutBlanks(name.substr(before, last - 1 - before)) + "/" + lowerWithoutBlanks(name.substr(last));
+        for (const std::string_view quotient : kQuotients) {
+            if (quotient == two) return {two, before};
+        }
+    }
+    const std::string word = lowerWithoutBlanks(name.substr(last));
+    for (const Spelling& spelling : kSpellings) {
+        if (spelling.in_names && spelling.foreign == word) return {std::string(spelling.unit), last};
+    }
+    return {{}, name.size()};
+}
+
 }  // namespace
 
 std::string spelledUnit(std::string_view foreign) {
@@ -128,17 +154,12 @@ std::string spelledUnit(std::string_view foreign) {
 }
 
 std::string unitInName(std::string_view name) {
-    const std::size_t word = lastWord(name);
-    if (word == std::string_view::npos) return {};
-    const std::string last = lowerWithoutBlanks(name.substr(word));
-    for (const Spelling& spelling : kSpellings) {
-        if (spelling.in_names && spelling.foreign == last) return std::string(spelling.unit);
-    }
-    return {};
+    return unitAtEnd(name).unit;
 }
 
 std::string_view nameWithoutUnit(std::string_view name) {
-    return unitInName(name).empty() ? name : name.substr(0, lastWord(name) - 1);
+    const UnitAtEnd end = unitAtEnd(name);
+    return end.unit.empty() ? name : name.substr(0, end.begin - 1);
 }
 
 std::string siUnitOf(std::string_view unit) {

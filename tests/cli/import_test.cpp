@@ -32,7 +32,9 @@ TEST_F(Import, WritesALogAndSaysWhatItChanged) {
               "chassis.yaw_rate: deg/s to rad/s\n"
               "chassis.yaw_rate: sign turned\n"
               "chassis.ay: g to m/s2\n"
-              "not taken: Steering wheel angle\n");
+              "not taken: Steering wheel angle\n"
+              "lacking: no steering: tread run --log and diagnose cannot repeat the steering; map a column to "
+              "driver.steering_wheel_angle; the angle of the road wheels times the steering ratio (scale) will do\n");
     const Log imported = readLog(log);
     EXPECT_NEAR(imported.find("chassis.yaw_rate")->values[100], foreign::yawRate(1), 1e-8);
     EXPECT_EQ(runProgram({"check", log}).status, 0);
@@ -63,7 +65,9 @@ TEST_F(Import, GuessesAMappingWritesItAndTakesItBack) {
     const Result without = runProgram({"import", table, "-o", log});
     EXPECT_EQ(without.status, 0);
     EXPECT_NE(without.err.find(contentOf(guessed)), std::string::npos) << "the guess is shown";
-    EXPECT_NE(without.err.find("have opposite signs"), std::string::npos) << "and doubted, as its yaw rate is z down";
+    EXPECT_NE(without.err.find("guess: column Yaw rate has the opposite sign of "), std::string::npos)
+        << "it is z down";
+    EXPECT_NEAR(readLog(log).find("chassis.yaw_rate")->values[100], foreign::yawRate(1), 1e-8);
     const std::string first = contentOf(log);
     EXPECT_EQ(runProgram({"import", table, "--map", guessed, "-o", log}).status, 0);
     EXPECT_EQ(contentOf(log), first);
@@ -84,6 +88,101 @@ TEST_F(Import, FaultsOfTheMappingStandAtTheirPlaceInIt) {
                               ":5:11: map.1.from: found a speed (\"km/h\", the unit of column \"Speed\"), expected an "
                               "acceleration (m/s2); correct the unit or the channel\n");
     EXPECT_FALSE(std::filesystem::exists(log));
+}
+
+TEST_F(Import, EveryGuessStandsInTheMappingAsAComment) {
+    const std::string bare = scratch.file(
+        "bare.csv", foreign::table({{"t", "", [](double t) { return 1000 * t; }},
+                                    {"SteerAng", "", [](double t) { return 100 * foreign::steering(t); }},
+                                    {"velocity", "", [](double) { return 3.6 * 60; }},
+                                    {"yawrate", "", [](double t) { return 57.29578 * foreign::yawRate(t); }}},
+                                   foreign::times(), {.units_below = false}));
+    const std::string guessed = scratch.path("guessed.yaml");
+    EXPECT_EQ(runProgram({"import", bare, "--init", guessed}).status, 0);
+    const std::string mapping = contentOf(guessed);
+    EXPECT_NE(mapping.find("    from: SteerAng  # guess by the name\n    unit: deg  # guess: values peak at 50, "),
+              std::string::npos)
+        << mapping;
+    EXPECT_NE(mapping.find("    unit: km/h  # guess: values peak at 216, plausible in km/h\n"), std::string::npos);
+    EXPECT_NE(mapping.find("    unit: deg/s  # guess: "), std::string::npos);
+    EXPECT_NE(mapping.find("  unit: ms  # guess: its usual step is 10\n"), std::string::npos);
+    EXPECT_EQ(runProgram({"check", guessed}).status, 0);
+    EXPECT_EQ(runProgram({"import", bare, "--map", guessed, "-o", log}).status, 0);
+    EXPECT_NEAR(readLog(log).find("chassis.vx")->values[0], 60, 1e-9);
+}
+
+TEST_F(Import, NamesWhatALogNeedsAndDoesNotHave) {
+    const std::string poor = scratch.file("poor.csv", "t [s],temperature [degC]\n0,1\n0.1,2\n0.2,3\n");
+    const std::string mapping =
+        scratch.file("poor.yaml", "time: {from: t}\nmap: [{channel: own.temperature, from: temperature}]\n");
+    const Result result = runProgram({"import", poor, "--map", mapping, "-o", log});
+    EXPECT_EQ(result.status, 0);
+    for (const char* name :
+         {"lacking: no speed: ", "lacking: no steering: ", "lacking: no yaw rate or lateral acceleration: "}) {
+        EXPECT_NE(result.err.find(name), std::string::npos) << result.err;
+    }
+    EXPECT_EQ(result.err.find("lacking: no time"), std::string::npos);
+    const Json guessed = Json::parse(runProgram({"import", table, "--init", scratch.path("g.yaml"), "--json"}).out);
+    EXPECT_EQ(guessed["lacking"], Json::array());
+}
+
+TEST_F(Import, WithoutAnOutputTheLogIsWrittenBesideItsSource) {
+    const Result result = runProgram({"import", table, "--map", map});
+    EXPECT_EQ(result.status, 0) << result.err;
+    const std::string beside = scratch.path("drive.tread.csv");
+    EXPECT_NE(result.out.find("into " + beside + "\n"), std::string::npos) << result.out;
+    EXPECT_EQ(readLog(beside).samples(), 501u);
+    const Result again = runProgram({"import", table, "--map", map});
+    EXPECT_EQ(again.status, 2);
+    EXPECT_NE(again.err.find("'" + beside + "' is there already"), std::string::npos) << again.err;
+}
+
+TEST_F(Import, NeverWritesOverWhatItReads) {
+    const std::string source = contentOf(table), mapping = contentOf(map);
+    EXPECT_EQ(runProgram({"import", table, "--map", map, "-o", table}).status, 2);
+    EXPECT_EQ(runProgram({"import", table, "--map", map, "-o", map}).status, 2);
+    const Result init = runProgram({"import", table, "--init", scratch.path("./drive.csv")});
+    EXPECT_EQ(init.status, 2);
+    EXPECT_NE(init.err.find("--init names '" + scratch.path("./drive.csv") + "', which is read"), std::string::npos)
+        << init.err;
+    EXPECT_EQ(contentOf(table), source);
+    EXPECT_EQ(contentOf(map), mapping);
+}
+
+TEST_F(Import, AMistypedChannelOrKeyIsAFaultAtItsPlace) {
+    const auto faultOf = [&](const std::string& line) {
+        const std::string wrong = scratch.file("wrong.yaml", "time: {from: Time}\nmap:\n" + line);
+        const Result result = runProgram({"import", table, "--map", wrong, "-o", log});
+        EXPECT_EQ(result.status, 2) << line;
+        EXPECT_EQ(result.err.find(wrong + ":3:"), 0u) << result.err;
+        const Result checked = runProgram({"check", wrong});
+        EXPECT_EQ(checked.status, 2) << line;
+        EXPECT_NE((checked.out + checked.err).find(result.err), std::string::npos) << checked.out << checked.err;
+        return result.err.substr(std::min(result.err.size(), wrong.size()));
+    };
+    EXPECT_EQ(faultOf("  - {channel: chassis.yawrate, from: Yaw rate}\n"),
+              ":3:15: map.0.channel: found \"chassis.yawrate\", which is no channel of tread; did you mean "
+              "\"chassis.yaw_rate\"? A channel of your own needs another name, like own.yawrate\n");
+    const auto suggests = [&](const std::string& wrong, const std::string& meant) {
+        const std::string fault = faultOf("  - {channel: " + wrong + ", from: Yaw rate}\n");
+        EXPECT_NE(fault.find(":3:15: map.0.channel: found \"" + wrong), std::string::npos) << fault;
+        EXPECT_NE(fault.find("did you mean \"" + meant + "\"?"), std::string::npos) << fault;
+    };
+    suggests("chasis.yaw_rate@can", "chassis.yaw_rate@can");
+    suggests("wheel.front_lfet.spin", "wheel.front_left.spin");
+    suggests("driver.steering_weel_angle", "driver.steering_wheel_angle");
+    suggests("yaw_rate", "chassis.yaw_rate");
+    EXPECT_NE(faultOf("  - {channel: chassis.omega, from: Yaw rate}\n").find("expected of chassis one of x, y, z"),
+              std::string::npos);
+    EXPECT_NE(faultOf("  - {chanel: chassis.vx, from: Speed}\n").find("did you mean \"channel\"?"), std::string::npos);
+}
+
+TEST_F(Import, AChannelOfOnesOwnHasAnyOtherName) {
+    for (const char* own : {"own.yawrate", "can.brake_switch", "steering.road_wheel_angle", "path.distance", "own.x"}) {
+        const std::string mapping = scratch.file(
+            "own.yaml", std::string("time: {from: Time}\nmap:\n  - {channel: ") + own + ", from: Speed}\n");
+        EXPECT_EQ(runProgram({"import", table, "--map", mapping, "-o", log}).status, 0) << own;
+    }
 }
 
 TEST_F(Import, RecordingsBehindAJumpOfTimeBecomeLogsOfTheirOwn) {

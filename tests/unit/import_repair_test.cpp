@@ -137,6 +137,68 @@ TEST(Spikes, WhatACarDoesIsNone) {
     }
 }
 
+// The steering angle of a driver, with what no hand can do: 50 rad/s is the fastest.
+constexpr SpikeCriterion kHand{.limit = 12, .fastest = 50, .longest = 1};
+
+TEST(Spikes, OfAnyLengthThatACarCannotDoAreReplaced) {
+    const std::vector<double> time = foreign::times(), clean = sampled(foreign::steering);
+    for (const std::size_t length : {1u, 3u, 5u, 40u, 90u}) {
+        for (const double height : {3.0, -141.0, 1e6}) {
+            std::vector<double> values = clean;
+            for (std::size_t k = 0; k < length; ++k)
+                values[200 + k] += height * (1 + 0.1 * std::sin(7.0 * static_cast<double>(k)));
+            const auto replaced = replaceSpikes(time, values, kHand);
+            ASSERT_EQ(replaced.size(), length) << height;
+            EXPECT_EQ(replaced.front(), 200u);
+            const double bend =
+                0.5 * 4 * std::pow(0.005 * static_cast<double>(length + 1), 2);  // of a sine from its chord
+            for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(values[i], clean[i], bend) << i;
+        }
+    }
+}
+
+TEST(Spikes, LongOnesLeaveAHoleBecauseNothingWasMeasured) {
+    const std::vector<double> time = foreign::times();
+    std::vector<double> values = sampled(foreign::steering);
+    for (std::size_t k = 100; k < 250; ++k) values[k] = 141;
+    EXPECT_EQ(replaceSpikes(time, values, kHand).size(), 150u);
+    for (std::size_t k = 100; k < 250; ++k) EXPECT_TRUE(std::isnan(values[k])) << k;
+    EXPECT_NEAR(values[250], foreign::steering(2.5), 1e-12);
+}
+
+TEST(Spikes, APlateauThatACarCanReachStays) {
+    const std::vector<double> time = foreign::times();
+    std::mt19937 random(1);
+    std::normal_distribution<double> noise(0, 0.5);
+    const auto ramp = [](double t, double from, double to, double rate) {
+        return std::clamp(rate * (t - from), 0.0, 4.0) - std::clamp(rate * (t - to), 0.0, 4.0);
+    };
+    for (const auto& [name, value] : std::vector<std::pair<const char*, std::function<double(double)>>>{
+             {"fast hand", [&](double t) { return ramp(t, 1, 1.5, 20); }},
+             {"robot", [&](double t) { return ramp(t, 1, 1.2, 45); }},
+             {"held for 50 ms", [&](double t) { return ramp(std::floor(20 * t + 1e-6) / 20, 1, 1.2, 30); }},
+             {"jump that stays", [](double t) { return t < 2 ? 0.1 * std::sin(t) : 5 + 0.1 * std::sin(t); }},
+             {"jump that comes back slowly",
+              [](double t) { return t < 2 ? 0 : std::max(0.0, 5 - 10 * (t - 2)) + 1e-3 * std::sin(t); }},
+             {"another drive put in", [](double t) { return std::sin(t) + (t > 1 && t < 3 ? 5 : 0); }},
+             {"noise", [&](double) { return noise(random); }}}) {
+        std::vector<double> values;
+        for (const double t : time) values.push_back(value(t));
+        EXPECT_TRUE(replaceSpikes(time, values, kHand).empty()) << name;
+    }
+}
+
+// 10 Hz: a pulse of one sample is what a driver does, one of 3 m/s within 0.1 s is what a car does.
+TEST(Spikes, ThreeSamplesOfASlowLogAreNoSpike) {
+    const std::vector<double> time = foreign::times(101, 0.1);
+    std::vector<double> values;
+    for (const double t : time) values.push_back(0.1 * std::sin(t));
+    values[50] = 3;
+    EXPECT_TRUE(replaceSpikes(time, values, kHand).empty());
+    values[50] = 9;
+    EXPECT_EQ(replaceSpikes(time, values, kHand), std::vector<std::size_t>{50});
+}
+
 TEST(Holes, AreFilledUpToTheLongestAndNeverAtTheEnds) {
     const std::vector<double> time{0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
     std::vector<double> values{kNan, 1, kNan, 3, kNan, kNan, kNan, 7, 8, kNan};
@@ -145,6 +207,27 @@ TEST(Holes, AreFilledUpToTheLongestAndNeverAtTheEnds) {
     EXPECT_TRUE(std::isnan(values[4]) && std::isnan(values[0]) && std::isnan(values[9]));
     EXPECT_EQ(fillHoles(time, values, 4), 3u);
     EXPECT_EQ(values[5], 5);
+}
+
+TEST(ImportRepairs, SpikesAreCountedWithTheirCriterion) {
+    ForeignTable table{"x.csv", "text table", {}, {}, {}};
+    table.columns.push_back({"t", "s", foreign::times(), 0, 0, {}});
+    table.columns.push_back({"a", "rad", sampled(foreign::steering), 0, 0, {}});
+    for (std::size_t i = 100; i < 105; ++i) table.columns[1].values[i] = 141;
+    for (std::size_t i = 300; i < 307; ++i) table.columns[1].values[i] = -141;
+    ImportMap map;
+    map.time.from = "t";
+    map.map.resize(1);
+    map.map[0].channel = "driver.steering_wheel_angle";
+    map.map[0].from = "a";
+    const Imported result = importLog(table, map);
+    EXPECT_EQ(text(result.changes)
+                  .find("driver.steering_wheel_angle: 12 samples in 2 spikes replaced (the first at 1 s: "
+                        "141 instead of about 0.45"),
+              0u)
+        << text(result.changes);
+    EXPECT_NE(text(result.changes).find("faster than the 50 rad/s that a car can do"), std::string::npos);
+    EXPECT_NEAR(valuesOf(result.logs[0], "driver.steering_wheel_angle")[102], foreign::steering(1.02), 1e-2);
 }
 
 TEST(ImportRepairs, CanBeSwitchedOff) {

@@ -53,7 +53,7 @@ void addImport(CLI::App& app, ImportOptions& o) {
     app.add_option("file", o.file, "foreign log (.vbo, .mat, text table) or tyre property file (.tir)")->required();
     app.add_option("--map", o.map, "mapping from its columns to channels (YAML; default: guessed from the names)");
     app.add_option("--init", o.init, "write the guessed mapping to this file, to be edited, and no log");
-    app.add_option("-o,--output", o.output, "log or tyre file to write (default: <file>.csv or .yaml, in this folder)");
+    app.add_option("-o,--output", o.output, "log or tyre file to write (default: <file>.tread.csv or .tread.yaml beside the file)");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 

@@ -9,6 +9,7 @@
 #include "base/write_yaml.h"
 #include "base/yaml_position.h"
 #include "commands.h"
+#include "import/essentials.h"
 #include "log/csv.h"
 #include "output.h"
 #include "tread/load.h"
@@ -16,20 +17,39 @@
 namespace tread::program {
 namespace {
 
+// Whether both names stand for one file.
+bool same(const Path& a, const Path& b) {
+    std::error_code none;
+    return std::filesystem::equivalent(a, b, none) || a.lexically_normal() == b.lexically_normal();
+}
+
+void refuseToOverwrite(const std::string& output, const std::string& input, std::string_view option) {
+    if (input.empty() || !same(output, input)) return;
+    throw LoadError({{"", 0, 0, "",
+                      fmt::format("tread import: {} names '{}', which is read; it would be overwritten: name another "
+                                  "file",
+                                  option, output)}});
+}
+
+// The file to write: the named one, else one beside the source: drive.csv becomes drive.tread.csv.
 std::string outputOf(const ImportOptions& options, const char* extension) {
-    if (!options.output.empty()) return options.output;
-    const Path beside = Path(options.file).filename().replace_extension(extension);
+    if (!options.output.empty()) {
+        refuseToOverwrite(options.output, options.file, "-o");
+        refuseToOverwrite(options.output, options.map, "-o");
+        return options.output;
+    }
+    const Path beside = Path(options.file).replace_extension(extension);
     if (!std::filesystem::exists(beside)) return beside.string();
-    throw LoadError(
-        {{"", 0, 0, "",
-          fmt::format("tread import: '{}' is there already; name the file to write with -o", beside.string())}});
+    throw LoadError({{"", 0, 0, "",
+                      fmt::format("tread import: '{}' is there already; name the file to write with -o, or remove it",
+                                  beside.string())}});
 }
 
 int importTyre(const ImportOptions& options) {
     if (!options.map.empty() || !options.init.empty()) {
         throw LoadError({{options.file, 0, 0, "", "is a tyre property file, which needs no mapping; leave out --map"}});
     }
-    const std::string output = outputOf(options, ".yaml");
+    const std::string output = outputOf(options, ".tread.yaml");
     const TyreParams tyre = loadTyre(options.file);
     writeFile(output, writeYaml(tyre));
     const std::string answer =
@@ -99,15 +119,43 @@ std::string listedNames(const std::vector<std::string>& names) {
     return out;
 }
 
-int writeGuess(const ImportOptions& options, const ImportMap& map, const std::vector<std::string>& guesses) {
-    writeFile(options.init, mappingText(map));
-    for (const std::string& guess : guesses) std::fprintf(stderr, "guess: %s\n", guess.c_str());
+std::vector<std::string> textsOf(const std::vector<Guess>& guesses) {
+    std::vector<std::string> texts;
+    for (const Guess& guess : guesses) texts.push_back(guess.text);
+    return texts;
+}
+
+std::vector<std::string> channelsOf(const ImportMap& map) {
+    std::vector<std::string> channels;
+    if (!map.time.from.empty()) channels.emplace_back("time");
+    for (const ImportChannel& channel : map.map) channels.push_back(channel.channel);
+    for (const ImportConstant& constant : map.constants) channels.push_back(constant.channel);
+    return channels;
+}
+
+// Lines for the error stream, each with what it is in front.
+std::string lines(std::string_view what, const std::vector<std::string>& texts) {
+    std::string out;
+    for (const std::string& text : texts) out += fmt::format("{}: {}\n", what, text);
+    return out;
+}
+
+int writeGuess(const ImportOptions& options, const GuessedMap& guessed) {
+    refuseToOverwrite(options.init, options.file, "--init");
+    writeFile(options.init, mappingText(guessed));
+    const std::vector<std::string> guesses = textsOf(guessed.guesses);
+    const std::vector<std::string> lacking = lackingEssentials(channelsOf(guessed.map));
     const std::string answer =
-        fmt::format("Guessed {} channels of {}; correct {} and import with --map {}", map.map.size(),
+        fmt::format("Guessed {} channels of {}; correct {} and import with --map {}", guessed.map.map.size(),
                     Path(options.file).filename().string(), options.init, options.init);
     if (options.json) {
-        printJson({{"answer", answer}, {"file", options.file}, {"output", {options.init}}, {"guesses", guesses}});
+        printJson({{"answer", answer},
+                   {"file", options.file},
+                   {"output", {options.init}},
+                   {"guesses", guesses},
+                   {"lacking", lacking}});
     } else {
+        std::fputs((lines("guess", guesses) + lines("lacking", lacking)).c_str(), stderr);
         print(answer + "\n");
     }
     return kYes;
@@ -120,15 +168,16 @@ int import(const ImportOptions& options) {
     if (extension == ".tir" || extension == ".TIR") return importTyre(options);
 
     const ForeignTable table = readForeignTable(options.file);
-    std::vector<std::string> guesses;
     const bool guessed = options.map.empty();
-    const ImportMap map = guessed ? guessMap(table, guesses) : readYaml<ImportMap>(options.map);
-    if (!options.init.empty()) return writeGuess(options, map, guesses);
+    const GuessedMap mapping = guessed ? guessMap(table) : GuessedMap{readYaml<ImportMap>(options.map), {}};
+    const ImportMap& map = mapping.map;
+    if (!options.init.empty()) return writeGuess(options, mapping);
 
-    const std::string output = outputOf(options, ".csv");
+    const std::string output = outputOf(options, ".tread.csv");
     const Imported result = imported(table, map, options);
     const std::vector<std::string> files = writeLogs(result.logs, output);
     const std::string answer = answerOf(result, options.file, files);
+    const std::vector<std::string> guesses = textsOf(mapping.guesses), lacking = lackingEssentials(channelsOf(map));
     if (options.json) {
         printJson({{"answer", answer},
                    {"file", options.file},
@@ -139,13 +188,14 @@ int import(const ImportOptions& options) {
                    {"changes", tread::json(result.changes)},
                    {"not_taken", result.not_taken},
                    {"guesses", guesses},
-                   {"guessed_mapping", guessed ? nlohmann::json(mappingText(map)) : nlohmann::json(nullptr)}});
+                   {"lacking", lacking},
+                   {"guessed_mapping", guessed ? nlohmann::json(mappingText(mapping)) : nlohmann::json(nullptr)}});
         return kYes;
     }
     std::string words = text(result.changes);
     if (!result.not_taken.empty()) words += "not taken: " + listedNames(result.not_taken) + "\n";
-    for (const std::string& guess : guesses) words += "guess: " + guess + "\n";
-    if (guessed) words += "guessed mapping (--init FILE writes it):\n" + mappingText(map);
+    words += lines("guess", guesses) + lines("lacking", lacking);
+    if (guessed) words += "guessed mapping (--init FILE writes it):\n" + mappingText(mapping);
     std::fputs(words.c_str(), stderr);
     print(answer + "\n");
     return kYes;
