@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/read_yaml.h"
+#include "base/yaml_position.h"
 #include "commands.h"
 #include "judge.h"
 #include "log/csv.h"
@@ -38,6 +39,19 @@ std::optional<RunRecord> recordBeside(const std::string& log) {
     } catch (const LoadError&) {  // perhaps of another version: the replay shows a medium car on level ground
         return std::nullopt;
     }
+}
+
+// The defaults without a file. Throws LoadError, also for units that do not fit the channels of the reference.
+Tolerances readTolerances(const std::string& file, const Log& reference) {
+    if (file.empty()) return {};
+    Tolerances tolerances = readYaml<Tolerances>(file);
+    std::vector<Problem> problems;
+    for (const ToleranceFault& fault : unitFaults(tolerances, reference)) {
+        const TextPosition position = positionOfValue(file, fault.path);
+        problems.push_back({file, position.line, position.column, fault.path, fault.text});
+    }
+    throwIfAny(std::move(problems));
+    return tolerances;
 }
 
 void writeReport(const CompareOptions& options, const Log& reference, const Log& candidate,
@@ -78,10 +92,13 @@ int compare(const CompareOptions& options) {
               "tread compare: found --repeat alone, expected --report, --envelope or --score beside it: the "
               "plain comparison judges one log"}});
     }
-    const Tolerances tolerances = options.tolerances.empty() ? Tolerances{} : readYaml<Tolerances>(options.tolerances);
     const Log reference = readLog(options.reference);
     const Log candidate = readLog(options.candidate);
+    const Tolerances tolerances = readTolerances(options.tolerances, reference);
     const Comparison comparison = tread::compare(reference, candidate, tolerances);
+    if (!comparison.nothing.empty()) {
+        throw LoadError({{"tread compare", 0, 0, "", "nothing was compared: " + comparison.nothing}});
+    }
     const std::string words = text(comparison, std::max(kRows, comparison.differing()));
     if (!options.report.empty()) {
         writeReport(options, reference, candidate, comparison, words.substr(0, words.find('\n')));
