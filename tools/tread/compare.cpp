@@ -8,6 +8,7 @@
 #include "base/read_yaml.h"
 #include "base/yaml_position.h"
 #include "commands.h"
+#include "compare_folders.h"
 #include "judge.h"
 #include "log/csv.h"
 #include "output.h"
@@ -85,6 +86,12 @@ void writeReport(const CompareOptions& options, const Log& reference, const Log&
 }  // namespace
 
 int compare(const CompareOptions& options) {
+    if (std::filesystem::is_directory(options.reference) || std::filesystem::is_directory(options.candidate))
+        return compareFolders(options);
+    if (options.update || !options.junit.empty()) {
+        throw LoadError({{"tread compare", 0, 0, "",
+                          "found --update or --junit beside two logs, expected two folders of runs; name the folders"}});
+    }
     if (!options.envelope.empty() || !options.score.empty()) return judge(options);
     if (!options.repeats.empty() && options.report.empty()) {
         throw LoadError(
