@@ -163,9 +163,10 @@ std::string whyNothing(const Log& reference, const Log& candidate, const Toleran
             "columns of one log",
             reference.channels[1].name, candidate.channels[1].name);
     }
-    const auto ignored = std::count_if(reference.channels.begin() + 1, reference.channels.end(), [&](const auto& channel) {
-        return candidate.find(channel.name) && allowedDifference(tolerances, channel).ignore;
-    });
+    const auto ignored =
+        std::count_if(reference.channels.begin() + 1, reference.channels.end(), [&](const auto& channel) {
+            return candidate.find(channel.name) && allowedDifference(tolerances, channel).ignore;
+        });
     if (ignored < in_common) return {};  // others differ in their unit
     return fmt::format("found that the tolerances ignore all channels in common ({}), expected at least one to compare",
                        in_common);

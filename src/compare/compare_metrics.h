@@ -25,8 +25,8 @@ struct MetricComparison {
     bool same = false;
 };
 
-// Of all metrics of the reference that are not ignored; one that the candidate lacks, or has in another unit, differs. A
-// metric that neither could compute is the same.
+// Of all metrics of the reference that are not ignored; one that the candidate lacks, or has in another unit, differs.
+// A metric that neither could compute is the same.
 std::vector<MetricComparison> compareMetrics(const std::vector<MetricValue>& reference,
                                              const std::vector<MetricValue>& candidate, const Tolerances& tolerances);
 

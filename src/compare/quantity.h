@@ -1,4 +1,5 @@
-// A number whose unit may be written beside it: that in which the program holds what it is compared with is known later.
+// A number whose unit may be written beside it: that in which the program holds what it is compared with is known
+// later.
 #pragma once
 
 #include <optional>

@@ -67,7 +67,8 @@ struct MetricTolerance {
     bool ignore = false;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(metric), About{"", "name, or pattern with `*` for any characters; the last that fits counts"});
+        field(TREAD_FIELD(metric),
+              About{"", "name, or pattern with `*` for any characters; the last that fits counts"});
         field(TREAD_FIELD(absolute), About{"unit of the metric", "allowed difference", kNonNegative});
         field(TREAD_FIELD(relative),
               About{"-", "allowed difference as a fraction of the reference's magnitude", kNonNegative});

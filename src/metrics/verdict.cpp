@@ -79,7 +79,8 @@ bool allMet(const std::vector<Verdict>& verdicts) {
 }
 
 std::string text(const Verdict& verdict) {
-    const std::string value = std::isnan(verdict.value) ? "could not be computed" : fmt::format("{:.5g}", verdict.value);
+    const std::string value =
+        std::isnan(verdict.value) ? "could not be computed" : fmt::format("{:.5g}", verdict.value);
     const bool has_unit = !std::isnan(verdict.value) && !verdict.unit.empty() && verdict.unit != "-";
     return fmt::format("{}{}: {}{}, wanted {}: {}", verdict.run.empty() ? "" : "run " + verdict.run + ", ",
                        verdict.metric, value, has_unit ? " " + verdict.unit : "", verdict.condition,

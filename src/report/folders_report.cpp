@@ -29,15 +29,14 @@ void addMetrics(HtmlPage& page, const std::vector<ComparedRun>& runs) {
     std::vector<std::vector<Cell>> rows;
     for (const ComparedRun& run : runs) {
         for (const MetricComparison& metric : run.metrics) {
-            rows.push_back({{.text = run.name},
-                            {.text = metric.metric},
-                            {.text = valueOf(metric.reference), .number = true},
-                            {.text = valueOf(metric.candidate), .number = true},
-                            {.text = formatNumber(metric.allowed, 4), .number = true},
-                            {.text = prettyUnit(metric.unit)},
-                            {.text = metric.same ? "same" : "different",
-                             .alarm = !metric.same,
-                             .good_news = metric.same}});
+            rows.push_back(
+                {{.text = run.name},
+                 {.text = metric.metric},
+                 {.text = valueOf(metric.reference), .number = true},
+                 {.text = valueOf(metric.candidate), .number = true},
+                 {.text = formatNumber(metric.allowed, 4), .number = true},
+                 {.text = prettyUnit(metric.unit)},
+                 {.text = metric.same ? "same" : "different", .alarm = !metric.same, .good_news = metric.same}});
         }
     }
     if (rows.empty()) return;
@@ -88,9 +87,8 @@ std::vector<std::string> differences(const ComparedRun& run) {
 std::string foldersReport(const FoldersReport& content) {
     HtmlPage page("Comparison of " + content.candidate + " with " + content.reference);
     page.answer(content.answer, content.ok ? "within tolerance" : "different", content.ok);
-    page.keyValues({{"Reference", content.reference},
-                    {"New", content.candidate},
-                    {"Made by", "tread " + content.version}});
+    page.keyValues(
+        {{"Reference", content.reference}, {"New", content.candidate}, {"Made by", "tread " + content.version}});
     page.section("Runs");
     std::vector<std::vector<Cell>> rows;
     for (const ComparedRun& run : content.runs) rows.push_back(rowOf(run));

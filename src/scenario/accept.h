@@ -1,4 +1,5 @@
-// What the metrics of a run must be: names of metrics against conditions, as a map in a scenario or in a file of its own.
+// What the metrics of a run must be: names of metrics against conditions, as a map in a scenario or in a file of its
+// own.
 #pragma once
 
 #include <string>

@@ -53,7 +53,8 @@ TEST_F(CompareFolders, MetricsAndChannelsThatDifferAreSaidEverywhere) {
     EXPECT_EQ(result.status, 1);
     EXPECT_EQ(firstLine(result.out), "Different: 2 of 2 runs");
     EXPECT_NE(result.out.find("distance 10.2 m instead of 10 m, 0.05 m allowed"), std::string::npos) << result.out;
-    EXPECT_NE(result.out.find("first at t = 3 s, chassis.ay 0 instead of 4.99998 m/s2"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("first at t = 3 s, chassis.ay 0 instead of 4.99998 m/s2"), std::string::npos)
+        << result.out;
     EXPECT_NE(contentOf(page).find("class=\"alarm\">different"), std::string::npos);
     EXPECT_NE(contentOf(page).find("distance 10.2 m instead of 10 m"), std::string::npos);
     EXPECT_NE(contentOf(xml).find("tests=\"2\" failures=\"2\" errors=\"0\""), std::string::npos);
@@ -69,8 +70,8 @@ TEST_F(CompareFolders, MetricsAndChannelsThatDifferAreSaidEverywhere) {
 TEST_F(CompareFolders, MetricTolerancesTakeUnits) {
     put("new", "a", 10.2);
     const auto with = [&](const std::string& absolute) {
-        return compare({"--tolerances",
-                        scratch.file("t.yaml", "metrics:\n  - {metric: dist*, absolute: " + absolute + ", relative: 0}\n")});
+        return compare({"--tolerances", scratch.file("t.yaml", "metrics:\n  - {metric: dist*, absolute: " + absolute +
+                                                                   ", relative: 0}\n")});
     };
     EXPECT_EQ(with("21 cm").status, 0);
     EXPECT_EQ(with("19 cm").status, 1);
@@ -108,8 +109,8 @@ TEST_F(CompareFolders, NothingComparedIsBadInput) {
         EXPECT_EQ(result.out, "");
         return result.err;
     };
-    const std::string ignored = scratch.file(
-        "t.yaml", "channels: [{channel: '*', ignore: true}]\nmetrics: [{metric: '*', ignore: true}]\n");
+    const std::string ignored =
+        scratch.file("t.yaml", "channels: [{channel: '*', ignore: true}]\nmetrics: [{metric: '*', ignore: true}]\n");
     EXPECT_NE(refused({"--tolerances", ignored}).find("nothing was compared: of 2 runs"), std::string::npos);
     std::filesystem::remove_all(scratch.path("new"));
     EXPECT_NE(refused({}).find("which is no folder"), std::string::npos);

@@ -197,8 +197,9 @@ TEST_F(Compare, NothingComparedIsBadInputAndSaysWhy) {
 TEST_F(Compare, TolerancesTakeUnits) {
     const auto with = [&](const std::string& absolute) {
         const std::string file = scratch.file(
-            "units.yaml", "channels:\n  - {channel: chassis.ay, ignore: true}\n  - {channel: chassis.yaw_rate, absolute: " +
-                              absolute + ", relative: 0}\n");
+            "units.yaml",
+            "channels:\n  - {channel: chassis.ay, ignore: true}\n  - {channel: chassis.yaw_rate, absolute: " +
+                absolute + ", relative: 0}\n");
         return runProgram({"compare", reference, other, "--tolerances", file});
     };
     // The yaw rates differ by a tenth of 0.2 rad/s: 1.146 deg/s.
@@ -206,9 +207,10 @@ TEST_F(Compare, TolerancesTakeUnits) {
     EXPECT_EQ(with("1.1 deg/s").status, 1);
     const Result wrong = with("5 mm");
     EXPECT_EQ(wrong.status, 2);
-    EXPECT_EQ(wrong.err.find(scratch.path("units.yaml") + ":3:43: channels.1.absolute: found a length (\"mm\"), expected "
-                                                          "rad/s"),
-              0u)
+    EXPECT_EQ(
+        wrong.err.find(scratch.path("units.yaml") + ":3:43: channels.1.absolute: found a length (\"mm\"), expected "
+                                                    "rad/s"),
+        0u)
         << wrong.err;
 }
 

@@ -56,8 +56,9 @@ TEST(Tolerances, WhatIsReadIsWrittenBack) {
 }
 
 TEST(Tolerances, UnknownAndUnfittingUnitsAreRefused) {
-    for (const char* text : {"channels: [{channel: a, absolute: 1 furlong}]\n", "units: [{unit: rad, absolute: 1 kg}]\n",
-                             "units: [{unit: rad}]\n", "channels: [{channel: a, absolute: -1 m}]\n"})
+    for (const char* text :
+         {"channels: [{channel: a, absolute: 1 furlong}]\n", "units: [{unit: rad, absolute: 1 kg}]\n",
+          "units: [{unit: rad}]\n", "channels: [{channel: a, absolute: -1 m}]\n"})
         EXPECT_THROW(readYamlText<Tolerances>(text, "tolerances.yaml"), LoadError) << text;
 }
 

@@ -59,9 +59,9 @@ std::vector<MetricDefinition> acceptable(const Scenario& scenario) {
         const std::string& number = scenario.series.highest->number;
         std::string unit;
         Scenario copy = scenario;
-        tread::detail::visitField(
-            copy, number, About{},
-            [&](const auto&, const About& about, const std::string&) { unit = std::string(about.unit); });
+        tread::detail::visitField(copy, number, About{}, [&](const auto&, const About& about, const std::string&) {
+            unit = std::string(about.unit);
+        });
         return {{highestMetric(number), unit, "highest value that passes"}};
     }
     for (const Manoeuvre& manoeuvre : manoeuvres()) {

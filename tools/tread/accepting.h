@@ -18,16 +18,16 @@ std::vector<MetricDefinition> acceptable(const Scenario& scenario);
 // Name of the metric that holds the highest value that passes.
 std::string highestMetric(const std::string& number);
 
-// The conditions that the file `options.accept` has for a scenario; none without a file. Of several scenarios, each takes
-// the conditions whose metrics it has. Throws LoadError.
+// The conditions that the file `options.accept` has for a scenario; none without a file. Of several scenarios, each
+// takes the conditions whose metrics it has. Throws LoadError.
 Acceptance acceptanceOf(const RunOptions& options, const Scenario& scenario);
 
 struct NamedScenario {
     std::string name;
     const Scenario* scenario;  // nullptr: it could not be read
 };
-// Throws LoadError for conditions and scenarios of the file that fit none of these. A condition may be on a scenario that
-// could not be read.
+// Throws LoadError for conditions and scenarios of the file that fit none of these. A condition may be on a scenario
+// that could not be read.
 void expectAllUsed(const std::string& file, const std::vector<NamedScenario>& scenarios);
 
 // A file of conditions on the metrics of any manoeuvre. Throws LoadError.

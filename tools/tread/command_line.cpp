@@ -170,8 +170,11 @@ void addCommand(CLI::App& app, const std::string& name, const std::string& meani
 }  // namespace
 
 void addCommands(CLI::App& app, int& status) {
-    addCommand(app, "run", "drive a manoeuvre and write log, metrics and report; status 1 when a metric is not accepted", addRun, run, status);
-    addCommand(app, "compare", "compare two logs, or two folders of runs; status 1 when they differ", addCompare, compare, status);
+    addCommand(app, "run",
+               "drive a manoeuvre and write log, metrics and report; status 1 when a metric is not accepted", addRun,
+               run, status);
+    addCommand(app, "compare", "compare two logs, or two folders of runs; status 1 when they differ", addCompare,
+               compare, status);
     addCommand(app, "metrics", "the standards' metrics of a log", addMetrics, metrics, status);
     addCommand(app, "import", "make a log of a VBOX, MATLAB or text file, a tyre of a .tir file", addImport, import,
                status);

@@ -32,8 +32,8 @@ struct RunOptions {
 int run(const RunOptions& options);
 
 struct CompareOptions {
-    std::string reference;  // log, or folder of runs
-    std::string candidate;  // the same
+    std::string reference;             // log, or folder of runs
+    std::string candidate;             // the same
     std::string tolerances;            // file; empty: defaults
     std::string report;                // file; empty: none
     std::string envelope;              // iso19364 or file; empty: not judged so

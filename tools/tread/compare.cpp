@@ -89,8 +89,9 @@ int compare(const CompareOptions& options) {
     if (std::filesystem::is_directory(options.reference) || std::filesystem::is_directory(options.candidate))
         return compareFolders(options);
     if (options.update || !options.junit.empty()) {
-        throw LoadError({{"tread compare", 0, 0, "",
-                          "found --update or --junit beside two logs, expected two folders of runs; name the folders"}});
+        throw LoadError(
+            {{"tread compare", 0, 0, "",
+              "found --update or --junit beside two logs, expected two folders of runs; name the folders"}});
     }
     if (!options.envelope.empty() || !options.score.empty()) return judge(options);
     if (!options.repeats.empty() && options.report.empty()) {

@@ -76,9 +76,8 @@ public:
         std::vector<ComparedRun> runs;
         for (const auto& [name, folder] : reference) {
             const auto there = candidate.find(name);
-            runs.push_back(there == candidate.end()
-                               ? ComparedRun{name, "The run is only in the reference.", true}
-                               : compareRun(name, folder, there->second));
+            runs.push_back(there == candidate.end() ? ComparedRun{name, "The run is only in the reference.", true}
+                                                    : compareRun(name, folder, there->second));
         }
         for (const auto& [name, folder] : candidate) {
             if (!reference.contains(name)) runs.push_back({name, "The run is only in the new folder.", true});
@@ -236,12 +235,13 @@ int compareFolders(const CompareOptions& options) {
     const std::vector<ComparedRun> runs = FolderComparison(options).compare(reference, candidate);
     const auto compared = std::count_if(runs.begin(), runs.end(), [](const auto& run) { return run.compared(); });
     if (compared == 0 && !(options.update && !candidate.empty())) {
-        throw LoadError({{"tread compare", 0, 0, "",
-                          runs.empty() ? fmt::format("nothing was compared: found no run in {} and {}, expected folders "
-                                                     "that `tread run` has written",
-                                                     options.reference, options.candidate)
-                                       : fmt::format("nothing was compared: of {} runs ({}, ...) none could be. {}",
-                                                     runs.size(), runs.front().name, runs.front().problem)}});
+        throw LoadError(
+            {{"tread compare", 0, 0, "",
+              runs.empty() ? fmt::format("nothing was compared: found no run in {} and {}, expected folders "
+                                         "that `tread run` has written",
+                                         options.reference, options.candidate)
+                           : fmt::format("nothing was compared: of {} runs ({}, ...) none could be. {}", runs.size(),
+                                         runs.front().name, runs.front().problem)}});
     }
     const bool same = std::all_of(runs.begin(), runs.end(), [](const auto& run) { return run.same(); });
     const std::string answer = answerOf(runs);

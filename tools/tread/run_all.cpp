@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "accepting.h"
-#include "base/number_text.h"
 #include "answer.h"
+#include "base/number_text.h"
 #include "drive.h"
 #include "log/csv.h"
 #include "output.h"

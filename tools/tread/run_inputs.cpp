@@ -73,8 +73,7 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
     if (series.highest) expectMetric("series.highest.pass", series.highest->pass);
 
     for (const AcceptFault& fault : acceptFaults(scenario.accept, name, acceptable(scenario))) {
-        faults.push_back(
-            {joinPath("accept", fault.line.metric), fault.text, {fault.line.line, fault.line.column}});
+        faults.push_back({joinPath("accept", fault.line.metric), fault.text, {fault.line.line, fault.line.column}});
     }
 
     const std::vector<Column> all = recordedColumns({});

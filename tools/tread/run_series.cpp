@@ -119,8 +119,7 @@ Driven driveSeries(const RunRecord& record, const Path& folder, const Tell& tell
     Driven driven;
     driven.answer = answerOf(record, found);
     if (!std::isnan(found.highest)) {
-        driven.metrics.push_back(
-            {highestMetric(found.number), found.highest, found.unit, "highest value that passes"});
+        driven.metrics.push_back({highestMetric(found.number), found.highest, found.unit, "highest value that passes"});
     }
     driven.verdicts = verdictsOf(record.scenario, found, driven.metrics);
     driven.answer = withVerdict(driven.answer, driven.verdicts);
