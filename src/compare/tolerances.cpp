@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/number_text.h"
 #include "base/pattern.h"
 #include "base/units.h"
 
@@ -11,6 +12,18 @@ namespace {
 double inUnit(const Quantity& quantity, std::string_view unit) {
     std::string fault;
     return quantity.in(unit, fault).value_or(0);  // whoever reads the file has asked unitFaults()
+}
+
+// Metrics are in the units of the standards: 1e-4 rad is a least difference in deg, too.
+double leastOf(const Tolerances& tolerances, std::string_view unit) {
+    std::optional<double> converted;
+    for (const UnitTolerance& known : tolerances.units) {
+        const double absolute = inUnit(known.absolute, known.unit);
+        if (known.unit == unit) return absolute;
+        std::string fault;
+        if (!converted) converted = toSi(numberText(absolute) + " " + known.unit, unit, fault);
+    }
+    return converted.value_or(0);
 }
 
 // "channels.1.absolute": the unit of a tolerance, against that of what it fits.
@@ -38,10 +51,11 @@ AllowedDifference allowedDifference(const Tolerances& tolerances, const Channel&
 }
 
 AllowedDifference allowedDifference(const Tolerances& tolerances, std::string_view metric, std::string_view unit) {
-    AllowedDifference allowed{0, tolerances.relative, false};
+    const double least = leastOf(tolerances, unit);
+    AllowedDifference allowed{least, tolerances.relative, false};
     for (const MetricTolerance& own : tolerances.metrics) {
         if (!matches(own.metric, metric)) continue;
-        allowed = {own.absolute ? inUnit(*own.absolute, unit) : 0, own.relative.value_or(tolerances.relative),
+        allowed = {own.absolute ? inUnit(*own.absolute, unit) : least, own.relative.value_or(tolerances.relative),
                    own.ignore};
     }
     return allowed;

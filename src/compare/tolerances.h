@@ -62,7 +62,7 @@ static_assert(describesEveryMember<ChannelTolerance>());
 // Of a metric, when folders of runs are compared.
 struct MetricTolerance {
     std::string metric;                // "stopping_distance"; `*` stands for any characters
-    std::optional<Quantity> absolute;  // unless given: 0
+    std::optional<Quantity> absolute;  // unless given: that of the unit
     std::optional<double> relative;    // unless given: that of the whole file
     bool ignore = false;
 

@@ -52,7 +52,7 @@ TEST_F(CompareFolders, MetricsAndChannelsThatDifferAreSaidEverywhere) {
     const Result result = compare({"--report", page, "--junit", xml});
     EXPECT_EQ(result.status, 1);
     EXPECT_EQ(firstLine(result.out), "Different: 2 of 2 runs");
-    EXPECT_NE(result.out.find("distance 10.2 m instead of 10 m, 0.05 m allowed"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("distance 10.2 m instead of 10 m, 0.051 m allowed"), std::string::npos) << result.out;
     EXPECT_NE(result.out.find("first at t = 3 s, chassis.ay 0 instead of 4.99998 m/s2"), std::string::npos)
         << result.out;
     EXPECT_NE(contentOf(page).find("class=\"alarm\">different"), std::string::npos);

@@ -42,6 +42,8 @@ TEST(Tolerances, MayHaveUnits) {
     EXPECT_DOUBLE_EQ(allowedDifference(read, "peak_speed", "m/s").absolute, 0.5 / 3.6);
     EXPECT_DOUBLE_EQ(allowedDifference(read, "peak_speed", "m/s").relative, 0.01);
     EXPECT_DOUBLE_EQ(allowedDifference(read, "duration", "s").relative, 0.005);
+    EXPECT_NEAR(allowedDifference(read, "largest_roll", "deg").absolute, 1, 1e-12) << "the least difference in rad";
+    EXPECT_DOUBLE_EQ(allowedDifference(Tolerances{}, "deviation", "m").absolute, 1e-3);
     EXPECT_TRUE(unitFaults(read, {{{"time", "s", {}}, {"chassis.z", "m", {}}}}).empty());
     const auto faults = unitFaults(read, {{{"time", "s", {}}, {"chassis.z", "rad", {}}}});
     ASSERT_EQ(faults.size(), 1u);
