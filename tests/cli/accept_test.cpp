@@ -144,6 +144,34 @@ TEST_F(Accept, MetricsOfALogAreJudgedToo) {
     EXPECT_NE(result.out.find("wanted < 5 m: missed"), std::string::npos) << result.out;
 }
 
+// In a search for the highest value that passes, runs must fail; the condition is on what the search finds.
+TEST_F(Accept, ASearchIsJudgedByWhatItFinds) {
+    const std::string search = kSource + "/scenarios/obstacle_avoidance.yaml";
+    const auto judged = [&](const std::string& condition) {
+        return runProgram({"run", kSource + "/vehicles/compact.yaml", search, "-o", out(), "--accept",
+                           scratch.file("accept.yaml", "accept: {" + condition + "}\n")});
+    };
+    EXPECT_EQ(judged("highest_start.speed: '>= 50 km/h'").status, 0);
+    EXPECT_EQ(judged("highest_start.speed: '>= 70 km/h'").status, 1);
+    const Result other = judged("cones_hit: '= 0'");
+    EXPECT_EQ(other.status, 2);
+    EXPECT_NE(other.err.find("which is no metric of a search, which has \"highest_start.speed\" alone"),
+              std::string::npos)
+        << other.err;
+}
+
+// In a series, every run is judged.
+TEST_F(Accept, EveryRunOfASeriesIsJudged) {
+    scenario(kStop + "series: {vary: {number: start.speed, values: [40 km/h, 60 km/h]}}\n" +
+             "accept: {initial_speed: \"< 50 km/h\"}\n");
+    const Result result = run();
+    EXPECT_EQ(result.status, 1) << result.err;
+    EXPECT_NE(result.out.find("Verdict: run 01, initial_speed: "), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("not accepted: 1 of 2 conditions missed"), std::string::npos) << result.out;
+    EXPECT_NE(contentOf(out("02/report.html")).find("verdict bad"), std::string::npos);
+    EXPECT_NE(contentOf(out("01/report.html")).find("verdict good"), std::string::npos);
+}
+
 // The limits of the standards that the shipped scenarios carry.
 TEST_F(Accept, ShippedLimits) {
     const std::string compact = kSource + "/vehicles/compact.yaml";

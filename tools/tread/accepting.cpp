@@ -54,6 +54,11 @@ std::string highestMetric(const std::string& number) {
     return "highest_" + number;
 }
 
+std::string ownerOf(const Scenario& scenario) {
+    if (!scenario.series.highest) return scenario.manoeuvre;
+    return "a search, which has " + quote(highestMetric(scenario.series.highest->number)) + " alone";
+}
+
 std::vector<MetricDefinition> acceptable(const Scenario& scenario) {
     if (scenario.series.highest) {
         const std::string& number = scenario.series.highest->number;
@@ -80,7 +85,7 @@ Acceptance acceptanceOf(const RunOptions& options, const Scenario& scenario) {
         if (own.scenario == Path(options.scenario).stem()) asked = merged(std::move(asked), own.accept);
     }
     std::vector<Problem> problems;
-    for (const AcceptFault& fault : acceptFaults(asked, scenario.manoeuvre, known))
+    for (const AcceptFault& fault : acceptFaults(asked, ownerOf(scenario), known))
         problems.push_back(problemAt(options.accept, fault));
     throwIfAny(std::move(problems));
     return asked;

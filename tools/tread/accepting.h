@@ -15,6 +15,9 @@ namespace tread::program {
 // The metrics on which a scenario can have conditions: of its manoeuvre; of a search for the highest value, that value.
 std::vector<MetricDefinition> acceptable(const Scenario& scenario);
 
+// What has these metrics, for messages: the manoeuvre, or the search.
+std::string ownerOf(const Scenario& scenario);
+
 // Name of the metric that holds the highest value that passes.
 std::string highestMetric(const std::string& number);
 

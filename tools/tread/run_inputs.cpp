@@ -72,7 +72,7 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
     if (series.vary) expectMetric("series.vary.pass", series.vary->pass);
     if (series.highest) expectMetric("series.highest.pass", series.highest->pass);
 
-    for (const AcceptFault& fault : acceptFaults(scenario.accept, name, acceptable(scenario))) {
+    for (const AcceptFault& fault : acceptFaults(scenario.accept, ownerOf(scenario), acceptable(scenario))) {
         faults.push_back({joinPath("accept", fault.line.metric), fault.text, {fault.line.line, fault.line.column}});
     }
 
