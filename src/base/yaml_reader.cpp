@@ -190,6 +190,20 @@ std::optional<std::vector<YamlPlace>> YamlReader::elements(const YamlPlace& plac
     return places;
 }
 
+std::optional<std::vector<YamlReader::Entry>> YamlReader::entries(const YamlPlace& place) const {
+    if (!place.node) return {};
+    if (place.node->kind != YamlNode::Kind::map) {
+        expected(place, "a map", "write {name: value} or one \"name: value\" line for each entry");
+        return {};
+    }
+    std::vector<Entry> entries;
+    for (std::size_t i = 0; i < place.node->children.size(); i += 2) {
+        const YamlNode& key = document_.nodes[place.node->children[i]];
+        entries.push_back({{&key, key.line, key.column, place.path}, child(place, i + 1, key.text)});
+    }
+    return entries;
+}
+
 std::optional<YamlReader::Alternative> YamlReader::alternative(const YamlPlace& place,
                                                                std::span<const std::string_view> names) const {
     if (!place.node) return {};

@@ -48,6 +48,13 @@ public:
     // The elements of a list; nothing when the list is absent or something else.
     std::optional<std::vector<YamlPlace>> elements(const YamlPlace& place) const;
 
+    // The keys of a map that are names of the user's own; nothing when the map is absent or something else.
+    struct Entry {
+        YamlPlace key;
+        YamlPlace value;
+    };
+    std::optional<std::vector<Entry>> entries(const YamlPlace& place) const;
+
     // `name: value` or the bare `name`, whose value then is absent; nothing when it is absent or wrong.
     struct Alternative {
         std::size_t index;

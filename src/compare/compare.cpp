@@ -150,6 +150,28 @@ void listChannelsOfOneLogOnly(Comparison& result, const Log& reference, const Lo
     }
 }
 
+std::string whyNothing(const Log& reference, const Log& candidate, const Tolerances& tolerances) {
+    if (reference.channels.size() < 2 || candidate.channels.size() < 2) {
+        return fmt::format("found no channel but time in the {}, expected at least one to compare",
+                           reference.channels.size() < 2 ? "reference" : "candidate");
+    }
+    const auto in_common = std::count_if(reference.channels.begin() + 1, reference.channels.end(),
+                                         [&](const Channel& channel) { return candidate.find(channel.name); });
+    if (in_common == 0) {
+        return fmt::format(
+            "found no channel in common (the reference has {}, the candidate {}), expected at least one; rename the "
+            "columns of one log",
+            reference.channels[1].name, candidate.channels[1].name);
+    }
+    const auto ignored =
+        std::count_if(reference.channels.begin() + 1, reference.channels.end(), [&](const auto& channel) {
+            return candidate.find(channel.name) && allowedDifference(tolerances, channel).ignore;
+        });
+    if (ignored < in_common) return {};  // others differ in their unit
+    return fmt::format("found that the tolerances ignore all channels in common ({}), expected at least one to compare",
+                       in_common);
+}
+
 }  // namespace
 
 double ChannelComparison::severity() const {
@@ -191,8 +213,9 @@ Comparison compare(const Log& reference, const Log& candidate, const Tolerances&
             }
             result.channels.push_back(compareChannel(here, *there, candidate.channels.front().values, common, allowed));
         }
+        if (result.channels.empty()) result.nothing = whyNothing(reference, candidate, tolerances);
     }
-    result.same = result.faults.empty() && result.missing.empty() && result.differing() == 0;
+    result.same = result.nothing.empty() && result.faults.empty() && result.missing.empty() && result.differing() == 0;
     return result;
 }
 

@@ -49,6 +49,7 @@ struct Comparison {
     std::vector<std::string> extra;           // channels that only the candidate has: no difference
     std::vector<std::string> faults;          // why the logs differ beyond their values, one sentence each
     std::vector<std::string> notes;           // what the reader should know, one sentence each
+    std::string nothing;                      // why no channel was compared, in a clause; empty: some were
 
     std::size_t differing() const;
 };

@@ -53,10 +53,10 @@ std::string shareOfPeak(const ChannelComparison& channel) {
 }
 
 std::string answer(const Comparison& comparison) {
+    if (!comparison.nothing.empty()) return "Nothing compared: " + comparison.nothing;
     const std::string channels = count(comparison.channels.size(), "channel");
     if (comparison.same) {
         const auto worst = worstFirst(comparison);
-        if (worst.empty()) return "Same: both logs hold nothing but time";
         if (worst.front()->largest == 0) return fmt::format("Same, to the last digit: {}", channels);
         return fmt::format("Same within tolerance: {}, largest difference {}", channels, shareOfPeak(*worst.front()));
     }

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compare/quantity.h"
 #include "log/log.h"
 #include "tread/describe.h"
 
@@ -20,11 +21,16 @@ namespace tread {
 // 1e-9 rad/s, and another 1e-9 is no news).
 struct UnitTolerance {
     std::string unit;
-    double absolute = kRequired;
+    Quantity absolute = kRequired;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(unit), About{"", "unit of a channel, as in its header"});
         field(TREAD_FIELD(absolute), About{"unit of the channel", "difference that never counts", kNonNegative});
+    }
+
+    static void check(const auto& self, auto&& complain) {
+        std::string fault;
+        if (!self.absolute.in(self.unit, fault)) complain("absolute", fault);
     }
 };
 static_assert(describesEveryMember<UnitTolerance>());
@@ -37,9 +43,9 @@ inline std::vector<UnitTolerance> defaultUnitTolerances() {
 }
 
 struct ChannelTolerance {
-    std::string channel;             // "chassis.ay"; `*` stands for any characters: "wheel.*.load"
-    std::optional<double> absolute;  // unless given: that of the unit
-    std::optional<double> relative;  // unless given: that of the whole file
+    std::string channel;               // "chassis.ay"; `*` stands for any characters: "wheel.*.load"
+    std::optional<Quantity> absolute;  // unless given: that of the unit
+    std::optional<double> relative;    // unless given: that of the whole file
     bool ignore = false;
 
     static constexpr void describe(auto& self, auto&& field) {
@@ -53,10 +59,29 @@ struct ChannelTolerance {
 };
 static_assert(describesEveryMember<ChannelTolerance>());
 
+// Of a metric, when folders of runs are compared.
+struct MetricTolerance {
+    std::string metric;                // "stopping_distance"; `*` stands for any characters
+    std::optional<Quantity> absolute;  // unless given: that of the unit
+    std::optional<double> relative;    // unless given: that of the whole file
+    bool ignore = false;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(metric),
+              About{"", "name, or pattern with `*` for any characters; the last that fits counts"});
+        field(TREAD_FIELD(absolute), About{"unit of the metric", "allowed difference", kNonNegative});
+        field(TREAD_FIELD(relative),
+              About{"-", "allowed difference as a fraction of the reference's magnitude", kNonNegative});
+        field(TREAD_FIELD(ignore), About{"", "true: the metric is not compared"});
+    }
+};
+static_assert(describesEveryMember<MetricTolerance>());
+
 struct Tolerances {
     double relative = 0.005;
     std::vector<UnitTolerance> units = defaultUnitTolerances();
     std::vector<ChannelTolerance> channels;
+    std::vector<MetricTolerance> metrics = {};
     double time_span = 0.1;
     double time_shift_max = 0;
     std::string time_shift_channel = "chassis.yaw_rate";
@@ -66,6 +91,8 @@ struct Tolerances {
               About{"-", "allowed difference as a fraction of the reference's peak", kNonNegative});
         field(TREAD_FIELD(units), About{"", "differences that never count, by unit"});
         field(TREAD_FIELD(channels), About{"", "channels with tolerances of their own"});
+        field(TREAD_FIELD(metrics),
+              About{"", "metrics with tolerances of their own, when folders of runs are compared"});
         field(TREAD_FIELD(time_span),
               About{"s", "by how much one log may begin or end before the other", kNonNegative});
         field(TREAD_FIELD(time_shift_max),
@@ -81,5 +108,16 @@ struct AllowedDifference {
     bool ignore;
 };
 AllowedDifference allowedDifference(const Tolerances& tolerances, const Channel& channel);
+// Of a metric in a unit.
+AllowedDifference allowedDifference(const Tolerances& tolerances, std::string_view metric, std::string_view unit);
+
+// Tolerances with a unit that measures something else than the channel or metric that they fit.
+struct ToleranceFault {
+    std::string path;  // "channels.1.absolute"
+    std::string text;
+};
+std::vector<ToleranceFault> unitFaults(const Tolerances& tolerances, const Log& reference);
+// The last tolerance of a metric, if it has the wrong unit.
+std::optional<ToleranceFault> unitFault(const Tolerances& tolerances, std::string_view metric, std::string_view unit);
 
 }  // namespace tread

@@ -142,7 +142,11 @@ void HtmlPage::table(const std::vector<std::string>& header, const std::vector<s
                 cell.fill == Fill::none ? "" : fmt::format("<i class=\"swatch {}\"></i>", classOf(cell.fill));
             const std::string text = swatch + escapeMarkup(cell.text);
             place() += fmt::format(
-                "<td class=\"{}{}\"{}>{}</td>", cell.number ? "number " : "", cell.alarm ? "alarm" : "", shading(cell),
+                "<td class=\"{}{}\"{}>{}</td>", cell.number ? "number " : "",
+                cell.alarm       ? "alarm"
+                : cell.good_news ? "good-news"
+                                 : "",
+                shading(cell),
                 cell.link.empty() ? text : fmt::format("<a href=\"{}\">{}</a>", escapeMarkup(cell.link), text));
         }
         place() += "</tr>\n";

@@ -67,6 +67,7 @@ struct Cell {
     double heat = 0;         // 0 to 1: strength of the cell's colour, in a heat map
     double bar = 0;          // 0 to 1: length of a bar behind the text
     Fill fill = Fill::none;  // of a small square before the text
+    bool good_news = false;  // drawn as good news
 };
 
 class HtmlPage {

@@ -9,6 +9,7 @@
 #include "report/manoeuvre_figures.h"
 #include "report/replay.h"
 #include "report/text.h"
+#include "report/verdict_table.h"
 
 namespace tread {
 namespace {
@@ -164,7 +165,7 @@ CarShape shapeOf(const RunReport& content) {
 
 std::string runReport(const RunReport& content) {
     HtmlPage page(content.title);
-    page.answer(content.answer);
+    answerWithVerdict(page, content.answer, content.verdicts);
     page.warnings(content.warnings);
     addCards(page, content.metrics);
     page.keyValues({{"Vehicle", content.vehicle},
@@ -172,6 +173,7 @@ std::string runReport(const RunReport& content) {
                     {"What it is", content.scenario_description},
                     {"Made by", "tread " + content.version}});
 
+    addVerdicts(page, content.verdicts);
     if (content.log.samples() > 0) {
         addFigures(page, content);
         addReplay(page, content);

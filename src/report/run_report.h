@@ -6,6 +6,7 @@
 
 #include "log/log.h"
 #include "metrics/metric.h"
+#include "metrics/verdict.h"
 #include "report/car_shape.h"
 #include "report/svg.h"
 #include "run/run_record.h"
@@ -21,6 +22,7 @@ struct RunReport {
     std::string version;
     const Log& log;                    // channels that are missing are left out of the report
     std::vector<Metric> metrics = {};  // most important first: the first six become cards
+    std::vector<Verdict> verdicts = {};
     std::string resolved_yaml = {};
     std::vector<std::string> warnings = {};
     const RunRecord* record =

@@ -6,6 +6,7 @@
 
 #include "report/html.h"
 #include "report/text.h"
+#include "report/verdict_table.h"
 
 namespace tread {
 namespace {
@@ -32,11 +33,12 @@ std::string keyMetrics(const std::vector<Metric>& metrics) {
 
 std::string seriesReport(const SeriesReport& content) {
     HtmlPage page(content.title);
-    page.answer(content.answer);
+    answerWithVerdict(page, content.answer, content.verdicts);
     page.keyValues({{"Vehicle", content.vehicle},
                     {"What it is", content.scenario_description},
                     {"Varied", content.number},
                     {"Made by", "tread " + content.version}});
+    addVerdicts(page, content.verdicts);
     page.section("Runs");
     const auto full =
         std::find_if(content.runs.begin(), content.runs.end(), [](const auto& r) { return !r.metrics.empty(); });
@@ -71,7 +73,10 @@ std::string seriesReport(const SeriesReport& content) {
 
 std::string overviewReport(const Overview& content) {
     HtmlPage page(content.title);
-    page.answer(content.answer);
+    std::vector<Verdict> verdicts;
+    for (const Overview::Entry& entry : content.entries)
+        verdicts.insert(verdicts.end(), entry.verdicts.begin(), entry.verdicts.end());
+    answerWithVerdict(page, content.answer, verdicts);
     page.keyValues({{"Vehicle", content.vehicle}, {"Made by", "tread " + content.version}});
     page.section("Manoeuvres");
     std::vector<std::vector<Cell>> rows;
@@ -82,8 +87,11 @@ std::string overviewReport(const Overview& content) {
                         {.text = entry.answer.starts_with(begins) ? entry.answer.substr(begins.size()) : entry.answer,
                          .alarm = !entry.driven},
                         {.text = keyMetrics(entry.metrics)}});
+        if (!verdicts.empty()) rows.back().insert(rows.back().begin() + 1, verdictCell(entry.verdicts));
     }
-    page.table({"Manoeuvre", "Answer", "Key metrics"}, rows, true);
+    std::vector<std::string> header{"Manoeuvre", "Answer", "Key metrics"};
+    if (!verdicts.empty()) header.insert(header.begin() + 1, "Verdict");
+    page.table(header, rows, true);
     std::vector<std::vector<Cell>> warnings;
     for (const Overview::Entry& entry : content.entries) {
         for (const std::string& warning : entry.warnings)

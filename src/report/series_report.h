@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "metrics/metric.h"
+#include "metrics/verdict.h"
 
 namespace tread {
 
@@ -25,6 +26,7 @@ struct SeriesReport {
     std::string unit;    // SI
     std::vector<Run> runs;
     std::string resolved_yaml;
+    std::vector<Verdict> verdicts = {};
 };
 std::string seriesReport(const SeriesReport& content);
 
@@ -37,6 +39,7 @@ struct Overview {
         std::vector<std::string> warnings;
         std::string link;
         bool driven;
+        std::vector<Verdict> verdicts = {};
     };
     std::string title;
     std::string answer;

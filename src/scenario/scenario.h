@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scenario/accept.h"
 #include "scenario/course.h"
 #include "scenario/sensor.h"
 #include "scenario/series.h"
@@ -98,6 +99,7 @@ struct Scenario {
     std::vector<Phase> phases;
     LogParams log;
     SeriesParams series;
+    Acceptance accept = {};
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(title), About{"", "what the manoeuvre is, in a few words"});
@@ -123,6 +125,10 @@ struct Scenario {
         field(TREAD_FIELD(phases), About{"", "what the driver does, one phase after the other"});
         field(TREAD_FIELD(log), About{"", "what is logged"});
         field(TREAD_FIELD(series), About{"", "further runs, when one cannot answer the question"});
+        field(TREAD_FIELD(accept),
+              About{"",
+                    "what the metrics must be, each `name: condition`: \"< 40 m\", \"= 0\", \"30 .. 40 m\", "
+                    "\"38.2 m +- 2 %\"; a number without unit is in that of the metric"});
     }
 
     static void check(const auto& self, auto&& complain) {

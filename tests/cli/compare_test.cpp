@@ -174,5 +174,45 @@ TEST_F(Compare, FurtherLogsAreDrawnInTheReportAndOnlyThere) {
     EXPECT_NE(contentOf(page).find(R"("name":"third.csv")"), std::string::npos);
 }
 
+// A comparison that compares nothing is no success.
+TEST_F(Compare, NothingComparedIsBadInputAndSaysWhy) {
+    const auto refused = [&](const std::vector<std::string>& words) {
+        const Result result = runProgram(words);
+        EXPECT_EQ(result.status, 2);
+        EXPECT_EQ(result.out, "");
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1);
+        return result.err;
+    };
+    const std::string all = scratch.file("all.yaml", "channels: [{channel: '*', ignore: true}]\n");
+    EXPECT_EQ(refused({"compare", reference, reference, "--tolerances", all}),
+              "tread compare: nothing was compared: found that the tolerances ignore all channels in common (4), "
+              "expected at least one to compare\n");
+    const std::string foreign = scratch.file("foreign.csv", "time [s],a [m]\n0,1\n1,2\n2,3\n");
+    EXPECT_NE(refused({"compare", reference, foreign}).find("found no channel in common"), std::string::npos);
+    EXPECT_NE(refused({"compare", foreign, reference, "--json"}).find("found no channel in common"), std::string::npos);
+    const std::string time = scratch.file("time.csv", "time [s]\n0\n1\n2\n");
+    EXPECT_NE(refused({"compare", time, time}).find("no channel but time"), std::string::npos);
+}
+
+TEST_F(Compare, TolerancesTakeUnits) {
+    const auto with = [&](const std::string& absolute) {
+        const std::string file = scratch.file(
+            "units.yaml",
+            "channels:\n  - {channel: chassis.ay, ignore: true}\n  - {channel: chassis.yaw_rate, absolute: " +
+                absolute + ", relative: 0}\n");
+        return runProgram({"compare", reference, other, "--tolerances", file});
+    };
+    // The yaw rates differ by a tenth of 0.2 rad/s: 1.146 deg/s.
+    EXPECT_EQ(with("1.2 deg/s").status, 0);
+    EXPECT_EQ(with("1.1 deg/s").status, 1);
+    const Result wrong = with("5 mm");
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_EQ(
+        wrong.err.find(scratch.path("units.yaml") + ":3:43: channels.1.absolute: found a length (\"mm\"), expected "
+                                                    "rad/s"),
+        0u)
+        << wrong.err;
+}
+
 }  // namespace
 }  // namespace tread

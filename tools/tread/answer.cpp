@@ -43,4 +43,8 @@ std::string runAnswer(const RunRecord& record, const Log& log, const std::vector
     return fmt::format("{}, {}: {}", title, car, words);
 }
 
+std::string withVerdict(const std::string& answer, const std::vector<Verdict>& verdicts) {
+    return verdicts.empty() ? answer : answer + "; " + tread::answer(verdicts);
+}
+
 }  // namespace tread::program

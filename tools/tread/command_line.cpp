@@ -25,20 +25,25 @@ void addRun(CLI::App& app, RunOptions& o) {
     app.add_option("--log", o.log, "log of the drive that the scenario repeats (CSV)");
     app.add_option("-o,--output", o.output, "folder for log, metrics and report (default: out/<scenario>, or out)");
     addSettings(app, o.settings, "path=value, for example front.suspension.spring=\"25 kN/m\" or scenario.step=0.002");
+    app.add_option("--accept", o.accept, "conditions on metrics (YAML), beside those of the scenario");
+    app.add_option("--junit", o.junit, "write the verdicts as JUnit XML to this file");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
 void addCompare(CLI::App& app, CompareOptions& o) {
-    app.add_option("reference", o.reference, "log to compare with (CSV)")->required();
-    app.add_option("new", o.candidate, "log to judge (CSV)")->required();
-    app.add_option("--tolerances", o.tolerances, "tolerances per channel (YAML)");
-    app.add_option("--report", o.report, "write an overlay report (HTML) with a replay of all cars");
+    app.add_option("reference", o.reference, "log to compare with (CSV), or folder of runs")->required();
+    app.add_option("new", o.candidate, "log to judge (CSV), or folder of runs")->required();
+    app.add_option("--tolerances", o.tolerances, "tolerances per channel and metric (YAML)");
+    app.add_option("--report", o.report,
+                   "write an overlay report (HTML) with a replay of all cars; of folders a summary");
     app.add_option(
         "--envelope", o.envelope,
         "iso19364: do measurements (reference) lie within the boundaries around a simulation (new)? Or a file");
     app.add_option("--score", o.score, "iso18571: how alike are the curves? Or a file");
     app.add_option("--repeat", o.repeats,
                    "further log: another measurement for --envelope and --score, drawn but not judged in --report");
+    app.add_option("--junit", o.junit, "of folders: write the verdicts as JUnit XML to this file");
+    app.add_flag("--update", o.update, "of folders: after the comparison, copy the new runs over the reference");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
@@ -46,6 +51,7 @@ void addMetrics(CLI::App& app, MetricsOptions& o) {
     app.add_option("log", o.log, "log (CSV)")->required();
     app.add_option("--manoeuvre", o.manoeuvre, "name of the manoeuvre (default: found from the log)");
     app.add_option("--scenario", o.scenario, "scenario file that was driven: lanes of its course");
+    app.add_option("--accept", o.accept, "conditions on the metrics (YAML); status 1 when one is missed");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
@@ -164,8 +170,11 @@ void addCommand(CLI::App& app, const std::string& name, const std::string& meani
 }  // namespace
 
 void addCommands(CLI::App& app, int& status) {
-    addCommand(app, "run", "drive a manoeuvre and write log, metrics and report", addRun, run, status);
-    addCommand(app, "compare", "compare two logs; status 1 when they differ", addCompare, compare, status);
+    addCommand(app, "run",
+               "drive a manoeuvre and write log, metrics and report; status 1 when a metric is not accepted", addRun,
+               run, status);
+    addCommand(app, "compare", "compare two logs, or two folders of runs; status 1 when they differ", addCompare,
+               compare, status);
     addCommand(app, "metrics", "the standards' metrics of a log", addMetrics, metrics, status);
     addCommand(app, "import", "make a log of a VBOX, MATLAB or text file, a tyre of a .tir file", addImport, import,
                status);

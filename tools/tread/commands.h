@@ -25,18 +25,22 @@ struct RunOptions {
     std::string log;  // of the drive that the scenario repeats; empty: the scenario names it
     std::string output;
     std::vector<std::string> settings;  // path=value
+    std::string accept;                 // file of conditions; empty: those of the scenario alone
+    std::string junit;                  // file; empty: none
     bool json = false;
 };
 int run(const RunOptions& options);
 
 struct CompareOptions {
-    std::string reference;
-    std::string candidate;
+    std::string reference;             // log, or folder of runs
+    std::string candidate;             // the same
     std::string tolerances;            // file; empty: defaults
     std::string report;                // file; empty: none
     std::string envelope;              // iso19364 or file; empty: not judged so
     std::string score;                 // iso18571 or file; empty: not judged so
     std::vector<std::string> repeats;  // further logs: for these two, and in the report
+    std::string junit;                 // of folders: file; empty: none
+    bool update = false;               // of folders: the candidate becomes the reference
     bool json = false;
 };
 int compare(const CompareOptions& options);
@@ -45,6 +49,7 @@ struct MetricsOptions {
     std::string log;
     std::string manoeuvre;  // empty: detected
     std::string scenario;   // file that was driven; empty: not known
+    std::string accept;     // file of conditions; empty: none
     bool json = false;
 };
 int metrics(const MetricsOptions& options);

@@ -6,7 +6,9 @@
 #include <optional>
 
 #include "base/read_yaml.h"
+#include "base/yaml_position.h"
 #include "commands.h"
+#include "compare_folders.h"
 #include "judge.h"
 #include "log/csv.h"
 #include "output.h"
@@ -40,6 +42,19 @@ std::optional<RunRecord> recordBeside(const std::string& log) {
     }
 }
 
+// The defaults without a file. Throws LoadError, also for units that do not fit the channels of the reference.
+Tolerances readTolerances(const std::string& file, const Log& reference) {
+    if (file.empty()) return {};
+    Tolerances tolerances = readYaml<Tolerances>(file);
+    std::vector<Problem> problems;
+    for (const ToleranceFault& fault : unitFaults(tolerances, reference)) {
+        const TextPosition position = positionOfValue(file, fault.path);
+        problems.push_back({file, position.line, position.column, fault.path, fault.text});
+    }
+    throwIfAny(std::move(problems));
+    return tolerances;
+}
+
 void writeReport(const CompareOptions& options, const Log& reference, const Log& candidate,
                  const Comparison& comparison, const std::string& answer) {
     std::vector<std::string> files{options.reference, options.candidate};
@@ -71,6 +86,13 @@ void writeReport(const CompareOptions& options, const Log& reference, const Log&
 }  // namespace
 
 int compare(const CompareOptions& options) {
+    if (std::filesystem::is_directory(options.reference) || std::filesystem::is_directory(options.candidate))
+        return compareFolders(options);
+    if (options.update || !options.junit.empty()) {
+        throw LoadError(
+            {{"tread compare", 0, 0, "",
+              "found --update or --junit beside two logs, expected two folders of runs; name the folders"}});
+    }
     if (!options.envelope.empty() || !options.score.empty()) return judge(options);
     if (!options.repeats.empty() && options.report.empty()) {
         throw LoadError(
@@ -78,10 +100,13 @@ int compare(const CompareOptions& options) {
               "tread compare: found --repeat alone, expected --report, --envelope or --score beside it: the "
               "plain comparison judges one log"}});
     }
-    const Tolerances tolerances = options.tolerances.empty() ? Tolerances{} : readYaml<Tolerances>(options.tolerances);
     const Log reference = readLog(options.reference);
     const Log candidate = readLog(options.candidate);
+    const Tolerances tolerances = readTolerances(options.tolerances, reference);
     const Comparison comparison = tread::compare(reference, candidate, tolerances);
+    if (!comparison.nothing.empty()) {
+        throw LoadError({{"tread compare", 0, 0, "", "nothing was compared: " + comparison.nothing}});
+    }
     const std::string words = text(comparison, std::max(kRows, comparison.differing()));
     if (!options.report.empty()) {
         writeReport(options, reference, candidate, comparison, words.substr(0, words.find('\n')));

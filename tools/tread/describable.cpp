@@ -1,5 +1,6 @@
 #include "describable.h"
 
+#include "accepting.h"
 #include "base/concat.h"
 #include "base/did_you_mean.h"
 #include "base/field_path.h"
@@ -139,6 +140,11 @@ std::vector<std::string> readScenarioFile(const Path& file) {
     return {};
 }
 
+std::vector<std::string> readAcceptFile(const Path& file) {
+    checkAcceptFile(file.string());
+    return {};
+}
+
 template <class T>
 std::vector<std::string> readDescribed(const Path& file) {
     readYaml<T>(file);
@@ -155,6 +161,8 @@ const std::vector<Describable>& describables() {
          [] { return jsonSchema<TyreParams>("Tyre", "tyre.schema.json"); }, readTyreFile},
         {"scenario", "a manoeuvre", topOf<Scenario>, referenceTable<Scenario>,
          [] { return jsonSchema<Scenario>("Manoeuvre", "scenario.schema.json"); }, readScenarioFile},
+        {"accept", "what the metrics of a run must be", topOf<AcceptFile>, referenceTable<AcceptFile>,
+         [] { return jsonSchema<AcceptFile>("Accept", "accept.schema.json"); }, readAcceptFile},
         {"log", "the columns of a log", topOf<LogColumns>, logRows},
         {"import", "how a foreign log becomes a log", topOf<ImportMap>, referenceTable<ImportMap>,
          [] { return jsonSchema<ImportMap>("Import", "import.schema.json"); }, readDescribed<ImportMap>},

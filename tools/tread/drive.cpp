@@ -68,14 +68,16 @@ Driven evaluate(const RunRecord& record, const Log& log) {
             if (std::find(known.begin(), known.end(), note) == known.end()) found.warnings.push_back(note);
         }
     }
-    found.answer = runAnswer(record, log, found.metrics);
+    found.verdicts = tread::judge(record.scenario.accept, found.metrics);
+    found.answer = withVerdict(runAnswer(record, log, found.metrics), found.verdicts);
     found.json = {{"answer", found.answer},
                   {"tread_version", record.tread_version},
                   {"vehicle", record.vehicle.name},
                   {"scenario", record.scenario.title},
                   {"manoeuvre", record.scenario.manoeuvre},
                   {"warnings", found.warnings},
-                  {"metrics", tread::json(found.metrics)}};
+                  {"metrics", tread::json(found.metrics)},
+                  {"verdicts", tread::json(found.verdicts)}};
     return found;
 }
 
@@ -90,6 +92,7 @@ Driven saveResults(const RunRecord& record, const Log& log, const Path& folder) 
                                                  .version = record.tread_version,
                                                  .log = log,
                                                  .metrics = found.metrics,
+                                                 .verdicts = found.verdicts,
                                                  .resolved_yaml = writeYaml(record),
                                                  .warnings = found.warnings,
                                                  .record = &record}));

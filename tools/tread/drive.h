@@ -8,6 +8,7 @@
 
 #include "commands.h"
 #include "metrics/metric.h"
+#include "metrics/verdict.h"
 #include "run/run_record.h"
 
 namespace tread::program {
@@ -15,6 +16,7 @@ namespace tread::program {
 struct Driven {
     std::string answer;
     std::vector<Metric> metrics;
+    std::vector<Verdict> verdicts;
     std::vector<std::string> warnings;
     nlohmann::json json;  // what metrics.json holds
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "accepting.h"
 #include "base/yaml_session.h"
 #include "commands.h"
 #include "describable.h"
@@ -28,23 +29,35 @@ int metrics(const MetricsOptions& options) {
     const Log log = readLog(options.log);
     throwIfAny(unitFaults(log, options.log));
 
+    bool accepted = true;
     try {
         const std::string manoeuvre = detected ? detectManoeuvre(log) : options.manoeuvre;
         KnownCar known;
         if (!options.scenario.empty()) known.course = readScenario(options.scenario).course;
+        RunOptions asked;
+        asked.accept = options.accept;
+        asked.scenario = options.scenario;
+        Scenario driven;
+        driven.manoeuvre = manoeuvre;
+        const Acceptance acceptance = acceptanceOf(asked, driven);
         const std::vector<Metric> found = tread::metrics(log, manoeuvre, known);
+        const std::vector<Verdict> verdicts = tread::judge(acceptance, found);
+        accepted = allMet(verdicts);
         if (options.json) {
             printJson({{"log", options.log},
                        {"manoeuvre", manoeuvre},
                        {"detected", detected},
-                       {"metrics", tread::json(found)}});
+                       {"metrics", tread::json(found)},
+                       {"verdicts", tread::json(verdicts)}});
         } else {
-            print(text(manoeuvre, found));
+            std::string words = text(manoeuvre, found);
+            for (const Verdict& verdict : verdicts) words += "Verdict: " + text(verdict) + "\n";
+            print(words);
         }
     } catch (const MetricError& error) {
         throw LoadError({{options.log, 0, 0, "", error.what()}});
     }
-    return kYes;
+    return accepted ? kYes : kNo;
 }
 
 }  // namespace tread::program

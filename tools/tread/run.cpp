@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "accepting.h"
 #include "commands.h"
 #include "output.h"
 #include "progress.h"
@@ -27,8 +28,19 @@ void show(const Driven& driven, const RunOptions& options, const Path& folder) {
         const std::string value = std::isnan(m.value) ? "undefined" : fmt::format("{:.5g}", m.value);
         text += fmt::format("  {:<36} {:>12} {}\n", m.name, value, m.unit);
     }
+    for (const Verdict& verdict : driven.verdicts) text += fmt::format("Verdict: {}\n", tread::text(verdict));
     text += fmt::format("Report: {}\n", std::filesystem::absolute(folder / "report.html").lexically_normal().string());
     print(text);
+}
+
+void writeJUnit(const RunOptions& options, const std::vector<JUnitCase>& cases) {
+    if (!options.junit.empty()) writeFile(options.junit, junit("tread run", cases));
+}
+
+int failed(const RunOptions& options, const std::string& name, const std::runtime_error& error) {
+    fmt::print(stderr, "tread run: {}\n", error.what());
+    writeJUnit(options, {{name, "run", "", error.what()}});
+    return kRunFailed;
 }
 
 }  // namespace
@@ -41,23 +53,25 @@ int run(const RunOptions& options) {
     }
     const RunRecord record = readRunInputs(options);
     const Path folder = options.output.empty() ? Path("out") / Path(options.scenario).stem() : Path(options.output);
+    const std::string name = Path(options.scenario).stem().string();
+    bool accepted = true;
     listenToSignals();
     try {
         const double longest = longestDuration(record.scenario);
         Progress progress(longest, "s");
         const Driven driven = driveScenario(record, folder, [&](double share) { progress.at(share * longest); });
         show(driven, options, folder);
+        writeJUnit(options, junitCases(name, driven.verdicts));
+        accepted = allMet(driven.verdicts);
     } catch (const Interrupted& error) {
         fmt::print(stderr, "tread run: {}\n", error.what());
         return stoppedStatus();
     } catch (const SimulationError& error) {
-        fmt::print(stderr, "tread run: {}\n", error.what());
-        return kRunFailed;
+        return failed(options, name, error);
     } catch (const SeriesError& error) {
-        fmt::print(stderr, "tread run: {}\n", error.what());
-        return kRunFailed;
+        return failed(options, name, error);
     }
-    return kYes;
+    return accepted ? kYes : kNo;
 }
 
 }  // namespace tread::program

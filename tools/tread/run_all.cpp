@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "accepting.h"
+#include "answer.h"
 #include "base/number_text.h"
 #include "drive.h"
 #include "log/csv.h"
@@ -69,6 +71,9 @@ std::vector<Planned> planned(const RunOptions& options) {
     }
     const auto faulty = [](const Planned& plan) { return !plan.fault.empty(); };
     if (std::all_of(all.begin(), all.end(), faulty)) throw LoadError(*first);
+    std::vector<NamedScenario> named;
+    for (const Planned& plan : all) named.push_back({plan.name, faulty(plan) ? nullptr : &plan.record.scenario});
+    expectAllUsed(options.accept, named);
     return all;
 }
 
@@ -89,7 +94,8 @@ Outcome drive(const Planned& plan, const Path& out, const TellShare& tell) {
     const std::string& title = plan.record.scenario.title;
     try {
         Driven driven = driveScenario(plan.record, out / name, tell);
-        return {{name, title, driven.answer, std::move(driven.metrics), driven.warnings, name + "/report.html", true},
+        return {{name, title, driven.answer, std::move(driven.metrics), driven.warnings, name + "/report.html", true,
+                 driven.verdicts},
                 {{"scenario", name}, {"result", std::move(driven.json)}}};
     } catch (const Interrupted&) {
         throw;
@@ -108,6 +114,8 @@ int runAll(const RunOptions& options) {
     Overview overview;
     nlohmann::json list = nlohmann::json::array();
     std::string lines;
+    std::vector<Verdict> verdicts;
+    std::vector<JUnitCase> cases;
     {
         Progress progress(static_cast<double>(plans.size()), "scenarios");
         for (std::size_t i = 0; i < plans.size(); ++i) {
@@ -115,6 +123,13 @@ int runAll(const RunOptions& options) {
                 Outcome outcome =
                     drive(plans[i], out, [&](double share) { progress.at(static_cast<double>(i) + share); });
                 lines += fmt::format("  {:<28} {}\n", plans[i].name, outcome.entry.answer);
+                const std::vector<Verdict>& own = outcome.entry.verdicts;
+                for (const Verdict& verdict : own) lines += fmt::format("  {:<28} {}\n", "", text(verdict));
+                verdicts.insert(verdicts.end(), own.begin(), own.end());
+                const auto of_run = outcome.entry.driven
+                                        ? junitCases(plans[i].name, own)
+                                        : std::vector<JUnitCase>{{plans[i].name, "run", "", outcome.entry.answer}};
+                cases.insert(cases.end(), of_run.begin(), of_run.end());
                 list.push_back(std::move(outcome.json));
                 overview.entries.push_back(std::move(outcome.entry));
             } catch (const Interrupted& error) {
@@ -128,18 +143,21 @@ int runAll(const RunOptions& options) {
                                       [](const Overview::Entry& entry) { return entry.driven; });
     const std::string vehicle = readable->record.vehicle.name;
     overview.title = fmt::format("All manoeuvres of {}", vehicle);
-    overview.answer = fmt::format("{} of {} scenarios driven with the {}", driven, plans.size(), vehicle);
+    overview.answer =
+        withVerdict(fmt::format("{} of {} scenarios driven with the {}", driven, plans.size(), vehicle), verdicts);
     overview.vehicle = vehicle;
     overview.version = readable->record.tread_version;
     writeFile(out / "index.html", overviewReport(overview));
+    if (!options.junit.empty()) writeFile(options.junit, junit("tread run", cases));
     if (options.json) {
-        printJson({{"answer", overview.answer}, {"scenarios", list}});
+        printJson({{"answer", overview.answer}, {"verdicts", tread::json(verdicts)}, {"scenarios", list}});
     } else {
         print(fmt::format("{}\n{}Overview: {}\n", overview.answer, lines,
                           std::filesystem::absolute(out / "index.html").lexically_normal().string()));
     }
     if (std::any_of(plans.begin(), plans.end(), [](const Planned& p) { return !p.fault.empty(); })) return kBadInput;
-    return driven == std::ssize(plans) ? kYes : kRunFailed;
+    if (driven != std::ssize(plans)) return kRunFailed;
+    return allMet(verdicts) ? kYes : kNo;
 }
 
 }  // namespace tread::program

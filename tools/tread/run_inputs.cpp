@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "accepting.h"
 #include "base/did_you_mean.h"
 #include "base/number_text.h"
 #include "base/pattern.h"
@@ -39,6 +40,7 @@ std::string listingOf(std::string_view path) {
 struct Fault {
     std::string path;
     std::string text;
+    TextPosition at = {};  // unless known: that of the path
 };
 
 // Names that the scenario itself cannot check: manoeuvres and channels.
@@ -69,6 +71,10 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
         expectMetric("series.tune." + std::to_string(i) + ".metric", series.tune[i].metric);
     if (series.vary) expectMetric("series.vary.pass", series.vary->pass);
     if (series.highest) expectMetric("series.highest.pass", series.highest->pass);
+
+    for (const AcceptFault& fault : acceptFaults(scenario.accept, ownerOf(scenario), acceptable(scenario))) {
+        faults.push_back({joinPath("accept", fault.line.metric), fault.text, {fault.line.line, fault.line.column}});
+    }
 
     const std::vector<Column> all = recordedColumns({});
     known.clear();
@@ -105,7 +111,7 @@ Scenario readScenario(const std::string& file) {
     Scenario scenario = loadScenario(file);
     std::vector<Problem> problems;
     for (const Fault& fault : unknownNames(scenario)) {
-        const TextPosition position = positionOfValue(file, fault.path);
+        const TextPosition position = fault.at.line > 0 ? fault.at : positionOfValue(file, fault.path);
         problems.push_back({file, position.line, position.column, fault.path, fault.text});
     }
     if (!problems.empty()) throw LoadError(std::move(problems));
@@ -138,6 +144,7 @@ RunRecord readRunInputs(const RunOptions& options) {
         problems.push_back({kSource, 0, 0, "scenario." + fault.path, fault.text});
     }
     if (!problems.empty()) throw LoadError(std::move(problems));
+    inputs.scenario.accept = merged(std::move(inputs.scenario.accept), acceptanceOf(options, inputs.scenario));
 
     RunRecord record;
     record.tread_version = TREAD_VERSION;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "accepting.h"
+#include "answer.h"
 #include "base/number_text.h"
 #include "base/write_yaml.h"
 #include "metrics/metrics.h"
@@ -77,6 +79,18 @@ nlohmann::json rows(const SeriesResult& series) {
     return list;
 }
 
+// Conditions are on every run; in a search, whose runs beyond the highest value must fail, on that value.
+std::vector<Verdict> verdictsOf(const Scenario& scenario, const SeriesResult& series,
+                                const std::vector<Metric>& highest) {
+    if (scenario.series.highest) return tread::judge(scenario.accept, highest);
+    std::vector<Verdict> all;
+    for (std::size_t i = 0; i < series.runs.size(); ++i) {
+        for (Verdict& verdict : tread::judge(scenario.accept, series.runs[i].metrics, folderOf(i)))
+            all.push_back(std::move(verdict));
+    }
+    return all;
+}
+
 }  // namespace
 
 RunRecord tunedRecord(RunRecord record) {
@@ -96,6 +110,7 @@ Driven driveSeries(const RunRecord& record, const Path& folder, const Tell& tell
         [&](const Scenario& scenario) {
             RunRecord one = record;
             one.scenario = scenario;
+            if (record.scenario.series.highest) one.scenario.accept = {};  // on the highest value, which no run knows
             const Driven driven = driveInto(one, folder / folderOf(count++), tell);
             if (driven.metrics.empty() && !driven.warnings.empty()) throw MetricError(driven.warnings.front());
             return driven.metrics;
@@ -104,8 +119,10 @@ Driven driveSeries(const RunRecord& record, const Path& folder, const Tell& tell
     Driven driven;
     driven.answer = answerOf(record, found);
     if (!std::isnan(found.highest)) {
-        driven.metrics.push_back({"highest_" + found.number, found.highest, found.unit, "highest value that passes"});
+        driven.metrics.push_back({highestMetric(found.number), found.highest, found.unit, "highest value that passes"});
     }
+    driven.verdicts = verdictsOf(record.scenario, found, driven.metrics);
+    driven.answer = withVerdict(driven.answer, driven.verdicts);
     driven.json = {{"answer", driven.answer},
                    {"tread_version", record.tread_version},
                    {"vehicle", record.vehicle.name},
@@ -114,6 +131,7 @@ Driven driveSeries(const RunRecord& record, const Path& folder, const Tell& tell
                    {"number", found.number},
                    {"unit", found.unit},
                    {"metrics", tread::json(driven.metrics)},
+                   {"verdicts", tread::json(driven.verdicts)},
                    {"warnings", driven.warnings},
                    {"runs", rows(found)}};
     writeFile(folder / "metrics.json", jsonText(driven.json));
@@ -126,7 +144,8 @@ Driven driveSeries(const RunRecord& record, const Path& folder, const Tell& tell
                         .number = found.number,
                         .unit = found.unit,
                         .runs = {},
-                        .resolved_yaml = writeYaml(record)};
+                        .resolved_yaml = writeYaml(record),
+                        .verdicts = driven.verdicts};
     for (std::size_t i = 0; i < found.runs.size(); ++i) {
         const SeriesRun& run = found.runs[i];
         report.runs.push_back(

@@ -1,0 +1,21 @@
+// Verdicts on a page, in words and colour.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "metrics/verdict.h"
+#include "report/html.h"
+
+namespace tread {
+
+// The answer, behind a badge that says whether the run is accepted; without conditions there is no badge.
+void answerWithVerdict(HtmlPage& page, std::string_view answer, const std::vector<Verdict>& verdicts);
+
+// A table of all verdicts; nothing without conditions.
+void addVerdicts(HtmlPage& page, const std::vector<Verdict>& verdicts);
+
+// All verdicts of a run in one cell.
+Cell verdictCell(const std::vector<Verdict>& verdicts);
+
+}  // namespace tread
