@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <variant>
 
 #include "sheet/braking.h"
 #include "sheet/driven_turn.h"
@@ -54,6 +55,18 @@ Figures figuresOf(const VehicleParams& params) {
             .top = top};
 }
 
+// What the linear model of handling leaves out.
+std::string differentialNote(const VehicleParams& car) {
+    const DrivelineParams& d = car.driveline;
+    const auto couples = [](const auto& differential) {
+        const auto* open = std::get_if<OpenDifferential>(&differential);
+        return !open || open->locking > 0;
+    };
+    const bool any = (d.front_share > 0 && couples(d.front_differential)) ||
+                     (d.front_share < 1 && couples(d.rear_differential)) || couples(d.centre_differential);
+    return any ? "without the yaw moment of the differentials, which the simulated car has" : "";
+}
+
 struct Value {
     double value;
     std::string note = {};
@@ -76,7 +89,7 @@ Value topSpeedValue(const Figures& f) {
     const TopSpeed& top = f.top;
     if (std::isnan(top.speed)) return {kNaN, "full throttle does not overcome the resistance"};
     const char* const why = top.limit == SpeedLimit::power     ? "power meets resistance"
-                            : top.limit == SpeedLimit::gearing ? "limited by gearing: the speed limit of the drive"
+                            : top.limit == SpeedLimit::gearing ? "limited by gearing: engine or motor at its speed limit"
                                                                : "the next gear cannot hold it";
     return {kKmh * top.speed, fmt::format("in gear {}: {}", top.gear, why)};
 }
@@ -113,16 +126,16 @@ const std::vector<Definition>& definitions() {
          [](const Figures& f) -> Value {
              return {shareOf(f.rest.load[1] + f.rest.load[3], f.rest.load[0] + f.rest.load[2])};
          }},
-        {{"Weight", "load_front_left", "static load, front left", "N", "equilibrium of the standing car",
+        {{"Weight", "load_front_left", "static load, front left", "N", "m g b / L (1/2 + y / t), y: lateral offset; from the equilibrium of the standing car",
           {"mass", "front_axle_distance", "wheelbase", "lateral_offset", "load"}},
          [](const Figures& f) -> Value { return {f.rest.load[0]}; }},
-        {{"Weight", "load_front_right", "static load, front right", "N", "equilibrium of the standing car",
+        {{"Weight", "load_front_right", "static load, front right", "N", "m g b / L (1/2 - y / t)",
           {"mass", "front_axle_distance", "wheelbase", "lateral_offset", "load"}},
          [](const Figures& f) -> Value { return {f.rest.load[1]}; }},
-        {{"Weight", "load_rear_left", "static load, rear left", "N", "equilibrium of the standing car",
+        {{"Weight", "load_rear_left", "static load, rear left", "N", "m g a / L (1/2 + y / t)",
           {"mass", "front_axle_distance", "wheelbase", "lateral_offset", "load"}},
          [](const Figures& f) -> Value { return {f.rest.load[2]}; }},
-        {{"Weight", "load_rear_right", "static load, rear right", "N", "equilibrium of the standing car",
+        {{"Weight", "load_rear_right", "static load, rear right", "N", "m g a / L (1/2 - y / t)",
           {"mass", "front_axle_distance", "wheelbase", "lateral_offset", "load"}},
          [](const Figures& f) -> Value { return {f.rest.load[3]}; }},
         {{"Weight", "centre_of_gravity_height", "height of the centre of gravity", "mm",
@@ -214,13 +227,13 @@ const std::vector<Definition>& definitions() {
           "m / L (b / Cf - a / Cr); Cf, Cr with compliance, roll steer, camber and load transfer",
           {"front.tyre", "rear.tyre", "front.suspension", "rear.suspension", "steering", "front_axle_distance"},
           "understeer gradient {}"},
-         [](const Figures& f) -> Value { return {kPerG * f.track.understeer()}; }},
+         [](const Figures& f) -> Value { return {kPerG * f.track.understeer(), differentialNote(f.rest.car())}; }},
         {{"Handling", "understeer_gradient_driven", "understeer gradient, simulated", "deg/g",
           "(steering-wheel angle / i - L / R) / ay of the simulated car at 0.1 g, mean of left and right",
           {"front.tyre", "rear.tyre", "front.suspension", "rear.suspension", "steering", "driveline", "aero"}},
          [](const Figures& f) -> Value {
              if (std::isnan(f.driven.understeer)) return {kNaN, "it does not hold such a turn"};
-             return {kPerG * f.driven.understeer, fmt::format("at {:.0f} km/h", kKmh * f.turn_speed)};
+             return {kPerG * f.driven.understeer, fmt::format("driven at {:.0f} km/h", kKmh * f.turn_speed)};
          }},
         {{"Handling", "characteristic_speed", "characteristic speed", "km/h", "sqrt(L / K), K the understeer gradient",
           {"wheelbase"}},

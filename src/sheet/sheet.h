@@ -24,6 +24,12 @@ struct SheetRow {
     std::string note = {};                  // what the number alone does not say
 };
 
+// What the letters in the formulas mean.
+inline constexpr std::string_view kSymbols =
+    "m, J: mass, yaw inertia; L, a, b: wheelbase, centre of gravity to front and rear axle; h: its height; t: track; "
+    "ms, mu: sprung and unsprung mass; ks, kt: rates of spring and tyre; c, ct: their damping; z, w: rise of body and "
+    "wheel; K: understeer gradient (in roll: roll stiffness); v: speed; i: steering ratio; z in g: deceleration";
+
 // A curve of points.
 struct SheetCurve {
     std::string name;
