@@ -15,8 +15,7 @@ AtRest atRest(const VehicleParams& params) {
     AtRest rest;
     rest.vehicle = prepare(params);
     const PlaneRoad road;
-    const Equilibrium stands =
-        equilibrium(rest.vehicle, {road}, {.input = {.brake = 1, .clutch = 1}});
+    const Equilibrium stands = equilibrium(rest.vehicle, {road}, {.input = {.brake = 1, .clutch = 1}});
     rest.height = stands.motion.position_W.z();
     for (std::size_t i = 0; i < kWheels; ++i) {
         const WheelState& wheel = stands.state.wheels[i];
@@ -36,9 +35,9 @@ AtRest atRest(const VehicleParams& params) {
 
 double wheelRate(const AtRest& rest, std::size_t wheel, double with) {
     const auto force = [&](double travel) {
-        return forces(rest.axle(axleOf(wheel)).suspension, {rest.travel[wheel] + travel, 0,
-                                                            rest.travel[wheel] + with * travel,
-                                                            rest.vehicle.corners[wheel].static_force})
+        return forces(rest.axle(axleOf(wheel)).suspension,
+                      {rest.travel[wheel] + travel, 0, rest.travel[wheel] + with * travel,
+                       rest.vehicle.corners[wheel].static_force})
             .force;
     };
     return (force(kSmallTravel) - force(-kSmallTravel)) / (2 * kSmallTravel);
@@ -48,8 +47,8 @@ double wheelDamping(const AtRest& rest, std::size_t wheel) {
     SuspensionParams suspension = rest.axle(axleOf(wheel)).suspension;
     suspension.damper.friction = 0;
     const auto force = [&](double rate) {
-        return forces(suspension, {rest.travel[wheel], rate, rest.travel[wheel],
-                                   rest.vehicle.corners[wheel].static_force})
+        return forces(suspension,
+                      {rest.travel[wheel], rate, rest.travel[wheel], rest.vehicle.corners[wheel].static_force})
             .force;
     };
     return (force(kDamperSpeed) - force(-kDamperSpeed)) / (2 * kDamperSpeed);

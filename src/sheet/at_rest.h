@@ -17,7 +17,9 @@ struct AtRest {
     const AxleParams& axle(std::size_t axle) const { return axle == 0 ? car().front : car().rear; }
     double rearDistance() const { return car().wheelbase - car().front_axle_distance; }
     // Sum over the wheels of an axle.
-    double sum(const PerWheel<double>& values, std::size_t axle) const { return values[2 * axle] + values[2 * axle + 1]; }
+    double sum(const PerWheel<double>& values, std::size_t axle) const {
+        return values[2 * axle] + values[2 * axle + 1];
+    }
     double axleLoad(std::size_t axle) const { return sum(load, axle); }
     double meanRadius(std::size_t axle) const { return 0.5 * sum(radius, axle); }
 };

@@ -11,12 +11,12 @@ namespace tread::sheet {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kStep = 0.001;    // s
-constexpr double kTurning = 1;     // s, in which the steering wheel is turned
-constexpr double kSettling = 3;    // s, after that
-constexpr double kWatched = 0.5;   // s, at the end, in which nothing may change any more
-constexpr double kSteady = 0.02;   // largest relative change of the yaw rate in that time
-constexpr double kHold = 0.5;      // s/m, throttle over speed that is missing
+constexpr double kStep = 0.001;   // s
+constexpr double kTurning = 1;    // s, in which the steering wheel is turned
+constexpr double kSettling = 3;   // s, after that
+constexpr double kWatched = 0.5;  // s, at the end, in which nothing may change any more
+constexpr double kSteady = 0.02;  // largest relative change of the yaw rate in that time
+constexpr double kHold = 0.5;     // s/m, throttle over speed that is missing
 
 struct Turn {
     double ay, curvature, roll;

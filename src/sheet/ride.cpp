@@ -20,8 +20,7 @@ constexpr Mode kNone{kNaN, kNaN};
 // M q'' + C q' + K q = 0
 struct Oscillator {
     Eigen::MatrixXd mass, damping, stiffness;
-    explicit Oscillator(Eigen::Index size)
-        : mass(Eigen::MatrixXd::Zero(size, size)), damping(mass), stiffness(mass) {}
+    explicit Oscillator(Eigen::Index size) : mass(Eigen::MatrixXd::Zero(size, size)), damping(mass), stiffness(mass) {}
 };
 
 struct ShapedMode {

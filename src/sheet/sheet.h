@@ -1,7 +1,7 @@
 // The data sheet of a car: what its parameters make of it, number by number.
 //
-// One table names every number, its unit, its formula, the parameters that it comes from, and the function that computes
-// it; text, page and JSON are made from that table.
+// One table names every number, its unit, its formula, the parameters that it comes from, and the function that
+// computes it; text, page and JSON are made from that table.
 #pragma once
 
 #include <string>
@@ -13,11 +13,11 @@
 namespace tread::sheet {
 
 struct SheetRow {
-    std::string_view group;    // "Handling"
-    std::string_view name;     // "understeer_gradient"
-    std::string_view label;    // "understeer gradient"
-    std::string_view unit;     // of the value; "-" for pure numbers
-    std::string_view formula;  // in one line
+    std::string_view group;                 // "Handling"
+    std::string_view name;                  // "understeer_gradient"
+    std::string_view label;                 // "understeer gradient"
+    std::string_view unit;                  // of the value; "-" for pure numbers
+    std::string_view formula;               // in one line
     std::vector<std::string_view> sources;  // paths of parameters, or beginnings of them
     std::string_view say = {};              // what the sheet says first, "{}" for the value and its unit
     double value = 0;                       // NaN: there is none

@@ -1,7 +1,10 @@
 #include "sheet/steady_turn.h"
 
 #include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 #include <cmath>
+#include <complex>
+#include <limits>
 #include <numbers>
 
 #include "vehicle/tyre_load.h"
@@ -9,6 +12,7 @@
 namespace tread::sheet {
 namespace {
 
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSpeed = 20;         // m/s, at which the tyres' formulas are asked; they hardly depend on it
 constexpr double kSmallAngle = 1e-4;  // rad
 constexpr double kSmallTurn = 0.1;    // m/s2
@@ -21,11 +25,8 @@ struct Forces {
 
 // `angle`: of the wheel to the left of its path; `camber`: top to the right.
 Forces forcesOf(const TyreParams& tyre, double load, double angle, double camber) {
-    const TyreSteadyState f = steadyState(tyre, {.Fz = load,
-                                                 .gamma = camber,
-                                                 .Vx = kSpeed * std::cos(angle),
-                                                 .Vsx = 0,
-                                                 .Vsy = kSpeed * std::sin(angle)});
+    const TyreSteadyState f = steadyState(
+        tyre, {.Fz = load, .gamma = camber, .Vx = kSpeed * std::cos(angle), .Vsx = 0, .Vsy = kSpeed * std::sin(angle)});
     return {-f.Fy, -f.Mz, f.Mx};
 }
 
@@ -89,8 +90,8 @@ Unknowns leftOver(const AtRest& rest, double lateral_acceleration, const Unknown
         const double beside = sideSign(i) * 0.5 * a.track - car.lateral_offset + h * roll + rest.radius[i] * lean;
         side += force;
         yaw += (axle == 0 ? car.front_axle_distance : -rest.rearDistance()) * force + moment;
-        tilt += load * beside + h * force + tyre.mx +
-                a.wheel_inertia / rest.tyre[i].parameters.Re * lateral_acceleration;
+        tilt +=
+            load * beside + h * force + tyre.mx + a.wheel_inertia / rest.tyre[i].parameters.Re * lateral_acceleration;
         if (axle == 0) steering += moment - casterTrail(car, 0) * force;
     }
     for (std::size_t axle = 0; axle < kAxles; ++axle) {
@@ -172,6 +173,30 @@ SingleTrack singleTrack(const AtRest& rest, const TurnSlopes& turn) {
             .front_distance = rest.car().front_axle_distance,
             .wheelbase = rest.car().wheelbase,
             .stiffness = {effective(0), effective(1)}};
+}
+
+// States: speed to the left, yaw rate, side forces of both axles. An axle that yields to its force by a share of the
+// tyres' slip follows by the same share faster.
+YawMode yawModeWithLag(const AtRest& rest, const SingleTrack& track, double speed) {
+    const PerAxle<double> arm{track.front_distance, track.front_distance - track.wheelbase};
+    Eigen::Matrix4d system = Eigen::Matrix4d::Zero();
+    system(0, 1) = -speed;
+    for (std::size_t axle = 0; axle < kAxles; ++axle) {
+        const auto force = static_cast<Eigen::Index>(2 + axle);
+        const double carcass = rest.tyre[2 * axle].parameters.cFy + rest.tyre[2 * axle + 1].parameters.cFy;  // N/m
+        const double length = track.stiffness[axle] / carcass;  // m: that of the tyres, C / carcass, by that share
+        system(0, force) = 1 / track.mass;
+        system(1, force) = arm[axle] / track.inertia;
+        system(force, 0) = -track.stiffness[axle] / length;
+        system(force, 1) = -track.stiffness[axle] / length * arm[axle];
+        system(force, force) = -speed / length;
+    }
+    YawMode slowest{kNaN, kNaN};
+    for (const std::complex<double>& value : Eigen::EigenSolver<Eigen::Matrix4d>(system, false).eigenvalues()) {
+        const double size = std::abs(value), frequency = size / (2 * std::numbers::pi);
+        if (value.imag() > 0 && !(frequency >= slowest.frequency)) slowest = {frequency, -value.real() / size};
+    }
+    return slowest;
 }
 
 double SingleTrack::understeer() const {

@@ -105,7 +105,8 @@ double settledSpeed(const AtRest& rest, int gear, double from, double highest) {
     const bool faster = holds(rest, gear, from);
     double held = from, not_held = from;
     if (faster) {
-        while (not_held < highest && holds(rest, gear, not_held)) not_held = std::min((held = not_held) + step, highest);
+        while (not_held < highest && holds(rest, gear, not_held))
+            not_held = std::min((held = not_held) + step, highest);
         if (holds(rest, gear, not_held)) return highest;
     } else {
         while (held > step && !holds(rest, gear, held)) held = (not_held = held) - step;

@@ -103,9 +103,10 @@ bool looksLikeFile(const std::string& what) {
 }
 
 [[noreturn]] void rejectForName(const DescribeOptions& options) {
-    throw LoadError({{options.report.empty() ? "--set" : "--report", 0, 0, "",
-                      fmt::format("found with the word {}, expected only with a vehicle file, whose data sheet it is for",
-                                  quote(options.what))}});
+    throw LoadError(
+        {{options.report.empty() ? "--set" : "--report", 0, 0, "",
+          fmt::format("found with the word {}, expected only with a vehicle file, whose data sheet it is for",
+                      quote(options.what))}});
 }
 
 }  // namespace

@@ -58,9 +58,9 @@ std::string text(const Sheet& sheet) {
         return width;
     };
     const auto shown = [](const SheetRow& row) { return std::isnan(row.value) ? "none" : formatNumber(row.value, 4); };
-    const std::size_t labels = widest([](const SheetRow& row) { return row.label; }), values = widest(shown),
-                      units = widest([](const SheetRow& row) { return row.unit; }),
-                      formulas = widest([](const SheetRow& row) { return row.formula; });
+    const std::size_t labels = widest([](const SheetRow&row) { return row.label; }), values = widest(shown),
+                      units = widest([](const SheetRow&row) { return row.unit; }),
+                      formulas = widest([](const SheetRow&row) { return row.formula; });
     std::string out = sheetAnswer(sheet) + "\n";
     std::string_view group;
     for (const SheetRow& row : sheet.rows) {
@@ -85,7 +85,10 @@ nlohmann::json json(const Sheet& sheet, const std::string& file, const std::stri
                            {"formula", row.formula},
                            {"sources", row.sources}});
     }
-    return {{"answer", sheetAnswer(sheet)}, {"vehicle", sheet.name}, {"file", file}, {"report", report},
+    return {{"answer", sheetAnswer(sheet)},
+            {"vehicle", sheet.name},
+            {"file", file},
+            {"report", report},
             {"figures", figures}};
 }
 
