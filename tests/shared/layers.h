@@ -18,7 +18,7 @@ using Path = std::filesystem::path;
 inline const std::vector<std::string> kOrder{"base",     "inference", "road",      "tyre",     "vehicle",   "bullet",
                                              "log",      "store",     "import",    "scenario", "run",       "compare",
                                              "metrics",  "series",    "recording", "diagnose", "calibrate", "blind",
-                                             "campaign", "report",    "tools"};
+                                             "campaign", "sheet",     "report",    "tools"};
 
 // Inside of a layer, a file may include from its own room and from those to its left. A room is a folder; "" is the
 // layer's own, but for the files that kGroundFloor names.

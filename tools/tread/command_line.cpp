@@ -112,7 +112,11 @@ void addIdentify(CLI::App& app, IdentifyRequest& o) {
 }
 
 void addDescribe(CLI::App& app, DescribeOptions& o) {
-    app.add_option("what", o.what, listed(describableNames(false)))->required();
+    app.add_option("what", o.what,
+                   listed(describableNames(false)) + ": all its fields; or a vehicle file: its data sheet")
+        ->required();
+    app.add_option("--report", o.report, "page of the data sheet to write (HTML)");
+    addSettings(app, o.settings, "path=value, for example load.mass=200: the car of the data sheet");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
@@ -192,7 +196,8 @@ void addCommands(CLI::App& app, int& status) {
                status);
     addCommand(*blind, "score", "diagnose the cases, open the key and score the answers", addBlindScore, blindScore,
                status);
-    addCommand(app, "describe", "all fields with units, meaning, limits and defaults", addDescribe, describe, status);
+    addCommand(app, "describe", "all fields with units, meaning, limits and defaults; or the data sheet of a car",
+               addDescribe, describe, status);
     addCommand(app, "check",
                "check files: vehicles, tyres, scenarios, mappings, tolerances, logs; status 2 when one has faults",
                addCheck, check, status);

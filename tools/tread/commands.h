@@ -103,7 +103,9 @@ struct IdentifyRequest {
 int identify(const IdentifyRequest& request);
 
 struct DescribeOptions {
-    std::string what;  // of describables()
+    std::string what;                   // of describables(), or a vehicle file: its data sheet
+    std::string report;                 // page of the data sheet to write; empty: none
+    std::vector<std::string> settings;  // path=value, of the car
     bool json = false;
 };
 int describe(const DescribeOptions& options);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -9,7 +10,9 @@
 #include "base/number_text.h"
 #include "commands.h"
 #include "describable.h"
+#include "describe_car.h"
 #include "output.h"
+#include "tread/problem.h"
 
 namespace tread::program {
 namespace {
@@ -93,9 +96,26 @@ nlohmann::json json(const Describable& what) {
     return {{"what", what.name}, {"meaning", what.meaning}, {"groups", groups}, {"fields", fields}};
 }
 
+// A name that nobody knows may still be mistyped: what is meant as a file has an ending, a folder, or exists.
+bool looksLikeFile(const std::string& what) {
+    const Path path = what;
+    return path.has_extension() || path.has_parent_path() || std::filesystem::exists(path);
+}
+
+[[noreturn]] void rejectForName(const DescribeOptions& options) {
+    throw LoadError(
+        {{options.report.empty() ? "--set" : "--report", 0, 0, "",
+          fmt::format("found with the word {}, expected only with a vehicle file, whose data sheet it is for",
+                      quote(options.what))}});
+}
+
 }  // namespace
 
 int describe(const DescribeOptions& options) {
+    const std::vector<std::string_view> names = describableNames(false);
+    const bool named = std::find(names.begin(), names.end(), options.what) != names.end();
+    if (!named && looksLikeFile(options.what)) return describeCar(options);
+    if (!options.report.empty() || !options.settings.empty()) rejectForName(options);
     const Describable& what = describable(options.what, false);
     if (options.json) {
         printJson(json(what));
