@@ -15,9 +15,9 @@ struct Cars {
 
     // The car that is expected after this one, -1: none of them.
     int after(std::size_t i) {
-        const void* next = trail.after({.car = &cars[i]}, places[i]).car;
+        const Address next = trail.after({.car = addressOf(&cars[i])}, places[i]).car;
         for (int k = 0; k < 8; ++k)
-            if (next == &cars[static_cast<std::size_t>(k)]) return k;
+            if (next == addressOf(&cars[static_cast<std::size_t>(k)])) return k;
         return -1;
     }
 };
@@ -67,10 +67,11 @@ TEST(Trail, GenerationsOfCarsAreForetoldToo) {
     Trail trail;
     for (std::size_t first = 0; first + 10 <= cars.size(); first += 10) {
         std::array<std::size_t, 10> places{};
-        const void* next = nullptr;
+        Address next = 0;
         for (int round = 0; round < 4; ++round)
-            for (std::size_t i = 0; i < 10; ++i) next = trail.after({.car = &cars[first + i]}, places[i]).car;
-        EXPECT_EQ(next, &cars[first]);
+            for (std::size_t i = 0; i < 10; ++i)
+                next = trail.after({.car = addressOf(&cars[first + i])}, places[i]).car;
+        EXPECT_EQ(next, addressOf(&cars[first]));
         EXPECT_LT(places[9], 100u);
     }
 }

@@ -4,31 +4,37 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace tread {
 
+// An address is a number here: what lies there may be gone, and is never read.
+using Address = std::uintptr_t;
+inline Address addressOf(const void* of) {
+    return reinterpret_cast<Address>(of);
+}
+
 // Bytes that are read soon. Nothing happens if they are not there any more.
-inline void fetchAhead(const void* begin, std::size_t bytes) {
+inline void fetchAhead(Address begin, std::size_t bytes) {
     constexpr std::size_t kLine = 64;
-    const char* at = static_cast<const char*>(begin);
-    for (std::size_t i = 0; i < bytes; i += kLine) __builtin_prefetch(at + i);
+    for (std::size_t i = 0; i < bytes; i += kLine) __builtin_prefetch(reinterpret_cast<const void*>(begin + i));
 }
 
 struct Block {
-    const void* begin = nullptr;
+    Address begin = 0;
     std::size_t bytes = 0;
 
     void fetch() const { fetchAhead(begin, bytes); }
 };
 
-// Where a car lies. Addresses only: it may be gone.
+// Where a car lies; nowhere: there is none.
 struct Footprint {
     static constexpr std::size_t kWheels = 4;  // of most cars; the others' faces come when they are asked for
 
-    const void* car = nullptr;
-    const void* chassis = nullptr;
-    const void* wheels = nullptr;
+    Address car = 0;
+    Address chassis = 0;
+    Address wheels = 0;
     std::size_t wheel_count = 0;
     std::array<Block, kWheels> faces{};  // of the ground near the wheels
 };

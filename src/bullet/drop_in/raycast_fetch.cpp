@@ -11,29 +11,30 @@ inline namespace TREAD_BULLET_PRECISION {
 
 Footprint RaycastVehicle::Implementation::footprint() {
     const std::size_t count = wheelCount();
-    Footprint own{this, &chassis, count > 0 ? &info(0) : nullptr, count, {}};
+    Footprint own{addressOf(this), addressOf(&chassis), count > 0 ? addressOf(&info(0)) : 0, count, {}};
     for (std::size_t i = 0; i < std::min(count, Footprint::kWheels); ++i)
-        own.faces[i] = {near[i].faces.data(), near[i].faces.size() * sizeof(NearFaces::Face)};
+        own.faces[i] = {addressOf(near[i].faces.data()), near[i].faces.size() * sizeof(NearFaces::Face)};
     return own;
 }
 
 // A member of another car lies where this car's does.
 void RaycastVehicle::Implementation::fetchMember(const Footprint& next, const void* member, std::size_t bytes) const {
-    const auto offset = static_cast<const char*>(member) - reinterpret_cast<const char*>(this);
-    fetchAhead(static_cast<const char*>(next.car) + offset, bytes);
+    fetchAhead(next.car + (addressOf(member) - addressOf(this)), bytes);
 }
 
 void RaycastVehicle::Implementation::fetchInputs(const Footprint& next) const {
+    if (next.car == 0) return;
     const std::size_t n = next.wheel_count;
     fetchAhead(next.chassis, sizeof(btRigidBody));
     fetchAhead(next.wheels, n * sizeof(btWheelInfo));
     fetchMember(next, &face, sizeof face);
     fetchMember(next, recipe.body.data(), sizeof recipe.body);
     fetchMember(next, recipe.wheels.data(), n * sizeof recipe.wheels[0]);
-    fetchMember(next, &motion, reinterpret_cast<const char*>(&state) - reinterpret_cast<const char*>(&motion));
+    fetchMember(next, &motion, addressOf(&state) - addressOf(&motion));
 }
 
 void RaycastVehicle::Implementation::fetchState(const Footprint& next) const {
+    if (next.car == 0) return;
     const auto perWheel = [&](const auto& member) { fetchMember(next, &member, next.wheel_count * sizeof member[0]); };
     perWheel(state.wheels);
     perWheel(demands);

@@ -46,7 +46,7 @@ WheelDemand between(const WheelDemand& a, const WheelDemand& b, double at) {
 void RaycastVehicle::Implementation::step(const btCollisionWorld* in, double dt) {
     static thread_local Trail trail;
     const Footprint next = trail.after(footprint(), place_in_trail);
-    if (next.car != this) {
+    if (next.car != addressOf(this)) {
         fetchInputs(next);
         fetchState(next);
     }
