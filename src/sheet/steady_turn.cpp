@@ -192,7 +192,8 @@ YawMode yawModeWithLag(const AtRest& rest, const SingleTrack& track, double spee
         system(force, force) = -speed / length;
     }
     YawMode slowest{kNaN, kNaN};
-    for (const std::complex<double>& value : Eigen::EigenSolver<Eigen::Matrix4d>(system, false).eigenvalues()) {
+    const Eigen::Vector4cd modes = Eigen::EigenSolver<Eigen::Matrix4d>(system, false).eigenvalues();
+    for (const std::complex<double>& value : modes) {
         const double size = std::abs(value), frequency = size / (2 * std::numbers::pi);
         if (value.imag() > 0 && !(frequency >= slowest.frequency)) slowest = {frequency, -value.real() / size};
     }
