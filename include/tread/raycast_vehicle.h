@@ -126,7 +126,8 @@ public:
     // in the air. Off unless set, as in stock.
     void setWheelReaction(bool on);
 
-    // `surface(query)` says what lies where a ray met something; of a copy of the function that the vehicle keeps.
+    // The vehicle keeps a copy of `surface` and calls `surface(query)` for each ray that meets something; it returns
+    // the Surface that lies there.
     template <class Function>
     void setSurface(Function surface) {
         struct Source final : SurfaceSource {
