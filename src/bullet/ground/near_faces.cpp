@@ -31,44 +31,56 @@ bool overlap(const NearFaces::Face& face, const Vector3& low_W, const Vector3& h
     return (face.low_W.array() <= high_W.array()).all() && (face.high_W.array() >= low_W.array()).all();
 }
 
+// Collects the faces in the box. Most are there already when a box is looked up again, in the same order: those that
+// did not change are kept as they are.
 struct Gather : btTriangleCallback {
-    Gather(NearFaces& n, const btTransform& pose, bool halves)
-        : near(n), origin(fromBullet(pose.getOrigin())), axes(fromBullet(pose.getBasis())), halved(halves) {}
+    Gather(NearFaces& n, std::size_t& c, const btTransform& pose, bool halves)
+        : near(n), count(c), origin(fromBullet(pose.getOrigin())), axes(fromBullet(pose.getBasis())), halved(halves) {}
     void processTriangle(btVector3* corners, int part, int triangle) override {
-        NearFaces::Face face;
         for (std::size_t k = 0; k < 3; ++k) face.corners_W[k] = origin + axes * fromBullet(corners[k]);
         const auto& [a, b, c] = face.corners_W;
         face.low_W = a.cwiseMin(b).cwiseMin(c);
         face.high_W = a.cwiseMax(b).cwiseMax(c);
         if (!overlap(face, near.low_W, near.high_W)) return;
-        const Vector3 across = (b - a).cross(c - a);
-        const double twice = across.norm();
-        if (!(twice > 0)) return;
-        face.area = 0.5 * twice;
-        face.normal_W = across / twice;
-        for (std::size_t k = 0; k < 3; ++k)
-            face.outward_W[k] = (face.corners_W[(k + 1) % 3] - face.corners_W[k]).cross(face.normal_W).normalized();
         face.part = halved ? part / 2 : part;
         face.triangle = triangle;
-        near.faces.push_back(face);
+        if (!isKept()) {
+            const Vector3 across = (b - a).cross(c - a);
+            const double twice = across.norm();
+            if (!(twice > 0)) return;
+            face.area = 0.5 * twice;
+            face.normal_W = across / twice;
+            for (std::size_t k = 0; k < 3; ++k)
+                face.outward_W[k] = (face.corners_W[(k + 1) % 3] - face.corners_W[k]).cross(face.normal_W).normalized();
+            if (count == near.faces.size()) near.faces.emplace_back();
+            near.faces[count] = face;
+        }
+        ++count;
+    }
+    bool isKept() const {
+        if (count == near.faces.size()) return false;
+        const NearFaces::Face& known = near.faces[count];
+        return known.triangle == face.triangle && known.part == face.part && known.corners_W == face.corners_W;
     }
     NearFaces& near;
+    std::size_t& count;    // of the faces found so far
+    NearFaces::Face face;  // the one at hand
     Vector3 origin;
     Eigen::Matrix3d axes;
     bool halved;  // the box query of a height field counts two faces a cell, its ray one
 };
 
-void gather(NearFaces& near, const btCollisionShape& shape, const btTransform& pose) {
+void gather(NearFaces& near, std::size_t& count, const btCollisionShape& shape, const btTransform& pose) {
     if (shape.isCompound()) {
         const auto& compound = static_cast<const btCompoundShape&>(shape);
         for (int i = 0; i < compound.getNumChildShapes(); ++i)
-            gather(near, *compound.getChildShape(i), pose * compound.getChildTransform(i));
+            gather(near, count, *compound.getChildShape(i), pose * compound.getChildTransform(i));
         return;
     }
     if (!shape.isConcave() || shape.getShapeType() == STATIC_PLANE_PROXYTYPE) return;
     const btVector3 centre = pose.invXform(toBullet(Vector3(0.5 * (near.low_W + near.high_W))));
     const btVector3 half = pose.getBasis().transpose().absolute() * toBullet(Vector3(0.5 * (near.high_W - near.low_W)));
-    Gather found(near, pose, shape.getShapeType() == TERRAIN_SHAPE_PROXYTYPE);
+    Gather found(near, count, pose, shape.getShapeType() == TERRAIN_SHAPE_PROXYTYPE);
     static_cast<const btConcaveShape&>(shape).processAllTriangles(&found, centre - half, centre + half);
 }
 
@@ -96,9 +108,10 @@ void know(NearFaces& near, const btCollisionObject& object, const Way& way, doub
     near.high_W = high.array() + around;
     near.age = 0;
     near.inside = 0;
-    near.faces.clear();
     near.faces.reserve(kUsual);
-    gather(near, *near.shape, near.pose);
+    std::size_t count = 0;
+    gather(near, count, *near.shape, near.pose);
+    near.faces.resize(count);
 }
 
 std::optional<Meets> meetFaces(NearFaces& near, const Way& way) {
@@ -127,8 +140,8 @@ double outside(const NearFaces::Face& face, const Vector3& point) {
 }
 
 // The nearest point of a triangle lies inside it or on an edge.
-double distanceTo(const NearFaces::Face& face, const Vector3& point) {
-    if (outside(face, point) <= 0) return std::abs(face.normal_W.dot(point - face.corners_W[0]));
+double distanceTo(const NearFaces::Face& face, const Vector3& point, double beyond) {
+    if (beyond <= 0) return std::abs(face.normal_W.dot(point - face.corners_W[0]));
     double nearest = kInfinity;
     for (std::size_t k = 0; k < 3; ++k) {
         const Vector3 &a = face.corners_W[k], &b = face.corners_W[(k + 1) % 3];

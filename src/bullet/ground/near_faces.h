@@ -62,7 +62,7 @@ std::optional<Meets> meetFaces(NearFaces& near, const Way& way);
 // How far a point lies outside the edges of a face, seen along its normal; negative inside.
 double outside(const NearFaces::Face& face, const Vector3& point);
 
-// Of a face, to the point.
-double distanceTo(const NearFaces::Face& face, const Vector3& point);
+// Of a face to a point that lies so far `beyond` its edges.
+double distanceTo(const NearFaces::Face& face, const Vector3& point, double beyond);
 }  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread

@@ -17,22 +17,20 @@ Vector3 upward(const NearFaces::Face& face, const Vector3& normal) {
     return face.normal_W.dot(normal) < 0 ? Vector3(-face.normal_W) : face.normal_W;
 }
 
-// Whether the ray met this face, and farther from its edges than anything is rounded.
-bool isWithin(const NearFaces::Face& face, const Vector3& point, const Vector3& normal, double reach) {
-    return std::abs(face.normal_W.dot(normal)) > kSameNormal && outside(face, point) < -reach &&
-           std::abs(face.normal_W.dot(point - face.corners_W[0])) < kOnFace;
-}
-
 // What the faces make of a normal; zero when none of them is the one that the ray met.
 Vector3 blend(const NearFaces& near, const Vector3& point, const Vector3& normal, const Rounding& rounding) {
     const double sharp = std::cos(rounding.angle), reach = rounding.reach;
     Vector3 sum = Vector3::Zero();
     bool met = false;
     for (const NearFaces::Face& face : near.faces) {
-        if (std::abs(face.normal_W.dot(normal)) < sharp || outside(face, point) > reach) continue;
-        if (isWithin(face, point, normal, reach)) return upward(face, normal);
-        const double distance = distanceTo(face, point);
-        met |= std::abs(face.normal_W.dot(normal)) > kSameNormal && distance < kOnFace;
+        const double alike = std::abs(face.normal_W.dot(normal));
+        if (alike < sharp) continue;
+        const double beyond = outside(face, point);
+        if (beyond > reach) continue;
+        const double distance = distanceTo(face, point, beyond);
+        const bool is_met = alike > kSameNormal && distance < kOnFace;
+        if (is_met && beyond < -reach) return upward(face, normal);
+        met |= is_met;
         const double share = std::max(1 - distance / reach, 0.0);
         sum += share * share * std::min(face.area, reach * reach) * upward(face, normal);
     }
