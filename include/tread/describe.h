@@ -106,22 +106,29 @@ constexpr std::size_t memberCount() {
     }
 }
 
-// Room for a T that is never made: only the places of its members are named.
+// Room for a T that is never made: only compilers look at the places of its members.
 template <class T>
 union Unmade {
     char nothing;
     T value;
-    constexpr Unmade() : nothing() {}
     constexpr ~Unmade() {}
 };
+template <class T>
+extern Unmade<T> unmade;  // not defined anywhere
 
+#ifdef __clang__
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wundefined-var-template"
+#endif
 template <class T>
 constexpr std::size_t describedCount() {
     std::size_t count = 0;
-    Unmade<T> unmade;
-    T::describe(unmade.value, [&count](auto&&...) { ++count; });
+    T::describe(unmade<T>.value, [&count](auto&&...) { ++count; });
     return count;
 }
+#ifdef __clang__
+#pragma clang diagnostic pop
+#endif
 
 template <class T>
 struct IsVector : std::false_type {};
