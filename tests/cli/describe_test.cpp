@@ -39,25 +39,33 @@ Json field(const Json& described, const std::string& path) {
     return nullptr;
 }
 
+// What is described, each field in one line.
+std::string describedInLines(const std::string& what) {
+    setenv("COLUMNS", "10000", 1);
+    const Result result = runProgram({"describe", what});
+    unsetenv("COLUMNS");
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.err, "");
+    return result.out;
+}
+
 // The lines of a table that begin with a path.
 std::size_t linesWith(const std::string& text, const std::string& path) {
     std::istringstream stream(text);
     std::size_t count = 0;
-    for (std::string line; std::getline(stream, line);) count += line.rfind("  " + path + " ", 0) == 0;
+    for (std::string line; std::getline(stream, line);) count += (line + " ").rfind("  " + path + " ", 0) == 0;
     return count;
 }
 
 template <class T>
 void expectEveryFieldOnce(const std::string& what) {
-    const Result result = runProgram({"describe", what});
-    EXPECT_EQ(result.status, 0);
-    EXPECT_EQ(result.err, "");
-    EXPECT_EQ(firstLine(result.out).find(what + ": "), 0u);
+    const std::string text = describedInLines(what);
+    EXPECT_EQ(firstLine(text).find(what + ": "), 0u);
     const Json json = described(what);
     const auto rows = referenceTable<T>();
     EXPECT_EQ(json["fields"].size(), rows.size());
     for (const ReferenceRow& row : rows) {
-        EXPECT_EQ(linesWith(result.out, row.path), 1u) << row.path;
+        EXPECT_EQ(linesWith(text, row.path), 1u) << row.path;
         EXPECT_EQ(field(json, row.path)["meaning"], row.meaning) << row.path;
     }
 }
@@ -79,14 +87,14 @@ TEST(Describe, FieldHasUnitMeaningLimitsDefaultAndTolerance) {
                              {"limits", "at least 0"},
                              {"default", "required"},
                              {"tolerance", 0.1}}));
-    const std::string text = runProgram({"describe", "vehicle"}).out;
+    const std::string text = describedInLines("vehicle");
     EXPECT_NE(text.find("damping in compression (usually known within 10 %)"), std::string::npos);
     EXPECT_NE(text.find("\nfront: front axle\n"), std::string::npos) << "groups have a headline";
 }
 
 // The cells of a column begin at the same place.
 TEST(Describe, ColumnsOfAGroupAreAligned) {
-    const std::string text = runProgram({"describe", "vehicle"}).out;
+    const std::string text = describedInLines("vehicle");
     const std::size_t begin = text.find("\ninertia: ");
     std::istringstream group(text.substr(begin + 1, text.find("\n\n", begin) - begin - 1));
     std::string line;
@@ -115,7 +123,7 @@ TEST(Describe, LogHasTheColumnsOfALog) {
 }
 
 TEST(Describe, MetricsHaveUnitAndDefinition) {
-    const std::string text = runProgram({"describe", "metrics"}).out;
+    const std::string text = describedInLines("metrics");
     EXPECT_EQ(text.find("default"), std::string::npos);
     const Json json = described("metrics");
     std::size_t metrics = 0;
@@ -136,7 +144,7 @@ TEST(Describe, MetricsHaveUnitAndDefinition) {
 }
 
 TEST(Describe, EffectsAskAQuestionAndNameTheNumbersThatTheyMove) {
-    const std::string text = runProgram({"describe", "effects"}).out;
+    const std::string text = describedInLines("effects");
     EXPECT_EQ(text.find("default"), std::string::npos);
     const Json json = described("effects");
     for (const Effect& effect : effectCatalogue()) {
@@ -163,6 +171,20 @@ TEST(Describe, UnknownNameIsAnsweredWithASuggestionAndTheList) {
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err.find("tread: there is no description \"vehcle\", only vehicle, tyre, "), 0u) << result.err;
     EXPECT_NE(result.err.find("; did you mean \"vehicle\"?\n"), std::string::npos) << result.err;
+}
+
+TEST(Describe, PathGivesOneFieldAndWhatItContains) {
+    const Result entry = runProgram({"describe", "scenario", "phases.3"});
+    EXPECT_EQ(entry.status, 0);
+    EXPECT_NE(entry.out.find("  phases.0.until.time "), std::string::npos) << entry.out;
+    EXPECT_EQ(entry.out.find("  road."), std::string::npos);
+    EXPECT_EQ(linesWith(runProgram({"describe", "vehicle", "mass"}).out, "mass"), 1u);
+    const Result wrong = runProgram({"describe", "vehicle", "front.suspension.sprin"});
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_EQ(wrong.err,
+              "tread describe: a vehicle has no field \"front.suspension.sprin\"; did you mean "
+              "\"front.suspension.spring\"?; `tread describe vehicle` lists all\n");
+    EXPECT_EQ(runProgram({"describe", sourceFile("vehicles/compact.yaml"), "mass"}).status, 2);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fcntl.h>
+#include <pty.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -71,6 +72,30 @@ inline Result runProgram(const std::vector<std::string>& words, const std::strin
     const std::string err = scratch.path("err");
     const int status = Running(words, out, err).waitForStatus();
     return {status, standard_output.empty() ? contentOf(out) : "", contentOf(err)};
+}
+
+// The same in a terminal of 80 columns, which shows both streams.
+inline Result runInTerminal(std::vector<std::string> words) {
+    const winsize window{.ws_row = 24, .ws_col = 80, .ws_xpixel = 0, .ws_ypixel = 0};
+    words.insert(words.begin(), programFile());
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    int terminal = -1;
+    const pid_t child = forkpty(&terminal, nullptr, nullptr, &window);
+    if (child < 0) throw std::runtime_error("no terminal can be made");
+    if (child == 0) {
+        setenv("TERM", "xterm", 1);
+        execv(argv[0], argv.data());
+        _exit(127);
+    }
+    std::string out;
+    char buffer[4096];
+    for (ssize_t n = 0; (n = read(terminal, buffer, sizeof buffer)) > 0;) out.append(buffer, static_cast<size_t>(n));
+    close(terminal);
+    int state = 0;
+    waitpid(child, &state, 0);
+    return {WIFEXITED(state) ? WEXITSTATUS(state) : -1, out, ""};
 }
 
 }  // namespace tread

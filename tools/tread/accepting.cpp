@@ -132,6 +132,11 @@ void checkAcceptFile(const std::string& name) {
     throwIfAny(std::move(problems));
 }
 
+Tone toneOf(const std::vector<Verdict>& verdicts) {
+    if (verdicts.empty()) return Tone::plain;
+    return allMet(verdicts) ? Tone::good : Tone::bad;
+}
+
 std::vector<JUnitCase> junitCases(const std::string& name, const std::vector<Verdict>& verdicts) {
     std::vector<JUnitCase> cases{{name, "run"}};
     for (const Verdict& verdict : verdicts) {

@@ -8,6 +8,7 @@
 #include "metrics/verdict.h"
 #include "report/junit.h"
 #include "scenario/scenario.h"
+#include "terminal.h"
 #include "tread/problem.h"
 
 namespace tread::program {
@@ -35,6 +36,9 @@ void expectAllUsed(const std::string& file, const std::vector<NamedScenario>& sc
 
 // A file of conditions on the metrics of any manoeuvre. Throws LoadError.
 void checkAcceptFile(const std::string& file);
+
+// Of an answer with these verdicts.
+Tone toneOf(const std::vector<Verdict>& verdicts);
 
 // Of one run, for JUnit: the run itself, and each of its verdicts.
 std::vector<JUnitCase> junitCases(const std::string& name, const std::vector<Verdict>& verdicts);

@@ -12,9 +12,9 @@
 #include "diagnose/catalogue/effect.h"
 #include "log/csv.h"
 #include "output.h"
-#include "progress.h"
 #include "report/blind_report.h"
 #include "store/sha256.h"
+#include "terminal.h"
 #include "tread/load.h"
 
 namespace tread::program {
@@ -84,8 +84,8 @@ int blindMake(const BlindMakeOptions& options) {
         printJson(
             {{"cases", options.cases}, {"folder", folder.string()}, {"key", key_file.string()}, {"key_sha256", hash}});
     } else {
-        print(fmt::format("{} cases of seed {} in {}; their faults are sealed in {}\nSHA-256 of the key: {}\n",
-                          options.cases, options.seed, folder.string(), key_file.string(), hash));
+        say(fmt::format("{} cases of seed {} in {}; their faults are sealed in {}\nSHA-256 of the key: {}\n",
+                        options.cases, options.seed, folder.string(), key_file.string(), hash));
     }
     return kYes;
 }
@@ -101,7 +101,7 @@ int blindScore(const BlindScoreOptions& options) {
     judging.jobs = options.jobs > 0 ? options.jobs : cores;
     judging.threads = std::max(1, cores / judging.jobs);
     Progress progress(0, "cases");
-    judging.progress = [&](int done, int) { progress.at(done); };
+    judging.progress = [&](int done, int total) { progress.at(done, total); };
     const auto diagnose = [&](const Path& file, int threads) { return diagnosedCase(file, references, threads); };
     std::vector<CaseAnswer> answers = collectAnswers(options.cases, answers_folder, diagnose, judging);
 
@@ -115,9 +115,9 @@ int blindScore(const BlindScoreOptions& options) {
     if (options.json) {
         printJson(nlohmann::json::parse(json));
     } else {
-        print(fmt::format("{}  {}\n  SHA-256 of the key: {}\n", scoreText(scored), made_of, hash));
+        say(fmt::format("{}  {}\n  SHA-256 of the key: {}\n", scoreText(scored), made_of, hash));
     }
-    std::fprintf(stderr, "report: %s\n", (output / "report.html").c_str());
+    note("report: " + (output / "report.html").string());
     return scored.failed > 0 ? kRunFailed : kYes;
 }
 

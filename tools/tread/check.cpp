@@ -145,7 +145,7 @@ int check(const CheckOptions& options) {
             // Notes on the file itself already start with its name.
             const bool named = note.starts_with(file.name + ": ");
             const std::size_t begin = named ? file.name.size() + 2 : 0;
-            std::fprintf(stderr, "%s: note: %s\n", file.name.c_str(), note.c_str() + begin);
+            program::note(fmt::format("{}: note: {}", file.name, note.substr(begin)));
         }
     }
     const std::vector<Problem> faults = allFaults(files);
@@ -155,7 +155,7 @@ int check(const CheckOptions& options) {
     if (options.json) {
         printJson({{"answer", words}, {"faults", faults.size()}, {"files", json(files)}});
     } else {
-        print(words + "\n" + text(files, faults));
+        say(words + "\n" + text(files, faults), faults.empty() ? Tone::good : Tone::bad);
     }
     return faults.empty() ? kYes : kBadInput;
 }

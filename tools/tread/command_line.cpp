@@ -1,79 +1,100 @@
 #include "command_line.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "base/number_text.h"
+#include "command_guide.h"
 #include "commands.h"
 #include "describable.h"
+#include "output.h"
 
 namespace tread::program {
 namespace {
 
+// What the value names is told in the help, and completed by the shells.
+template <class T>
+CLI::Option* addFile(CLI::App& app, const std::string& name, T& value, const std::string& meaning) {
+    return app.add_option(name, value, meaning)->type_name("FILE");
+}
+template <class T>
+CLI::Option* addFolder(CLI::App& app, const std::string& name, T& value, const std::string& meaning) {
+    return app.add_option(name, value, meaning)->type_name("FOLDER");
+}
+
+// A word that may be one of these; what it may be besides is said by the command.
+template <class T>
+CLI::Option* addName(CLI::App& app, const std::string& name, T& value, const std::string& meaning,
+                     const std::vector<std::string_view>& names) {
+    const std::string choices = fmt::format("NAME:{{{}}}", fmt::join(names, ","));
+    return app.add_option(name, value, meaning)->type_name(choices);
+}
+
 void addSettings(CLI::App& app, std::vector<std::string>& settings, const std::string& meaning) {
     // One value each; otherwise files that follow would be read as settings.
-    app.add_option("--set", settings, meaning)->allow_extra_args(false);
+    app.add_option("--set", settings, meaning)->allow_extra_args(false)->type_name("PATH=VALUE");
 }
 
 void addRun(CLI::App& app, RunOptions& o) {
-    app.add_option("vehicle", o.vehicle, "vehicle file (YAML)")->required();
-    CLI::Option* scenario = app.add_option("scenario", o.scenario, "scenario file (YAML)");
-    app.add_option("--all", o.all, "folder: drive all its scenarios, with one page that links the reports")
+    addFile(app, "vehicle", o.vehicle, "vehicle file (YAML)")->required();
+    CLI::Option* scenario = addFile(app, "scenario", o.scenario, "scenario file (YAML)");
+    addFolder(app, "--all", o.all, "folder: drive all its scenarios, with one page that links the reports")
         ->excludes(scenario);
-    app.add_option("--log", o.log, "log of the drive that the scenario repeats (CSV)");
-    app.add_option("-o,--output", o.output, "folder for log, metrics and report (default: out/<scenario>, or out)");
+    addFile(app, "--log", o.log, "log of the drive that the scenario repeats (CSV)");
+    addFolder(app, "-o,--output", o.output, "folder for log, metrics and report (default: out/<scenario>, or out)");
     addSettings(app, o.settings, "path=value, for example front.suspension.spring=\"25 kN/m\" or scenario.step=0.002");
-    app.add_option("--accept", o.accept, "conditions on metrics (YAML), beside those of the scenario");
-    app.add_option("--junit", o.junit, "write the verdicts as JUnit XML to this file");
+    addFile(app, "--accept", o.accept, "conditions on metrics (YAML), beside those of the scenario");
+    addFile(app, "--junit", o.junit, "write the verdicts as JUnit XML to this file");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
 void addCompare(CLI::App& app, CompareOptions& o) {
-    app.add_option("reference", o.reference, "log to compare with (CSV), or folder of runs")->required();
-    app.add_option("new", o.candidate, "log to judge (CSV), or folder of runs")->required();
-    app.add_option("--tolerances", o.tolerances, "tolerances per channel and metric (YAML)");
-    app.add_option("--report", o.report,
-                   "write an overlay report (HTML) with a replay of all cars; of folders a summary");
-    app.add_option(
-        "--envelope", o.envelope,
-        "iso19364: do measurements (reference) lie within the boundaries around a simulation (new)? Or a file");
-    app.add_option("--score", o.score, "iso18571: how alike are the curves? Or a file");
-    app.add_option("--repeat", o.repeats,
-                   "further log: another measurement for --envelope and --score, drawn but not judged in --report");
-    app.add_option("--junit", o.junit, "of folders: write the verdicts as JUnit XML to this file");
+    addFile(app, "reference", o.reference, "log to compare with (CSV), or folder of runs")->required();
+    addFile(app, "new", o.candidate, "log to judge (CSV), or folder of runs")->required();
+    addFile(app, "--tolerances", o.tolerances, "tolerances per channel and metric (YAML)");
+    addFile(app, "--report", o.report,
+            "write an overlay report (HTML) with a replay of all cars; of folders a summary");
+    addFile(app, "--envelope", o.envelope,
+            "iso19364: do measurements (reference) lie within the boundaries around a simulation (new)? Or a file");
+    addFile(app, "--score", o.score, "iso18571: how alike are the curves? Or a file");
+    addFile(app, "--repeat", o.repeats,
+            "further log: another measurement for --envelope and --score, drawn but not judged in --report");
+    addFile(app, "--junit", o.junit, "of folders: write the verdicts as JUnit XML to this file");
     app.add_flag("--update", o.update, "of folders: after the comparison, copy the new runs over the reference");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
 void addMetrics(CLI::App& app, MetricsOptions& o) {
-    app.add_option("log", o.log, "log (CSV)")->required();
+    addFile(app, "log", o.log, "log (CSV)")->required();
     app.add_option("--manoeuvre", o.manoeuvre, "name of the manoeuvre (default: found from the log)");
-    app.add_option("--scenario", o.scenario, "scenario file that was driven: lanes of its course");
-    app.add_option("--accept", o.accept, "conditions on the metrics (YAML); status 1 when one is missed");
+    addFile(app, "--scenario", o.scenario, "scenario file that was driven: lanes of its course");
+    addFile(app, "--accept", o.accept, "conditions on the metrics (YAML); status 1 when one is missed");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
 void addImport(CLI::App& app, ImportOptions& o) {
-    app.add_option("file", o.file, "foreign log (.vbo, .mat, text table) or tyre property file (.tir)")->required();
-    app.add_option("--map", o.map, "mapping from its columns to channels (YAML; default: guessed from the names)");
-    app.add_option("--init", o.init, "write the guessed mapping to this file, to be edited, and no log");
-    app.add_option("-o,--output", o.output, "log or tyre file to write (default: <file>.tread.csv or .tread.yaml beside the file)");
+    addFile(app, "file", o.file, "foreign log (.vbo, .mat, text table) or tyre property file (.tir)")->required();
+    addFile(app, "--map", o.map, "mapping from its columns to channels (YAML; default: guessed from the names)");
+    addFile(app, "--init", o.init, "write the guessed mapping to this file, to be edited, and no log");
+    addFile(app, "-o,--output", o.output,
+            "log or tyre file to write (default: <file>.tread.csv or .tread.yaml beside the file)");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
 void addTyre(CLI::App& app, TyreOptions& o) {
-    app.add_option("tyre", o.tyre, "tyre file (YAML or .tir)")->required();
+    addFile(app, "tyre", o.tyre, "tyre file (YAML or .tir)")->required();
     app.add_option("--axes", o.axes, "axes of the table: paper (y right, z down) or iso (ISO 8855: y left, z up)")
         ->check(CLI::IsMember({"paper", "iso"}));
-    app.add_option(
-        "--table", o.table,
-        "steady state at the points of this table (CSV); its lambda_* columns replace the tyre file's factors, "
-        "they do not multiply them");
-    app.add_option("--transient", o.transient, "contact-patch transients under the motion of this table (CSV)");
-    app.add_option("-o,--output", o.output, "table to write (default: standard output)");
-    app.add_option("--plot", o.plot, "page of curves to write (HTML)");
+    addFile(app, "--table", o.table,
+            "steady state at the points of this table (CSV); its lambda_* columns replace the tyre file's factors, "
+            "they do not multiply them");
+    addFile(app, "--transient", o.transient, "contact-patch transients under the motion of this table (CSV)");
+    addFile(app, "-o,--output", o.output, "table to write (default: standard output)");
+    addFile(app, "--plot", o.plot, "page of curves to write (HTML)");
     app.add_option("--substeps", o.substeps, "integration steps per sample")->check(CLI::Range(1, 10000));
     app.add_option("--interpolate", o.interpolate, "motion between samples: hold or linear")
         ->check(CLI::IsMember({"hold", "linear"}));
@@ -84,58 +105,57 @@ void addTyre(CLI::App& app, TyreOptions& o) {
 }
 
 void addDiagnose(CLI::App& app, DiagnoseRequest& o) {
-    app.add_option("file", o.file, "diagnosis.yaml: nominal car, recordings, tolerances");
+    addFile(app, "file", o.file, "diagnosis.yaml: nominal car, recordings, tolerances");
     app.add_flag("--check", o.check,
                  "only check the recordings and list the effects that they could show; status 1 if there are warnings");
-    app.add_option("--init", o.init, "write a diagnosis.yaml for the logs in this folder");
-    app.add_option("--vehicle", o.vehicle,
-                   "nominal car (YAML): for --init, or instead of the vehicle and vehicle_settings of the file");
-    app.add_option("--data", o.data, "folder of the logs (default: folder of the file)");
-    app.add_option("-o,--output", o.output, "folder for results and simulated drives (default: out)");
+    addFolder(app, "--init", o.init, "write a diagnosis.yaml for the logs in this folder");
+    addFile(app, "--vehicle", o.vehicle,
+            "nominal car (YAML): for --init, or instead of the vehicle and vehicle_settings of the file");
+    addFolder(app, "--data", o.data, "folder of the logs (default: folder of the file)");
+    addFolder(app, "-o,--output", o.output, "folder for results and simulated drives (default: out)");
     app.add_option("--threads", o.threads, "threads (default: one per core)")->check(CLI::Range(0, 1000));
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
 void addIdentify(CLI::App& app, IdentifyRequest& o) {
-    app.add_option("file", o.file, "diagnosis.yaml, as for tread diagnose: nominal car, recordings, tolerances")
+    addFile(app, "file", o.file, "diagnosis.yaml, as for tread diagnose: nominal car, recordings, tolerances")
         ->required();
     app.add_option("--fit", o.fit, "paths of the numbers to fit; * matches any characters (default: fit in the file)")
         ->delimiter(',');
     app.add_option("--without", o.without,
                    "recordings to hold out, by name or log: not fitted, but the gap is judged in them");
-    app.add_option("--vehicle", o.vehicle,
-                   "nominal car (YAML) instead of the vehicle and vehicle_settings of the file");
-    app.add_option("--data", o.data, "folder of the logs (default: folder of the file)");
-    app.add_option("-o,--output", o.output, "folder for calibrated.yaml, identify.json and the report (default: out)");
+    addFile(app, "--vehicle", o.vehicle, "nominal car (YAML) instead of the vehicle and vehicle_settings of the file");
+    addFolder(app, "--data", o.data, "folder of the logs (default: folder of the file)");
+    addFolder(app, "-o,--output", o.output, "folder for calibrated.yaml, identify.json and the report (default: out)");
     app.add_option("--threads", o.threads, "threads (default: one per core)")->check(CLI::Range(0, 1000));
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
 void addDescribe(CLI::App& app, DescribeOptions& o) {
-    app.add_option("what", o.what,
-                   listed(describableNames(false)) + ": all its fields; or a vehicle file: its data sheet")
+    addName(app, "what", o.what, "whose fields; or a vehicle file: its data sheet", describableNames(false))
         ->required();
-    app.add_option("--report", o.report, "page of the data sheet to write (HTML)");
+    app.add_option("path", o.path, "of one field, for example phases.0: this field and what it contains");
+    addFile(app, "--report", o.report, "page of the data sheet to write (HTML)");
     addSettings(app, o.settings, "path=value, for example load.mass=200: the car of the data sheet");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
 void addCheck(CLI::App& app, CheckOptions& o) {
-    app.add_option("files", o.files, "YAML, .tir or CSV files")->required();
+    addFile(app, "files", o.files, "YAML, .tir or CSV files")->required();
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
 void addSchema(CLI::App& app, SchemaOptions& o) {
-    app.add_option("what", o.what, listed(describableNames(true)))->required();
-    app.add_option("-o,--output", o.output, "file to write (default: standard output)");
+    addName(app, "what", o.what, "kind of file", describableNames(true))->required();
+    addFile(app, "-o,--output", o.output, "file to write (default: standard output)");
 }
 
 void addBlindMake(CLI::App& app, BlindMakeOptions& o) {
     app.add_option("--cases", o.cases, "number of cases")->required()->check(CLI::Range(1, 999));
     app.add_option("--seed", o.seed, "seed of the random numbers; each seed gives different cases")->required();
-    app.add_option("-o,--output", o.output, "folder for the cases, must be new or empty")->required();
-    app.add_option("--key", o.key, "file for the sealed key (default: <folder>.key.json)");
-    app.add_option("--vehicle", o.vehicle, "nominal car (default: vehicles/compact.yaml)");
+    addFolder(app, "-o,--output", o.output, "folder for the cases, must be new or empty")->required();
+    addFile(app, "--key", o.key, "file for the sealed key (default: <folder>.key.json)");
+    addFile(app, "--vehicle", o.vehicle, "nominal car (default: vehicles/compact.yaml)");
     app.add_option("--kinds", o.kinds, "kinds of cases: one, two, none, outside, mixed, small (default: all)")
         ->delimiter(',');
     app.add_option("--drives", o.drives,
@@ -150,10 +170,10 @@ void addBlindMake(CLI::App& app, BlindMakeOptions& o) {
 }
 
 void addBlindScore(CLI::App& app, BlindScoreOptions& o) {
-    app.add_option("cases", o.cases, "folder of the cases")->required();
-    app.add_option("key", o.key, "sealed key (JSON), opened after all cases are diagnosed")->required();
-    app.add_option("-o,--output", o.output,
-                   "folder for answers, score.json and report.html; an interrupted run is resumed")
+    addFolder(app, "cases", o.cases, "folder of the cases")->required();
+    addFile(app, "key", o.key, "sealed key (JSON), opened after all cases are diagnosed")->required();
+    addFolder(app, "-o,--output", o.output,
+              "folder for answers, score.json and report.html; an interrupted run is resumed")
         ->required();
     app.add_option("--jobs", o.jobs, "number of cases in parallel (default: one per core)")->check(CLI::Range(1, 256));
     app.add_flag("--no-references", o.no_references,
@@ -169,11 +189,24 @@ void addCommand(CLI::App& app, const std::string& name, const std::string& meani
     const auto options = std::make_shared<Options>();
     add_options(*command, *options);
     command->callback([=, &status] { status = run_command(*options); });
+    command->fallthrough();  // --quiet may stand behind the command
+}
+
+void addGuides(CLI::App& app) {
+    CLI::App* const man = app.add_subcommand("man", "the manual, for man: tread man | man -l -");
+    man->callback([&app] { print(manPage(app)); });
+    CLI::App* const complete = app.add_subcommand("completions", "completions of commands and options for a shell");
+    const auto shell = std::make_shared<std::string>();
+    complete->add_option("shell", *shell, "bash, zsh or fish")
+        ->required()
+        ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+    complete->callback([&app, shell] { print(completions(app, *shell)); });
 }
 
 }  // namespace
 
 void addCommands(CLI::App& app, int& status) {
+    app.add_flag_callback("-q,--quiet", beQuiet, "no answers in words, no warnings, no progress: only errors");
     addCommand(app, "run",
                "drive a manoeuvre and write log, metrics and report; status 1 when a metric is not accepted", addRun,
                run, status);
@@ -202,6 +235,7 @@ void addCommands(CLI::App& app, int& status) {
                "check files: vehicles, tyres, scenarios, mappings, tolerances, logs; status 2 when one has faults",
                addCheck, check, status);
     addCommand(app, "schema", "JSON Schema of a file, for editors", addSchema, schema, status);
+    addGuides(app);
 }
 
 }  // namespace tread::program

@@ -104,6 +104,7 @@ int identify(const IdentifyRequest& request);
 
 struct DescribeOptions {
     std::string what;                   // of describables(), or a vehicle file: its data sheet
+    std::string path;                   // of one field, in place of all
     std::string report;                 // page of the data sheet to write; empty: none
     std::vector<std::string> settings;  // path=value, of the car
     bool json = false;

@@ -80,7 +80,7 @@ void writeReport(const CompareOptions& options, const Log& reference, const Log&
         if (i == 0 && record) report.scene = sceneOf(record->scenario);
     }
     writeFile(options.report, overlayReport(report));
-    std::fprintf(stderr, "overlay report: %s\n", options.report.c_str());
+    note("overlay report: " + options.report);
 }
 
 }  // namespace
@@ -114,7 +114,7 @@ int compare(const CompareOptions& options) {
     if (options.json) {
         printJson(tread::json(comparison));
     } else {
-        print(words);
+        say(words, comparison.same ? Tone::good : Tone::bad);
     }
     return comparison.same ? kYes : kNo;
 }

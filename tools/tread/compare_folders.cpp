@@ -208,7 +208,7 @@ int update(const CompareOptions& options, const std::vector<ComparedRun>& runs,
         }
         ++changed;
     }
-    std::fprintf(stderr, "updated %s: %zu of %zu runs\n", options.reference.c_str(), changed, runs.size());
+    note(fmt::format("updated {}: {} of {} runs", options.reference, changed, runs.size()));
     return kYes;
 }
 
@@ -257,7 +257,7 @@ int compareFolders(const CompareOptions& options) {
     if (options.json) {
         printJson(jsonOf(answer, runs));
     } else {
-        print(textOf(answer, runs));
+        say(textOf(answer, runs), same ? Tone::good : Tone::bad);
     }
     if (options.update) return update(options, runs, reference, candidate);
     return same ? kYes : kNo;

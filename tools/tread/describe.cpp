@@ -4,8 +4,10 @@
 #include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <span>
 
+#include "base/did_you_mean.h"
 #include "base/field_path.h"
 #include "base/number_text.h"
 #include "commands.h"
@@ -35,25 +37,59 @@ void widen(Widths& widths, std::span<const std::string> cells) {
     for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], cells[i].size());
 }
 
-// Columns that are empty in the whole table are left out.
+// One line a field, in columns; the last wraps. Columns that are empty in the whole table are left out.
 std::string line(const Widths& widths, std::span<const std::string> cells) {
     std::string out = " ";
     for (std::size_t i = 0; i < widths.size(); ++i) {
         if (widths[i] > 0) out += fmt::format(" {:<{}} ", cells[i], widths[i]);
     }
-    return out + " " + cells.back() + "\n";
+    out += " ";
+    return out + wrapped(cells.back(), out.size(), lineWidth()) + "\n";
+}
+
+// The same where the columns leave too little room: path and unit, and below them all else.
+std::string block(const std::array<std::string, kCells>& cells) {
+    const auto& [path, unit, default_text, limits, meaning] = cells;
+    const bool required = default_text == "required" || default_text.empty();
+    std::string words = required ? default_text : default_text == "absent" ? "optional" : "default " + default_text;
+    if (!limits.empty()) words += (words.empty() ? "" : ", ") + limits;
+    words += (words.empty() ? "" : ": ") + meaning;
+    constexpr std::size_t kIndent = 6;
+    return fmt::format("  {}{}{}\n{:{}}{}\n", path, unit.empty() ? "" : "  ", unit, "", kIndent,
+                       wrapped(words, kIndent, lineWidth()));
 }
 
 std::string table(std::span<const ReferenceRow> rows) {
     static const std::array<std::string, kCells> kHead = {"field", "unit", "default", "limits", "meaning"};
+    constexpr std::size_t kRoom = 30;  // columns that the last cell needs
     Widths widths{};
     for (const ReferenceRow& row : rows) widen(widths, cellsOf(row));
+    std::size_t before = 2;
     for (std::size_t i = 0; i < widths.size(); ++i) {
-        if (widths[i] > 0) widths[i] = std::max(widths[i], kHead[i].size());
+        if (widths[i] == 0) continue;
+        widths[i] = std::max(widths[i], kHead[i].size());
+        before += widths[i] + 2;
     }
-    std::string out = line(widths, kHead);
-    for (const ReferenceRow& row : rows) out += line(widths, cellsOf(row));
+    const bool fits = before + kRoom <= lineWidth();
+    std::string out = fits ? line(widths, kHead) : "";
+    for (const ReferenceRow& row : rows) out += fits ? line(widths, cellsOf(row)) : block(cellsOf(row));
     return out;
+}
+
+// Of a path as typed: the rows of that field, of what it contains, or of an entry of its list ("phases.2").
+std::vector<ReferenceRow> rowsAt(const Describable& what, const std::string& path) {
+    const std::string pattern = std::regex_replace(path, std::regex(R"(\.[0-9]+(?=\.|$))"), ".0");
+    std::vector<ReferenceRow> found;
+    std::vector<std::string> paths;
+    for (const ReferenceRow& row : what.rows()) {
+        paths.push_back(row.path);
+        if (row.path == pattern || row.path.starts_with(pattern + ".")) found.push_back(row);
+    }
+    if (!found.empty()) return found;
+    const std::vector<std::string_view> known(paths.begin(), paths.end());
+    throw LoadError({{"tread describe", 0, 0, "",
+                      fmt::format("a {} has no field {}{}; `tread describe {}` lists all", what.name, quote(path),
+                                  didYouMean(path, known), what.name)}});
 }
 
 // Single fields first, then a table for each field that contains others.
@@ -74,16 +110,17 @@ std::string text(const Describable& what) {
         if (end - begin == 1 && begin->path == top.name) {
             alone.push_back(*begin);
         } else {
-            groups += fmt::format("\n{}: {}\n{}", top.name, top.meaning, table({begin, end}));
+            const std::string head = fmt::format("{}: {}", top.name, top.meaning);
+            groups += fmt::format("\n{}\n{}", wrapped(head, 0, lineWidth()), table({begin, end}));
         }
     }
     if (!alone.empty()) out += "\n" + table(alone);
     return out + groups;
 }
 
-nlohmann::json json(const Describable& what) {
+nlohmann::json json(const Describable& what, const std::vector<ReferenceRow>& rows) {
     nlohmann::json fields = nlohmann::json::array();
-    for (const ReferenceRow& row : what.rows()) {
+    for (const ReferenceRow& row : rows) {
         fields.push_back({{"path", row.path},
                           {"unit", row.unit},
                           {"meaning", row.meaning},
@@ -114,13 +151,19 @@ bool looksLikeFile(const std::string& what) {
 int describe(const DescribeOptions& options) {
     const std::vector<std::string_view> names = describableNames(false);
     const bool named = std::find(names.begin(), names.end(), options.what) != names.end();
-    if (!named && looksLikeFile(options.what)) return describeCar(options);
+    if (!named && looksLikeFile(options.what)) {
+        if (options.path.empty()) return describeCar(options);
+        throw LoadError({{"tread describe", 0, 0, "",
+                          fmt::format("found {} behind a file, expected a path only behind a name such as vehicle",
+                                      quote(options.path))}});
+    }
     if (!options.report.empty() || !options.settings.empty()) rejectForName(options);
     const Describable& what = describable(options.what, false);
+    const std::vector<ReferenceRow> rows = options.path.empty() ? what.rows() : rowsAt(what, options.path);
     if (options.json) {
-        printJson(json(what));
+        printJson(json(what, rows));
     } else {
-        print(text(what));
+        print(options.path.empty() ? text(what) : table(rows));
     }
     return kYes;
 }

@@ -106,7 +106,7 @@ int describeCar(const DescribeOptions& options) {
                                                .version = TREAD_VERSION,
                                                .sheet = sheet,
                                                .resolved_yaml = vehicleYaml(car)}));
-        fmt::print(stderr, "data sheet: {}\n", options.report);
+        note("data sheet: " + options.report);
     }
     if (options.json) {
         printJson(json(sheet, options.what, options.report));

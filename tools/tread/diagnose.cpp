@@ -9,10 +9,10 @@
 #include "diagnose/options.h"
 #include "diagnose_check.h"
 #include "output.h"
-#include "progress.h"
 #include "report/diagnosis_report.h"
 #include "shipped_drives.h"
 #include "stages.h"
+#include "terminal.h"
 
 namespace tread::program {
 namespace {
@@ -39,7 +39,7 @@ int diagnose(const DiagnoseRequest& request) {
     options.threads = request.threads;
     options.cache = out / "cache";
     if (request.check) return checkData(inputs, options, request.json);
-    warn("diagnose", inputs.warnings);
+    warnOf(inputs.warnings);
 
     Diagnosis diagnosis;
     {
@@ -48,7 +48,7 @@ int diagnose(const DiagnoseRequest& request) {
         options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
         diagnosis = tread::diagnose::diagnosisOf(inputs.nominal, inputs.file, inputs.recorded, inputs.effects, options);
     }
-    warn("diagnose", diagnosis.data_warnings);
+    warnOf(diagnosis.data_warnings);
     diagnosis.data_warnings.insert(diagnosis.data_warnings.begin(), inputs.warnings.begin(), inputs.warnings.end());
 
     std::filesystem::create_directories(out);
@@ -61,7 +61,7 @@ int diagnose(const DiagnoseRequest& request) {
               diagnosisReport(
                   {.title = "Diagnosis of " + car, .vehicle = car, .version = TREAD_VERSION, .diagnosis = diagnosis}));
     if (request.json) printJson(json);
-    else print(diagnosisText(diagnosis));
+    else say(diagnosisText(diagnosis));
     return statusOf(diagnosis);
 }
 

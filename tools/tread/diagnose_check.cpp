@@ -17,12 +17,12 @@
 #include "diagnose/options.h"
 #include "diagnose/precheck.h"
 #include "output.h"
-#include "progress.h"
 #include "recording/checks/data_checks.h"
 #include "recording/checks/rigid_body.h"
 #include "recording/choose_windows.h"
 #include "recording/diagnosis_file.h"
 #include "recording/further_instruments.h"
+#include "terminal.h"
 
 namespace tread::program {
 namespace {
@@ -151,8 +151,8 @@ DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const st
     return inputs;
 }
 
-void warn(const char* command, const std::vector<std::string>& warnings) {
-    for (const std::string& warning : warnings) fmt::print(stderr, "tread {}: {}\n", command, warning);
+void warnOf(const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) warn(warning);
 }
 
 int checkData(const DiagnosisInputs& inputs, tread::diagnose::Options options, bool json) {
@@ -174,7 +174,7 @@ int checkData(const DiagnosisInputs& inputs, tread::diagnose::Options options, b
         for (const std::string& warning : checked.warnings) text += "  " + warning + "\n";
         text += precheckText(checked.precheck);
         if (!without.empty()) text += fmt::format("Not applicable to this car: {}\n", fmt::join(without, ", "));
-        print(text);
+        say(text, checked.warnings.empty() ? Tone::good : Tone::bad);
     }
     return checked.warnings.empty() ? kYes : kNo;
 }

@@ -26,8 +26,7 @@ struct DiagnosisInputs {
 DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const std::string& vehicle,
                                     const std::vector<std::string>& without = {});
 
-// Prints warnings to standard error, each behind the name of the command.
-void warn(const char* command, const std::vector<std::string>& warnings);
+void warnOf(const std::vector<std::string>& warnings);
 
 // Prints what the data checks found and what the drives could show of each effect; kNo when there are warnings.
 int checkData(const DiagnosisInputs& inputs, tread::diagnose::Options options, bool json);

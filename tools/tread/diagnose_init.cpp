@@ -91,8 +91,8 @@ int initDiagnosis(const Path& folder, const std::string& vehicle) {
                     "# tolerances:  # how accurately numbers of the car are known, where the defaults do not apply\n"
                     "#   - {{path: mass, relative: 0.01}}\n",
                     car, recordings));
-    print(fmt::format("{} of {} logs can be read; wrote {}{}\n", usable, names.size(), file.string(),
-                      vehicle.empty() ? "; enter the vehicle there" : ""));
+    say(fmt::format("{} of {} logs can be read; wrote {}{}\n", usable, names.size(), file.string(),
+                    vehicle.empty() ? "; enter the vehicle there" : ""));
     return usable > 0 ? kYes : kBadInput;
 }
 

@@ -7,10 +7,10 @@
 #include "diagnose/options.h"
 #include "diagnose_check.h"
 #include "output.h"
-#include "progress.h"
 #include "recording/subject_paths.h"
 #include "report/identification_report.h"
 #include "stages.h"
+#include "terminal.h"
 
 namespace tread::program {
 namespace {
@@ -44,7 +44,7 @@ int identify(const IdentifyRequest& request) {
     judgePaths(request.fit);
     DiagnosisInputs inputs = readDiagnosisInputs(request.file, request.data, request.vehicle, request.without);
     if (!request.fit.empty()) inputs.file.fit = request.fit;
-    warn("identify", inputs.warnings);
+    warnOf(inputs.warnings);
 
     const Path out = request.output.empty() ? Path("out") : Path(request.output);
     Identification found;
@@ -57,7 +57,7 @@ int identify(const IdentifyRequest& request) {
         found = tread::calibrate::identificationOf(inputs.nominal, inputs.file, inputs.recorded, options);
     }
     std::vector<std::string>& warnings = found.gap.data_warnings;
-    warn("identify", warnings);
+    warnOf(warnings);
     warnings.insert(warnings.begin(), inputs.warnings.begin(), inputs.warnings.end());
 
     std::filesystem::create_directories(out);
@@ -67,7 +67,7 @@ int identify(const IdentifyRequest& request) {
     writeFile(out / "calibrated.yaml", calibratedVehicleYaml(inputs.nominal, found));
     writeFile(out / "report.html", identificationReport(inputs.nominal.vehicle.name, TREAD_VERSION, found));
     if (request.json) printJson(json);
-    else print(identificationText(found));
+    else say(identificationText(found));
     return statusOf(found);
 }
 

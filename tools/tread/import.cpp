@@ -57,8 +57,8 @@ int importTyre(const ImportOptions& options) {
     if (options.json) {
         printJson({{"answer", answer}, {"file", options.file}, {"output", {output}}, {"notes", tyre.notes}});
     } else {
-        for (const std::string& note : tyre.notes) std::fprintf(stderr, "%s\n", note.c_str());
-        print(answer + "\n");
+        for (const std::string& remark : tyre.notes) note(remark);
+        say(answer + "\n");
     }
     return kYes;
 }
@@ -140,6 +140,12 @@ std::string lines(std::string_view what, const std::vector<std::string>& texts) 
     return out;
 }
 
+void noteLines(std::string text) {
+    if (text.empty()) return;
+    text.pop_back();  // the end of the last line
+    note(text);
+}
+
 int writeGuess(const ImportOptions& options, const GuessedMap& guessed) {
     refuseToOverwrite(options.init, options.file, "--init");
     writeFile(options.init, mappingText(guessed));
@@ -155,8 +161,8 @@ int writeGuess(const ImportOptions& options, const GuessedMap& guessed) {
                    {"guesses", guesses},
                    {"lacking", lacking}});
     } else {
-        std::fputs((lines("guess", guesses) + lines("lacking", lacking)).c_str(), stderr);
-        print(answer + "\n");
+        noteLines(lines("guess", guesses) + lines("lacking", lacking));
+        say(answer + "\n");
     }
     return kYes;
 }
@@ -196,8 +202,8 @@ int import(const ImportOptions& options) {
     if (!result.not_taken.empty()) words += "not taken: " + listedNames(result.not_taken) + "\n";
     words += lines("guess", guesses) + lines("lacking", lacking);
     if (guessed) words += "guessed mapping (--init FILE writes it):\n" + mappingText(mapping);
-    std::fputs(words.c_str(), stderr);
-    print(answer + "\n");
+    noteLines(words);
+    say(answer + "\n");
     return kYes;
 }
 

@@ -75,7 +75,7 @@ int judge(const CompareOptions& options) {
     if (options.json) {
         printJson(found);
     } else {
-        print(words);
+        say(words, passed && judged ? Tone::good : Tone::bad);
     }
     return !judged ? kBadInput : passed ? kYes : kNo;
 }

@@ -42,13 +42,13 @@ std::string unknownCommand(const CLI::App& app, std::string_view word) {
 }
 
 // The first option that the command does not have, with a suggestion; empty when it has all of them.
-std::string unknownOption(const CLI::App& command) {
+std::string unknownOption(const CLI::App& command, const std::vector<std::string>& remaining) {
     std::vector<std::string> options;
     for (const CLI::Option* option : command.get_options()) {
         for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
     }
     const std::vector<std::string_view> names(options.begin(), options.end());
-    for (const std::string& word : command.remaining()) {
+    for (const std::string& word : remaining) {
         const std::string option = word.substr(0, word.find('='));
         if (word.size() > 1 && word.front() == '-')
             return "there is no option " + quote(option) + didYouMean(option, names);
@@ -61,16 +61,16 @@ int refuse(const CLI::App& app, const CLI::ParseError& error) {
         app.get_subcommands([](const CLI::App* command) { return command->parsed(); });
     const CLI::App& command = called.empty() ? app : *called.front();
     const std::string name = called.empty() ? "tread" : "tread " + command.get_name();
-    std::string fault = unknownOption(command);
-    if (fault.empty() && !command.remaining().empty())
-        fault = "there is no use for " + quote(command.remaining().front());
+    const std::vector<std::string> remaining = app.remaining(true);
+    std::string fault = unknownOption(command, remaining);
+    if (fault.empty() && !remaining.empty()) fault = "unexpected argument " + quote(remaining.front());
     if (fault.empty()) fault = error.what();
     std::fprintf(stderr, "%s: %s (`%s --help` shows how it is called)\n", name.c_str(), fault.c_str(), name.c_str());
     return kBadInput;
 }
 
 int dispatch(int argc, char** argv) {
-    CLI::App app{"tread: a full car on Delft Tyre 97 tyres in Bullet, driven by YAML files", "tread"};
+    CLI::App app{"full-vehicle simulator on Delft Tyre 97 tyres and Bullet, driven by YAML files", "tread"};
     app.set_version_flag("--version", std::string("tread ") + TREAD_VERSION);
     app.require_subcommand(1);
 

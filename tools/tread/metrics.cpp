@@ -52,7 +52,7 @@ int metrics(const MetricsOptions& options) {
         } else {
             std::string words = text(manoeuvre, found);
             for (const Verdict& verdict : verdicts) words += "Verdict: " + text(verdict) + "\n";
-            print(words);
+            say(words, toneOf(verdicts));
         }
     } catch (const MetricError& error) {
         throw LoadError({{options.log, 0, 0, "", error.what()}});

@@ -73,6 +73,10 @@ void print(std::string_view text) {
     writeFile({}, text);
 }
 
+void say(std::string_view text, Tone tone) {
+    if (!isQuiet()) print(coloured(text, tone, stdout));
+}
+
 void printJson(const nlohmann::json& value) {
     print(jsonText(value));
 }

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "commands.h"
+#include "terminal.h"
 
 namespace tread::program {
 
@@ -35,8 +36,12 @@ private:
 
 void writeFile(const Path& path, std::string_view text);
 
+// What was asked for as data.
 void print(std::string_view text);
 void printJson(const nlohmann::json& value);
+
+// An answer in words, in the colour of its tone; nothing with --quiet.
+void say(std::string_view text, Tone tone = Tone::plain);
 
 std::string jsonText(const nlohmann::json& value);
 

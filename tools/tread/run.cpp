@@ -5,20 +5,20 @@
 #include "accepting.h"
 #include "commands.h"
 #include "output.h"
-#include "progress.h"
 #include "run/simulate.h"
 #include "run_all.h"
 #include "run_inputs.h"
 #include "run_scenario.h"
 #include "scenario/load.h"
 #include "series/series.h"
+#include "terminal.h"
 #include "tread/problem.h"
 
 namespace tread::program {
 namespace {
 
 void show(const Driven& driven, const RunOptions& options, const Path& folder) {
-    for (const std::string& warning : driven.warnings) fmt::print(stderr, "warning: {}\n", warning);
+    for (const std::string& warning : driven.warnings) warn(warning);
     if (options.json) {
         printJson(driven.json);
         return;
@@ -30,7 +30,7 @@ void show(const Driven& driven, const RunOptions& options, const Path& folder) {
     }
     for (const Verdict& verdict : driven.verdicts) text += fmt::format("Verdict: {}\n", tread::text(verdict));
     text += fmt::format("Report: {}\n", std::filesystem::absolute(folder / "report.html").lexically_normal().string());
-    print(text);
+    say(text, toneOf(driven.verdicts));
 }
 
 void writeJUnit(const RunOptions& options, const std::vector<JUnitCase>& cases) {

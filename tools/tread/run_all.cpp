@@ -12,11 +12,11 @@
 #include "drive.h"
 #include "log/csv.h"
 #include "output.h"
-#include "progress.h"
 #include "report/series_report.h"
 #include "run/simulate.h"
 #include "run_inputs.h"
 #include "run_scenario.h"
+#include "terminal.h"
 #include "tread/problem.h"
 
 namespace tread::program {
@@ -152,8 +152,10 @@ int runAll(const RunOptions& options) {
     if (options.json) {
         printJson({{"answer", overview.answer}, {"verdicts", tread::json(verdicts)}, {"scenarios", list}});
     } else {
-        print(fmt::format("{}\n{}Overview: {}\n", overview.answer, lines,
-                          std::filesystem::absolute(out / "index.html").lexically_normal().string()));
+        const bool all = driven == std::ssize(plans) && allMet(verdicts);
+        say(fmt::format("{}\n{}Overview: {}\n", overview.answer, lines,
+                        std::filesystem::absolute(out / "index.html").lexically_normal().string()),
+            all ? Tone::good : Tone::bad);
     }
     if (std::any_of(plans.begin(), plans.end(), [](const Planned& p) { return !p.fault.empty(); })) return kBadInput;
     if (driven != std::ssize(plans)) return kRunFailed;

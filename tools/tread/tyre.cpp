@@ -89,7 +89,7 @@ int tyre(const TyreOptions& given) {
     if (options.output == "-" || options.output == "/dev/stdout") options.output.clear();
     rejectOptionsThatDoNotFit(given);
     TyreParams params = loadTyre(options.tyre);
-    for (const std::string& note : params.notes) fmt::print(stderr, "warning: {}\n", note);
+    for (const std::string& note : params.notes) warn(note);
     applySettings(params, options.settings, "--set",
                   [](std::string_view) -> std::string { return "`tread describe tyre` lists all paths"; });
     const Axes axes = options.axes == "iso" ? Axes::iso : Axes::paper;
@@ -106,8 +106,10 @@ int tyre(const TyreOptions& given) {
     const std::string answer = options.json ? jsonText(outcome.json) : outcome.text;
     if (table && options.output.empty()) {
         fmt::print(stderr, "{}", answer);
-    } else {
+    } else if (options.json) {
         print(answer);
+    } else {
+        say(answer);
     }
     return kYes;
 }
