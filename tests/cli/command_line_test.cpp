@@ -101,6 +101,8 @@ TEST(CommandLine, QuietLeavesOnlyErrorsAndWhatWasAskedFor) {
     EXPECT_EQ(checked.out + checked.err, "");
     EXPECT_EQ(runProgram({"-q", "check", kSedan}).out, "");
     EXPECT_NE(runProgram({"check", kSedan, "--json", "-q"}).out, "");
+    EXPECT_EQ(runProgram({"blind", "score", "no_such", "no_such", "-o", "no_such", "-q"}).err.find("no option"),
+              std::string::npos);
     const Result wrong = runProgram({"metrics", "no_such.csv", "-q"});
     EXPECT_EQ(wrong.status, 2);
     EXPECT_NE(wrong.err, "");

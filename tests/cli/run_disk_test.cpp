@@ -38,7 +38,7 @@ TEST_F(TreadRun, EarlierResultThatCannotBeReplacedIsRefused) {
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err, "tread: cannot remove " + out("log.csv") +
-                              ", which an earlier run has left: Directory not empty; choose another folder with -o\n");
+                              ", which an earlier call has left: Directory not empty; choose another folder with -o\n");
 }
 
 TEST_F(TreadRun, LogThatFillsTheDiskKeepsItsWholeRows) {
@@ -53,7 +53,7 @@ TEST_F(TreadRun, LogThatFillsTheDiskKeepsItsWholeRows) {
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err, "tread: cannot write '" + out("log.csv") + "': File too large; the rows so far are in '" +
                               out("log.incomplete.csv") + "'\n");
-    EXPECT_EQ(results(), kFailedResults);
+    EXPECT_EQ(results(), (Names{"INCOMPLETE", "log.incomplete.csv", "run.yaml"}));
     const Log log = readLog(out("log.incomplete.csv"));
     EXPECT_GT(log.samples(), 50u);
     EXPECT_EQ(log.channels[0].values[7], 0.007);
@@ -71,7 +71,7 @@ TEST_F(TreadRun, ReportThatFillsTheDiskLeavesTheLogAndNoReport) {
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err, "tread: cannot write '" + out("report.html") + "': File too large\n");
-    EXPECT_EQ(results(), (Names{"log.csv", "metrics.json", "run.yaml"}));
+    EXPECT_EQ(results(), (Names{"INCOMPLETE", "log.csv", "metrics.json", "run.yaml"}));
     EXPECT_GT(readLog(out("log.csv")).samples(), 10u);
 }
 
@@ -85,7 +85,7 @@ TEST_F(TreadRun, DiskWithoutSpaceIsTold) {
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err,
               "tread: cannot write '" + out("log.csv") + "': No space left on device; no row was written\n");
-    EXPECT_EQ(results(), Names{"run.yaml"});
+    EXPECT_EQ(results(), (Names{"INCOMPLETE", "run.yaml"}));
 }
 
 }  // namespace

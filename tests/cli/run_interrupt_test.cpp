@@ -44,8 +44,51 @@ TEST_P(TreadRunInterrupted, KeepsTheLogSoFarAndSaysWhere) {
     EXPECT_EQ(contentOf(scratch.path("stdout")), "");
 }
 
-INSTANTIATE_TEST_SUITE_P(By, TreadRunInterrupted, testing::Values(std::pair(SIGINT, 130), std::pair(SIGTERM, 143)),
-                         [](const auto& by) { return by.param.first == SIGINT ? "CtrlC" : "Termination"; });
+INSTANTIATE_TEST_SUITE_P(By, TreadRunInterrupted,
+                         testing::Values(std::pair(SIGINT, 130), std::pair(SIGTERM, 143), std::pair(SIGHUP, 129)),
+                         [](const auto& by) {
+                             const int signal = by.param.first;
+                             return signal == SIGINT ? "CtrlC" : signal == SIGTERM ? "Termination" : "Hangup";
+                         });
+
+TEST_F(TreadRun, SecondCallIntoAFolderIsRefusedAndSaysWhoWritesThere) {
+    car();
+    scenario();
+    const auto longer =
+        words({"--set", "scenario.phases.0.until.duration=100000", "--set", "scenario.time_limit=200000"});
+    Running first(longer, scratch.path("stdout"), scratch.path("stderr"));
+    ASSERT_TRUE(grows(out("log.csv.part"), 1));
+    const std::string resolved = contentOf(out("run.yaml"));
+    const Result second = runProgram(words({}));
+    EXPECT_EQ(second.status, 2);
+    EXPECT_EQ(second.err.rfind("tread: process ", 0), 0u) << second.err;
+    EXPECT_NE(second.err.find(" writes into the folder "), std::string::npos);
+    EXPECT_EQ(contentOf(out("run.yaml")), resolved);
+
+    Running waiting(words({"--wait"}), scratch.path("stdout2"), scratch.path("stderr2"));
+    first.send(SIGTERM);
+    EXPECT_EQ(first.waitForStatus(), 143);
+    EXPECT_EQ(waiting.waitForStatus(), 0) << contentOf(scratch.path("stderr2"));
+    EXPECT_TRUE(std::filesystem::exists(out("report.html")));
+}
+
+TEST_F(TreadRun, KilledCallLeavesAMarkThatComparisonsSee) {
+    car();
+    scenario();
+    Running program(words({"--set", "scenario.phases.0.until.duration=100000", "--set", "scenario.time_limit=200000"}),
+                    scratch.path("stdout"), scratch.path("stderr"));
+    ASSERT_TRUE(grows(out("log.csv.part"), 1));
+    program.send(SIGKILL);
+    program.waitForStatus();
+    const Result compared = runProgram({"compare", out(""), out("")});
+    EXPECT_NE(compared.status, 0);
+    EXPECT_NE((compared.out + compared.err).find("is incomplete: its run was killed or has not ended"),
+              std::string::npos)
+        << compared.out << compared.err;
+    EXPECT_EQ(runProgram(words({})).status, 0);
+    EXPECT_FALSE(std::filesystem::exists(out("INCOMPLETE")));
+    EXPECT_EQ(runProgram({"compare", out(""), out("")}).status, 0);
+}
 
 TEST_F(TreadRun, InterruptIsHeardBetweenRowsThatAreFarApart) {
     car();
@@ -74,7 +117,7 @@ TEST_F(TreadRun, ProgressIsShownOnATerminalAndWipedBeforeTheMessage) {
     bool interrupted = false;
     for (ssize_t size = 0; (size = read(terminal, piece, sizeof piece)) > 0;) {
         shown.append(piece, static_cast<std::size_t>(size));
-        if (!interrupted && shown.find(" s [") != std::string::npos) {
+        if (!interrupted && shown.find(" left (") != std::string::npos) {
             interrupted = true;
             program.send(SIGINT);
         }

@@ -186,8 +186,8 @@ TEST(BlindReport, SaysTheFiguresAndTheHashOfTheKey) {
     report.made_of = "1 cases of seed 7";
     report.score = score(keyOf(key), {answerOf("case_001", blamed("heavier"))});
     const std::string page = blindReport(report);
-    for (const char* word : {"0123abcd", "1 cases of seed 7", "named first", "alibration", "heavier", "Wilson",
-                             "NOT frozen", "22 nats and more, told apart", "22-100"})
+    for (const char* word : {"0123abcd", "1 cases of seed 7", "ranked first", "alibration", "heavier", "Wilson",
+                             "NOT frozen", "22 nats and more, distinguishable", "22-100"})
         EXPECT_NE(page.find(word), std::string::npos) << word;
 }
 
@@ -197,7 +197,7 @@ TEST(BlindReport, SaysWhatNoCaseCanAnswerInsteadOfZeros) {
     BlindReport report;
     report.score = score(keyOf(key), {});
     const std::string page = blindReport(report);
-    for (const char* word : {"No case for: ", "one effect: named first", "no such case", "1 of 1 cases have no answer"})
+    for (const char* word : {"No case for: ", "one effect: ranked first", "no such case", "1 of 1 cases have no answer"})
         EXPECT_NE(page.find(word), std::string::npos) << word;
 }
 

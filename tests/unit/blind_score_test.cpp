@@ -520,7 +520,7 @@ TEST(BlindScore, TextSaysTheAnswerFirstAndFitsItsWidth) {
     EXPECT_TRUE(text.starts_with("Blind check of 7 cases, NOT frozen: one effect named first in 0 of 2, ")) << text;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 110u) << line;
-    for (const char* word : {"Figures of all cases", "Wilson 95 %", "22 nats and more, told apart", "second family",
+    for (const char* word : {"Figures of all cases", "Wilson 95 %", "22 nats and more, distinguishable", "second family",
                              "Outcomes", "Stated probabilities", "by the stronger of two", "99.97 %"})
         EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
 }

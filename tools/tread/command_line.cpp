@@ -12,6 +12,7 @@
 #include "commands.h"
 #include "describable.h"
 #include "output.h"
+#include "output_folder.h"
 
 namespace tread::program {
 namespace {
@@ -207,6 +208,7 @@ void addGuides(CLI::App& app) {
 
 void addCommands(CLI::App& app, int& status) {
     app.add_flag_callback("-q,--quiet", beQuiet, "no answers in words, no warnings, no progress: only errors");
+    app.add_flag_callback("--wait", waitForFolders, "wait for a folder into which another call writes");
     addCommand(app, "run",
                "drive a manoeuvre and write log, metrics and report; status 1 when a metric is not accepted", addRun,
                run, status);
@@ -225,6 +227,7 @@ void addCommands(CLI::App& app, int& status) {
                addIdentify, identify, status);
     CLI::App* const blind = app.add_subcommand("blind", "test the diagnosis with cars whose faults are sealed");
     blind->require_subcommand(1);
+    blind->fallthrough();
     addCommand(*blind, "make", "make cases: logs of cars with sealed faults, and the key", addBlindMake, blindMake,
                status);
     addCommand(*blind, "score", "diagnose the cases, open the key and score the answers", addBlindScore, blindScore,

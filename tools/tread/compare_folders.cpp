@@ -13,6 +13,7 @@
 #include "base/yaml_position.h"
 #include "log/csv.h"
 #include "output.h"
+#include "output_folder.h"
 #include "report/folders_report.h"
 #include "report/junit.h"
 
@@ -22,9 +23,14 @@ namespace {
 // What makes a folder a run, and what a baseline keeps of it: all but the page.
 constexpr std::array kKept{"run.yaml", "log.csv", "metrics.json", "series.csv"};
 
+bool isIncomplete(const Path& folder) {
+    return std::filesystem::exists(folder / kIncomplete);
+}
+
 bool isRun(const Path& folder) {
-    return std::any_of(kKept.begin(), kKept.end(),
-                       [&](const char* name) { return std::filesystem::exists(folder / name); });
+    return isIncomplete(folder) || std::any_of(kKept.begin(), kKept.end(), [&](const char* name) {
+               return std::filesystem::exists(folder / name);
+           });
 }
 
 // The runs in a folder and below it, by their names relative to it; the folder itself may be one.
@@ -88,6 +94,13 @@ public:
 
 private:
     ComparedRun compareRun(const std::string& name, const Path& reference, const Path& candidate) {
+        for (const Path& folder : {reference, candidate}) {
+            if (!isIncomplete(folder)) continue;
+            return {
+                name,
+                fmt::format("{} is incomplete: its run was killed or has not ended. Run it again.", folder.string()),
+                true};
+        }
         ComparedRun run{name, ""};
         std::string nothing = "it has no log and no metrics";
         const bool here = std::filesystem::exists(reference / "log.csv");

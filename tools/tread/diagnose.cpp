@@ -9,6 +9,7 @@
 #include "diagnose/options.h"
 #include "diagnose_check.h"
 #include "output.h"
+#include "output_folder.h"
 #include "report/diagnosis_report.h"
 #include "shipped_drives.h"
 #include "stages.h"
@@ -40,6 +41,7 @@ int diagnose(const DiagnoseRequest& request) {
     options.cache = out / "cache";
     if (request.check) return checkData(inputs, options, request.json);
     warnOf(inputs.warnings);
+    const OutputFolder output(out);
 
     Diagnosis diagnosis;
     {
@@ -51,15 +53,15 @@ int diagnose(const DiagnoseRequest& request) {
     warnOf(diagnosis.data_warnings);
     diagnosis.data_warnings.insert(diagnosis.data_warnings.begin(), inputs.warnings.begin(), inputs.warnings.end());
 
-    std::filesystem::create_directories(out);
-    writeStages(diagnosis.overlays, out / "logs");
     const nlohmann::json json = diagnosisJson(diagnosis);
     writeFile(out / "diagnosis.json", jsonText(json));
+    writeStages(diagnosis.overlays, out / "logs");
     writeFile(out / "vehicle_with_effect.yaml", vehicleWithEffectYaml(inputs.nominal, diagnosis));
     const std::string& car = inputs.nominal.vehicle.name;
     writeFile(out / "report.html",
               diagnosisReport(
                   {.title = "Diagnosis of " + car, .vehicle = car, .version = TREAD_VERSION, .diagnosis = diagnosis}));
+    output.complete();
     if (request.json) printJson(json);
     else say(diagnosisText(diagnosis));
     return statusOf(diagnosis);

@@ -101,34 +101,25 @@ Driven saveResults(const RunRecord& record, const Log& log, const Path& folder) 
 
 }  // namespace
 
-void prepareFolder(const Path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) {
-        throw FileError(
-            fmt::format("cannot create the folder {}: {}; choose another with -o", folder.string(), error.message()));
-    }
-    for (const char* name :
-         {"log.csv", "log.incomplete.csv", "run.yaml", "metrics.json", "report.html", "series.csv"}) {
-        const Path file = folder / name;
-        std::filesystem::remove(file, error);
-        if (error) {
-            throw FileError(
-                fmt::format("cannot remove {}, which an earlier run has left: {}; choose another folder with -o",
-                            file.string(), error.message()));
-        }
-    }
+void removeEarlierRun(const OutputFolder& output) {
+    for (const char* name : {"log.csv", "log.incomplete.csv", "run.yaml", "metrics.json", "report.html", "series.csv"})
+        output.remove(name);
 }
 
 Driven driveInto(const RunRecord& record, const Path& folder, const Tell& tell) {
-    prepareFolder(folder);
+    const OutputFolder output(folder);
+    removeEarlierRun(output);
     writeFile(folder / "run.yaml", writeYaml(record));
     std::optional<LogWriter> writer;
     const auto withRows = [&](const SimulationError& error) {
-        return error.what() + (writer ? "; " + writer->keepIncomplete() : "");
+        std::string text = error.what() + (writer ? "; " + writer->keepIncomplete() : "");
+        output.complete();  // an end in order: what is there is of this run
+        return text;
     };
     try {
-        return saveResults(record, drive(record, folder / "log.csv", writer, tell), folder);
+        Driven driven = saveResults(record, drive(record, folder / "log.csv", writer, tell), folder);
+        output.complete();
+        return driven;
     } catch (const Interrupted& error) {
         throw Interrupted(withRows(error), error.time);
     } catch (const SimulationError& error) {
@@ -147,6 +138,7 @@ std::vector<Metric> measure(const VehicleParams& vehicle, const Scenario& scenar
 void listenToSignals() {
     std::signal(SIGINT, stopRun);
     std::signal(SIGTERM, stopRun);
+    std::signal(SIGHUP, stopRun);
 }
 
 int stoppedStatus() {

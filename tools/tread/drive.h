@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "metrics/metric.h"
 #include "metrics/verdict.h"
+#include "output_folder.h"
 #include "run/run_record.h"
 
 namespace tread::program {
@@ -24,8 +25,8 @@ struct Driven {
 // Told the time in the run, s.
 using Tell = std::function<void(double time)>;
 
-// A folder for results, without those of an earlier run: what it holds at the end is of this run.
-void prepareFolder(const Path& folder);
+// What a run would leave there.
+void removeEarlierRun(const OutputFolder& output);
 
 // Throws SimulationError, which says what became of the rows so far; FileError.
 Driven driveInto(const RunRecord& record, const Path& folder, const Tell& tell);
@@ -33,7 +34,7 @@ Driven driveInto(const RunRecord& record, const Path& folder, const Tell& tell);
 // The metrics of a run that leaves nothing behind. Throws SimulationError, MetricError.
 std::vector<Metric> measure(const VehicleParams& vehicle, const Scenario& scenario);
 
-// The first Ctrl-C ends a run in order, the second the program.
+// The first Ctrl-C, or the end of the terminal, ends a run in order, the second the program.
 void listenToSignals();
 // Exit status of a program that was stopped so.
 int stoppedStatus();

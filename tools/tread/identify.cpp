@@ -7,6 +7,7 @@
 #include "diagnose/options.h"
 #include "diagnose_check.h"
 #include "output.h"
+#include "output_folder.h"
 #include "recording/subject_paths.h"
 #include "report/identification_report.h"
 #include "stages.h"
@@ -47,6 +48,7 @@ int identify(const IdentifyRequest& request) {
     warnOf(inputs.warnings);
 
     const Path out = request.output.empty() ? Path("out") : Path(request.output);
+    const OutputFolder output(out);
     Identification found;
     {
         Progress bar(100, "%");
@@ -60,12 +62,12 @@ int identify(const IdentifyRequest& request) {
     warnOf(warnings);
     warnings.insert(warnings.begin(), inputs.warnings.begin(), inputs.warnings.end());
 
-    std::filesystem::create_directories(out);
-    writeStages(found.gap.overlays, out / "logs");
     const nlohmann::json json = identificationJson(found);
     writeFile(out / "identify.json", jsonText(json));
+    writeStages(found.gap.overlays, out / "logs");
     writeFile(out / "calibrated.yaml", calibratedVehicleYaml(inputs.nominal, found));
     writeFile(out / "report.html", identificationReport(inputs.nominal.vehicle.name, TREAD_VERSION, found));
+    output.complete();
     if (request.json) printJson(json);
     else say(identificationText(found));
     return statusOf(found);

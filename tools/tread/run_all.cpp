@@ -109,6 +109,7 @@ Outcome drive(const Planned& plan, const Path& out, const TellShare& tell) {
 int runAll(const RunOptions& options) {
     const std::vector<Planned> plans = planned(options);
     const Path out = options.output.empty() ? Path("out") : Path(options.output);
+    const OutputFolder output(out);
     listenToSignals();
 
     Overview overview;
@@ -148,6 +149,7 @@ int runAll(const RunOptions& options) {
     overview.vehicle = vehicle;
     overview.version = readable->record.tread_version;
     writeFile(out / "index.html", overviewReport(overview));
+    output.complete();
     if (!options.junit.empty()) writeFile(options.junit, junit("tread run", cases));
     if (options.json) {
         printJson({{"answer", overview.answer}, {"verdicts", tread::json(verdicts)}, {"scenarios", list}});

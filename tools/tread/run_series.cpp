@@ -102,7 +102,8 @@ RunRecord tunedRecord(RunRecord record) {
 }
 
 Driven driveSeries(const RunRecord& record, const Path& folder, const Tell& tell) {
-    prepareFolder(folder);
+    const OutputFolder output(folder);
+    removeEarlierRun(output);
     writeFile(folder / "run.yaml", writeYaml(record));
     std::size_t count = 0;
     const SeriesResult found = series(

@@ -45,7 +45,7 @@ void addTestable(std::vector<CaseGroup>& all) {
     const auto one = [](const CaseKey& key, const Names& about) {
         return !about.empty() && strongest(key, about) >= kTestable;
     };
-    all.push_back({kTestableAndApart, "22 nats and more, told apart", apart});
+    all.push_back({kTestableAndApart, "22 nats and more, distinguishable", apart});
     all.push_back({kTestableAlike, "22 nats and more, resembles another", alike});
     all.push_back({kOneTestable, "22 nats and more of one at least", one});
 }

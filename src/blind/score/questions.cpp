@@ -88,18 +88,18 @@ std::vector<bool> closureCovered(const CaseKey&, const CaseAnswer& answer) {
 std::vector<FigureQuestion> questionsOfEffects() {
     const auto one = ofKind(CaseKind::one), two = ofKind(CaseKind::two), small = ofKind(CaseKind::small);
     return {
-        {"named_first", "one effect: named first", one, whether(firstIsTrue), claimsEffect, 0.95, true,
+        {"named_first", "one effect: ranked first", one, whether(firstIsTrue), claimsEffect, 0.95, true,
          kTestableAndApart},
         {"named", "one effect: named, if only as an alternative", one, whether(namesAnyTrue), claimsEffect},
-        {"in_credible_set", "one effect: in the set that holds 90 %", one, whether(truthInCredibleSet), {}, 0.9},
+        {"in_credible_set", "one effect: in the 90 % credible set", one, whether(truthInCredibleSet), {}, 0.9},
         {"pair_both", "two effects: both named, nothing else", two, whether(namesExactly), claimsAll, 0.85, true,
          kTestableAndApart},
         {"pair_only_true", "two effects: one or both named, nothing wrong", two, whether(namesOnlyTrue), claimsEffect},
-        {"pair_one_first", "two effects: one of them named first", two, whether(firstIsTrue), claimsEffect, 0.98, true,
+        {"pair_one_first", "two effects: one of them ranked first", two, whether(firstIsTrue), claimsEffect, 0.98, true,
          kOneTestable},
-        {"false_alarm", "no effect: false alarm", ofKind(CaseKind::none),
+        {"false_alarm", "no fault: false alarm", ofKind(CaseKind::none),
          whether([](const CaseKey&, const CaseAnswer& a) { return alarms(a); }), claimsAny, 0.02, false},
-        {"small_blamed", "small effect: wrongly blamed, or unknown", small,
+        {"small_blamed", "small effect: wrong effect named, or unknown", small,
          whether([](const CaseKey& k, const CaseAnswer& a) { return alarms(a) && !mayBeTrue(k, a); }), claimsWrong,
          0.05, false},
     };
@@ -112,9 +112,14 @@ std::vector<FigureQuestion> questionsOfOutsiders() {
     };
     const auto unknown = whether([](const CaseKey&, const CaseAnswer& a) { return callsUnknown(a); });
     return {
-        {"unknown", "outside the catalogue: called unknown", outside, unknown, {}, 0.9},
-        {"unknown_force", "outside, called unknown: right force named", force, forcesOfUnknown, {}, 0.8},
-        {"outside_blamed", "outside the catalogue: an effect blamed", outside,
+        {"unknown", "outside the catalogue: reported as unknown", outside, unknown, {}, 0.9},
+        {"unknown_force",
+         "outside the catalogue, reported as unknown: right force named",
+         force,
+         forcesOfUnknown,
+         {},
+         0.8},
+        {"outside_blamed", "outside the catalogue: an effect named", outside,
          whether([](const CaseKey&, const CaseAnswer& a) { return blames(a); }), claimsAny, 0.05, false},
         {"mixed_effect",
          "effect and outsider: the effect named",
@@ -125,7 +130,15 @@ std::vector<FigureQuestion> questionsOfOutsiders() {
          true,
          {},
          effectsOf},
-        {"mixed_remainder", "effect and outsider: something unknown said", mixed, unknown, {}, 0, true, {}, outsiderOf},
+        {"mixed_remainder",
+         "effect and outsider: reported as partly unknown",
+         mixed,
+         unknown,
+         {},
+         0,
+         true,
+         {},
+         outsiderOf},
         {"mixed_both", "effect and outsider: both", mixed,
          whether([](const CaseKey& k, const CaseAnswer& a) { return namesAnyTrue(k, a) && callsUnknown(a); })},
     };
