@@ -1,17 +1,24 @@
 #include "tread/problem.h"
 
+#include <map>
 #include <utility>
+
+#include "base/problem_texts.h"
 
 namespace tread {
 namespace {
 
-std::string allTexts(const std::vector<Problem>& problems) {
-    std::string texts;
-    for (const Problem& problem : problems) {
-        if (!texts.empty()) texts += '\n';
-        texts += toText(problem);
+constexpr std::size_t kMostOfAKind = 20;
+
+// The text without quoted words and numbers.
+std::string kindOf(const Problem& problem) {
+    std::string kind = problem.file + ": ";
+    bool quoted = false;
+    for (const char c : problem.text) {
+        if (c == '"') quoted = !quoted;
+        else if (!quoted && (c < '0' || c > '9')) kind += c;
     }
-    return texts;
+    return kind;
 }
 
 }  // namespace
@@ -29,7 +36,21 @@ std::string toText(const Problem& problem) {
     return text + problem.text;
 }
 
+std::string textOf(const std::vector<Problem>& problems) {
+    std::map<std::string, std::size_t> counts;
+    std::string texts;
+    const auto add = [&](const std::string& line) { texts += (texts.empty() ? "" : "\n") + line; };
+    for (const Problem& problem : problems) {
+        if (++counts[kindOf(problem)] <= kMostOfAKind) add(toText(problem));
+    }
+    for (const auto& [kind, count] : counts) {
+        if (count > kMostOfAKind)
+            add("... and " + std::to_string(count - kMostOfAKind) + " more of this kind: " + kind);
+    }
+    return texts;
+}
+
 LoadError::LoadError(std::vector<Problem> problems)
-    : std::runtime_error(allTexts(problems)), problems_(std::move(problems)) {}
+    : std::runtime_error(textOf(problems)), problems_(std::move(problems)) {}
 
 }  // namespace tread

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 namespace tread {
 namespace {
@@ -54,23 +56,59 @@ std::size_t findTabInIndentation(std::string_view text) {
     return kNowhere;
 }
 
+constexpr const char* kNotRegular =
+    "is a pipe, a socket or a device, expected a regular file; write its content into a file first";
+
+bool isNotRegular(const std::filesystem::file_status& status) {
+    return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+           !std::filesystem::is_directory(status);
+}
+
+std::size_t mostBytes() {
+    constexpr std::size_t kUsual = std::size_t{1} << 30;
+    const char* const given = std::getenv("TREAD_LARGEST_FILE");
+    const unsigned long long bytes = given ? std::strtoull(given, nullptr, 10) : 0;
+    return bytes > 0 ? static_cast<std::size_t>(bytes) : kUsual;
+}
+
+// False, with the reason, where the file ends in a fault or beyond the most bytes.
+bool readAll(std::FILE* file, std::string& text, std::string& fault) {
+    constexpr std::size_t kReadBytes = 1 << 20;
+    const std::size_t most = mostBytes();
+    for (std::size_t size = 1; text.size() != size;) {
+        size = text.size();
+        text.resize(size + kReadBytes);
+        text.resize(size + std::fread(text.data() + size, 1, kReadBytes, file));
+        if (std::ferror(file) != 0) {
+            fault = std::generic_category().message(errno);
+            return false;
+        }
+        if (text.size() > most) {
+            fault = "it holds more than " + std::to_string(most) +
+                    " bytes; set the variable TREAD_LARGEST_FILE to a larger number of bytes to read it";
+            return false;
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
 std::optional<std::string> readWholeFile(const std::filesystem::path& path, std::string& fault) {
-    constexpr std::size_t kReadBytes = 1 << 20;
+    std::string text;
+    if (path == "-") return readAll(stdin, text, fault) ? std::optional(std::move(text)) : std::nullopt;
+    std::error_code error;
+    if (isNotRegular(std::filesystem::status(path, error))) {
+        fault = kNotRegular;
+        return {};
+    }
     const auto close = [](std::FILE* file) { std::fclose(file); };
     const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
-    bool failed = !file;
-    std::string text;
-    for (std::size_t size = 1; !failed && text.size() != size;) {
-        size = text.size();
-        text.resize(size + kReadBytes);
-        text.resize(size + std::fread(text.data() + size, 1, kReadBytes, file.get()));
-        failed = std::ferror(file.get()) != 0;
+    if (!file) {
+        fault = std::generic_category().message(errno);
+        return {};
     }
-    if (!failed) return text;
-    fault = std::generic_category().message(errno);
-    return {};
+    return readAll(file.get(), text, fault) ? std::optional(std::move(text)) : std::nullopt;
 }
 
 std::optional<std::string> readTextFile(const std::filesystem::path& file, std::string& fault) {
@@ -82,6 +120,10 @@ std::optional<std::string> readTextFile(const std::filesystem::path& file, std::
     }
     if (std::filesystem::is_directory(status)) {
         fault = "found a directory, expected a file; name a file in it";
+        return {};
+    }
+    if (isNotRegular(status)) {
+        fault = kNotRegular;
         return {};
     }
     std::ifstream stream(file, std::ios::binary);

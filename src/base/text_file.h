@@ -14,8 +14,9 @@ namespace tread {
 // A described file is a few kilobytes; hostile text of 4 MB costs the YAML parser at most 1 GB (231 bytes a bracket).
 inline constexpr std::size_t kLargestFile = 4u << 20;
 
-// All bytes of a file, however large; nothing, and the reason of the operating system in `fault`, when they cannot be
-// had.
+// All bytes of a file, or of standard input for "-"; nothing, and the reason in `fault`, when they cannot be had. Files
+// are regular, since pipes block and devices never end, and hold at most 1 GB, or as many bytes as the variable
+// TREAD_LARGEST_FILE says.
 std::optional<std::string> readWholeFile(const std::filesystem::path& file, std::string& fault);
 
 // The bytes of a file that people wrote, at most one more than kLargestFile; nothing, and what to do in `fault`, when

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "cli/logs.h"
@@ -186,6 +189,44 @@ TEST_F(Check, MistypedKeysStillTellTheKind) {
     const Result result = runProgram({"check", file});
     EXPECT_EQ(firstLine(result.out), "2 faults in 1 file");
     EXPECT_NE(result.out.find("did you mean \"relative\"?"), std::string::npos) << result.out;
+}
+
+TEST(HostileFile, WithoutEndIsRefused) {
+    const Scratch scratch;
+    ASSERT_EQ(mkfifo(scratch.path("pipe.csv").c_str(), 0600), 0);
+    for (const std::string& file : {std::string("/dev/zero"), scratch.path("pipe.csv")}) {
+        const Result log = runProgram({"metrics", file});
+        EXPECT_EQ(log.status, 2);
+        EXPECT_EQ(log.err, "tread: cannot read '" + file +
+                               "': is a pipe, a socket or a device, expected a regular file; write its content into a "
+                               "file first\n");
+        EXPECT_EQ(runProgram({"check", file}).status, 2);
+        EXPECT_EQ(runProgram({"run", file, file}).status, 2);
+        EXPECT_EQ(runProgram({"import", file}).status, 2);
+    }
+}
+
+TEST(HostileFile, ThatIsTooLargeIsRefusedUnlessTheLimitIsRaised) {
+    const Scratch scratch;
+    const std::string log = scratch.file("log.csv", "time [s],chassis.vx [m/s]\n0,1\n1,1\n");
+    setenv("TREAD_LARGEST_FILE", "20", 1);
+    const Result read = runProgram({"compare", log, log});
+    unsetenv("TREAD_LARGEST_FILE");
+    EXPECT_EQ(read.status, 2);
+    EXPECT_NE(read.err.find("it holds more than 20 bytes; set the variable TREAD_LARGEST_FILE"), std::string::npos)
+        << read.err;
+    EXPECT_EQ(runProgram({"compare", log, log}).status, 0);
+}
+
+TEST(HostileFile, ManyFaultsOfAKindAreCounted) {
+    const Scratch scratch;
+    std::string car = contentOf(sourceFile("vehicles/compact.yaml"));
+    for (int i = 0; i < 100; ++i)
+        car += "unknown_" + std::string(1, static_cast<char>('a' + i % 26)) + std::to_string(i) + ": 1\n";
+    const Result result = runProgram({"check", scratch.file("car.yaml", car)});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_LT(std::count(result.out.begin(), result.out.end(), '\n'), 30);
+    EXPECT_NE(result.out.find("... and 80 more of this kind"), std::string::npos) << result.out;
 }
 
 }  // namespace

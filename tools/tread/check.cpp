@@ -8,6 +8,7 @@
 
 #include "base/did_you_mean.h"
 #include "base/number_text.h"
+#include "base/problem_texts.h"
 #include "base/text_file.h"
 #include "base/yaml_document.h"
 #include "commands.h"
@@ -111,8 +112,7 @@ std::string answer(std::size_t faults, std::size_t faulty, std::size_t files) {
 }
 
 std::string text(const std::vector<CheckedFile>& files, const std::vector<Problem>& faults) {
-    std::string out;
-    for (const Problem& fault : faults) out += toText(fault) + "\n";
+    std::string out = textOf(faults) + (faults.empty() ? "" : "\n");
     for (const CheckedFile& file : files) {
         if (file.problems.empty()) out += fmt::format("{}: {}, fine\n", file.name, file.kind);
     }
