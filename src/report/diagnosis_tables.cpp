@@ -13,7 +13,6 @@ namespace tread {
 namespace {
 
 using diagnose::kSettings;
-using diagnose::kTestable;
 
 using diagnose::answer::ConfusablePair;
 using diagnose::answer::Diagnosis;
@@ -22,6 +21,7 @@ using diagnose::answer::effectInWords;
 using diagnose::answer::NextDrive;
 using diagnose::answer::RankedEffect;
 using diagnose::answer::together;
+using diagnose::answer::unseenEffects;
 
 constexpr std::size_t kShown = 8;   // effects in the table; the others are only counted
 constexpr std::size_t kPairs = 10;  // pairs shown that are hard to tell apart
@@ -100,8 +100,7 @@ void addNextDrives(HtmlPage& page, const Diagnosis& diagnosis) {
         next.push_back({{drive.scenario}, {formatNumber(drive.nats, 3), true}, {separatesInWords(drive)}});
     if (!next.empty()) page.table({"Drive next", "Expected nats", "Would separate"}, next, true);
     std::vector<std::string> hidden;
-    for (const auto& [effect, nats] : diagnosis.expected_evidence)
-        if (nats < kTestable) hidden.push_back(effectInWords(effect));
+    for (const std::string& effect : unseenEffects(diagnosis)) hidden.push_back(effectInWords(effect));
     page.text(hidden.empty()
                   ? std::string("Every effect considered would be visible in these drives at its typical size.")
                   : fmt::format("These drives would not show {} of {} effects at their typical size: {}.",

@@ -86,6 +86,8 @@ void addGap(HtmlPage& page, const char* drives, const Decomposition& gap) {
     page.bar(bar);
     page.bullets(enlargingInWords(gap));
     addTable(page, gap);
+    if (const std::string closed = diagnose::answer::closedInWords(gap); !closed.empty())
+        page.text("Closed, of what a model can close: " + closed + ".");
 }
 
 void addSharesTable(HtmlPage& page, const char* of, const Shares& shares) {

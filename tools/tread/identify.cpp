@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "base/yaml_session.h"
 #include "calibrate/identification.h"
 #include "calibrate/identification_text.h"
@@ -16,7 +14,7 @@ namespace tread::program {
 namespace {
 
 using calibrate::calibratedVehicleYaml;
-using calibrate::FittedNumber;
+using calibrate::hasSucceeded;
 using calibrate::Identification;
 using calibrate::identificationJson;
 using calibrate::identificationText;
@@ -29,13 +27,6 @@ void judgePaths(const std::vector<std::string>& paths) {
         if (!fault.empty()) problems.push_back({"--fit", 0, 0, "", fault});
     }
     throwIfAny(std::move(problems));
-}
-
-// Yes when the fit has converged, the car has become better and the drives determine every number.
-int statusOf(const Identification& found) {
-    const bool all =
-        std::all_of(found.numbers.begin(), found.numbers.end(), [](const FittedNumber& one) { return one.determined; });
-    return all && found.converged && found.better ? kYes : kNo;
 }
 
 }  // namespace
@@ -68,7 +59,7 @@ int identify(const IdentifyRequest& request) {
     writeFile(out / "report.html", identificationReport(inputs.nominal.vehicle.name, TREAD_VERSION, found));
     if (request.json) printJson(json);
     else print(identificationText(found));
-    return statusOf(found);
+    return hasSucceeded(found) ? kYes : kNo;
 }
 
 }  // namespace tread::program
