@@ -42,9 +42,15 @@ void addEffects(HtmlPage& page, const Diagnosis& diagnosis) {
         add((isCause(diagnosis, effect.name) ? "▶ " : "") + effectInWords(effect.name), effect.probability,
             formatNumber(effect.log_evidence, 3));
     }
-    add("no effect visible in these drives", diagnosis.probability_of_nothing, "0");
-    add("an unknown cause", diagnosis.probability_of_unknown, "");
+    // Whether there is an unknown cause is a question of its own, asked of each of these alike.
+    const double unknown = diagnosis.probability_of_unknown;
+    add("no effect visible in these drives", unknown < 1 ? diagnosis.probability_of_nothing / (1 - unknown) : 0, "0");
     page.table({"Effect", "Probability", "Evidence, nats"}, rows);
+    page.text(
+        fmt::format("Beside any of these there may be an unknown cause ({}). It is told only from {:.0f} nats of "
+                    "evidence on, where "
+                    "what remains of the gap shows it.",
+                    diagnose::answer::probabilityInWords(unknown), kSettings.clear));
     if (diagnosis.effects.size() > kShown)
         page.text(
             fmt::format("{} other effects were considered and are less likely.", diagnosis.effects.size() - kShown));

@@ -298,6 +298,24 @@ TEST(DiagnosisReport, TheShareThatIsClosedFollowsFromTheNumbersOnThePage) {
     EXPECT_TRUE(std::isnan(closedShare({1, 1, 1, 1}, 1))) << "nothing can be closed";
 }
 
+// An unknown cause may be likely and yet have too little evidence to be told: the table of rivals then still has "no
+// effect" first, and the remainder says the same as the answer.
+TEST(DiagnosisReport, AnUnknownCauseThatIsNotToldDoesNotContradictTheAnswer) {
+    Diagnosis d = shared::sampleDiagnosis();
+    d.verdict = Verdict::nothing;
+    d.causes.clear();
+    d.training.each.clear();
+    d.probability_of_unknown = 0.8, d.probability_of_nothing = 0.6 * 0.2;
+    d.effects.resize(1);
+    d.effects[0].probability = 0.3;
+    d.unexplained.beyond_ordinary = 4;
+    EXPECT_TRUE(contains(page(d), ">0.600</td>"));
+    EXPECT_TRUE(contains(page(d), "there may be an unknown cause (p = 0.80)"));
+    EXPECT_TRUE(contains(page(d), "too few to tell of an unknown cause"));
+    d.verdict = Verdict::unknown;
+    EXPECT_TRUE(contains(page(d), "it is larger than that of an ordinary drive by 4 nats"));
+}
+
 TEST(DiagnosisReport, WhatIsNamedIsNotListedAsNotSeen) {
     Diagnosis d = shared::sampleDiagnosis();
     EXPECT_EQ(unseenEffects(d), (std::vector<std::string>{"brake_fade", "brake_gain"}));
