@@ -22,16 +22,28 @@ const YamlNode* childOf(const YamlDocument& document, const YamlNode& parent, st
     return nullptr;
 }
 
-}  // namespace
-
-TextPosition positionOfValue(const std::string& file, std::string_view path) {
+// The value of a path; nothing when the file does not say it.
+std::optional<YamlNode> valueAt(const std::string& file, std::string_view path) {
     std::string fault;
     std::vector<Problem> problems;
     const auto text = readTextFile(file, fault);
     const auto document = text ? parseYaml(*text, file, problems) : std::nullopt;
     const YamlNode* node = document ? &document->root() : nullptr;
     while (node && !path.empty()) node = childOf(*document, *node, takeName(path));
+    return node ? std::optional(*node) : std::nullopt;
+}
+
+}  // namespace
+
+TextPosition positionOfValue(const std::string& file, std::string_view path) {
+    const auto node = valueAt(file, path);
     return node ? TextPosition{node->line, node->column} : TextPosition{0, 0};
+}
+
+std::optional<std::string> writtenValue(const std::string& file, std::string_view path) {
+    const auto node = valueAt(file, path);
+    if (!node || node->kind != YamlNode::Kind::scalar) return {};
+    return node->text;
 }
 
 }  // namespace tread

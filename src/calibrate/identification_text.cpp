@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "diagnose/answer/diagnosis_json.h"
+#include "diagnose/answer/parts.h"
 #include "recording/subject_paths.h"
 #include "tread/load.h"
 
@@ -76,6 +77,16 @@ std::string identificationInWords(const Identification& found) {
     return text;
 }
 
+bool hasSucceeded(const Identification& found) {
+    return found.converged && found.better && names(found.numbers, &FittedNumber::determined, false).empty();
+}
+
+std::string outcomeInWords(const Identification& found) {
+    if (!found.converged) return "not converged";
+    if (!found.better) return "not better";
+    return hasSucceeded(found) ? "determined" : "not all determined";
+}
+
 std::string otherNumbersInWords(const Identification& found) {
     const GapLevels& level = judged(found.gap.how_far);
     const auto closed = [&](double by) { return level.nominal * level.nominal - by * by; };
@@ -136,6 +147,11 @@ Json identificationJson(const Identification& found) {
                              {"determined", one.determined}};
     }
     const Json gap = diagnosisJson(found.gap);
+    const GapLevels& levels = judged(found.gap.how_far);
+    const auto closed = [&](double after) {
+        const double share = diagnose::answer::closedShare(levels, after);
+        return std::isfinite(share) ? Json(share) : Json(nullptr);
+    };
     return {{"answer", found.answer},
             {"numbers", numbers},
             {"correlation", found.correlation},
@@ -147,6 +163,7 @@ Json identificationJson(const Identification& found) {
             {"converged", found.converged},
             {"better", found.better},
             {"how_far", gap["how_far"]},
+            {"closed", {{"calibrated", closed(levels.calibrated)}, {"extended", closed(levels.extended)}}},
             {"where", gap["where"]},
             {"nuisance", gap["nuisance"]},
             {"data_warnings", gap["data_warnings"]},

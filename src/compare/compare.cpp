@@ -98,7 +98,10 @@ ChannelComparison compareChannel(const Channel& reference, const Channel& candid
     const auto samples = static_cast<double>(others.size());
     if (!others.empty()) result.rms = std::sqrt(squares / samples);
     const double variance = sum_squared - sum * sum / samples;
-    if (variance > 1e-12 * sum_squared && std::isfinite(squares) && !wrapped) result.r_squared = 1 - squares / variance;
+    if (variance > 1e-12 * sum_squared && std::isfinite(squares) && !wrapped) {
+        result.no_fit = squares > variance;
+        if (!result.no_fit) result.r_squared = 1 - squares / variance;
+    }
     result.same = !result.first;
     return result;
 }

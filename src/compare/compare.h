@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compare/tolerances.h"
@@ -29,8 +30,11 @@ struct ChannelComparison {
     double largest = 0;       // largest magnitude of the difference
     double largest_time = 0;  // s
     double rms = 0;           // of the difference
-    std::optional<double>
-        r_squared;  // share of the reference's variance that the candidate explains; none: it has none
+    // Share of the reference's variance that the candidate explains, 0 to 1. None where the reference does not vary,
+    // and where the mean of the reference is nearer to it than the candidate (`no_fit`): how far below 0 the formula
+    // then falls says how little the reference varies, not how good the candidate is.
+    std::optional<double> r_squared;
+    bool no_fit = false;
     std::optional<Divergence> first;  // where the tolerance is left
     std::size_t reference_not_finite = 0;
     std::size_t candidate_not_finite = 0;
@@ -57,6 +61,10 @@ struct Comparison {
 // The candidate is read, linearly between its samples, at the times of the reference. A value that is not finite in one
 // log but not in the other is a difference; so is a log that ends early.
 Comparison compare(const Log& reference, const Log& candidate, const Tolerances& tolerances = {});
+
+// What "no fit" stands for in the place of R2.
+inline constexpr std::string_view kNoFit =
+    "no fit: the mean of the reference is nearer to it than the candidate, so there is no R2";
 
 // What was found besides values, one sentence each: faults, notes, channels that only one log has.
 std::vector<std::string> remarks(const Comparison& comparison);

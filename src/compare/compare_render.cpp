@@ -44,12 +44,17 @@ std::string count(std::size_t number, std::string_view what) {
     return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
 }
 
+// The unit behind a number in a sentence; nothing for a pure number.
+std::string behind(const std::string& unit) {
+    return unit.empty() || unit == "-" ? "" : " " + unit;
+}
+
 // A difference in words: in percent of the peak, or in its unit when the channel hardly moves.
 std::string shareOfPeak(const ChannelComparison& channel) {
     if (channel.largest <= channel.peak) {
         return fmt::format("{:.2g} % of peak ({})", 100 * channel.largest / channel.peak, channel.channel);
     }
-    return fmt::format("{:.2g} {} ({})", channel.largest, channel.unit, channel.channel);
+    return fmt::format("{:.2g}{} ({})", channel.largest, behind(channel.unit), channel.channel);
 }
 
 std::string answer(const Comparison& comparison) {
@@ -61,9 +66,9 @@ std::string answer(const Comparison& comparison) {
         return fmt::format("Same within tolerance: {}, largest difference {}", channels, shareOfPeak(*worst.front()));
     }
     if (const ChannelComparison* first = firstToPart(comparison)) {
-        return fmt::format("Different: {} of {}; first at t = {:.6g} s, {} {:.6g} instead of {:.6g} {}",
+        return fmt::format("Different: {} of {}; first at t = {:.6g} s, {} {:.6g} instead of {:.6g}{}",
                            comparison.differing(), channels, first->first->time, first->channel,
-                           first->first->candidate, first->first->reference, first->unit);
+                           first->first->candidate, first->first->reference, behind(first->unit));
     }
     if (!comparison.missing.empty()) {
         return fmt::format("Different: {} missing ({})", count(comparison.missing.size(), "channel"),
@@ -74,7 +79,9 @@ std::string answer(const Comparison& comparison) {
 
 std::string row(const ChannelComparison& channel, int width) {
     const std::string first = channel.first ? fmt::format("{:.6g}", channel.first->time) : "-";
-    const std::string r_squared = channel.r_squared ? fmt::format("{:.4f}", *channel.r_squared) : "-";
+    const std::string r_squared = channel.r_squared ? fmt::format("{:.4f}", *channel.r_squared)
+                                  : channel.no_fit  ? "no-fit"
+                                                    : "-";
     std::string out = fmt::format("{:<{}}  {:<9}  {:>10.4g}  {:>10.4g}  {:>10.4g}  {:>8}  {:>10.4g}  {:>10}  {:<6}",
                                   channel.channel, width, channel.same ? "same" : "different", channel.largest,
                                   channel.allowed, channel.rms, r_squared, channel.largest_time, first, channel.unit);
@@ -96,6 +103,7 @@ nlohmann::json jsonOf(const ChannelComparison& channel) {
                        {"largest_difference_time", channel.largest_time},
                        {"rms_difference", channel.rms},
                        {"r_squared", nullptr},
+                       {"no_fit", channel.no_fit},
                        {"reference_not_finite", channel.reference_not_finite},
                        {"candidate_not_finite", channel.candidate_not_finite},
                        {"first_difference", nullptr}};
@@ -132,6 +140,9 @@ std::string text(const Comparison& comparison, std::size_t worst) {
                        "verdict", "largest", "allowed", "rms", "R2", "at [s]", "first [s]");
     for (std::size_t i = 0; i < rows; ++i) out += row(*order[i], width);
     if (rows < order.size()) out += fmt::format("and {} more\n", order.size() - rows);
+    const auto fails = [](const ChannelComparison* channel) { return channel->no_fit; };
+    if (std::any_of(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(rows), fails))
+        out += fmt::format("{}.\n", kNoFit);
     return out;
 }
 

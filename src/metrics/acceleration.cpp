@@ -47,24 +47,26 @@ double fromRest(const Acceleration& a, double value) {
 
 MetricTable<Acceleration> table() {
     return {
-        {{"time_0_to_100_kmh", "s", "from the throttle pedal to 100 km/h; undefined when the car rolls before",
-          Say{1, "100 km/h after {} s", 1}},
+        {{"time_0_to_100_kmh", "Time from 0 to 100 km/h", "s",
+          "from the throttle pedal to 100 km/h; undefined when the car rolls before", Say{1, "100 km/h after {} s", 1}},
          [](const Acceleration& a) { return fromRest(a, a.timeTo(100)); }},
-        {{"time_0_to_60_kmh", "s", "from the throttle pedal to 60 km/h"},
+        {{"time_0_to_60_kmh", "Time from 0 to 60 km/h", "s", "from the throttle pedal to 60 km/h"},
          [](const Acceleration& a) { return fromRest(a, a.timeTo(60)); }},
-        {{"time_80_to_120_kmh", "s", "between the two speeds", Say{2, "80 to 120 km/h within {} s", 1}},
+        {{"time_80_to_120_kmh", "Time from 80 to 120 km/h", "s", "between the two speeds",
+          Say{2, "80 to 120 km/h within {} s", 1}},
          [](const Acceleration& a) { return a.timeTo(120) - a.timeTo(80); }},
-        {{"distance_0_to_100_kmh", "m", "from the throttle pedal to 100 km/h"},
+        {{"distance_0_to_100_kmh", "Distance from 0 to 100 km/h", "m", "from the throttle pedal to 100 km/h"},
          [](const Acceleration& a) { return fromRest(a, a.distanceTo(100)); }},
-        {{"time_400_m", "s", "from rest over 400 m", Say{3, "400 m within {} s", 1}},
+        {{"time_400_m", "Time over 400 m", "s", "from rest over 400 m", Say{3, "400 m within {} s", 1}},
          [](const Acceleration& a) {
              const auto t = firstCrossing(a.way, kStandingDistance, a.onset);
              return fromRest(a, t ? *t - a.onset : kUndefined);
          }},
-        {{"peak_acceleration", "m/s2", "largest slope of the speed"}, [](const Acceleration& a) { return a.peak; }},
-        {{"initial_speed", "m/s", "speed when the throttle pedal goes down"},
+        {{"peak_acceleration", "Acceleration, peak", "m/s2", "largest slope of the speed"},
+         [](const Acceleration& a) { return a.peak; }},
+        {{"initial_speed", "Initial speed", "m/s", "speed when the throttle pedal goes down"},
          [](const Acceleration& a) { return a.initial; }},
-        {{"largest_speed", "m/s", "to the end of the log or to the brake"},
+        {{"largest_speed", "Speed, largest", "m/s", "to the end of the log or to the brake"},
          [](const Acceleration& a) { return a.most; }},
     };
 }

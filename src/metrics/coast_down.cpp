@@ -80,24 +80,28 @@ struct Coasting {
 
 MetricTable<Coasting> table() {
     return {
-        {{"initial_speed", "m/s", "speed at the beginning of the coasting"},
+        {{"initial_speed", "Initial speed", "m/s", "speed at the beginning of the coasting"},
          [](const Coasting& c) { return c.clean.value.front(); }},
-        {{"final_speed", "m/s", "speed at its end"}, [](const Coasting& c) { return c.clean.value.back(); }},
-        {{"time", "s", "time between the two", Say{1, "coasts for {} s", 1}},
+        {{"final_speed", "Final speed", "m/s", "speed at its end"},
+         [](const Coasting& c) { return c.clean.value.back(); }},
+        {{"time", "Coasting time", "s", "time between the two", Say{1, "coasts for {} s", 1}},
          [](const Coasting& c) { return c.v.end() - c.v.begin(); }},
-        {{"distance", "m", "distance between the two", Say{2, "rolls {} m", 0}},
+        {{"distance", "Coasting distance", "m", "distance between the two", Say{2, "rolls {} m", 0}},
          [](const Coasting& c) { return integral(c.v, c.v.begin(), c.v.end()); }},
-        {{"deceleration_constant", "m/s2", "a0 of the fitted deceleration a0 + a2 v^2"},
+        {{"deceleration_constant", "Deceleration law, constant part a0", "m/s2",
+          "a0 of the fitted deceleration a0 + a2 v^2"},
          [](const Coasting& c) { return c.resistance.a0; }},
-        {{"deceleration_square", "1/m", "a2 of the fitted deceleration a0 + a2 v^2"},
+        {{"deceleration_square", "Deceleration law, square part a2", "1/m",
+          "a2 of the fitted deceleration a0 + a2 v^2"},
          [](const Coasting& c) { return c.resistance.a2; }},
-        {{"rolling_resistance", "-", "a0 / g: rolling resistance coefficient with the drag of the driveline in it",
+        {{"rolling_resistance", "Rolling resistance coefficient", "-",
+          "a0 / g: rolling resistance coefficient with the drag of the driveline in it",
           Say{3, "rolling resistance coefficient {}", 4}},
          [](const Coasting& c) { return c.resistance.a0 / kGravity; }},
-        {{"drag_area_over_mass", "m2/kg",
+        {{"drag_area_over_mass", "Drag area over mass", "m2/kg",
           fmt::format("2 a2 / air density of {:.3f} kg/m3; mass with its rotating parts", kAirDensity)},
          [](const Coasting& c) { return 2 * c.resistance.a2 / kAirDensity; }},
-        {{"fit_rms", "m/s", "speed that the fitted law leaves unexplained"},
+        {{"fit_rms", "Misfit of the deceleration law", "m/s", "speed that the fitted law leaves unexplained"},
          [](const Coasting& c) { return c.resistance.rms; }},
     };
 }
@@ -111,8 +115,10 @@ struct Band {
 MetricTable<Band> bandTable(const std::string& high, const std::string& low) {
     const std::string band = fmt::format("{}_to_{}_kmh", high, low);
     const std::string words = fmt::format("while the speed falls from {} to {} km/h", high, low);
-    return {{{"time_" + band, "s", "time " + words}, [](const Band& b) { return b.time; }},
-            {{"distance_" + band, "m", "distance " + words}, [](const Band& b) { return b.distance; }}};
+    return {{{"time_" + band, fmt::format("Time from {} to {} km/h", high, low), "s", "time " + words},
+             [](const Band& b) { return b.time; }},
+            {{"distance_" + band, fmt::format("Distance from {} to {} km/h", high, low), "m", "distance " + words},
+             [](const Band& b) { return b.distance; }}};
 }
 
 std::vector<Metric> bands(const TimeSeries& v) {

@@ -30,17 +30,19 @@ struct Crosswind {
 MetricTable<Crosswind> table() {
     const std::string reading = fmt::format("{:.0f} s after the wind has come", kReading);
     return {
-        {{"path_deviation", "m", "distance from the line before, " + reading + ", positive to where the car is pushed",
+        {{"path_deviation", "Path deviation", "m",
+          "distance from the line before, " + reading + ", positive to where the car is pushed",
           Say{1, "{} m off its line after 2 s", 2}},
          [](const Crosswind& c) { return c.deviation; }},
-        {{"yaw_angle", "deg", "change of heading, " + reading + "; negative: the car turns into the wind"},
+        {{"yaw_angle", "Yaw angle", "deg", "change of heading, " + reading + "; negative: the car turns into the wind"},
          [](const Crosswind& c) { return kDegrees * c.yaw; }},
-        {{"peak_yaw_rate", "deg/s", "largest yaw rate up to then, positive to where the car is pushed",
-          Say{2, "turns at up to {} deg/s", 2}},
+        {{"peak_yaw_rate", "Yaw rate, peak", "deg/s",
+          "largest yaw rate up to then, positive to where the car is pushed", Say{2, "turns at up to {} deg/s", 2}},
          [](const Crosswind& c) { return kDegrees * c.peak_yaw_rate; }},
-        {{"peak_ay", "m/s2", "largest lateral acceleration up to then", Say{3, "pushed at {} m/s2", 2}},
+        {{"peak_ay", "Lateral acceleration, peak", "m/s2", "largest lateral acceleration up to then",
+          Say{3, "pushed at {} m/s2", 2}},
          [](const Crosswind& c) { return c.peak_ay; }},
-        {{"speed", "m/s", "when the wind comes"}, [](const Crosswind& c) { return c.speed; }},
+        {{"speed", "Speed", "m/s", "when the wind comes"}, [](const Crosswind& c) { return c.speed; }},
     };
 }
 

@@ -37,25 +37,26 @@ struct Drop {
 
 MetricTable<Drop> table() {
     return {
-        {{"drop", "mm", "height of the body at the beginning over that at rest"},
+        {{"drop", "Height of the drop", "mm", "height of the body at the beginning over that at rest"},
          [](const Drop& d) { return kMillimetres * d.height; }},
-        {{"settling_time", "s",
+        {{"settling_time", "Settling time", "s",
           fmt::format("from the beginning until the body stays within {:.0f} % of the drop; undefined when it does not",
                       100 * kSettledShare),
           Say{1, "settles within {} s", 2}},
          [](const Drop& d) { return d.settling_time; }},
-        {{"overshoot", "-", "how far below rest the body dips, over the drop",
+        {{"overshoot", "Overshoot", "-", "how far below rest the body dips, over the drop",
           Say{4, "dips by {} % of the drop", 0, 100}},
          [](const Drop& d) { return std::max(0.0, d.dip / d.height); }},
-        {{"damped_frequency", "Hz",
+        {{"damped_frequency", "Bounce frequency, damped", "Hz",
           "from the times at which the body passes its height at rest; undefined when it does not swing"},
          [](const Drop& d) { return d.bounce.damped_frequency; }},
-        {{"bounce_frequency", "Hz", "damped frequency over sqrt(1 - damping ratio^2)", Say{2, "bounces at {} Hz", 2}},
+        {{"bounce_frequency", "Bounce frequency, undamped", "Hz", "damped frequency over sqrt(1 - damping ratio^2)",
+          Say{2, "bounces at {} Hz", 2}},
          [](const Drop& d) {
              return d.bounce.damped_frequency / std::sqrt(1 - d.bounce.damping_ratio * d.bounce.damping_ratio);
          }},
-        {{"damping_ratio", "-", "from the logarithmic decrement of the swings; undefined with fewer than two",
-          Say{3, "damping ratio {}", 2}},
+        {{"damping_ratio", "Damping ratio", "-",
+          "from the logarithmic decrement of the swings; undefined with fewer than two", Say{3, "damping ratio {}", 2}},
          [](const Drop& d) { return d.bounce.damping_ratio; }},
     };
 }

@@ -32,26 +32,31 @@ struct FreeSteer {
 
 MetricTable<FreeSteer> table() {
     return {
-        {{"settling_time", "s",
+        {{"settling_time", "Settling time", "s",
           fmt::format("from the release until the yaw rate stays within {:.0f} % of that at release; undefined when it "
                       "does not",
                       100 * kSettled),
           Say{1, "straight within {} s of the release", 2}},
          [](const FreeSteer& f) { return f.settling; }},
-        {{"yaw_rate_overshoot", "-", "largest yaw rate to the other side over that at release",
+        {{"yaw_rate_overshoot", "Yaw rate, overshoot", "-", "largest yaw rate to the other side over that at release",
           Say{2, "overshoots by {} %", 0, 100}},
          [](const FreeSteer& f) { return f.overshoot; }},
-        {{"yaw_rate_left", "-", fmt::format("yaw rate {:.0f} s after the release over that at release", kFirst)},
+        {{"yaw_rate_left", "Yaw rate left after release", "-",
+          fmt::format("yaw rate {:.0f} s after the release over that at release", kFirst)},
          [](const FreeSteer& f) { return f.first; }},
-        {{"steering_overshoot", "-", "largest steering-wheel angle to the other side over that at release"},
+        {{"steering_overshoot", "Steering-wheel angle, overshoot", "-",
+          "largest steering-wheel angle to the other side over that at release"},
          [](const FreeSteer& f) { return f.steering_overshoot; }},
-        {{"last_steering_angle", "deg", "steering-wheel angle at the end of the log",
+        {{"last_steering_angle", "Steering-wheel angle at the end", "deg", "steering-wheel angle at the end of the log",
           Say{3, "steering wheel at {} deg at the end", 1}},
          [](const FreeSteer& f) { return kDegrees * f.last_steering; }},
-        {{"speed", "m/s", "at release"}, [](const FreeSteer& f) { return f.speed; }},
-        {{"yaw_rate", "deg/s", "at release"}, [](const FreeSteer& f) { return kDegrees * f.yaw_rate; }},
-        {{"ay", "m/s2", "lateral acceleration at release"}, [](const FreeSteer& f) { return f.ay; }},
-        {{"steering_angle", "deg", "at release"}, [](const FreeSteer& f) { return kDegrees * f.steering; }},
+        {{"speed", "Speed at release", "m/s", "at release"}, [](const FreeSteer& f) { return f.speed; }},
+        {{"yaw_rate", "Yaw rate at release", "deg/s", "at release"},
+         [](const FreeSteer& f) { return kDegrees * f.yaw_rate; }},
+        {{"ay", "Lateral acceleration at release", "m/s2", "lateral acceleration at release"},
+         [](const FreeSteer& f) { return f.ay; }},
+        {{"steering_angle", "Steering-wheel angle at release", "deg", "at release"},
+         [](const FreeSteer& f) { return kDegrees * f.steering; }},
     };
 }
 

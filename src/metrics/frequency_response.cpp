@@ -56,19 +56,20 @@ MetricTable<SteeringResponse> answerTable(FrequencyCurve SteeringResponse::*answ
     const auto name = [&](std::string_view metric) { return fmt::format("{}_{}", what, metric); };
     const bool is_said = answer == &SteeringResponse::yaw_rate;
     const auto lowest_gain = [answer](const SteeringResponse& r) { return std::abs((r.*answer).front().transfer); };
-    lines.push_back({{name("lowest_gain"), unit,
+    lines.push_back({{name("lowest_gain"), titleOf(words, "gain at the lowest frequency"), unit,
                       fmt::format("{} over steering-wheel angle at the lowest frequency of the steering", words)},
                      lowest_gain});
+    lines.push_back({{name("peak_ratio"), titleOf(words, "peak over the gain at the lowest frequency"), "-",
+                      fmt::format("largest gain of the {} over that at the lowest frequency", words)},
+                     [answer, lowest_gain](const SteeringResponse& r) {
+                         return std::abs(peakOf(r.*answer).transfer) / lowest_gain(r);
+                     }});
     lines.push_back(
-        {{name("peak_ratio"), "-", fmt::format("largest gain of the {} over that at the lowest frequency", words)},
-         [answer, lowest_gain](const SteeringResponse& r) {
-             return std::abs(peakOf(r.*answer).transfer) / lowest_gain(r);
-         }});
-    lines.push_back({{name("peak_frequency"), "Hz", fmt::format("where the gain of the {} is largest", words),
-                      is_said ? Say{2, "largest at {} Hz", 2} : Say{}},
-                     [answer](const SteeringResponse& r) { return peakOf(r.*answer).frequency; }});
+        {{name("peak_frequency"), titleOf(words, "frequency of the peak"), "Hz",
+          fmt::format("where the gain of the {} is largest", words), is_said ? Say{2, "largest at {} Hz", 2} : Say{}},
+         [answer](const SteeringResponse& r) { return peakOf(r.*answer).frequency; }});
     lines.push_back(
-        {{name("bandwidth"), "Hz",
+        {{name("bandwidth"), titleOf(words, "bandwidth"), "Hz",
           fmt::format(
               "where the gain of the {} has fallen to 1/sqrt(2) of that at the lowest frequency; undefined when "
               "it does not",
@@ -76,26 +77,30 @@ MetricTable<SteeringResponse> answerTable(FrequencyCurve SteeringResponse::*answ
          [answer, lowest_gain](const SteeringResponse& r) {
              return frequencyOfGain(r.*answer, lowest_gain(r) / std::numbers::sqrt2);
          }});
-    lines.push_back({{name("lag_frequency"), "Hz",
+    lines.push_back({{name("lag_frequency"), titleOf(words, fmt::format("frequency of {:.0f} deg lag", kPhase)), "Hz",
                       fmt::format("where the {} lags by {:.0f} deg; undefined when it does not", words, kPhase)},
                      [answer](const SteeringResponse& r) { return frequencyOfLag(r.*answer, kPhase / kDegrees); }});
     for (const double frequency : kFrequencies) {
         const auto at_frequency = [&](std::string_view metric) {
             return fmt::format("{}_{}_{:.1f}Hz", what, metric, frequency);
         };
+        const auto title = [&](std::string_view metric) {
+            return titleOf(words, fmt::format("{} at {:.1f} Hz", metric, frequency));
+        };
         const std::string where =
             fmt::format("at {:.1f} Hz; undefined where the steering has less than {:.0f} % of its largest power",
                         frequency, 100 * kLeastPower);
-        lines.push_back({{at_frequency("gain"), unit, fmt::format("{} over steering-wheel angle {}", words, where),
-                          is_said && frequency == 0.5 ? Say{1, "yaw rate gain {} 1/s at 0.5 Hz", 3} : Say{}},
-                         [answer, frequency](const SteeringResponse& r) { return gainAt(r.*answer, frequency); }});
         lines.push_back(
-            {{at_frequency("phase_lag"), "deg",
+            {{at_frequency("gain"), title("gain"), unit, fmt::format("{} over steering-wheel angle {}", words, where),
+              is_said && frequency == 0.5 ? Say{1, "yaw rate gain {} 1/s at 0.5 Hz", 3} : Say{}},
+             [answer, frequency](const SteeringResponse& r) { return gainAt(r.*answer, frequency); }});
+        lines.push_back(
+            {{at_frequency("phase_lag"), title("phase lag"), "deg",
               fmt::format("by which the {} lags the steering-wheel angle {}", words, where),
               is_said && frequency == 1.0 ? Say{3, "lags by {} deg at 1 Hz", 0} : Say{}},
              [answer, frequency](const SteeringResponse& r) { return kDegrees * phaseLagAt(r.*answer, frequency); }});
         lines.push_back(
-            {{at_frequency("coherence"), "-",
+            {{at_frequency("coherence"), title("coherence"), "-",
               fmt::format("share of the {} that follows from the steering {}; or one estimate alone", words, where)},
              [answer, frequency](const SteeringResponse& r) { return coherenceAt(r.*answer, frequency); }});
     }
@@ -108,19 +113,20 @@ MetricTable<SteeringResponse> table() {
     add(answerTable(&SteeringResponse::yaw_rate, "yaw_rate", "yaw rate", "1/s"));
     add(answerTable(&SteeringResponse::ay, "ay", "lateral acceleration", "m/s2/rad"));
     add({
-        {{"speed", "m/s", "mean forward speed"}, [](const SteeringResponse& r) { return r.speed; }},
-        {{"largest_ay", "m/s2", "largest magnitude of the lateral acceleration"},
+        {{"speed", "Speed", "m/s", "mean forward speed"}, [](const SteeringResponse& r) { return r.speed; }},
+        {{"largest_ay", "Lateral acceleration, largest", "m/s2", "largest magnitude of the lateral acceleration"},
          [](const SteeringResponse& r) { return r.largest_ay; }},
-        {{"lowest_frequency", "Hz", "from here the steering has power enough"},
+        {{"lowest_frequency", "Evaluated from", "Hz", "from here the steering has power enough"},
          [](const SteeringResponse& r) { return r.from; }},
-        {{"highest_frequency", "Hz", "up to here"}, [](const SteeringResponse& r) { return r.to; }},
-        {{"segments", "-",
+        {{"highest_frequency", "Evaluated to", "Hz", "up to here"}, [](const SteeringResponse& r) { return r.to; }},
+        {{"segments", "Segments", "-",
           fmt::format(
               "1: the whole record, which begins and ends at rest, a parabola of the transfer function fitted over "
               "+-{:.2f} Hz; more: Welch's method with a Hann window, half overlapping, H1 = Sxy / Sxx",
               SpectrumSettings{}.half_band)},
          [](const SteeringResponse& r) { return static_cast<double>(r.segments); }},
-        {{"segment_length", "s", "length of a segment of Welch's method; undefined for the whole record"},
+        {{"segment_length", "Length of a segment", "s",
+          "length of a segment of Welch's method; undefined for the whole record"},
          [](const SteeringResponse& r) { return r.settings.segment > 0 ? r.settings.segment : kUndefined; }},
     });
     return lines;

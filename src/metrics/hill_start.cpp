@@ -30,15 +30,17 @@ struct HillStart {
 
 MetricTable<HillStart> table() {
     return {
-        {{"roll_back", "m", "largest way backwards after the brake is released", Say{1, "rolls back by {} m", 2}},
+        {{"roll_back", "Roll-back", "m", "largest way backwards after the brake is released",
+          Say{1, "rolls back by {} m", 2}},
          [](const HillStart& h) { return h.roll_back; }},
-        {{"roll_back_speed", "m/s", "largest speed backwards"}, [](const HillStart& h) { return h.fastest_back; }},
-        {{"drive_off_time", "s",
+        {{"roll_back_speed", "Roll-back speed", "m/s", "largest speed backwards"},
+         [](const HillStart& h) { return h.fastest_back; }},
+        {{"drive_off_time", "Drive-off time", "s",
           fmt::format("from the release of the brake to {:.0f} m/s forwards; undefined when that is not reached",
                       kDriving),
           Say{2, "drives off within {} s", 1}},
          [](const HillStart& h) { return h.drives_off; }},
-        {{"held_drift", "mm", "way of the car while the brake held it"},
+        {{"held_drift", "Drift on the brake", "mm", "way of the car while the brake held it"},
          [](const HillStart& h) { return 1000 * h.held_drift; }},
     };
 }

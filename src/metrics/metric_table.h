@@ -2,13 +2,30 @@
 // their values follow from what was found in a log.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "base/concat.h"
 #include "metrics/metric.h"
 
 namespace tread {
+
+// "yaw rate", "overshoot" -> "Yaw rate, overshoot".
+inline std::string titleOf(std::string_view quantity, std::string_view feature) {
+    std::string title = concat({quantity, ", ", feature});
+    if (title.front() >= 'a' && title.front() <= 'z') title.front() = static_cast<char>(title.front() - 'a' + 'A');
+    return title;
+}
+
+// "front_left" -> "front left".
+inline std::string inWords(std::string_view name) {
+    std::string words(name);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
+}
 
 template <class Found>
 struct MetricLine {
@@ -30,7 +47,7 @@ template <class Found>
 std::vector<Metric> values(const MetricTable<Found>& table, const Found& found) {
     std::vector<Metric> out;
     for (const auto& [about, value] : table)
-        out.push_back({about.name, value(found), about.unit, about.definition, about.say});
+        out.push_back({about.name, value(found), about.unit, about.definition, about.say, about.title, about.standard});
     return out;
 }
 

@@ -61,16 +61,17 @@ std::string detectManoeuvre(const Log& log) {
 }
 
 std::string text(std::string_view manoeuvre, const std::vector<Metric>& metrics) {
-    std::size_t name_width = 0, unit_width = 0;
+    std::size_t name_width = 0, unit_width = 0, title_width = 0;
     for (const Metric& metric : metrics) {
         name_width = std::max(name_width, metric.name.size());
+        title_width = std::max(title_width, titleOf(metric).size());
         unit_width = std::max(unit_width, metric.unit.size());
     }
     std::string out = fmt::format("{}: {} metrics\n\n", manoeuvre, metrics.size());
     for (const Metric& metric : metrics) {
         const std::string value = std::isnan(metric.value) ? "undefined" : fmt::format("{:.5g}", metric.value);
-        out += fmt::format("{:<{}}  {:>11}  {:<{}}  {}\n", metric.name, name_width, value, metric.unit, unit_width,
-                           metric.definition);
+        out += fmt::format("{:<{}}  {:>11}  {:<{}}  {:<{}}  {}\n", titleOf(metric), title_width, value, metric.unit,
+                           unit_width, metric.name, name_width, metric.definition);
     }
     return out;
 }
@@ -80,6 +81,7 @@ nlohmann::json json(const std::vector<Metric>& metrics) {
     nlohmann::json out = nlohmann::json::array();
     for (const Metric& metric : metrics) {
         out.push_back({{"name", metric.name},
+                       {"title", titleOf(metric)},
                        {"value", std::isnan(metric.value) ? nlohmann::json(nullptr) : nlohmann::json(metric.value)},
                        {"unit", metric.unit},
                        {"definition", metric.definition}});

@@ -28,15 +28,15 @@ struct Standing {
 
 MetricTable<Standing> table() {
     return {
-        {{"drift", "mm/min", "speed of the line fitted to the horizontal position after the first second",
+        {{"drift", "Drift", "mm/min", "speed of the line fitted to the horizontal position after the first second",
           Say{1, "creeps by {} mm in a minute", 3}},
          [](const Standing& s) { return kMillimetres * kMinute * s.drift; }},
-        {{"largest_excursion", "mm", "largest horizontal distance from the position after the first second",
-          Say{2, "moves by at most {} mm", 3}},
+        {{"largest_excursion", "Excursion, largest", "mm",
+          "largest horizontal distance from the position after the first second", Say{2, "moves by at most {} mm", 3}},
          [](const Standing& s) { return kMillimetres * s.excursion; }},
-        {{"largest_speed", "m/s", "largest horizontal speed after the first second"},
+        {{"largest_speed", "Speed, largest", "m/s", "largest horizontal speed after the first second"},
          [](const Standing& s) { return s.fastest; }},
-        {{"rotation", "deg/min", "slope of the line fitted to the heading after the first second",
+        {{"rotation", "Rotation", "deg/min", "slope of the line fitted to the heading after the first second",
           Say{3, "turns by {} deg in a minute", 4}},
          [](const Standing& s) { return kDegrees * kMinute * s.turning; }},
     };

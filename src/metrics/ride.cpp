@@ -9,13 +9,13 @@
 #include "metrics/channels.h"
 #include "metrics/manoeuvres.h"
 #include "metrics/metric_table.h"
+#include "metrics/ride.h"
 #include "metrics/vibration_weighting.h"
 
 namespace tread {
 namespace {
 
 constexpr std::string_view kName = "ride";
-constexpr double kApproach = 2;      // s at the beginning, in which the road may still be smooth
 constexpr double kShortest = 4;      // s of riding after that
 constexpr double kSlowest = 3;       // m/s
 constexpr double kMostSteering = 5;  // deg of the steering wheel: more is driving, not riding
@@ -34,30 +34,36 @@ struct Ride {
 
 MetricTable<Ride> table() {
     MetricTable<Ride> lines{
-        {{"speed", "km/h", "mean speed after the first two seconds, as for all that follows"},
+        {{"speed", "Speed, mean", "km/h", "mean speed after the first two seconds, as for all that follows"},
          [](const Ride& r) { return r.speed / kKmh; }},
-        {{"vertical_weighted", "m/s2",
+        {{"vertical_weighted", "Vertical acceleration, weighted (Wk)", "m/s2",
           "root mean square of the vertical acceleration at the centre of gravity, weighted by Wk of ISO 2631-1",
           Say{1, "weighted vertical acceleration {} m/s2", 2}},
          [](const Ride& r) { return r.vertical; }},
-        {{"longitudinal_weighted", "m/s2", "that of the longitudinal acceleration, weighted by Wd"},
+        {{"longitudinal_weighted", "Longitudinal acceleration, weighted (Wd)", "m/s2",
+          "that of the longitudinal acceleration, weighted by Wd"},
          [](const Ride& r) { return r.longitudinal; }},
-        {{"lateral_weighted", "m/s2", "that of the lateral acceleration, weighted by Wd"},
+        {{"lateral_weighted", "Lateral acceleration, weighted (Wd)", "m/s2",
+          "that of the lateral acceleration, weighted by Wd"},
          [](const Ride& r) { return r.lateral; }},
-        {{"total_weighted", "m/s2", "vibration total value: root of the sum of the squares of all three (k = 1)"},
+        {{"total_weighted", "Vibration total value", "m/s2",
+          "vibration total value: root of the sum of the squares of all three (k = 1)"},
          [](const Ride& r) { return std::hypot(r.longitudinal, r.lateral, r.vertical); }},
     };
     for (std::size_t i = 0; i < kWheelNames.size(); ++i) {
-        lines.push_back({{fmt::format("load_variation_{}", kWheelNames[i]), "%",
+        lines.push_back({{fmt::format("load_variation_{}", kWheelNames[i]),
+                          titleOf("wheel load, variation", inWords(kWheelNames[i])), "%",
                           "dynamic load coefficient: standard deviation of the wheel load over its mean"},
                          [i](const Ride& r) { return kPercent * r.load_variation[i]; }});
     }
-    lines.push_back({{"lowest_load", "%", "smallest load of any wheel over its mean; 0: the wheel lifts off",
+    lines.push_back({{"lowest_load", "Wheel load, smallest over its mean", "%",
+                      "smallest load of any wheel over its mean; 0: the wheel lifts off",
                       Say{2, "lightest wheel carries {} % of its load", 0}},
                      [](const Ride& r) { return kPercent * r.lowest_load; }});
-    lines.push_back({{"travel", "mm", "largest standard deviation of the suspension travel of any wheel",
-                      Say{3, "suspension travels by {} mm", 1}},
-                     [](const Ride& r) { return kMillimetres * r.travel; }});
+    lines.push_back(
+        {{"travel", "Suspension travel, standard deviation", "mm",
+          "largest standard deviation of the suspension travel of any wheel", Say{3, "suspension travels by {} mm", 1}},
+         [](const Ride& r) { return kMillimetres * r.travel; }});
     return lines;
 }
 
@@ -87,10 +93,10 @@ void findWheels(Ride& ride, const Log& log, double from, double to) {
 
 Ride findRide(const Log& log) {
     const auto needed = channels(log, kName, {"chassis.vx", "chassis.az"});
-    const double from = needed[0].begin() + kApproach, to = needed[0].end();
+    const double from = needed[0].begin() + kRideApproach, to = needed[0].end();
     if (to - from < kShortest) {
-        notFound(kName, fmt::format("the log lasts {:.2g} s, looked for at least {:.2g} s", kApproach + to - from,
-                                    kApproach + kShortest));
+        notFound(kName, fmt::format("the log lasts {:.2g} s, looked for at least {:.2g} s", kRideApproach + to - from,
+                                    kRideApproach + kShortest));
     }
     Ride ride{.speed = mean(needed[0], from, to),
               .vertical = weightedRms(part(needed[1], from, to), VibrationWeighting::Wk)};

@@ -178,21 +178,21 @@ MetricTable<SineSteer> answerTable(Answer SineSteer::*answer, std::string_view w
                                    std::string_view gain_unit, const AnswerWords& say) {
     const auto name = [&](std::string_view metric) { return fmt::format("{}_{}", what, metric); };
     return {
-        {{name("gain"), std::string(gain_unit),
+        {{name("gain"), titleOf(words, "gain"), std::string(gain_unit),
           fmt::format("amplitude of the {} over that of the steering-wheel angle: of least-squares sines over the last "
                       "two periods of a continuous sine, peak to peak of a single period",
                       words),
           say.gain},
          [answer](const SineSteer& s) { return (s.*answer).gain; }},
-        {{name("phase_lag"), "deg",
+        {{name("phase_lag"), titleOf(words, "phase lag"), "deg",
           fmt::format("by which the {} lags the steering-wheel angle, same fits; undefined for a single period", words),
           say.phase_lag},
          [answer](const SineSteer& s) { return (s.*answer).phase_lag; }},
-        {{name("first_peak_lag"), "s",
+        {{name("first_peak_lag"), titleOf(words, "lag of the first peak"), "s",
           fmt::format("from the first peak of the steering to that of the {}; undefined for a continuous sine", words),
           say.first_lag},
          [answer](const SineSteer& s) { return (s.*answer).first_lag; }},
-        {{name("second_peak_lag"), "s",
+        {{name("second_peak_lag"), titleOf(words, "lag of the second peak"), "s",
           fmt::format("from the second peak of the steering to that of the {}; undefined for a continuous sine",
                       words)},
          [answer](const SineSteer& s) { return (s.*answer).second_lag; }},
@@ -201,13 +201,14 @@ MetricTable<SineSteer> answerTable(Answer SineSteer::*answer, std::string_view w
 
 MetricTable<SineSteer> table() {
     MetricTable<SineSteer> lines = {
-        {{"speed", "m/s", "mean forward speed over the evaluated time"}, [](const SineSteer& s) { return s.speed; }},
-        {{"periods", "-",
+        {{"speed", "Speed, mean", "m/s", "mean forward speed over the evaluated time"},
+         [](const SineSteer& s) { return s.speed; }},
+        {{"periods", "Periods evaluated", "-",
           "1: a single period, evaluated by its peaks; 2: the last two of a continuous sine, evaluated by fits"},
          [](const SineSteer& s) { return s.sine.one_period ? 1.0 : 2.0; }},
-        {{"frequency", "Hz", "of the steering, from the sine that fits best"},
+        {{"frequency", "Steering frequency", "Hz", "of the steering, from the sine that fits best"},
          [](const SineSteer& s) { return s.sine.frequency; }},
-        {{"steering_amplitude", "deg", "amplitude of that sine"},
+        {{"steering_amplitude", "Steering-wheel amplitude", "deg", "amplitude of that sine"},
          [](const SineSteer& s) { return kDegrees * s.amplitude; }},
     };
     const auto add = [&](const MetricTable<SineSteer>& more) { lines.insert(lines.end(), more.begin(), more.end()); };

@@ -35,24 +35,27 @@ struct SlowSteer {
 MetricTable<SlowSteer> table() {
     const std::string range = fmt::format("regression over {:.3g} to {:.3g} g", kLow / kGravity, kHigh / kGravity);
     return {
-        {{"steering_angle_03g", "deg",
+        {{"steering_angle_03g", "Steering-wheel angle at 0.3 g", "deg",
           "A: steering-wheel angle at 0.3 g, from straight ahead, on the line of the " + range,
           Say{1, "steering-wheel angle at 0.3 g {} deg", 1}},
          [](const SlowSteer& s) { return kDegrees * s.angle; }},
-        {{"steering_wheel_gradient", "deg/g", "d steering-wheel angle / d ay, " + range},
+        {{"steering_wheel_gradient", "Steering-wheel angle gradient", "deg/g",
+          "d steering-wheel angle / d ay, " + range},
          [](const SlowSteer& s) { return kDegrees * kGravity * s.slope; }},
-        {{"understeer_gradient", "deg/g",
+        {{"understeer_gradient", "Understeer gradient", "deg/g",
           "d road-wheel angle (by the steering ratio) / d ay, less wheelbase / speed^2; undefined when these are not "
           "known",
           Say{2, "understeer gradient {} deg/g", 2}},
          [](const SlowSteer& s) { return kDegrees * kGravity * s.understeer; }},
-        {{"largest_ay", "m/s2", "largest magnitude of the lateral acceleration",
+        {{"largest_ay", "Lateral acceleration, largest", "m/s2", "largest magnitude of the lateral acceleration",
           Say{3, "up to {} m/s2 of lateral acceleration", 2}},
          [](const SlowSteer& s) { return s.largest_ay; }},
-        {{"steering_angle_largest_ay", "deg", "magnitude of the steering-wheel angle there"},
+        {{"steering_angle_largest_ay", "Steering-wheel angle at the largest lateral acceleration", "deg",
+          "magnitude of the steering-wheel angle there"},
          [](const SlowSteer& s) { return kDegrees * s.angle_there; }},
-        {{"speed", "m/s", "mean over the range of the regression"}, [](const SlowSteer& s) { return s.speed; }},
-        {{"steering_rate", "deg/s", "mean over the range of the regression"},
+        {{"speed", "Speed, mean", "m/s", "mean over the range of the regression"},
+         [](const SlowSteer& s) { return s.speed; }},
+        {{"steering_rate", "Steering-wheel rate", "deg/s", "mean over the range of the regression"},
          [](const SlowSteer& s) { return kDegrees * s.rate; }},
     };
 }

@@ -120,6 +120,16 @@ TimeSeries withoutLevel(const TimeSeries& series) {
 
 }  // namespace
 
+std::vector<double> powerSpectralDensity(const TimeSeries& series, std::span<const double> frequencies,
+                                         double segment) {
+    constexpr double kHannPower = 3.0 / 8;  // mean square of a Hann window
+    const auto points = frequencyResponses(series, std::span(&series, 1), frequencies, {.segment = segment});
+    std::vector<double> density;
+    for (const FrequencyPoint& point : points.front())
+        density.push_back(2 * point.input / (kHannPower * segment));  // 2: both sides of the spectrum
+    return density;
+}
+
 std::size_t segments(const TimeSeries& series, const SpectrumSettings& settings) {
     const double length = series.end() - series.begin();
     if (settings.segment <= 0 || settings.segment >= length) return 1;

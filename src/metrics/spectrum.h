@@ -34,6 +34,10 @@ std::vector<std::vector<FrequencyPoint>> frequencyResponses(const TimeSeries& in
                                                             std::span<const double> frequencies,
                                                             const SpectrumSettings& settings);
 
+// Power spectral density at these frequencies, squared unit per Hz, one-sided: its integral over the frequency is the
+// variance. Welch's method with segments of that length, s.
+std::vector<double> powerSpectralDensity(const TimeSeries& series, std::span<const double> frequencies, double segment);
+
 // How many segments the record gives.
 std::size_t segments(const TimeSeries& series, const SpectrumSettings& settings);
 

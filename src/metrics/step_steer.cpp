@@ -164,13 +164,14 @@ MetricTable<StepSteer> responseTable(Response StepSteer::*response, std::string_
                                      const Say& response_time, const Say& overshoot) {
     const auto name = [&](std::string_view metric) { return fmt::format("{}_{}", what, metric); };
     return {
-        {{name("response_time"), "s", fmt::format("from half the steering input to 90 % of the steady {}", words),
-          response_time},
+        {{name("response_time"), titleOf(words, "response time"), "s",
+          fmt::format("from half the steering input to 90 % of the steady {}", words), response_time},
          [response](const StepSteer& s) { return (s.*response).time90; }},
-        {{name("peak_response_time"), "s",
+        {{name("peak_response_time"), titleOf(words, "peak response time"), "s",
           fmt::format("from half the steering input to the peak of the {}; undefined without overshoot", words)},
          [response](const StepSteer& s) { return (s.*response).peak_time; }},
-        {{name("overshoot"), "-", fmt::format("(peak - steady) / steady {}", words), overshoot},
+        {{name("overshoot"), titleOf(words, "overshoot"), "-", fmt::format("(peak - steady) / steady {}", words),
+          overshoot},
          [response](const StepSteer& s) { return (s.*response).overshoot; }},
     };
 }
@@ -182,33 +183,37 @@ MetricTable<StepSteer> table() {
     const auto add = [&](const MetricTable<StepSteer>& more) { lines.insert(lines.end(), more.begin(), more.end()); };
     add(responseTable(&StepSteer::ay, "ay", "lateral acceleration", {}, {}));
     add({
-        {{"yaw_rate_gain", "1/s", "steady yaw rate over steering-wheel angle"},
+        {{"yaw_rate_gain", "Yaw rate, gain", "1/s", "steady yaw rate over steering-wheel angle"},
          [](const StepSteer& s) { return s.yaw_rate.steady / s.step.amplitude; }},
-        {{"ay_gain", "m/s2/rad", "steady lateral acceleration over steering-wheel angle"},
+        {{"ay_gain", "Lateral acceleration, gain", "m/s2/rad", "steady lateral acceleration over steering-wheel angle"},
          [](const StepSteer& s) { return s.ay.steady / s.step.amplitude; }},
-        {{"steady_sideslip", "deg", "sideslip angle at the end of the hold, as in a left turn"},
+        {{"steady_sideslip", "Sideslip angle, steady", "deg",
+          "sideslip angle at the end of the hold, as in a left turn"},
          [](const StepSteer& s) { return kDegrees * s.sideslip; }},
-        {{"tb", "s deg", "peak response time of the yaw rate times steady sideslip"},
+        {{"tb", "TB value", "s deg", "peak response time of the yaw rate times steady sideslip"},
          [](const StepSteer& s) { return s.yaw_rate.peak_time * (kDegrees * s.sideslip); }},
-        {{"roll_gradient", "deg/g", "steady roll angle over steady lateral acceleration"},
+        {{"roll_gradient", "Roll gradient", "deg/g", "steady roll angle over steady lateral acceleration"},
          [](const StepSteer& s) { return kDegrees * s.roll / (s.ay.steady / kGravity); }},
     });
     // Conditions of the test.
     add({
-        {{"speed", "m/s", "forward speed when the steering begins"}, [](const StepSteer& s) { return s.speed; }},
-        {{"steering_amplitude", "deg", "steering-wheel angle held, less that before"},
+        {{"speed", "Speed", "m/s", "forward speed when the steering begins"},
+         [](const StepSteer& s) { return s.speed; }},
+        {{"steering_amplitude", "Steering-wheel step", "deg", "steering-wheel angle held, less that before"},
          [](const StepSteer& s) { return kDegrees * s.step.amplitude; }},
-        {{"steering_rate", "deg/s", "mean rate from 10 to 90 % of the step"},
+        {{"steering_rate", "Steering-wheel rate", "deg/s", "mean rate from 10 to 90 % of the step"},
          [](const StepSteer& s) { return kDegrees * std::abs(s.step.rate); }},
-        {{"steady_ay", "m/s2", "lateral acceleration at the end of the hold, less that before",
+        {{"steady_ay", "Lateral acceleration, steady", "m/s2",
+          "lateral acceleration at the end of the hold, less that before",
           Say{3, "settles at {} m/s2 of lateral acceleration", 2}},
          [](const StepSteer& s) { return s.ay.steady; }},
-        {{"steady", "-",
+        {{"steady", "Steady state reached (1: yes, 0: no)", "-",
           fmt::format("1 when yaw rate and lateral acceleration change by at most {:.0f} % over the last part of the "
                       "hold; 0: the steady values are those of a car still changing",
                       100 * kSteadyDrift)},
          [](const StepSteer& s) { return s.steady() ? 1.0 : 0.0; }},
-        {{"steady_drift", "-", "change of the yaw rate over the last part of the hold, as a share"},
+        {{"steady_drift", "Yaw rate, drift over the hold", "-",
+          "change of the yaw rate over the last part of the hold, as a share"},
          [](const StepSteer& s) { return s.yaw_rate.drift; }},
     });
     return lines;

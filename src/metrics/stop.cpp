@@ -16,6 +16,8 @@ constexpr double kOnsetShare = 0.001;  // of the largest pedal: where actuation 
 constexpr double kOnsetNoise = 5;      // ... or in standard deviations of its noise, so that noise is no actuation
 constexpr double kSlowestStart = 2.0;  // m/s
 constexpr double kLargestTurn = 0.5;   // m/s2: more is braking in a turn
+// Of the initial speed: between them the deceleration counts as fully developed (UN R13-H, MFDD).
+constexpr double kDevelopedFrom = 0.8, kDevelopedTo = 0.1;
 
 double brakeOnset(const TimeSeries& brake, std::string_view manoeuvre) {
     const double most = *std::max_element(brake.value.begin(), brake.value.end());
@@ -61,8 +63,21 @@ void expectNoTurn(const Log& log, std::string_view manoeuvre, const Stop& stop) 
     }
 }
 
+double developedEnd(const TimeSeries& v, const Stop& stop) {
+    return firstCrossing(v, kDevelopedTo * stop.initial_speed, stop.start).value_or(stop.end);
+}
+
+std::optional<double> developedEnd(const Log& log) {
+    constexpr std::string_view kBraking = "braking";
+    try {
+        return developedEnd(cleaned(speed(log, kBraking), kSpeedHalfWidth), findStop(log, kBraking));
+    } catch (const MetricError&) {
+        return {};
+    }
+}
+
 double meanFullyDeveloped(const TimeSeries& v, const Stop& stop) {
-    const double vb = 0.8 * stop.initial_speed, ve = 0.1 * stop.initial_speed;
+    const double vb = kDevelopedFrom * stop.initial_speed, ve = kDevelopedTo * stop.initial_speed;
     const auto tb = firstCrossing(v, vb, stop.start), te = firstCrossing(v, ve, stop.start);
     if (!tb || !te) return kUndefined;
     return (vb * vb - ve * ve) / (2 * integral(v, *tb, *te));

@@ -1,6 +1,7 @@
 // A braking to standstill in a log: when, from what speed, over what way.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "log/log.h"
@@ -25,6 +26,13 @@ Stop findStop(const Log& log, std::string_view manoeuvre);
 
 // Throws MetricError when the car turns as it is braked.
 void expectNoTurn(const Log& log, std::string_view manoeuvre, const Stop& stop);
+
+// The end of fully developed braking, s: the speed is 10 % of the initial speed (UN R13-H). What follows is coming to
+// rest: the force of the brakes ends with the motion and the body swings back on its suspension, so that the
+// acceleration there, a jerk through zero, says nothing of the brakes. The standstill without it.
+double developedEnd(const TimeSeries& v, const Stop& stop);
+// The same of a log; nothing when no car is braked to standstill in it.
+std::optional<double> developedEnd(const Log& log);
 
 // Mean fully developed deceleration: the average over distance between 80 and 10 % of the initial speed.
 double meanFullyDeveloped(const TimeSeries& v, const Stop& stop);

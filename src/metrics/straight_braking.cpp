@@ -40,31 +40,35 @@ double correctedDistance(const Stop& stop) {
 
 MetricTable<Braking> table() {
     MetricTable<Braking> lines = {
-        {{"initial_speed", "m/s", "speed when the driver starts to actuate the brake"},
+        {{"initial_speed", "Initial speed", "m/s", "speed when the driver starts to actuate the brake"},
          [](const Braking& b) { return b.stop.initial_speed; }},
-        {{"stopping_distance", "m", "path from the start of brake actuation to standstill",
+        {{"stopping_distance", "Stopping distance", "m", "path from the start of brake actuation to standstill",
           Say{1, "stops within {} m", 1}},
          [](const Braking& b) { return b.stop.distance; }},
-        {{"corrected_stopping_distance", "m",
+        {{"corrected_stopping_distance", "Stopping distance, corrected for speed", "m",
           fmt::format("stopping distance times (nominal / initial speed)^2, nominal: the nearest whole {:.0f} km/h",
                       kNominalSteps / kKmh)},
          [](const Braking& b) { return correctedDistance(b.stop); }},
-        {{"stopping_time", "s", "from the start of brake actuation to standstill"},
+        {{"stopping_time", "Stopping time", "s", "from the start of brake actuation to standstill"},
          [](const Braking& b) { return b.stop.duration(); }},
-        {{"mfdd", "m/s2", "mean fully developed deceleration: (vb^2 - ve^2) / (2 (se - sb)), vb = 0.8 v0, ve = 0.1 v0",
+        {{"mfdd", "Deceleration, mean fully developed", "m/s2",
+          "mean fully developed deceleration: (vb^2 - ve^2) / (2 (se - sb)), vb = 0.8 v0, ve = 0.1 v0",
           Say{2, "mean fully developed deceleration {} m/s2", 2}},
          [](const Braking& b) { return b.mfdd; }},
-        {{"mean_deceleration", "m/s2", "initial speed over stopping time"},
+        {{"mean_deceleration", "Deceleration, mean", "m/s2", "initial speed over stopping time"},
          [](const Braking& b) { return b.stop.initial_speed / b.stop.duration(); }},
-        {{"peak_deceleration", "m/s2", "largest deceleration between brake actuation and standstill"},
+        {{"peak_deceleration", "Deceleration, peak", "m/s2",
+          "largest deceleration from brake actuation down to 10 % of the initial speed, the end of the mean fully "
+          "developed one; what follows is the jerk of coming to rest"},
          [](const Braking& b) { return b.peak; }},
-        {{"lateral_deviation", "m",
+        {{"lateral_deviation", "Lateral deviation", "m",
           "largest distance from the line along which the car pointed at brake actuation; left is positive",
           Say{4, "{} m off its line", 2}},
          [](const Braking& b) { return b.deviation; }},
     };
     for (std::size_t wheel = 0; wheel < kWheels.size(); ++wheel) {
-        lines.push_back({{fmt::format("locked_share_{}", kWheels[wheel]), "-",
+        lines.push_back({{fmt::format("locked_share_{}", kWheels[wheel]),
+                          titleOf("time with locked wheel", inWords(kWheels[wheel])), "-",
                           fmt::format("share of the time, down to {:.0f} m/s, with a slip ratio below {:.1f}",
                                       kLockedUntil, kLockedSlip),
                           wheel == 0 ? Say{3, "front left wheel locked for {} % of the time", 0, 100} : Say{}},
@@ -90,7 +94,8 @@ double peakDeceleration(const Log& log, const TimeSeries& v, const Stop& stop) {
     const TimeSeries acceleration = logged ? *logged : cleanDerivative(v, kSpeedHalfWidth);
     // Averaged and not smoothed: a parabola would overshoot where the car comes to rest with a jerk.
     const bool noisy = logged && isNoisy(*logged);
-    const TimeSeries during = part(noisy ? averaged(*logged, kPeakHalfWidth) : acceleration, stop.start, stop.end);
+    const TimeSeries during =
+        part(noisy ? averaged(*logged, kPeakHalfWidth) : acceleration, stop.start, developedEnd(v, stop));
     return -*std::min_element(during.value.begin(), during.value.end());
 }
 

@@ -30,21 +30,25 @@ struct StraightRunning {
 
 MetricTable<StraightRunning> table() {
     return {
-        {{"drift", "m", "distance from the first line at the end, positive to the left", Say{1, "drifts by {} m", 2}},
+        {{"drift", "Drift", "m", "distance from the first line at the end, positive to the left",
+          Say{1, "drifts by {} m", 2}},
          [](const StraightRunning& s) { return s.drift; }},
-        {{"drift_per_100m", "m", "the same, scaled by the square of the distance to a drive of 100 m"},
+        {{"drift_per_100m", "Drift over 100 m", "m",
+          "the same, scaled by the square of the distance to a drive of 100 m"},
          [](const StraightRunning& s) { return s.drift * std::pow(100 / s.distance, 2); }},
-        {{"distance", "m", "along the first line"}, [](const StraightRunning& s) { return s.distance; }},
-        {{"yaw_angle", "deg", "change of heading"}, [](const StraightRunning& s) { return kDegrees * s.yaw; }},
-        {{"last_yaw_rate", "deg/s", fmt::format("mean of the last {:.0f} s", kAtLast)},
+        {{"distance", "Distance", "m", "along the first line"}, [](const StraightRunning& s) { return s.distance; }},
+        {{"yaw_angle", "Yaw angle", "deg", "change of heading"},
+         [](const StraightRunning& s) { return kDegrees * s.yaw; }},
+        {{"last_yaw_rate", "Yaw rate at the end", "deg/s", fmt::format("mean of the last {:.0f} s", kAtLast)},
          [](const StraightRunning& s) { return kDegrees * s.yaw_rate; }},
-        {{"last_ay", "m/s2", fmt::format("mean lateral acceleration of the last {:.0f} s", kAtLast),
-          Say{2, "{} m/s2 at last", 3}},
+        {{"last_ay", "Lateral acceleration at the end", "m/s2",
+          fmt::format("mean lateral acceleration of the last {:.0f} s", kAtLast), Say{2, "{} m/s2 at last", 3}},
          [](const StraightRunning& s) { return s.ay; }},
-        {{"hand_torque", "N m", "of the driver who holds the wheel, mean of that time, positive to the left",
+        {{"hand_torque", "Steering-wheel torque", "N m",
+          "of the driver who holds the wheel, mean of that time, positive to the left",
           Say{3, "{} N m at the steering wheel", 2}},
          [](const StraightRunning& s) { return s.hand_torque; }},
-        {{"speed", "m/s", "mean"}, [](const StraightRunning& s) { return s.speed; }},
+        {{"speed", "Speed, mean", "m/s", "mean"}, [](const StraightRunning& s) { return s.speed; }},
     };
 }
 

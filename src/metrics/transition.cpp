@@ -31,21 +31,22 @@ struct Transition {
 MetricTable<Transition> table() {
     const std::string range = fmt::format("regression over {:.1f} to {:.1f} m/s2", kFirstAy, kLastAy);
     return {
-        {{"steering_sensitivity", "g/100deg", "d ay / d steering-wheel angle, " + range,
+        {{"steering_sensitivity", "Steering sensitivity", "g/100deg", "d ay / d steering-wheel angle, " + range,
           Say{1, "steering sensitivity {} g/100 deg", 2}},
          [](const Transition& t) { return t.sensitivity / kGravity * 100 / kDegrees; }},
-        {{"steering_deadband", "deg", "steering-wheel angle at which that line starts from ay = 0",
+        {{"steering_deadband", "Steering deadband", "deg", "steering-wheel angle at which that line starts from ay = 0",
           Say{2, "dead band {} deg", 2}},
          [](const Transition& t) { return kDegrees * t.deadband; }},
-        {{"yaw_rate_gain", "1/s", "d yaw rate / d steering-wheel angle over the same time"},
+        {{"yaw_rate_gain", "Yaw rate, gain", "1/s", "d yaw rate / d steering-wheel angle over the same time"},
          [](const Transition& t) { return t.yaw_gain; }},
-        {{"torque_gradient", "N m/g",
+        {{"torque_gradient", "Steering-wheel torque gradient", "N m/g",
           "d steering-wheel torque / d ay, " + range + "; undefined when no torque is logged"},
          [](const Transition& t) { return t.torque_gradient * kGravity; }},
-        {{"torque_deadband", "N m", "torque at which that line starts from ay = 0"},
+        {{"torque_deadband", "Steering-wheel torque deadband", "N m", "torque at which that line starts from ay = 0"},
          [](const Transition& t) { return t.torque_deadband; }},
-        {{"speed", "m/s", "mean forward speed"}, [](const Transition& t) { return t.speed; }},
-        {{"steering_rate", "deg/s", "mean over the regression"}, [](const Transition& t) { return kDegrees * t.rate; }},
+        {{"speed", "Speed, mean", "m/s", "mean forward speed"}, [](const Transition& t) { return t.speed; }},
+        {{"steering_rate", "Steering-wheel rate", "deg/s", "mean over the regression"},
+         [](const Transition& t) { return kDegrees * t.rate; }},
     };
 }
 

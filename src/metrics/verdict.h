@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +19,16 @@ struct Verdict {
     std::string unit;
     std::string condition;
     bool met;
+    std::string title = {};  // of the metric, for people
+    // How far the value is inside what the condition allows, in the unit of the metric; negative: outside. None for a
+    // metric that could not be computed, and for "= 0", which has no inside.
+    std::optional<double> margin = {};
 };
+
+// A number of a verdict in the unit in which its condition is written: "48.9 m", "12 %".
+std::string valueInWords(const Verdict& verdict, int digits = 5);
+// "3.8 m to spare", "8.9 m beyond"; empty without a margin.
+std::string marginInWords(const Verdict& verdict);
 
 // Conditions on metrics that are not among `known`, or with a unit that does not fit. Each with its line.
 struct AcceptFault {
@@ -34,7 +44,7 @@ std::vector<Verdict> judge(const Acceptance& acceptance, const std::vector<Metri
 
 bool allMet(const std::vector<Verdict>& verdicts);
 
-// "stopping_distance: 48.9 m, wanted < 40 m: missed".
+// "stopping_distance: 48.9 m, wanted < 40 m: missed, 8.9 m beyond".
 std::string text(const Verdict& verdict);
 // "accepted: 3 conditions met", "not accepted: 1 of 3 conditions missed"; empty without conditions.
 std::string answer(const std::vector<Verdict>& verdicts);

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "metrics/stop.h"
 #include "report/cross_plot.h"
 
 namespace tread {
@@ -31,6 +33,31 @@ Chart overWay(std::string title, ChartAxis y, const std::vector<double>& way, st
     return chart;
 }
 
+std::optional<double> metricNamed(const std::vector<Metric>& metrics, std::string_view name) {
+    for (const Metric& metric : metrics) {
+        if (metric.name == name && std::isfinite(metric.value)) return metric.value;
+    }
+    return std::nullopt;
+}
+
+// The largest deceleration that is drawn, as the metric has it.
+void addPeak(Chart& chart, const std::vector<Metric>& metrics) {
+    const auto peak = metricNamed(metrics, "peak_deceleration");
+    if (!peak) return;
+    const Series& curve = chart.series.front();
+    std::size_t most = curve.x.size();
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        if (std::isfinite(curve.x[i]) && (most == curve.x.size() || curve.y[i] > curve.y[most])) most = i;
+    }
+    if (most == curve.x.size()) return;
+    chart.series.push_back({.name = fmt::format("peak, {:.2f} m/s²", *peak),
+                            .x = {curve.x[most]},
+                            .y = {*peak},
+                            .colour = Colour::amber,
+                            .line = false,
+                            .markers = true});
+}
+
 }  // namespace
 
 std::vector<Chart> brakingFigures(const RunReport& content) {
@@ -42,25 +69,28 @@ std::vector<Chart> brakingFigures(const RunReport& content) {
         return {};
     const std::vector<double> way = brakingWay(log.channels.front().values, brake->values, vx->values);
     const PlotValues speed = *valuesFor(log, kForwardSpeed);
-    std::vector<double> way_rolling = way;
+    // Braking, without the jerk of coming to rest; of a log without standstill, without what is nearly one.
+    const std::vector<double>& time = log.channels.front().values;
+    const std::optional<double> end = developedEnd(log);
+    std::vector<double> way_braking = way;
     for (std::size_t i = 0; i < way.size(); ++i) {
-        if (vx->values[i] < kStanding) way_rolling[i] = std::nan("");
+        if (end ? time[i] > *end : vx->values[i] < kStanding) way_braking[i] = std::nan("");
     }
     std::vector<Chart> charts{overWay("Speed", {"speed", speed.unit, 0.0}, way, speed.values)};
 
     if (ax) {
         std::vector<double> deceleration;
         for (const double value : ax->values) deceleration.push_back(-value);
-        Chart chart = overWay("Deceleration", {"deceleration", ax->unit}, way_rolling, std::move(deceleration));
-        for (const Metric& metric : content.metrics) {
-            if (metric.name != "mfdd" || !std::isfinite(metric.value)) continue;
-            chart.series.front().name = "deceleration";
-            chart.series.push_back({.name = fmt::format("mean fully developed, {:.2f} m/s²", metric.value),
+        Chart chart = overWay("Deceleration", {"deceleration", ax->unit}, way_braking, std::move(deceleration));
+        chart.series.front().name = "deceleration";
+        addPeak(chart, content.metrics);
+        if (const auto mean = metricNamed(content.metrics, "mfdd"))
+            chart.series.push_back({.name = fmt::format("mean fully developed, {:.2f} m/s²", *mean),
                                     .x = {0, way.back()},
-                                    .y = {metric.value, metric.value},
+                                    .y = {*mean, *mean},
                                     .colour = Colour::vermillion,
                                     .dashed = true});
-        }
+        if (end) chart.note = "Down to 10 % of the initial speed, the end of the mean fully developed deceleration.";
         charts.push_back(std::move(chart));
     }
 
@@ -69,7 +99,7 @@ std::vector<Chart> brakingFigures(const RunReport& content) {
         const std::string name = fmt::format("wheel.{}.slip_ratio", wheel.key);
         if (auto values = valuesFor(log, {name, "slip", "%"}))
             slip.series.push_back({.name = std::string(wheel.label),
-                                   .x = way_rolling,
+                                   .x = way_braking,
                                    .y = std::move(values->values),
                                    .colour = wheel.colour,
                                    .dashed = wheel.dashed});

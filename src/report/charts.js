@@ -2,7 +2,7 @@
 (function () {
     'use strict';
 
-    const {decode, format, element, read} = values;
+    const {decode, escaped, format, element, read} = values;
 
     function rowsOf(data, packed) {
         const time = decode(data.time, Float64Array);
@@ -101,6 +101,18 @@
         return [low - padding, high + padding];
     }
 
+    // Ticks at the largest step of 1, 2 or 5 times a power of ten that gives at least three: they are then at most eight.
+    function valueTicks(low, high) {
+        const least = 3;
+        let step = Math.pow(10, Math.ceil(Math.log10(high - low)));
+        const count = () => Math.floor(high / step + 1e-9) - Math.ceil(low / step - 1e-9) + 1;
+        for (let i = 0; count() < least && i < 9; ++i) step /= i % 3 === 1 ? 2.5 : 2;
+        const ticks = [];
+        for (let i = Math.ceil(low / step - 1e-9); i <= Math.floor(high / step + 1e-9); ++i)
+            ticks.push({v: i * step, label: format(i * step)});
+        return ticks;
+    }
+
     // A dot on each curve and one line through all charts at the selected moment.
     function drawSelected(chart, name, canvas, x, y, colour, radius) {
         if (name === '0') {
@@ -156,7 +168,7 @@
             }])),
             valueRange: rangeOf(rows, data.band, ...shownTime),
             xlabel: 'time [s]',
-            ylabel: data.unit || '–',
+            ylabel: escaped(data.unit || '–'),  // the library takes labels for markup
             xLabelHeight: 16,
             yLabelWidth: 16,
             labelsDiv: figure.querySelector('.legend'),
@@ -167,7 +179,7 @@
             interactionModel: interactions(),
             axes: {
                 x: {axisLabelFormatter: format, pixelsPerLabel: 46},
-                y: {axisLabelFormatter: format, axisLabelWidth: 54, pixelsPerLabel: 32}
+                y: {ticker: valueTicks, axisLabelWidth: 54}
             },
             gridLineColor: 'rgba(128, 136, 146, 0.22)',
             gridLineWidth: 1,

@@ -14,6 +14,7 @@ namespace tread {
 namespace {
 
 using diagnose::answer::Diagnosis;
+using diagnose::answer::isAnswered;
 using diagnose::answer::Verdict;
 
 std::string badge(const Diagnosis& d) {
@@ -42,8 +43,7 @@ std::string countOfWarnings(std::size_t count) {
 
 void addHead(HtmlPage& page, const DiagnosisReport& content) {
     const Diagnosis& d = content.diagnosis;
-    const bool good = d.verdict == Verdict::explained || d.verdict == Verdict::nothing;
-    page.answer(d.answer + ".", badge(d), good);
+    page.answer(d.answer + ".", badge(d), isAnswered(d));
     page.keyValues(
         {{"Car", content.vehicle},
          {"Compared with", d.compared ? "the same drives before the car was changed: the gap of the model to them is "

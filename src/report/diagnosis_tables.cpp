@@ -13,7 +13,6 @@ namespace tread {
 namespace {
 
 using diagnose::kSettings;
-using diagnose::kTestable;
 
 using diagnose::answer::ConfusablePair;
 using diagnose::answer::Diagnosis;
@@ -22,6 +21,7 @@ using diagnose::answer::effectInWords;
 using diagnose::answer::NextDrive;
 using diagnose::answer::RankedEffect;
 using diagnose::answer::together;
+using diagnose::answer::unseenEffects;
 
 constexpr std::size_t kShown = 8;   // effects in the table; the others are only counted
 constexpr std::size_t kPairs = 10;  // pairs shown that are hard to tell apart
@@ -42,9 +42,15 @@ void addEffects(HtmlPage& page, const Diagnosis& diagnosis) {
         add((isCause(diagnosis, effect.name) ? "▶ " : "") + effectInWords(effect.name), effect.probability,
             formatNumber(effect.log_evidence, 3));
     }
-    add("no effect visible in these drives", diagnosis.probability_of_nothing, "0");
-    add("an unknown cause", diagnosis.probability_of_unknown, "");
+    // Whether there is an unknown cause is a question of its own, asked of each of these alike.
+    const double unknown = diagnosis.probability_of_unknown;
+    add("no effect visible in these drives", unknown < 1 ? diagnosis.probability_of_nothing / (1 - unknown) : 0, "0");
     page.table({"Effect", "Probability", "Evidence, nats"}, rows);
+    page.text(
+        fmt::format("Beside any of these there may be an unknown cause ({}). It is told only from {:.0f} nats of "
+                    "evidence on, where "
+                    "what remains of the gap shows it.",
+                    diagnose::answer::probabilityInWords(unknown), kSettings.clear));
     if (diagnosis.effects.size() > kShown)
         page.text(
             fmt::format("{} other effects were considered and are less likely.", diagnosis.effects.size() - kShown));
@@ -100,8 +106,7 @@ void addNextDrives(HtmlPage& page, const Diagnosis& diagnosis) {
         next.push_back({{drive.scenario}, {formatNumber(drive.nats, 3), true}, {separatesInWords(drive)}});
     if (!next.empty()) page.table({"Drive next", "Expected nats", "Would separate"}, next, true);
     std::vector<std::string> hidden;
-    for (const auto& [effect, nats] : diagnosis.expected_evidence)
-        if (nats < kTestable) hidden.push_back(effectInWords(effect));
+    for (const std::string& effect : unseenEffects(diagnosis)) hidden.push_back(effectInWords(effect));
     page.text(hidden.empty()
                   ? std::string("Every effect considered would be visible in these drives at its typical size.")
                   : fmt::format("These drives would not show {} of {} effects at their typical size: {}.",

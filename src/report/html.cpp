@@ -5,17 +5,26 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/changed.h"
 #include "report/chart_data.h"
 #include "report/embedded.h"
+#include "report/pack.h"
 #include "report/text.h"
 
 namespace tread {
 namespace {
 
-// No page of ours ever needs the network; a browser that reads this refuses it even if a hostile string got through.
-constexpr std::string_view kPolicy =
-    "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:; base-uri 'none'; "
-    "form-action 'none'";
+// What a browser grants the page: the scripts whose hashes it names, and nothing from anywhere. A script that got into
+// the page with a hostile string is not run, also in an attribute. Styles cannot be named so, as lengths and colours of
+// bars stand in attributes; without an address to load from they can only disfigure.
+std::string policyOf(const std::vector<std::string_view>& scripts) {
+    std::string allowed;
+    for (const std::string_view script : scripts)
+        allowed += fmt::format(" 'sha256-{}'", sha256Base64(fmt::format("\n{}", script)));
+    return fmt::format(
+        "default-src 'none'; script-src{}; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'",
+        scripts.empty() ? " 'none'" : allowed);
+}
 
 constexpr std::string_view kHints =
     "<p class=\"hint mouse\">Point at a chart to read values at one moment in all of them. Drag sideways to zoom in "
@@ -26,6 +35,22 @@ constexpr std::string_view kHints =
 // A library file without the link to its source map, which is not shipped.
 std::string_view withoutSourceMap(std::string_view script) {
     return script.substr(0, script.find("//# sourceMappingURL="));
+}
+
+// Signs that do not depend on seeing colours.
+std::string_view signOf(Tone tone) {
+    return tone == Tone::good ? "✓ " : tone == Tone::bad ? "✗ " : "";
+}
+
+std::string_view classOf(Tone tone) {
+    return tone == Tone::good ? " class=\"good\"" : tone == Tone::bad ? " class=\"bad\"" : "";
+}
+
+// For screen readers: what is drawn, in which unit, and the names of the curves.
+std::string spoken(const TimeChart& chart) {
+    std::string names;
+    for (const auto& curve : chart.curves) names += (names.empty() ? "" : ", ") + curve.name;
+    return fmt::format("Chart of {} over time: {}", withUnit(chart.title, chart.unit), names);
 }
 
 std::string_view withoutStyleMap(std::string_view style) {
@@ -93,8 +118,10 @@ void HtmlPage::cards(const std::vector<Card>& cards) {
     if (cards.empty()) return;
     place() += "<div class=\"cards\">\n";
     for (const Card& card : cards) {
-        place() += fmt::format("<div class=\"card\"><span>{}</span><b>{}<small> {}</small></b></div>\n",
-                               escapeMarkup(card.label), escapeMarkup(card.value), escapeMarkup(card.unit));
+        const std::string note = card.note.empty() ? "" : fmt::format("<em>{}</em>", escapeMarkup(card.note));
+        place() += fmt::format("<div class=\"card\"><span>{}</span><b{}>{}{}<small> {}</small></b>{}</div>\n",
+                               escapeMarkup(card.label), classOf(card.tone), signOf(card.tone),
+                               escapeMarkup(card.value), escapeMarkup(card.unit), note);
     }
     place() += "</div>\n";
 }
@@ -106,6 +133,15 @@ void HtmlPage::keyValues(const std::vector<std::pair<std::string, std::string>>&
         place() += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escapeMarkup(key), escapeMarkup(value));
     }
     place() += "</dl>\n";
+}
+
+void HtmlPage::links(std::string_view title, const std::vector<Link>& links) {
+    if (links.empty()) return;
+    std::string list;
+    for (const Link& link : links)
+        list += fmt::format("{}<a href=\"{}\">{}</a>", list.empty() ? "" : " · ", escapeMarkup(link.address),
+                            escapeMarkup(link.text));
+    place() += fmt::format("<p class=\"files\">{}: {}</p>\n", escapeMarkup(title), list);
 }
 
 void HtmlPage::warnings(const std::vector<std::string>& sentences) {
@@ -132,7 +168,8 @@ void HtmlPage::table(const std::vector<std::string>& header, const std::vector<s
     place() += fmt::format("<div class=\"wide\"><table{}>\n<thead><tr>", prose_last ? " class=\"prose\"" : "");
     for (std::size_t column = 0; column < header.size(); ++column) {
         const bool number = !rows.empty() && column < rows.front().size() && rows.front()[column].number;
-        place() += fmt::format("<th{}>{}</th>", number ? " class=\"number\"" : "", escapeMarkup(header[column]));
+        place() +=
+            fmt::format("<th scope=\"col\"{}>{}</th>", number ? " class=\"number\"" : "", escapeMarkup(header[column]));
     }
     place() += "</tr></thead>\n<tbody>\n";
     for (const auto& row : rows) {
@@ -140,14 +177,15 @@ void HtmlPage::table(const std::vector<std::string>& header, const std::vector<s
         for (const Cell& cell : row) {
             const std::string swatch =
                 cell.fill == Fill::none ? "" : fmt::format("<i class=\"swatch {}\"></i>", classOf(cell.fill));
+            const std::string note = cell.note.empty() ? "" : fmt::format("<small>{}</small>", escapeMarkup(cell.note));
             const std::string text = swatch + escapeMarkup(cell.text);
             place() += fmt::format(
-                "<td class=\"{}{}\"{}>{}</td>", cell.number ? "number " : "",
+                "<td class=\"{}{}\"{}>{}{}</td>", cell.number ? "number " : "",
                 cell.alarm       ? "alarm"
                 : cell.good_news ? "good-news"
                                  : "",
                 shading(cell),
-                cell.link.empty() ? text : fmt::format("<a href=\"{}\">{}</a>", escapeMarkup(cell.link), text));
+                cell.link.empty() ? text : fmt::format("<a href=\"{}\">{}</a>", escapeMarkup(cell.link), text), note);
         }
         place() += "</tr>\n";
     }
@@ -175,8 +213,8 @@ void HtmlPage::addTimeChart(const TimeChart& chart) {
     if (!drawable(chart)) return;
     place() += fmt::format(
         "<figure class=\"time-chart\" id=\"c{}\"><figcaption><b>{}</b><span class=\"now\"></span></figcaption>"
-        "<div class=\"legend\"></div><div class=\"canvas\"></div></figure>\n",
-        time_charts_, escapeMarkup(withUnit(chart.title, chart.unit)));
+        "<div class=\"legend\"></div><div class=\"canvas\" role=\"img\" aria-label=\"{}\"></div></figure>\n",
+        time_charts_, escapeMarkup(withUnit(chart.title, chart.unit)), escapeMarkup(spoken(chart)));
     charts_ += (time_charts_ == 0 ? "" : ",\n") + chartData(chart);
     ++time_charts_;
 }
@@ -235,7 +273,21 @@ void HtmlPage::replay(std::string data) {
     replay_ = std::move(data);
 }
 
-// The values, then the libraries, then our own scripts. The licences of the libraries ask to travel with every copy.
+// The scripts that the page runs: libraries before those that use them.
+std::vector<std::string_view> HtmlPage::programs() const {
+    const bool charts = time_charts_ > 0, replay = !replay_.empty();
+    std::vector<std::string_view> out;
+    if (charts || replay) out.push_back(embedded::kValuesScript);
+    if (charts)
+        out.insert(out.end(), {withoutSourceMap(embedded::kDygraphsScript),
+                               withoutSourceMap(embedded::kDygraphsSynchronizer), embedded::kChartsScript});
+    if (replay)
+        out.insert(out.end(), {embedded::kThreeScript, embedded::kThreeOrbit, embedded::kReplayRoadScript,
+                               embedded::kReplayCarScript, embedded::kReplayScript});
+    return out;
+}
+
+// The values, then the programs. The licences of the libraries ask to travel with every copy.
 std::string HtmlPage::scripts() const {
     const bool charts = time_charts_ > 0, replay = !replay_.empty();
     std::string out;
@@ -245,35 +297,27 @@ std::string HtmlPage::scripts() const {
     if (charts) out += "<button id=\"reset\" type=\"button\" hidden>Reset zoom</button>\n";
     if (charts) add(R"( id="chart-data" type="application/json")", "[" + charts_ + "]");
     if (replay) add(R"( id="replay-data" type="application/json")", replay_);
-    if (charts || replay) add("", embedded::kValuesScript);
-    if (charts) {
-        add("", withoutSourceMap(embedded::kDygraphsScript));
-        add("", withoutSourceMap(embedded::kDygraphsSynchronizer));
-        add("", embedded::kChartsScript);
-        add(R"( type="text/plain")", embedded::kDygraphsLicence);
-    }
-    if (replay) {
-        for (const std::string_view script :
-             {embedded::kThreeScript, embedded::kThreeOrbit, embedded::kReplayRoadScript, embedded::kReplayCarScript,
-              embedded::kReplayScript})
-            add("", script);
-        add(R"( type="text/plain")", embedded::kThreeLicence);
-    }
+    for (const std::string_view program : programs()) add("", program);
+    if (charts) add(R"( type="text/plain")", embedded::kDygraphsLicence);
+    if (replay) add(R"( type="text/plain")", embedded::kThreeLicence);
     return out;
 }
 
 std::string HtmlPage::finish() const {
     const bool charts = time_charts_ > 0;
+    const ChangedName title = splitChanged(title_);
+    const std::string changed =
+        title.changes.empty() ? "" : fmt::format("<p class=\"changed\">changed: {}</p>\n", escapeMarkup(title.changes));
     std::string out;
     fmt::format_to(
         std::back_inserter(out),
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n<title>{}</title>\n<style>\n{}{}</style>\n"
-        "{}</head>\n<body>\n<header>\n<h1>{}</h1>\n{}</header>\n",
-        kPolicy, escapeMarkup(window_title_), charts ? withoutStyleMap(embedded::kDygraphsStyle) : "",
+        "{}</head>\n<body>\n<header>\n<h1>{}</h1>\n{}{}</header>\n",
+        policyOf(programs()), escapeMarkup(window_title_), charts ? withoutStyleMap(embedded::kDygraphsStyle) : "",
         embedded::kPageStyle, replay_.empty() ? "" : fmt::format("<style>\n{}</style>\n", embedded::kReplayStyle),
-        escapeMarkup(title_), head_);
+        escapeMarkup(title.name), changed, head_);
     if (sections_ > 1) out += "<nav>" + contents_ + "</nav>\n";
     if (charts) out += kHints;
     out += "<main>\n" + body_ + (sections_ > 0 ? "</section>\n" : "") + "</main>\n";

@@ -38,10 +38,20 @@ struct TimeChart {
     std::vector<double> marks = {};  // vertical lines at these moments
 };
 
+// Good and bad news have a sign and a colour of their own.
+enum class Tone { plain, good, bad };
+
 struct Card {  // one number to see first
     std::string label;
     std::string value;
     std::string unit;
+    std::string note = {};  // a small line below the number
+    Tone tone = Tone::plain;
+};
+
+struct Link {
+    std::string text;
+    std::string address;  // relative to the page
 };
 
 // Filling of a part of a bar: a colour and a pattern, which differ in grey too.
@@ -68,11 +78,13 @@ struct Cell {
     double bar = 0;          // 0 to 1: length of a bar behind the text
     Fill fill = Fill::none;  // of a small square before the text
     bool good_news = false;  // drawn as good news
+    std::string note = {};   // a small line below the text
 };
 
 class HtmlPage {
 public:
-    // `headline`: follows the title in the title of the window.
+    // `headline`: follows the title in the title of the window. What settings have changed of what the title says
+    // (base/changed.h) stands below it in a line of its own.
     explicit HtmlPage(std::string title, std::string_view headline = {});
 
     // The top of the page: the answer in one sentence; `verdict` (may be empty) is a word that is green when good, else
@@ -80,6 +92,7 @@ public:
     void answer(std::string_view sentence, std::string_view verdict = {}, bool good = true);
     void cards(const std::vector<Card>& cards);
     void keyValues(const std::vector<std::pair<std::string, std::string>>& pairs);
+    void links(std::string_view title, const std::vector<Link>& links);
     void warnings(const std::vector<std::string>& sentences);
 
     void section(std::string_view title);  // appears in the table of contents
@@ -114,6 +127,7 @@ private:
     std::size_t time_charts_ = 0;
 
     void addTimeChart(const TimeChart& chart);
+    std::vector<std::string_view> programs() const;
     std::string scripts() const;
     std::string& place() { return sections_ == 0 ? head_ : body_; }
 };

@@ -8,6 +8,8 @@
 #include "calibrate/identification.h"
 #include "calibrate/identification_text.h"
 #include "diagnose/answer/diagnosis.h"
+#include "diagnose/answer/parts.h"
+#include "diagnose/answer/words.h"
 #include "recording/subject_paths.h"
 #include "report/diagnosis_charts.h"
 #include "report/diagnosis_tables.h"
@@ -20,8 +22,10 @@ namespace {
 using calibrate::FittedNumber;
 using calibrate::Identification;
 using calibrate::otherNumbersInWords;
+using diagnose::answer::closedShare;
 using diagnose::answer::GapLevels;
 using diagnose::answer::HowFar;
+using diagnose::answer::roundedPercent;
 using recording::subjectNumber;
 
 constexpr double kFarMoved = 2;  // prior standard deviations
@@ -29,8 +33,7 @@ constexpr double kFarMoved = 2;  // prior standard deviations
 void addHead(HtmlPage& page, const std::string& vehicle, const std::string& version, const Identification& found) {
     const auto determined = std::count_if(found.numbers.begin(), found.numbers.end(),
                                           [](const FittedNumber& one) { return one.determined; });
-    const bool all = determined == static_cast<std::ptrdiff_t>(found.numbers.size());
-    page.answer(found.answer + ".", all ? "determined" : "not all determined", all);
+    page.answer(found.answer + ".", outcomeInWords(found), hasSucceeded(found));
     const HowFar& how_far = found.gap.how_far;
     const GapLevels& judged = how_far.in_sample ? how_far.training : how_far.held_out;
     const std::string where = how_far.in_sample ? "in the same drives" : "in held-out drives";
@@ -99,18 +102,19 @@ void addLevels(HtmlPage& page, const HowFar& how_far) {
         for (const auto& [stage, value] : stages) {
             Cell bar{stage};
             bar.bar = value / most;
-            rows.push_back({{stage == stages[0].first ? drives : ""}, bar, {formatNumber(value, 3), true}});
+            const double closed = closedShare(levels, value);
+            rows.push_back({{stage == stages[0].first ? drives : ""},
+                            bar,
+                            {formatNumber(value, 4), true},
+                            {std::isfinite(closed) ? roundedPercent(closed) : "–", true}});
         }
     };
     add("Drives used for fitting", how_far.training);
     if (!how_far.in_sample) add("Held-out drives", how_far.held_out);
-    page.table({"Drives", "Model", "Gap"}, rows);
-    const auto percent = [](double share) { return fmt::format("{:.0f} %", 100 * share); };
-    page.text(fmt::format("{} of the closable gap is closed within tolerance (90 %: {} to {}){}.",
-                          percent(how_far.closure), percent(how_far.closure_low), percent(how_far.closure_high),
-                          how_far.in_sample ? "; judged in the fitted drives because none was held out, which is too "
-                                              "optimistic"
-                                            : ", in drives that were not used for fitting"));
+    page.table({"Drives", "Model", "Gap", "Closed"}, rows);
+    page.text("Closed, of what a model can close: (nominal² - gap²) / (nominal² - noise floor²).");
+    if (how_far.in_sample)
+        page.text("No drive is held out: the gap is judged in the fitted drives, which is too optimistic.");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "report/cross_plot.h"
 #include "report/frequency_figures.h"
 #include "report/handling_figures.h"
+#include "report/ride_figures.h"
 #include "report/run_figures.h"
 
 namespace tread {
@@ -56,6 +57,12 @@ std::vector<Chart> bode(const RunReport& run) {
 std::vector<Chart> braking(const RunReport& run) {
     return brakingFigures(run);
 }
+std::vector<Chart> ride(const RunReport& run) {
+    return rideFigures(run.log);
+}
+std::vector<Chart> bump(const RunReport& run) {
+    return bumpFigures(run.log);
+}
 std::vector<Chart> course(const RunReport& run) {
     return listed(courseFigure(run));
 }
@@ -93,8 +100,8 @@ const std::vector<Row>& table() {
         {"parked", {}},
         {"hill_start", {}},
         {"drop_and_settle", {}},
-        {"ride", {}},
-        {"bump", {}},
+        {"ride", {ride}},
+        {"bump", {bump}},
         {"straight_running", {path}},
     };
     return kRows;

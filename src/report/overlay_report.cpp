@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "compare/compare.h"
 #include "report/html.h"
 #include "report/text.h"
 
@@ -37,7 +38,9 @@ void addTable(HtmlPage& page, const std::vector<const ChannelOverlay*>& channels
     for (const ChannelOverlay* channel : channels) {
         const DisplayUnit shown = displayUnit(channel->unit, channel->name);
         const auto number = [&](double value) { return Cell{formatNumber(value * shown.scale), true}; };
-        const std::string r_squared = channel->r_squared ? formatNumber(*channel->r_squared, 4) : "";
+        const std::string r_squared = channel->r_squared ? formatNumber(*channel->r_squared, 4)
+                                      : channel->no_fit  ? "no fit"
+                                                         : "";
         const std::string out = channel->first_time_out ? formatNumber(*channel->first_time_out, 6) : "";
         rows.push_back({{channel->ok ? "✓ within" : "✗ out", false, !channel->ok},
                         {channel->name},
@@ -50,6 +53,23 @@ void addTable(HtmlPage& page, const std::vector<const ChannelOverlay*>& channels
                         {out, true}});
     }
     page.table({"Result", "Channel", "Largest", "RMS", "R²", "Tolerance", "Unit", "Used, %", "First out, s"}, rows);
+    page.text(
+        "R²: share of the reference's variance that the candidate explains, 1 - sum of squared differences / sum of "
+        "squares about the reference's mean.");
+    if (std::any_of(channels.begin(), channels.end(), [](const auto* channel) { return channel->no_fit; }))
+        page.text(fmt::format("{}.", kNoFit));
+}
+
+// "compact hatchback (out/a/log.csv)".
+std::string nameAndFile(const std::string& name, const std::string& file) {
+    return file.empty() || file == name ? name : fmt::format("{} ({})", name, file);
+}
+
+void addReplay(HtmlPage& page, const OverlayReport& content) {
+    std::string replay = replayData(content.cars, content.scene);
+    if (replay.empty()) return;
+    page.section("Replay");
+    page.replay(std::move(replay));
 }
 
 std::vector<double> differences(const ChannelOverlay& channel) {
@@ -83,6 +103,22 @@ std::vector<TimeChart> chartsOf(const OverlayReport& content, const ChannelOverl
     return {overlay, gap};
 }
 
+// `gaps` holds the differences for as long as the page is built.
+void addCurves(HtmlPage& page, const OverlayReport& content, const std::vector<const ChannelOverlay*>& channels,
+               std::vector<std::vector<double>>& gaps) {
+    if (channels.empty()) return;
+    page.section("Curves, worst first");
+    if (channels.size() > kMostDrawn) {
+        page.text(fmt::format("The {} channels that use most of their tolerance, of {}; the table below has all.",
+                              kMostDrawn, channels.size()));
+    }
+    const std::size_t drawn = std::min(channels.size(), kMostDrawn);
+    for (std::size_t i = 0; i < drawn; ++i) gaps.push_back(differences(*channels[i]));
+    std::vector<std::vector<TimeChart>> stacks;
+    for (std::size_t i = 0; i < drawn; ++i) stacks.push_back(chartsOf(content, *channels[i], gaps[i]));
+    page.stackedTimeCharts(stacks);
+}
+
 }  // namespace
 
 std::string overlayReport(const OverlayReport& content) {
@@ -90,30 +126,16 @@ std::string overlayReport(const OverlayReport& content) {
     HtmlPage page(content.title);
     page.answer(content.answer, content.ok ? "within tolerance" : "out of tolerance", content.ok);
     page.warnings(content.warnings);
-    page.keyValues({{"Reference", content.reference_name},
-                    {"Candidate", content.candidate_name},
+    page.keyValues({{"Reference", nameAndFile(content.reference_name, content.reference_file)},
+                    {"Candidate", nameAndFile(content.candidate_name, content.candidate_file)},
                     {"Drawn beside", fmt::format("{}", fmt::join(content.other_names, ", "))},
                     {"Made by", "tread " + content.version}});
 
-    if (std::string replay = replayData(content.cars, content.scene); !replay.empty()) {
-        page.section("Replay");
-        page.replay(std::move(replay));
-    }
+    std::vector<std::vector<double>> gaps;  // complete before the charts refer to it
+    addCurves(page, content, channels, gaps);
     page.section("Channels");
     addTable(page, channels);
-    if (channels.empty()) return page.finish();
-
-    page.section("Curves, worst first");
-    if (channels.size() > kMostDrawn) {
-        page.text(fmt::format("The {} channels that use most of their tolerance, of {}; the table above has all.",
-                              kMostDrawn, channels.size()));
-    }
-    const std::size_t drawn = std::min(channels.size(), kMostDrawn);
-    std::vector<std::vector<double>> gaps;  // complete before the charts refer to it
-    for (std::size_t i = 0; i < drawn; ++i) gaps.push_back(differences(*channels[i]));
-    std::vector<std::vector<TimeChart>> stacks;
-    for (std::size_t i = 0; i < drawn; ++i) stacks.push_back(chartsOf(content, *channels[i], gaps[i]));
-    page.stackedTimeCharts(stacks);
+    addReplay(page, content);
     return page.finish();
 }
 

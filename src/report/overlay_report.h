@@ -20,15 +20,16 @@ struct ChannelOverlay {
     double tolerance = 0;                          // largest allowed |candidate - reference|, in the unit
     double largest = 0;                            // |candidate - reference|
     double rms = 0;
-    std::optional<double> r_squared = {};       // share of the reference's variance that the candidate explains
+    std::optional<double> r_squared = {};  // as in compare/compare.h
+    bool no_fit = false;
     std::optional<double> first_time_out = {};  // s, when the tolerance is first exceeded
     bool ok = true;
 };
 
 struct OverlayReport {
     std::string title;
-    std::string answer;  // the result in one sentence
-    std::string reference_name;
+    std::string answer;          // the result in one sentence
+    std::string reference_name;  // in the legends
     std::string candidate_name;
     std::vector<std::string> other_names = {};  // of further runs, which are drawn but not judged
     std::string version;
@@ -37,6 +38,8 @@ struct OverlayReport {
     std::vector<std::string> warnings = {};  // channels that only one log has, and the like
     std::vector<ReplayCar> cars = {};        // reference, candidate and the others
     ReplayScene scene = {};                  // in which they drive
+    std::string reference_file = {};         // where the name does not tell it
+    std::string candidate_file = {};
 };
 
 // The colour of a run: reference, candidate, others.

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "store/sha256.h"
+
 namespace tread {
 namespace {
 
@@ -43,6 +45,14 @@ std::string packed(std::span<const float> values) {
 }
 std::string packed(std::span<const std::uint16_t> values) {
     return pack<std::uint16_t>(values);
+}
+
+std::string sha256Base64(std::string_view text) {
+    const std::string hex = sha256(text);
+    std::string bytes;
+    for (std::size_t i = 0; i < hex.size(); i += 2)
+        bytes += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
+    return base64(bytes);
 }
 
 std::string scriptJson(const nlohmann::ordered_json& json) {

@@ -23,6 +23,7 @@ using diagnose::answer::roundedPercent;
 using diagnose::answer::Shares;
 using diagnose::answer::ToldPart;
 using diagnose::answer::Unexplained;
+using diagnose::answer::Verdict;
 
 // Empty where there is none: a single drive does not tell how much drives differ.
 std::string intervalOf(const Part& part) {
@@ -86,6 +87,8 @@ void addGap(HtmlPage& page, const char* drives, const Decomposition& gap) {
     page.bar(bar);
     page.bullets(enlargingInWords(gap));
     addTable(page, gap);
+    if (const std::string closed = diagnose::answer::closedInWords(gap); !closed.empty())
+        page.text("Closed, of what a model can close: " + closed + ".");
 }
 
 void addSharesTable(HtmlPage& page, const char* of, const Shares& shares) {
@@ -134,12 +137,18 @@ void addParts(HtmlPage& page, const Diagnosis& diagnosis) {
 
 void addRemainder(HtmlPage& page, const Diagnosis& diagnosis) {
     const Unexplained& rest = diagnosis.unexplained;
-    page.text(fmt::format("{} of the gap remains unexplained{}.",
-                          diagnose::answer::percentInWords(diagnosis.training.remainder.share),
-                          rest.beyond_ordinary > 0
-                              ? fmt::format("; it is larger than that of an ordinary drive by {:.0f} nats of evidence",
-                                            rest.beyond_ordinary)
-                              : ", no more than in an ordinary drive"));
+    const bool told = diagnosis.verdict == Verdict::unknown || diagnosis.verdict == Verdict::partly_explained;
+    const std::string compared =
+        told ? fmt::format("it is larger than that of an ordinary drive by {:.0f} nats of evidence",
+                           rest.beyond_ordinary)
+        : rest.beyond_ordinary > 0.5
+            ? fmt::format(
+                  "{:.0f} nats speak for a larger remainder than in an ordinary drive, too few to tell of an "
+                  "unknown cause",
+                  rest.beyond_ordinary)
+            : "no more than in an ordinary drive";
+    page.text(fmt::format("{} of the gap remains unexplained; {}.",
+                          diagnose::answer::percentInWords(diagnosis.training.remainder.share), compared));
     const std::string law = lawInWords(rest.law);
     if (!law.empty() && rest.law.generalised_force.empty()) page.text("In addition to the best answer, " + law + ".");
     else if (!law.empty()) page.text(capitalised(law) + ".");

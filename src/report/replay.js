@@ -79,6 +79,8 @@
     const bar = element('div', 'bar');
     stage.append(painter.domElement, numbers, legend);
     painter.domElement.tabIndex = 0;
+    painter.domElement.setAttribute('role', 'img');
+    painter.domElement.setAttribute('aria-label', 'Replay of ' + data.cars.map(car => car.name).join(', '));
     bar.append(play, line, choice('Speed', kSpeeds.map(speed => speed + ' ×'), 3, i => { state.speed = kSpeeds[i]; }),
                choice('View', kViews, 0, i => { look(kViews[i]); }));
     if (cars.length > 1) bar.append(choice('Car', cars.map(car => car.data.name), 0, i => { follow(cars[i]); }));

@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "base/changed.h"
 #include "report/cross_plot.h"
 #include "report/html.h"
 #include "report/manoeuvre_figures.h"
 #include "report/replay.h"
+#include "report/shown_metric.h"
 #include "report/text.h"
 #include "report/verdict_table.h"
 
@@ -43,6 +45,7 @@ const std::vector<TimeChartPlan>& chassisPlans() {
         {"Speed", "km/h", {{"chassis.vx", "forward"}}},
         {"Yaw rate", "deg/s", {{"chassis.yaw_rate", "yaw rate"}}},
         {"Acceleration", "m/s2", {{"chassis.ay", "lateral"}, {"chassis.ax", "longitudinal"}}},
+        {"Vertical acceleration", "m/s2", {{"chassis.az", "vertical"}}},
         {"Sideslip", "deg", {{"chassis.sideslip", "sideslip"}}},
         {"Roll and pitch", "deg", {{"chassis.roll", "roll"}, {"chassis.pitch", "pitch"}}}};
     return kPlans;
@@ -116,13 +119,9 @@ void addSection(HtmlPage& page, std::string_view title, const std::vector<TimeCh
 void addCards(HtmlPage& page, const std::vector<Metric>& metrics) {
     constexpr std::size_t kMost = 6;
     std::vector<Card> cards;
-    for (const Metric& metric : metrics) {
+    for (const Metric& metric : resultsFirst(metrics)) {
         if (cards.size() == kMost) break;
-        if (!std::isfinite(metric.value)) continue;
-        const DisplayUnit shown = displayUnit(metric.unit);
-        std::string words = metric.name;
-        std::replace(words.begin(), words.end(), '_', ' ');
-        cards.push_back({std::move(words), formatNumber(metric.value * shown.scale, 3), prettyUnit(shown.unit)});
+        cards.push_back({titleOf(metric), shownValue(metric, 3), prettyUnit(displayUnit(metric).unit)});
     }
     page.cards(cards);
 }
@@ -132,8 +131,8 @@ void addMetrics(HtmlPage& page, const std::vector<Metric>& metrics) {
     page.section("Metrics");
     std::vector<std::vector<Cell>> rows;
     for (const Metric& metric : metrics) {
-        const DisplayUnit shown = displayUnit(metric.unit);
-        rows.push_back({{metric.name},
+        const DisplayUnit shown = displayUnit(metric);
+        rows.push_back({{.text = titleOf(metric), .note = metric.title.empty() ? "" : metric.name},
                         {formatNumber(metric.value * shown.scale, 5), true},
                         {prettyUnit(shown.unit)},
                         {metric.definition}});
@@ -168,10 +167,13 @@ std::string runReport(const RunReport& content) {
     answerWithVerdict(page, content.answer, content.verdicts);
     page.warnings(content.warnings);
     addCards(page, content.metrics);
-    page.keyValues({{"Vehicle", content.vehicle},
-                    {"Manoeuvre", content.scenario},
+    const ChangedName car = splitChanged(content.vehicle);
+    page.keyValues({{"Vehicle", car.name},
+                    {"Changed on it", car.changes},
+                    {"Manoeuvre", splitChanged(content.scenario).name},
                     {"What it is", content.scenario_description},
                     {"Made by", "tread " + content.version}});
+    page.links("Files", content.files);
 
     addVerdicts(page, content.verdicts);
     if (content.log.samples() > 0) {

@@ -8,6 +8,7 @@
 #include "metrics/metric.h"
 #include "metrics/verdict.h"
 #include "report/car_shape.h"
+#include "report/html.h"
 #include "report/svg.h"
 #include "run/run_record.h"
 
@@ -25,6 +26,7 @@ struct RunReport {
     std::vector<Verdict> verdicts = {};
     std::string resolved_yaml = {};
     std::vector<std::string> warnings = {};
+    std::vector<Link> files = {};  // beside the page: log, metrics, inputs
     const RunRecord* record =
         nullptr;  // car and road of the replay and the top view; without it a medium car, level ground
 };

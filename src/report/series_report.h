@@ -1,11 +1,13 @@
-// Pages over several runs: the table of a series, and the overview of a catalogue.
+// Pages over several runs: a series, with its metrics over what is varied, and the overview of a catalogue.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "metrics/metric.h"
 #include "metrics/verdict.h"
+#include "report/html.h"
 
 namespace tread {
 
@@ -27,6 +29,8 @@ struct SeriesReport {
     std::vector<Run> runs;
     std::string resolved_yaml;
     std::vector<Verdict> verdicts = {};
+    double highest = std::numeric_limits<double>::quiet_NaN();  // value that passes, SI; NaN: not looked for, or none
+    std::vector<Link> files = {};                               // beside the page
 };
 std::string seriesReport(const SeriesReport& content);
 

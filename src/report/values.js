@@ -25,11 +25,17 @@ const values = (function () {
         return made;
     }
 
+    // Text for where a library takes markup.
+    function escaped(text) {
+        const names = {'&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;', "'": '&#39;'};
+        return String(text).replace(/[&<>"']/g, sign => names[sign]);
+    }
+
     // The values of a script element, or null without one.
     function read(id) {
         const holder = document.getElementById(id);
         return holder && JSON.parse(holder.textContent);
     }
 
-    return {decode, format, element, read};
+    return {decode, escaped, format, element, read};
 })();

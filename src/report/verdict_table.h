@@ -9,7 +9,8 @@
 
 namespace tread {
 
-// The answer, behind a badge that says whether the run is accepted; without conditions there is no badge.
+// The answer, behind a badge that says whether the run is accepted, and of each condition how much is to spare, large;
+// without conditions the answer alone.
 void answerWithVerdict(HtmlPage& page, std::string_view answer, const std::vector<Verdict>& verdicts);
 
 // A table of all verdicts; nothing without conditions.

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/visitors.h"
 #include "tread/describe.h"
 
 namespace tread {
@@ -51,35 +52,16 @@ static_assert(describesEveryMember<AcceptFile>());
 // Both, a condition of `more` in place of that of `base` for the same metric.
 Acceptance merged(Acceptance base, const Acceptance& more);
 
-// ---- A map of the user's own names is no described struct: what the visitors of descriptions do with it ----
-
-class YamlReader;
-struct YamlPlace;
-struct YamlItem;
-
+// A map of the user's own names is no described struct.
 namespace detail {
 
-class SchemaBuilder;
-struct ReferenceRows;
-
-template <class T>
-void readValue(const YamlReader& reader, const YamlPlace& place, T& value, const About& about);
 template <>
 void readValue<Acceptance>(const YamlReader& reader, const YamlPlace& place, Acceptance& value, const About& about);
-
-template <class T>
-YamlItem itemOf(std::string_view name, const T& value, const About& about);
 template <>
 YamlItem itemOf<Acceptance>(std::string_view name, const Acceptance& value, const About& about);
-
-template <class T>
-std::string schemaOf(SchemaBuilder& builder, const std::string& path, const T& value, const About& about);
 template <>
 std::string schemaOf<Acceptance>(SchemaBuilder& builder, const std::string& path, const Acceptance& value,
                                  const About& about);
-
-template <class T>
-void addRows(ReferenceRows& table, const std::string& path, const T& value, const About& about);
 template <>
 void addRows<Acceptance>(ReferenceRows& table, const std::string& path, const Acceptance& value, const About& about);
 

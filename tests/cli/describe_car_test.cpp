@@ -1,11 +1,13 @@
 // `tread describe car.yaml`: the data sheet of a car.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "base/concat.h"
 #include "cli/program.h"
@@ -56,6 +58,25 @@ TEST(DescribeCar, EveryShippedCarHasASheet) {
     EXPECT_GE(cars, 9u);
 }
 
+// Lines are broken between words.
+std::string withSingleSpaces(const std::string& text) {
+    std::istringstream words(text);
+    std::string out, word;
+    while (words >> word) out += (out.empty() ? "" : " ") + word;
+    return out;
+}
+
+// Behind the answer, which is one line wherever it stands, lines fit a window.
+TEST(DescribeCar, LinesHaveAtMostAHundredColumns) {
+    std::istringstream lines(runProgram({"describe", compactFile()}).out);
+    std::string line;
+    std::getline(lines, line);
+    while (std::getline(lines, line)) {
+        const auto columns = std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; });
+        EXPECT_LE(columns, 100) << line;
+    }
+}
+
 // Text, page and JSON have every row of the table.
 TEST(DescribeCar, TextPageAndJsonSayTheSame) {
     const Scratch scratch;
@@ -68,6 +89,7 @@ TEST(DescribeCar, TextPageAndJsonSayTheSame) {
     EXPECT_EQ(json["answer"], firstLine(text.out));
     const sheet::Sheet sheet = sheet::sheetOf(loadVehicle(compactFile()));
     ASSERT_EQ(json["figures"].size(), sheet.rows.size());
+    const std::string words = withSingleSpaces(text.out);
     for (std::size_t i = 0; i < sheet.rows.size(); ++i) {
         const sheet::SheetRow& row = sheet.rows[i];
         const Json& in_json = json["figures"][i];
@@ -77,7 +99,7 @@ TEST(DescribeCar, TextPageAndJsonSayTheSame) {
         EXPECT_EQ(in_json["value"].is_null(), std::isnan(row.value)) << row.name;
         const std::string value = formatNumber(row.value, 4);
         for (const std::string_view part : {row.label, row.formula, row.sources.front()}) {
-            EXPECT_TRUE(contains(text.out, part)) << part;
+            EXPECT_TRUE(contains(words, part)) << part;
             EXPECT_TRUE(contains(page, escapeMarkup(part))) << part;
         }
         EXPECT_TRUE(contains(text.out, std::isnan(row.value) ? "none" : value)) << row.name;

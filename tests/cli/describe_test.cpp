@@ -133,14 +133,14 @@ TEST(Describe, MetricsHaveUnitAndDefinition) {
             const std::string path = concat({known.name, ".", metric.name});
             EXPECT_EQ(linesWith(text, path), 1u) << path;
             EXPECT_EQ(field(json, path)["unit"], metric.unit) << path;
-            EXPECT_EQ(field(json, path)["meaning"], metric.definition) << path;
+            EXPECT_EQ(field(json, path)["meaning"], concat({metric.title, ": ", metric.definition})) << path;
             ++metrics;
         }
     }
     EXPECT_EQ(json["fields"].size(), metrics);
     EXPECT_EQ(field(json, "step_steer.tb")["unit"], "s deg");
     EXPECT_EQ(field(json, "coast_down.time_<v>_to_<v-20>_kmh")["meaning"],
-              "time while the speed falls from <v> to <v-20> km/h");
+              "Time from <v> to <v-20> km/h: time while the speed falls from <v> to <v-20> km/h");
 }
 
 TEST(Describe, EffectsAskAQuestionAndNameTheNumbersThatTheyMove) {

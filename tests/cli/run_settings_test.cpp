@@ -1,5 +1,7 @@
 // `tread run --set`: what it reaches, and what it says of bad paths and values.
 
+#include <nlohmann/json.hpp>
+
 #include "cli/tread_run.h"
 #include "log/csv.h"
 
@@ -27,6 +29,25 @@ TEST_F(TreadRun, SettingsReachCarAndScenario) {
     EXPECT_EQ(log.channels.size(), 2u);
     EXPECT_EQ(log.channels[0].values[1], 0.016666);
     EXPECT_NEAR(log.channels[0].values.back(), 0.1, 0.016666);
+}
+
+// A title that states a value says what was changed of it, wherever it is shown, and so does the name of the car.
+TEST_F(TreadRun, TitleAndCarSayWhatSettingsHaveChanged) {
+    car();
+    scenario("title: Drive at 80 km/h\nstart: {speed: 80 km/h}\nphases: [{until: {duration: 0.1 s}}]\n");
+    const Result result = run({"--set", "scenario.start.speed=80 mph", "--set", "mass=1400", "--set",
+                               "scenario.phases.0.until.duration=100 ms", "--json"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const std::string change = "start.speed 80 mph (was 80 km/h)";
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json["scenario"], "Drive at 80 km/h [changed: " + change + "]") << "the same duration is no change";
+    EXPECT_NE(json["answer"].get<std::string>().find(change), std::string::npos);
+    EXPECT_NE(json["vehicle"].get<std::string>().find(" [changed: mass 1400 kg (was "), std::string::npos);
+    const std::string page = contentOf(out("report.html"));
+    EXPECT_NE(page.find("<h1>Drive at 80 km/h</h1>\n<p class=\"changed\">changed: " + change + "</p>"),
+              std::string::npos);
+    EXPECT_NE(contentOf(out("run.yaml")).find(change), std::string::npos) << "also when the run is repeated";
+    EXPECT_EQ(run().out.find("changed"), std::string::npos);
 }
 
 TEST_F(TreadRun, UnknownPathIsAnsweredWithTheRightOne) {

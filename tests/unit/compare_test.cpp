@@ -126,6 +126,23 @@ TEST(Compare, RSquaredIsTheShareOfTheVarianceThatIsExplained) {
     EXPECT_NEAR(compare(sine(1, 0), sine(1, 0.2)).channels[0].r_squared.value(), 1 - 0.04 / 0.5, 1e-9);
     EXPECT_DOUBLE_EQ(compare(sine(1, 0), sine(1, 0)).channels[0].r_squared.value(), 1);
     EXPECT_FALSE(compare(sine(0, 0), sine(1, 0)).channels[0].r_squared) << "nothing varies that could be explained";
+    EXPECT_FALSE(compare(sine(0, 0), sine(1, 0)).channels[0].no_fit);
+}
+
+// An offset of 50 standard deviations: the formula would give -2499.
+TEST(Compare, ACandidateWorseThanTheMeanOfTheReferenceIsNoFit) {
+    const auto sine = [](double offset) {
+        const auto value = [=](double t) { return offset + std::sin(std::numbers::pi / 2 * (t + 0.005)); };
+        return sampled(100, 0, 3.99, {{"chassis.ay", "-", value}});
+    };
+    const Comparison result = compare(sine(0), sine(50 * std::sqrt(0.5)));
+    EXPECT_TRUE(result.channels[0].no_fit);
+    EXPECT_FALSE(result.channels[0].r_squared);
+    EXPECT_NE(text(result).find("  no-fit  "), std::string::npos) << text(result);
+    EXPECT_NE(text(result).find("no fit: the mean of the reference is nearer"), std::string::npos);
+    EXPECT_EQ(json(result)["channels"][0]["no_fit"], true);
+    EXPECT_TRUE(json(result)["channels"][0]["r_squared"].is_null());
+    EXPECT_FALSE(firstLine(text(result)).ends_with(" -")) << "a pure number has no unit in a sentence";
 }
 
 TEST(Compare, AnotherSamplingRateIsTheSameUpToInterpolation) {

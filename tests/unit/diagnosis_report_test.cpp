@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "diagnose/answer/diagnosis.h"
 #include "diagnose/answer/diagnosis_json.h"
 #include "diagnose/answer/diagnosis_text.h"
+#include "diagnose/answer/parts.h"
 #include "diagnose/answer/vehicle_with_effect.h"
 #include "diagnose/answer/words.h"
 #include "recording/subject.h"
@@ -20,12 +22,15 @@
 namespace tread {
 namespace {
 
+using diagnose::answer::closedShare;
 using diagnose::answer::ConfusablePair;
 using diagnose::answer::Diagnosis;
 using diagnose::answer::diagnosisJson;
 using diagnose::answer::diagnosisText;
+using diagnose::answer::isAnswered;
 using diagnose::answer::Overlay;
 using diagnose::answer::probabilityInWords;
+using diagnose::answer::unseenEffects;
 using diagnose::answer::vehicleWithEffectYaml;
 using diagnose::answer::Verdict;
 using diagnose::answer::withCauses;
@@ -259,6 +264,66 @@ TEST(DiagnosisReport, DoesNotCallCausesUnknownThatItNames) {
     EXPECT_TRUE(contains(page(d), "✗ mostly unknown"));
     d.causes.clear();
     EXPECT_TRUE(contains(page(d), "✗ cause unknown"));
+}
+
+// The sign of the badge is the exit status: `tread diagnose` returns it by the same function.
+TEST(DiagnosisReport, TheBadgeIsGoodWhereTheQuestionIsAnswered) {
+    Diagnosis d = shared::sampleDiagnosis();
+    for (const Verdict verdict : {Verdict::explained, Verdict::nothing, Verdict::ambiguous, Verdict::partly_explained,
+                                  Verdict::unknown, Verdict::not_testable}) {
+        d.verdict = verdict;
+        EXPECT_EQ(contains(page(d), "verdict good\">✓"), isAnswered(d));
+        EXPECT_EQ(contains(page(d), "verdict bad\">✗"), !isAnswered(d));
+    }
+    EXPECT_FALSE(isAnswered(d));
+    d.verdict = Verdict::ambiguous;
+    EXPECT_TRUE(isAnswered(d));
+}
+
+// By hand, from the numbers that stand there.
+TEST(DiagnosisReport, TheShareThatIsClosedFollowsFromTheNumbersOnThePage) {
+    const Diagnosis d = shared::sampleDiagnosis();
+    const auto json = diagnosisJson(d);
+    for (const char* drives : {"training", "held_out"}) {
+        const auto& gap = json.at(drives);
+        const auto share = [&](const char* part) { return gap.at(part).at("share").get<double>(); };
+        const double by_hand = 1 - share("remainder") / (1 - share("noise"));
+        EXPECT_NEAR(json.at("closed").at(drives).get<double>(), by_hand, 1e-12);
+    }
+    for (const std::string& said : {page(d), diagnosisText(d)})
+        EXPECT_TRUE(contains(said, "1 - unexplained 2.0 / (100 - noise 8.0) = 98 %"));
+    EXPECT_TRUE(contains(page(d), "1 - unexplained 1.0 / (100 - noise 6.0) = 99 %"));
+    const diagnose::answer::GapLevels levels{4, 3, 2, 1};
+    EXPECT_NEAR(closedShare(levels, levels.extended), (16.0 - 4) / (16 - 1), 1e-12);
+    EXPECT_TRUE(std::isnan(closedShare({1, 1, 1, 1}, 1))) << "nothing can be closed";
+}
+
+// An unknown cause may be likely and yet have too little evidence to be told: the table of rivals then still has "no
+// effect" first, and the remainder says the same as the answer.
+TEST(DiagnosisReport, AnUnknownCauseThatIsNotToldDoesNotContradictTheAnswer) {
+    Diagnosis d = shared::sampleDiagnosis();
+    d.verdict = Verdict::nothing;
+    d.causes.clear();
+    d.training.each.clear();
+    d.probability_of_unknown = 0.8, d.probability_of_nothing = 0.6 * 0.2;
+    d.effects.resize(1);
+    d.effects[0].probability = 0.3;
+    d.unexplained.beyond_ordinary = 4;
+    EXPECT_TRUE(contains(page(d), ">0.600</td>"));
+    EXPECT_TRUE(contains(page(d), "there may be an unknown cause (p = 0.80)"));
+    EXPECT_TRUE(contains(page(d), "too few to tell of an unknown cause"));
+    d.verdict = Verdict::unknown;
+    EXPECT_TRUE(contains(page(d), "it is larger than that of an ordinary drive by 4 nats"));
+}
+
+TEST(DiagnosisReport, WhatIsNamedIsNotListedAsNotSeen) {
+    Diagnosis d = shared::sampleDiagnosis();
+    EXPECT_EQ(unseenEffects(d), (std::vector<std::string>{"brake_fade", "brake_gain"}));
+    d.causes = {"brake_gain"};
+    d.alternatives = {{"brake_fade"}};
+    EXPECT_TRUE(unseenEffects(d).empty());
+    EXPECT_FALSE(contains(diagnosisText(d), "NOT SEEN"));
+    EXPECT_FALSE(contains(page(d), "would not show"));
 }
 
 TEST(DiagnosisReport, SaysWhatWasRuledOutAndWhy) {

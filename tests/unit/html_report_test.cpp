@@ -9,7 +9,10 @@
 #include "report/embedded.h"
 #include "report/html.h"
 #include "report/overlay_report.h"
+#include "report/pack.h"
 #include "report/run_report.h"
+#include "report/series_figures.h"
+#include "report/series_report.h"
 #include "shared/markup.h"
 #include "shared/page_charts.h"
 
@@ -126,6 +129,14 @@ void expectSelfContained(const std::string& page) {
         EXPECT_EQ(page.find(reference), std::string::npos) << reference;
     }
     EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
+}
+
+// Of a page that links one other page.
+void expectSelfContainedBut(std::string page, const std::string& link) {
+    const std::string address = "href=\"" + link + "\"";
+    for (auto at = page.find(address); at != std::string::npos; at = page.find(address))
+        page.replace(at, address.size(), "href=\"#\"");
+    expectSelfContained(page);
 }
 
 TEST(HtmlReport, LibraryFilesCanStandInsideAScriptElement) {
@@ -426,6 +437,158 @@ TEST(OverlayReport, ManyChannelsAreListedInFullAndTheWorstAreDrawn) {
     ASSERT_EQ(charts.size(), 48u);
     EXPECT_EQ(charts[0]["title"], "channel 59");
     EXPECT_NE(page.find("of 60"), std::string::npos) << "says that not all are drawn";
+}
+
+TEST(OverlayReport, CurvesComeFirstAndAPoorFitIsSaid) {
+    OverlayReport content{.title = "Compare",
+                          .answer = "Different.",
+                          .reference_name = "compact",
+                          .candidate_name = "sedan",
+                          .version = "1",
+                          .channels = {},
+                          .reference_file = "out/a/log.csv",
+                          .candidate_file = "out/b/log.csv"};
+    content.channels = {{.name = "far",
+                         .unit = "N",
+                         .time = {0, 1},
+                         .reference = {0, 1},
+                         .candidate = {90, 91},
+                         .tolerance = 1,
+                         .largest = 90,
+                         .no_fit = true,
+                         .ok = false}};
+    const std::string page = overlayReport(content);
+    EXPECT_LT(page.find("<h2>Curves, worst first</h2>"), page.find("<h2>Channels</h2>"));
+    EXPECT_NE(page.find("<td class=\"number \">no fit</td>"), std::string::npos);
+    EXPECT_NE(page.find("no fit: the mean of the reference is nearer"), std::string::npos);
+    EXPECT_NE(page.find("<dd>compact (out/a/log.csv)</dd>"), std::string::npos);
+    EXPECT_NE(page.find("<dd>sedan (out/b/log.csv)</dd>"), std::string::npos);
+    EXPECT_EQ(chartsOf(page)[0]["curves"][1]["name"], "sedan");
+}
+
+// A browser runs only scripts whose hashes the page names.
+TEST(HtmlReport, ThePolicyNamesEveryScriptThatThePageRuns) {
+    const Log log = stepSteer(100, 0.01);
+    const std::string page = runReport(reportOf(log));
+    const auto policy = page.substr(page.find("script-src"), page.find("style-src") - page.find("script-src"));
+    EXPECT_EQ(policy.find("unsafe"), std::string::npos);
+    std::size_t programs = 0;
+    const std::string begin = "<script>";
+    for (auto at = page.find(begin); at != std::string::npos; at = page.find(begin, at + 1)) {
+        const auto from = at + begin.size();
+        const std::string content = page.substr(from, page.find("</script>", from) - from);
+        EXPECT_NE(policy.find("'sha256-" + sha256Base64(content) + "'"), std::string::npos);
+        ++programs;
+    }
+    EXPECT_EQ(count(policy, "'sha256-"), programs);
+    // FIPS 180-4: the hash of "abc".
+    EXPECT_EQ(sha256Base64("abc"), "ungWv48Bz+pBQUDeXa4iI7ADYaOWF3qctBD/YfIAFa0=");
+}
+
+TEST(HtmlReport, ChartsAndTablesAreReadableWithoutSeeingThem) {
+    const Log log = stepSteer(100, 0.01);
+    RunReport content = reportOf(log);
+    content.metrics = {{"yaw_rate", 0.1, "rad/s", "largest"}};
+    const std::string page = runReport(content);
+    EXPECT_NE(page.find("<th scope=\"col\">Metric</th>"), std::string::npos);
+    EXPECT_EQ(page.find("<th>"), std::string::npos);
+    EXPECT_NE(page.find("role=\"img\" aria-label=\"Chart of Steering-wheel angle [deg] over time: steering wheel\""),
+              std::string::npos);
+    EXPECT_EQ(count(page, "class=\"canvas\" role=\"img\""), chartsOf(page).size());
+}
+
+TEST(RunReport, CardsAreInWordsWithUnitsAndResultsFirst) {
+    const Log log;
+    RunReport content = reportOf(log);
+    content.metrics = {{"initial_speed", 27.8, "m/s", "at the pedal", {}, "Initial speed"},
+                       {"mfdd", 9.1, "m/s2", "mean", {1, "{}"}, "Deceleration, mean fully developed"}};
+    content.files = {{"log.csv", "log.csv"}, {"run.yaml", "run.yaml"}};
+    const std::string page = runReport(content);
+    const auto mean = page.find("<span>Deceleration, mean fully developed</span><b>9.1<small> m/s²</small></b>");
+    ASSERT_NE(mean, std::string::npos);
+    EXPECT_LT(mean, page.find("<span>Initial speed</span>"));
+    EXPECT_NE(page.find("<td class=\"\">Deceleration, mean fully developed<small>mfdd</small></td>"), std::string::npos)
+        << "the name, for conditions";
+    EXPECT_NE(page.find("<a href=\"log.csv\">log.csv</a> · <a href=\"run.yaml\">run.yaml</a>"), std::string::npos);
+}
+
+TEST(RunReport, MarginsOfVerdictsAreLarge) {
+    const Log log;
+    RunReport content = reportOf(log);
+    content.verdicts = {{"", "distance", 36.2, "m", "< 40 m", true, "Stopping distance", 3.8},
+                        {"", "cones", 2, "-", "= 0", false, "Cones hit", {}}};
+    const std::string page = runReport(content);
+    EXPECT_NE(
+        page.find("<span>Stopping distance</span><b class=\"good\">✓ 3.8 m<small> to spare</small></b><em>36.2 m, "
+                  "wanted &lt; 40 m</em>"),
+        std::string::npos);
+    EXPECT_NE(page.find("<span>Cones hit</span><b class=\"bad\">✗ missed<small> </small></b>"), std::string::npos);
+}
+
+SeriesReport::Run runOf(double value, bool passed, double ratio) {
+    return {value,
+            passed,
+            "",
+            {{"ratio", ratio, "-", "yaw rate left", {1, "{}"}, "Yaw rate left", "<= 35 %"},
+             {"flag", passed ? 1.0 : 0.0, "-", "1 when passed"},
+             {"held", 7, "m", "always the same"}},
+            "01/report.html"};
+}
+
+TEST(SeriesReport, DrawsTheMetricsOverWhatIsVariedWithTheirLimits) {
+    SeriesReport content{.title = "Series",
+                         .answer = "2 of 3 runs pass",
+                         .vehicle = "compact",
+                         .scenario_description = "",
+                         .version = "1",
+                         .number = "phases.1.steering.amplitude",
+                         .unit = "rad",
+                         .runs = {runOf(3, false, 0.5), runOf(1, true, 0.1), runOf(2, true, 0.2)},
+                         .resolved_yaml = ""};
+    auto charts = seriesFigures(content);
+    ASSERT_EQ(charts.size(), 1u) << "neither a flag nor what does not change";
+    EXPECT_EQ(charts[0].title, "Yaw rate left");
+    EXPECT_EQ(charts[0].x.label, "amplitude");
+    EXPECT_EQ(charts[0].x.unit, "deg");
+    EXPECT_EQ(charts[0].series[0].y, (std::vector<double>{0.1, 0.2, 0.5})) << "in the order of the varied number";
+    EXPECT_EQ(charts[0].series[1].name, "passed");
+    EXPECT_EQ(charts[0].series[2].name, "not passed");
+    EXPECT_EQ(charts[0].series[2].y, std::vector<double>{0.5});
+    EXPECT_EQ(charts[0].series[3].name, "standard: <= 35 %");
+    EXPECT_EQ(charts[0].series[3].y, (std::vector<double>{0.35, 0.35}));
+
+    content.verdicts = {{"01", "ratio", 0.5, "-", "<= 30 %", false, "Yaw rate left", -0.2}};
+    charts = seriesFigures(content);
+    EXPECT_EQ(charts[0].series[3].name, "accepted: <= 30 %") << "the user's condition in place of the standard";
+    EXPECT_EQ(charts[0].series[3].y.front(), 0.3);
+    const std::string page = seriesReport(content);
+    EXPECT_NE(page.find("<h2>Results over amplitude</h2>"), std::string::npos);
+    EXPECT_NE(page.find("<b class=\"bad\">✗ 20 %<small> beyond"), std::string::npos);
+    EXPECT_NE(page.find("✗ no"), std::string::npos);
+    expectSelfContainedBut(page, "01/report.html");
+}
+
+TEST(Overview, MarksFailuresInWordsAndColourAndShowsResults) {
+    Overview content{.title = "All", .answer = "2 of 3 driven", .vehicle = "compact", .version = "1", .entries = {}};
+    const std::vector<Metric> metrics{{"speed", 20, "m/s", "", {}, "Speed"},
+                                      {"distance", 40, "m", "", {1, "{} m"}, "Stopping distance"}};
+    content.entries = {{"a", "A", "stops", metrics, {}, "a/report.html", true},
+                       {"b",
+                        "B",
+                        "stops",
+                        metrics,
+                        {},
+                        "b/report.html",
+                        true,
+                        {{"", "distance", 40, "m", "< 30 m", false, "Stopping distance", -10}}},
+                       {"c", "C", "failed: it never ends", {}, {}, "", false}};
+    const std::string page = overviewReport(content);
+    EXPECT_NE(page.find("verdict bad\">✗ not all driven"), std::string::npos);
+    EXPECT_NE(page.find("<b class=\"bad\">✗ 2 of 3"), std::string::npos);
+    EXPECT_NE(page.find("<td class=\"\">✓ driven</td>"), std::string::npos);
+    EXPECT_NE(page.find("<td class=\"alarm\">✗ not accepted, missed</td>"), std::string::npos);
+    EXPECT_NE(page.find("<td class=\"alarm\">✗ failed</td>"), std::string::npos);
+    EXPECT_NE(page.find("<small>Stopping distance: 40 m</small>"), std::string::npos);
 }
 
 TEST(HtmlReport, FiguresNeedNoScript) {

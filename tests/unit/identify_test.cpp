@@ -18,6 +18,7 @@ namespace {
 
 using calibrate::calibratedVehicleYaml;
 using calibrate::FittedNumber;
+using calibrate::hasSucceeded;
 using calibrate::Identification;
 using calibrate::identificationJson;
 using calibrate::identificationText;
@@ -139,6 +140,37 @@ TEST(Identification, SaysWhatItLeavesOutOfTheDrives) {
     EXPECT_TRUE(said[1].starts_with("drive 3: not compared after 1.")) << said[1];
     EXPECT_EQ(identificationJson(found)["data_warnings"].size(), 2u);
     EXPECT_NE(identificationReport("car", "0", found).find("drive 2: not compared after 1."), std::string::npos);
+}
+
+// The badge is the exit status, which `tread identify` takes from the same function; the shares closed follow by hand
+// from the levels beside them.
+TEST(Identification, PageJsonAndExitStatusSayOneThing) {
+    Identification found;
+    found.answer = "1 of 1 number is determined";
+    found.numbers = {{.path = "mass", .determined = true}};
+    found.correlation = {{1}};
+    found.converged = found.better = true;
+    found.gap.how_far.training = {4, 3, 2, 1};
+    found.gap.how_far.in_sample = true;
+    const auto page = [&] { return identificationReport("car", "0", found); };
+    EXPECT_NE(page().find("verdict good\">✓ determined"), std::string::npos);
+    for (const char* row : {">4</td><td class=\"number \">0 %", ">3</td><td class=\"number \">47 %",
+                            ">2</td><td class=\"number \">80 %", ">1</td><td class=\"number \">100 %"})
+        EXPECT_NE(page().find(row), std::string::npos) << row;
+    EXPECT_NE(page().find("(nominal² - gap²) / (nominal² - noise floor²)"), std::string::npos);
+    const auto json = identificationJson(found);
+    EXPECT_NEAR(json["closed"]["calibrated"].get<double>(), (16.0 - 9) / (16 - 1), 1e-12);
+    EXPECT_NEAR(json["closed"]["extended"].get<double>(), (16.0 - 4) / (16 - 1), 1e-12);
+
+    found.better = false;
+    EXPECT_FALSE(hasSucceeded(found));
+    EXPECT_NE(page().find("verdict bad\">✗ not better"), std::string::npos);
+    found.converged = false;
+    EXPECT_NE(page().find("verdict bad\">✗ not converged"), std::string::npos);
+    found.converged = found.better = true;
+    found.numbers[0].determined = false;
+    EXPECT_FALSE(hasSucceeded(found));
+    EXPECT_NE(page().find("verdict bad\">✗ not all determined"), std::string::npos);
 }
 
 // The car was changed from its references on; one of three drives has no reference.

@@ -88,6 +88,61 @@ TEST(ManoeuvreFigures, BrakingIsDrawnOverTheDistanceFromThePedalOn) {
     EXPECT_EQ(chart->series[1].y.front(), 8) << "the mean fully developed deceleration";
 }
 
+// From 20 m/s to rest, with a jerk at the end: chart and metric leave it out.
+TEST(ManoeuvreFigures, TheDecelerationThatIsDrawnHasThePeakThatTheMetricHas) {
+    Log log = logOver(501, 0.01);
+    const auto speed = [](double t) { return t < 1 ? 20.0 : std::max(0.0, 20 - 8 * (t - 1)); };
+    add(log, "driver.brake", "-", [](double t) { return t < 1 ? 0.0 : 1.0; });
+    add(log, "chassis.vx", "m/s", speed);
+    add(log, "chassis.ax", "m/s2", [&](double t) {
+        return t < 1 || speed(t) == 0 ? 0.0 : speed(t) < 1.9 ? -30.0 : t < 1.2 ? -9.0 : -8.0;
+    });
+    const auto found = metrics(log, "straight_braking");
+    const auto peak =
+        std::find_if(found.begin(), found.end(), [](const auto& m) { return m.name == "peak_deceleration"; });
+    ASSERT_NE(peak, found.end());
+    const auto charts = figuresOf(log, recordOf("straight_braking"), found);
+    const Chart* chart = named(charts, "Deceleration");
+    ASSERT_NE(chart, nullptr);
+    double largest = 0;
+    for (std::size_t i = 0; i < chart->series[0].x.size(); ++i)
+        if (std::isfinite(chart->series[0].x[i])) largest = std::max(largest, chart->series[0].y[i]);
+    EXPECT_NEAR(largest, peak->value, 1e-9);
+    EXPECT_NEAR(largest, 9, 1e-9);
+    EXPECT_EQ(chart->series[1].name, "peak, 9.00 m/s²");
+}
+
+// Vertical acceleration of 3 Hz and 0.5 m/s2, wheel loads of 10 Hz and 400 N.
+TEST(ManoeuvreFigures, ARideHasTheSpectraOfAccelerationAndWheelLoads) {
+    Log log = logOver(2001, 0.01);
+    const auto sine = [](double size, double frequency) {
+        return [=](double t) { return size * std::sin(2 * std::numbers::pi * frequency * t); };
+    };
+    add(log, "chassis.az", "m/s2", sine(0.5, 3));
+    add(log, "wheel.front_left.load", "N", sine(400, 10));
+    const auto charts = figuresOf(log, recordOf("ride"));
+    ASSERT_NE(named(charts, "Vertical acceleration"), nullptr);
+    const Chart *body = named(charts, "Spectrum of the vertical acceleration"),
+                *loads = named(charts, "Spectra of the wheel loads");
+    ASSERT_NE(body, nullptr);
+    ASSERT_NE(loads, nullptr);
+    const auto area = [](const Series& series) {
+        double sum = 0;
+        for (std::size_t i = 1; i < series.x.size(); ++i)
+            sum += 0.5 * (series.y[i] + series.y[i - 1]) * (series.x[i] - series.x[i - 1]);
+        return sum;
+    };
+    const auto peakAt = [](const Series& series) {
+        return series
+            .x[static_cast<std::size_t>(std::max_element(series.y.begin(), series.y.end()) - series.y.begin())];
+    };
+    EXPECT_NEAR(area(body->series[0]), 0.5 * 0.25, 0.002) << "the variance";
+    EXPECT_NEAR(peakAt(body->series[0]), 3, 0.06);
+    EXPECT_LT(area(body->series[1]), area(body->series[0])) << "3 Hz is felt less";
+    EXPECT_NEAR(area(loads->series[0]), 0.5 * 0.16, 0.002) << "in kN2";
+    EXPECT_NEAR(peakAt(loads->series[0]), 10, 0.06);
+}
+
 // A car that answers the steering wheel with a lag of first order, 0.2 s, and gain 0.3.
 TEST(ManoeuvreFigures, BodePlotsShowTheGainAndThePhaseOfALag) {
     Log log = logOver(6001, 0.01);

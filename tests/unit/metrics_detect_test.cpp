@@ -116,8 +116,8 @@ TEST(Metrics, UndefinedValuesAreWordsInTextAndNullInJson) {
                                       {"speed", 22.5, "m/s", "of the car"}};
     EXPECT_EQ(text("step_steer", list),
               "step_steer: 2 metrics\n\n"
-              "tb       undefined  s deg  undefined here\n"
-              "speed         22.5  m/s    of the car\n");
+              "tb       undefined  s deg  tb     undefined here\n"
+              "speed         22.5  m/s    speed  of the car\n");
     EXPECT_TRUE(json(list)[0]["value"].is_null());
     EXPECT_EQ(json(list)[1]["value"], 22.5);
     EXPECT_EQ(json(list)[1]["unit"], "m/s");

@@ -68,6 +68,21 @@ TEST(StraightBraking, ClosedFormsAreFoundAtAnySamplingRate) {
     }
 }
 
+// A car that comes to rest swings back: a jerk that is no braking.
+TEST(StraightBraking, ThePeakLeavesOutTheJerkOfComingToRest) {
+    Log log = stopLog(1000);
+    const Channel& vx = channel(log, "chassis.vx");
+    Channel& ax = channel(log, "chassis.ax");
+    for (std::size_t i = 0; i < vx.values.size(); ++i) {
+        if (vx.values[i] < 0.09 * kSpeed && vx.values[i] > 0) ax.values[i] = -2 * kDeceleration;
+    }
+    EXPECT_NEAR(valueOf(metrics(log, "straight_braking"), "peak_deceleration"), kDeceleration, 1e-9);
+    for (std::size_t i = 0; i < vx.values.size(); ++i) {
+        if (vx.values[i] > 0.5 * kSpeed && vx.values[i] < 0.51 * kSpeed) ax.values[i] = -1.5 * kDeceleration;
+    }
+    EXPECT_NEAR(valueOf(metrics(log, "straight_braking"), "peak_deceleration"), 1.5 * kDeceleration, 1e-9);
+}
+
 TEST(StraightBraking, TheDistanceIsCorrectedToTheNextWholeTenOfKmh) {
     Log log = stopLog(1000);
     for (double& v : channel(log, "chassis.vx").values) v *= 0.98;

@@ -1,9 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <string>
+#include <vector>
 
 #include "report/embedded.h"
+#include "report/html.h"
 #include "shared/scratch.h"
 
 namespace tread {
@@ -23,6 +27,35 @@ TEST(PageScripts, EveryScriptParses) {
         EXPECT_EQ(shell("node --check '" + file + "'"), 0) << script.substr(0, 100);
     }
     EXPECT_NE(shell("node --check '" + scratch.file("broken.js", "const a = ;") + "'"), 0) << "node finds a fault";
+}
+
+// What a browser makes of a page: its scripts run under the page's policy, and nothing else does.
+TEST(PageScripts, ABrowserRunsThemAndNoOthers) {
+    if (shell("command -v chromium") != 0) GTEST_SKIP() << "chromium is not installed";
+    const Scratch scratch;
+    const std::string hostile = "<img src=x onerror=\"document.body.id='broken'\">";
+    const std::vector<double> time{0, 1, 2}, values{0, 0.04, -0.04};
+    HtmlPage page("Page");
+    page.section("Charts");
+    page.timeCharts({{.title = hostile,
+                      .unit = hostile,
+                      .time = time,
+                      .curves = {{.name = hostile, .values = values, .scale = 100}}}});
+    std::string html = page.finish();
+    html.insert(html.find("</main>"), "<script>document.body.id = 'foreign';</script>");
+    const std::string file = scratch.file("page.html", html), dom = scratch.path("dom.html");
+    ASSERT_EQ(
+        std::system(("timeout 60 chromium --headless --no-sandbox --virtual-time-budget=3000 --dump-dom 'file://" +
+                     file + "' >'" + dom + "' 2>/dev/null")
+                        .c_str()),
+        0);
+    std::ifstream stream(dom);
+    const std::string drawn{std::istreambuf_iterator<char>(stream), {}};
+    EXPECT_NE(drawn.find("<canvas"), std::string::npos) << "the chart is drawn";
+    EXPECT_EQ(drawn.find("<img"), std::string::npos) << "the unit is text";
+    EXPECT_EQ(drawn.find("id=\"broken\""), std::string::npos);
+    EXPECT_EQ(drawn.find("id=\"foreign\""), std::string::npos) << "a script that the policy does not name";
+    for (const char* tick : {">-4<", ">0<", ">4<"}) EXPECT_NE(drawn.find(tick), std::string::npos) << tick;
 }
 
 }  // namespace

@@ -54,6 +54,10 @@ std::string highestMetric(const std::string& number) {
     return "highest_" + number;
 }
 
+std::string highestTitle(const std::string& number) {
+    return "Highest " + number + " that passes";
+}
+
 std::string ownerOf(const Scenario& scenario) {
     if (!scenario.series.highest) return scenario.manoeuvre;
     return "a search, which has " + quote(highestMetric(scenario.series.highest->number)) + " alone";
@@ -67,7 +71,7 @@ std::vector<MetricDefinition> acceptable(const Scenario& scenario) {
         tread::detail::visitField(copy, number, About{}, [&](const auto&, const About& about, const std::string&) {
             unit = std::string(about.unit);
         });
-        return {{highestMetric(number), unit, "highest value that passes"}};
+        return {{highestMetric(number), highestTitle(number), unit, "highest value that passes"}};
     }
     for (const Manoeuvre& manoeuvre : manoeuvres()) {
         if (manoeuvre.name == scenario.manoeuvre) return manoeuvre.definitions();

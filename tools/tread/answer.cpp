@@ -26,9 +26,9 @@ std::string inWords(std::vector<Metric> metrics) {
     std::sort(metrics.begin(), metrics.end(), [](const Metric& a, const Metric& b) { return a.say.rank < b.say.rank; });
     metrics.resize(std::min(metrics.size(), kPhrases));
     std::string words;
-    for (const auto& [name, value, unit, definition, say] : metrics) {
-        const std::string number = shortNumber(say.scale * value, say.decimals);
-        words += (words.empty() ? "" : ", ") + fmt::format(fmt::runtime(say.text), number);
+    for (const Metric& metric : metrics) {
+        const std::string number = shortNumber(metric.say.scale * metric.value, metric.say.decimals);
+        words += (words.empty() ? "" : ", ") + fmt::format(fmt::runtime(metric.say.text), number);
     }
     return words;
 }

@@ -31,6 +31,27 @@ std::vector<std::string> shortNames(const std::vector<std::string>& files) {
     return names;
 }
 
+// What runs are called on a page: by their cars where these differ, with their scenarios where only both do, else by
+// their files. A log without a record is known by its file.
+std::vector<std::string> namesOf(const std::vector<std::string>& files,
+                                 const std::vector<std::optional<RunRecord>>& records) {
+    const std::vector<std::string> short_names = shortNames(files);
+    const auto named = [&](const auto& name) {
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i < files.size(); ++i) names.push_back(records[i] ? name(*records[i]) : short_names[i]);
+        return names;
+    };
+    const auto distinct = [](std::vector<std::string> names) {
+        std::sort(names.begin(), names.end());
+        const bool empty = std::any_of(names.begin(), names.end(), [](const auto& name) { return name.empty(); });
+        return !empty && std::adjacent_find(names.begin(), names.end()) == names.end();
+    };
+    const auto cars = named([](const RunRecord& record) { return record.vehicle.name; });
+    if (distinct(cars)) return cars;
+    const auto runs = named([](const RunRecord& record) { return record.vehicle.name + ", " + record.scenario.title; });
+    return distinct(runs) ? runs : short_names;
+}
+
 // The record that `tread run` saved beside its log; nothing beside a log of other origin.
 std::optional<RunRecord> recordBeside(const std::string& log) {
     const Path file = Path(log).parent_path() / "run.yaml";
@@ -59,7 +80,9 @@ void writeReport(const CompareOptions& options, const Log& reference, const Log&
                  const Comparison& comparison, const std::string& answer) {
     std::vector<std::string> files{options.reference, options.candidate};
     files.insert(files.end(), options.repeats.begin(), options.repeats.end());
-    const std::vector<std::string> names = shortNames(files);
+    std::vector<std::optional<RunRecord>> records;
+    for (const std::string& file : files) records.push_back(recordBeside(file));
+    const std::vector<std::string> names = namesOf(files, records);
     std::vector<Log> others;
     for (const std::string& file : options.repeats) others.push_back(readLog(file));
 
@@ -71,9 +94,11 @@ void writeReport(const CompareOptions& options, const Log& reference, const Log&
                          .version = TREAD_VERSION,
                          .ok = comparison.same,
                          .channels = overlays(reference, candidate, others, comparison),
-                         .warnings = remarks(comparison)};
+                         .warnings = remarks(comparison),
+                         .reference_file = options.reference,
+                         .candidate_file = options.candidate};
     for (std::size_t i = 0; i < files.size(); ++i) {
-        const std::optional<RunRecord> record = recordBeside(files[i]);
+        const std::optional<RunRecord>& record = records[i];
         const Log& log = i == 0 ? reference : i == 1 ? candidate : others[i - 2];
         report.cars.push_back(
             {names[i], log, record ? carShape(record->vehicle) : typicalCarShape(), overlayColour(i)});

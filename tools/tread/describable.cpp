@@ -65,7 +65,8 @@ std::vector<ReferenceRow> metricRows() {
     std::vector<ReferenceRow> rows;
     for (const Manoeuvre& known : manoeuvres()) {
         for (const MetricDefinition& metric : known.definitions()) {
-            rows.push_back({joinPath(known.name, metric.name), metric.unit, metric.definition, "", ""});
+            rows.push_back({joinPath(known.name, metric.name), metric.unit,
+                            concat({metric.title, ": ", metric.definition}), "", ""});
         }
     }
     return rows;

@@ -17,6 +17,7 @@
 #include "report/text.h"
 #include "sheet/sheet.h"
 #include "tread/load.h"
+#include "wrapped.h"
 
 namespace tread::program {
 namespace {
@@ -59,18 +60,19 @@ std::string text(const Sheet& sheet) {
     };
     const auto shown = [](const SheetRow& row) { return std::isnan(row.value) ? "none" : formatNumber(row.value, 4); };
     const std::size_t labels = widest([](const SheetRow&row) { return row.label; }), values = widest(shown),
-                      units = widest([](const SheetRow&row) { return row.unit; }),
-                      formulas = widest([](const SheetRow&row) { return row.formula; });
+                      units = widest([](const SheetRow&row) { return row.unit; });
+    const std::size_t columns = outputColumns(), indent = 2 + labels + 2 + values + 1 + units + 2;
     std::string out = sheetAnswer(sheet) + "\n";
     std::string_view group;
     for (const SheetRow& row : sheet.rows) {
         if (row.group != group) fmt::format_to(std::back_inserter(out), "\n{}\n", group = row.group);
         const bool has_unit = row.unit != "-" && !std::isnan(row.value);
-        fmt::format_to(std::back_inserter(out), "  {:<{}}  {:>{}} {:<{}}  {:<{}}  from {}\n", row.label, labels,
-                       shown(row), values, has_unit ? row.unit : "", units, row.formula, formulas, joined(row.sources));
-        if (!row.note.empty()) fmt::format_to(std::back_inserter(out), "    {}\n", row.note);
+        fmt::format_to(std::back_inserter(out), "  {:<{}}  {:>{}} {:<{}}  {}\n", row.label, labels, shown(row), values,
+                       has_unit ? row.unit : "", units, wrapped(row.formula, indent, columns));
+        fmt::format_to(std::back_inserter(out), "      {}\n", wrapped("from " + joined(row.sources), 6, columns));
+        if (!row.note.empty()) fmt::format_to(std::back_inserter(out), "      {}\n", wrapped(row.note, 6, columns));
     }
-    return out + fmt::format("\n{}\n", sheet::kSymbols);
+    return out + fmt::format("\n{}\n", wrapped(sheet::kSymbols, 0, columns));
 }
 
 nlohmann::json json(const Sheet& sheet, const std::string& file, const std::string& report) {

@@ -5,6 +5,7 @@
 #include "diagnose/answer/diagnosis_json.h"
 #include "diagnose/answer/diagnosis_text.h"
 #include "diagnose/answer/vehicle_with_effect.h"
+#include "diagnose/answer/words.h"
 #include "diagnose/diagnose.h"
 #include "diagnose/options.h"
 #include "diagnose_check.h"
@@ -21,12 +22,8 @@ namespace {
 using diagnose::answer::Diagnosis;
 using diagnose::answer::diagnosisJson;
 using diagnose::answer::diagnosisText;
+using diagnose::answer::isAnswered;
 using diagnose::answer::vehicleWithEffectYaml;
-using diagnose::answer::Verdict;
-
-int statusOf(const Diagnosis& diagnosis) {
-    return diagnosis.verdict == Verdict::unknown || diagnosis.verdict == Verdict::not_testable ? kNo : kYes;
-}
 
 }  // namespace
 
@@ -62,9 +59,10 @@ int diagnose(const DiagnoseRequest& request) {
               diagnosisReport(
                   {.title = "Diagnosis of " + car, .vehicle = car, .version = TREAD_VERSION, .diagnosis = diagnosis}));
     output.complete();
+    const bool answered = isAnswered(diagnosis);
     if (request.json) printJson(json);
-    else say(diagnosisText(diagnosis));
-    return statusOf(diagnosis);
+    else say(diagnosisText(diagnosis), answered ? Tone::good : Tone::bad);
+    return answered ? kYes : kNo;
 }
 
 }  // namespace tread::program

@@ -84,18 +84,20 @@ Driven evaluate(const RunRecord& record, const Log& log) {
 Driven saveResults(const RunRecord& record, const Log& log, const Path& folder) {
     Driven found = evaluate(record, log);
     writeFile(folder / "metrics.json", jsonText(found.json));
-    writeFile(folder / "report.html", runReport({.title = record.scenario.title,
-                                                 .answer = found.answer,
-                                                 .vehicle = record.vehicle.name,
-                                                 .scenario = record.scenario.title,
-                                                 .scenario_description = record.scenario.description,
-                                                 .version = record.tread_version,
-                                                 .log = log,
-                                                 .metrics = found.metrics,
-                                                 .verdicts = found.verdicts,
-                                                 .resolved_yaml = writeYaml(record),
-                                                 .warnings = found.warnings,
-                                                 .record = &record}));
+    writeFile(folder / "report.html",
+              runReport({.title = record.scenario.title,
+                         .answer = found.answer,
+                         .vehicle = record.vehicle.name,
+                         .scenario = record.scenario.title,
+                         .scenario_description = record.scenario.description,
+                         .version = record.tread_version,
+                         .log = log,
+                         .metrics = found.metrics,
+                         .verdicts = found.verdicts,
+                         .resolved_yaml = writeYaml(record),
+                         .warnings = found.warnings,
+                         .files = {{"log.csv", "log.csv"}, {"metrics.json", "metrics.json"}, {"run.yaml", "run.yaml"}},
+                         .record = &record}));
     return found;
 }
 

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "base/yaml_session.h"
 #include "calibrate/identification.h"
 #include "calibrate/identification_text.h"
@@ -17,7 +15,7 @@ namespace tread::program {
 namespace {
 
 using calibrate::calibratedVehicleYaml;
-using calibrate::FittedNumber;
+using calibrate::hasSucceeded;
 using calibrate::Identification;
 using calibrate::identificationJson;
 using calibrate::identificationText;
@@ -30,13 +28,6 @@ void judgePaths(const std::vector<std::string>& paths) {
         if (!fault.empty()) problems.push_back({"--fit", 0, 0, "", fault});
     }
     throwIfAny(std::move(problems));
-}
-
-// Yes when the fit has converged, the car has become better and the drives determine every number.
-int statusOf(const Identification& found) {
-    const bool all =
-        std::all_of(found.numbers.begin(), found.numbers.end(), [](const FittedNumber& one) { return one.determined; });
-    return all && found.converged && found.better ? kYes : kNo;
 }
 
 }  // namespace
@@ -69,8 +60,8 @@ int identify(const IdentifyRequest& request) {
     writeFile(out / "report.html", identificationReport(inputs.nominal.vehicle.name, TREAD_VERSION, found));
     output.complete();
     if (request.json) printJson(json);
-    else say(identificationText(found));
-    return statusOf(found);
+    else say(identificationText(found), hasSucceeded(found) ? Tone::good : Tone::bad);
+    return hasSucceeded(found) ? kYes : kNo;
 }
 
 }  // namespace tread::program

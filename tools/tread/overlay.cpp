@@ -80,6 +80,7 @@ std::vector<ChannelOverlay> overlays(const Log& reference, const Log& candidate,
                                .largest = channel.largest,
                                .rms = channel.rms,
                                .r_squared = channel.r_squared,
+                               .no_fit = channel.no_fit,
                                .first_time_out = {},
                                .ok = channel.same};
         if (wrapped) bringNear(overlay.candidate, overlay.reference);

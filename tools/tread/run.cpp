@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "accepting.h"
@@ -24,9 +25,11 @@ void show(const Driven& driven, const RunOptions& options, const Path& folder) {
         return;
     }
     std::string text = driven.answer + "\n";
+    std::size_t width = 0;
+    for (const Metric& m : driven.metrics) width = std::max(width, titleOf(m).size());
     for (const Metric& m : driven.metrics) {
         const std::string value = std::isnan(m.value) ? "undefined" : fmt::format("{:.5g}", m.value);
-        text += fmt::format("  {:<36} {:>12} {}\n", m.name, value, m.unit);
+        text += fmt::format("  {:<{}} {:>12} {:<10} {}\n", titleOf(m), width, value, m.unit, m.name);
     }
     for (const Verdict& verdict : driven.verdicts) text += fmt::format("Verdict: {}\n", tread::text(verdict));
     text += fmt::format("Report: {}\n", std::filesystem::absolute(folder / "report.html").lexically_normal().string());

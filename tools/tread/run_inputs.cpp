@@ -4,10 +4,13 @@
 #include <utility>
 
 #include "accepting.h"
+#include "base/changed.h"
 #include "base/did_you_mean.h"
 #include "base/number_text.h"
 #include "base/pattern.h"
 #include "base/setting.h"
+#include "base/trimmed.h"
+#include "base/write_yaml.h"
 #include "base/yaml_position.h"
 #include "metrics/metrics.h"
 #include "run/sensors.h"
@@ -94,6 +97,46 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
     return faults;
 }
 
+// The field of a setting as YAML; its path without old names. Nothing where there is no such field.
+struct Field {
+    std::string path;
+    YamlItem item;
+};
+std::optional<Field> fieldAt(Settable inputs, const std::string& path) {
+    std::optional<Field> found;
+    tread::detail::visitField(inputs, path, About{}, [&](const auto& field, const About& about, const std::string& at) {
+        found = {at, tread::detail::itemOf("", field, about)};
+    });
+    return found;
+}
+
+// "22.2 m/s"; empty for what is no single word or number.
+std::string valueText(const YamlItem& item) {
+    if (item.kind != YamlItem::Kind::scalar) return {};
+    return item.comment.empty() ? item.text : item.text + " " + item.comment;
+}
+
+// Titles state values ("at 80 km/h") and names stand for a car as its file has it: both say what the command line has
+// changed. The value before is quoted from the file, or is that of an included file or a default.
+void sayChanges(Settable& inputs, const Settable& before, const RunOptions& options) {
+    constexpr std::string_view kScenario = "scenario.";
+    for (const std::string& setting : options.settings) {
+        const std::size_t equals = setting.find('=');
+        const auto was = fieldAt(before, std::string(trimmed(setting.substr(0, equals))));
+        const auto is = was ? fieldAt(inputs, was->path) : std::nullopt;
+        if (!is || yamlText(was->item) == yamlText(is->item)) continue;
+        const bool of_scenario = was->path.starts_with(kScenario);
+        const std::string path = of_scenario ? was->path.substr(kScenario.size()) : was->path;
+        const std::string old =
+            writtenValue(of_scenario ? options.scenario : options.vehicle, path).value_or(valueText(was->item));
+        std::string given(trimmed(std::string_view(setting).substr(equals + 1)));
+        std::string_view unit = given;
+        if (takeNumber(unit) && trimmed(unit).empty() && !is->item.comment.empty()) given += " " + is->item.comment;
+        std::string& name = of_scenario ? inputs.scenario.title : inputs.vehicle.name;
+        name = withChange(name, path + " " + given + (old.empty() ? "" : " (was " + old + ")"));
+    }
+}
+
 // A file of another kind has dozens of faults; the first of them are enough.
 [[noreturn]] void refuse(std::vector<Problem> problems) {
     constexpr std::size_t kMost = 20;
@@ -139,7 +182,9 @@ RunRecord readRunInputs(const RunOptions& options) {
     Settable asked = inputs;
     applySettings(asked, options.settings, kSource, listingOf);
     applySettings(inputs.vehicle, asked.scenario.car_settings, options.scenario + ": car_settings", listingOf);
+    const Settable before = inputs;
     applySettings(inputs, options.settings, kSource, listingOf);
+    sayChanges(inputs, before, options);
     for (const Fault& fault : unknownNames(inputs.scenario)) {
         problems.push_back({kSource, 0, 0, "scenario." + fault.path, fault.text});
     }

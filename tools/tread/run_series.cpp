@@ -120,7 +120,12 @@ Driven driveSeries(const RunRecord& record, const Path& folder, const Tell& tell
     Driven driven;
     driven.answer = answerOf(record, found);
     if (!std::isnan(found.highest)) {
-        driven.metrics.push_back({highestMetric(found.number), found.highest, found.unit, "highest value that passes"});
+        driven.metrics.push_back({highestMetric(found.number),
+                                  found.highest,
+                                  found.unit,
+                                  "highest value that passes",
+                                  {},
+                                  highestTitle(found.number)});
     }
     driven.verdicts = verdictsOf(record.scenario, found, driven.metrics);
     driven.answer = withVerdict(driven.answer, driven.verdicts);
@@ -137,16 +142,19 @@ Driven driveSeries(const RunRecord& record, const Path& folder, const Tell& tell
                    {"runs", rows(found)}};
     writeFile(folder / "metrics.json", jsonText(driven.json));
     writeFile(folder / "series.csv", table(found));
-    SeriesReport report{.title = record.scenario.title,
-                        .answer = driven.answer,
-                        .vehicle = record.vehicle.name,
-                        .scenario_description = record.scenario.description,
-                        .version = record.tread_version,
-                        .number = found.number,
-                        .unit = found.unit,
-                        .runs = {},
-                        .resolved_yaml = writeYaml(record),
-                        .verdicts = driven.verdicts};
+    SeriesReport report{
+        .title = record.scenario.title,
+        .answer = driven.answer,
+        .vehicle = record.vehicle.name,
+        .scenario_description = record.scenario.description,
+        .version = record.tread_version,
+        .number = found.number,
+        .unit = found.unit,
+        .runs = {},
+        .resolved_yaml = writeYaml(record),
+        .verdicts = driven.verdicts,
+        .highest = found.highest,
+        .files = {{"series.csv", "series.csv"}, {"metrics.json", "metrics.json"}, {"run.yaml", "run.yaml"}}};
     for (std::size_t i = 0; i < found.runs.size(); ++i) {
         const SeriesRun& run = found.runs[i];
         report.runs.push_back(

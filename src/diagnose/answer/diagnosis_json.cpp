@@ -1,5 +1,7 @@
 #include "diagnose/answer/diagnosis_json.h"
 
+#include <cmath>
+
 #include "diagnose/answer/parts.h"
 #include "diagnose/answer/words.h"
 #include "diagnose/settings.h"
@@ -37,6 +39,12 @@ Json partsJson(const Decomposition& gap) {
     return listOf(toldParts(gap), [](const ToldPart& part) {
         return Json{{"part", partInWords(part)}, {"share", part.share}};
     });
+}
+
+// Null where nothing can be closed, or no such drive is there.
+Json closedJson(const Decomposition& gap) {
+    const double closed = gap.gap > 0 ? closedShare(gap) : std::nan("");
+    return std::isfinite(closed) ? Json(closed) : Json(nullptr);
 }
 
 // What no cause explains, and where it acts.
@@ -83,6 +91,7 @@ Json diagnosisJson(const Diagnosis& d) {
         {"training", jsonOf(d.training)},
         {"held_out", jsonOf(d.held_out)},
         {"parts", {{"training", partsJson(d.training)}, {"held_out", partsJson(d.held_out)}}},
+        {"closed", {{"training", closedJson(d.training)}, {"held_out", closedJson(d.held_out)}}},
         {"how_far",
          {{"training", levelsOf(d.how_far.training)},
           {"held_out", levelsOf(d.how_far.held_out)},

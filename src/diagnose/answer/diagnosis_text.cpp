@@ -71,6 +71,8 @@ std::string gapOf(const Diagnosis& d) {
         lines.push_back(fmt::format("in the drives held out, {} times: {}", shortNumber(d.held_out.gap, 3),
                                     partsInWords(d.held_out)));
     else lines.emplace_back("no drive is held out: judged in-sample, in the fitted drives, which is too optimistic");
+    if (const std::string closed = closedInWords(d.held_out.gap > 0 ? d.held_out : gap); !closed.empty())
+        lines.push_back(fmt::format("closed{}: {}", d.held_out.gap > 0 ? " there" : "", closed));
     return paragraph("GAP", lines);
 }
 
@@ -183,9 +185,7 @@ std::string nextOf(const Diagnosis& d) {
 }
 
 std::string hiddenOf(const Diagnosis& d) {
-    std::vector<std::string> hidden;
-    for (const auto& [name, nats] : d.expected_evidence)
-        if (nats < kTestable) hidden.push_back(name);
+    std::vector<std::string> hidden = unseenEffects(d);
     if (hidden.empty()) return {};
     const std::size_t all = hidden.size();
     hidden.resize(std::min(all, kMostHidden));

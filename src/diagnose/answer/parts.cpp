@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "diagnose/answer/words.h"
 
@@ -91,6 +93,24 @@ std::string partInWords(const ToldPart& part) {
 double shareOfTheRest(const Decomposition& gap, double share) {
     const double rest = gap.causes.share + gap.remainder.share;
     return rest > 0 ? share / rest : 0;
+}
+
+double closedShare(const Decomposition& gap) {
+    const double most = 1 - gap.noise.share;
+    return most > 0 ? 1 - gap.remainder.share / most : std::numeric_limits<double>::quiet_NaN();
+}
+
+double closedShare(const GapLevels& levels, double after) {
+    const double most = levels.nominal * levels.nominal - levels.floor * levels.floor;
+    if (!(most > 0)) return std::numeric_limits<double>::quiet_NaN();
+    return (levels.nominal * levels.nominal - after * after) / most;
+}
+
+std::string closedInWords(const Decomposition& gap) {
+    const double closed = closedShare(gap);
+    if (!(gap.gap > 0) || std::isnan(closed)) return {};
+    return fmt::format("1 - unexplained {:.1f} / (100 - noise {:.1f}) = {}", 100 * gap.remainder.share,
+                       100 * gap.noise.share, roundedPercent(closed));
 }
 
 std::vector<std::string> enlargingInWords(const Decomposition& gap) {

@@ -34,6 +34,14 @@ std::vector<CausePart> inOrder(const Decomposition& gap);
 // A share of the gap, as a share of what tolerances and noise leave of it.
 double shareOfTheRest(const Decomposition& gap, double share);
 
+// What a model closes of the part of the gap that it can close, in words and numbers: "1 - unexplained 1.0 / (100 -
+// noise 6.0) = 99 %". Empty where noise is the whole gap. This, of squared gaps, is what "closed" means everywhere
+// (D49a).
+std::string closedInWords(const Decomposition& gap);
+double closedShare(const Decomposition& gap);
+// The same of levels, which are roots: (nominal^2 - after^2) / (nominal^2 - floor^2); NaN where nothing can be closed.
+double closedShare(const GapLevels& levels, double after);
+
 // Sentences about parts that make the gap larger; empty when there is none.
 std::vector<std::string> enlargingInWords(const Decomposition& gap);
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "diagnose/settings.h"
 #include "log/log_columns.h"
 #include "recording/observation.h"
 
@@ -95,6 +96,20 @@ std::vector<std::pair<double, std::string>> largeForces(const Unexplained& unexp
         if (size > kUsual) large.push_back({size, kind});
     std::stable_sort(large.begin(), large.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     return large;
+}
+
+bool isAnswered(const Diagnosis& d) {
+    return d.verdict != Verdict::unknown && d.verdict != Verdict::not_testable;
+}
+
+std::vector<std::string> unseenEffects(const Diagnosis& d) {
+    const std::vector<std::string> rivals = namesOnlyIn(d.alternatives, d.causes);
+    std::vector<std::string> unseen;
+    for (const auto& [name, nats] : d.expected_evidence) {
+        const bool named = isCause(d, name) || std::find(rivals.begin(), rivals.end(), name) != rivals.end();
+        if (nats < kTestable && !named) unseen.push_back(name);
+    }
+    return unseen;
 }
 
 bool isCause(const Diagnosis& d, const std::string& effect) {

@@ -50,7 +50,15 @@ std::string momentInWords(const Moment& moment);
 // The causes that a manoeuvre tells apart: "grip from mass".
 std::string separatesInWords(const NextDrive& next);
 
+// Yes: causes are named, or there is none. No: the cause is not known, or the drives cannot show one. The exit status
+// of the command and the sign of the page's badge.
+bool isAnswered(const Diagnosis& diagnosis);
+
 bool isCause(const Diagnosis& diagnosis, const std::string& effect);
+
+// Effects that the drives would not show at their typical size. What is named as a cause or a rival was seen, at a
+// larger one, and is not among them.
+std::vector<std::string> unseenEffects(const Diagnosis& diagnosis);
 
 // The causes of a diagnosis, those that explain most on their own first.
 std::vector<std::string> causesInOrder(const Diagnosis& diagnosis);
