@@ -23,11 +23,11 @@ std::string_view groupOf(const ReferenceRow& row) {
 }
 
 // Cells of a row in reading order; the long description comes last, where it may wrap.
-constexpr std::size_t kCells = 5;
+constexpr std::size_t kCells = 6;
 std::array<std::string, kCells> cellsOf(const ReferenceRow& row) {
     std::string meaning = row.meaning;
     if (row.tolerance > 0) meaning += fmt::format(" (usually known within {:.3g} %)", 100 * row.tolerance);
-    return {row.path, row.unit, row.default_text, row.limits, meaning};
+    return {row.path, row.unit, row.default_text, row.limits, row.plausible, meaning};
 }
 
 using Widths = std::array<std::size_t, kCells - 1>;
@@ -45,7 +45,7 @@ std::string line(const Widths& widths, std::span<const std::string> cells) {
 }
 
 std::string table(std::span<const ReferenceRow> rows) {
-    static const std::array<std::string, kCells> kHead = {"field", "unit", "default", "limits", "meaning"};
+    static const std::array<std::string, kCells> kHead = {"field", "unit", "default", "limits", "plausible", "meaning"};
     Widths widths{};
     for (const ReferenceRow& row : rows) widen(widths, cellsOf(row));
     for (std::size_t i = 0; i < widths.size(); ++i) {
@@ -88,6 +88,7 @@ nlohmann::json json(const Describable& what) {
                           {"unit", row.unit},
                           {"meaning", row.meaning},
                           {"limits", row.limits},
+                          {"plausible", row.plausible},
                           {"default", row.default_text},
                           {"tolerance", row.tolerance > 0 ? nlohmann::json(row.tolerance) : nlohmann::json(nullptr)}});
     }
