@@ -27,6 +27,7 @@ void addRun(CLI::App& app, RunOptions& o) {
     addSettings(app, o.settings, "path=value, for example front.suspension.spring=\"25 kN/m\" or scenario.step=0.002");
     app.add_option("--accept", o.accept, "conditions on metrics (YAML), beside those of the scenario");
     app.add_option("--junit", o.junit, "write the verdicts as JUnit XML to this file");
+    app.add_flag("--strict", o.strict, "an implausible number is a fault (status 2), not a warning");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
@@ -59,7 +60,8 @@ void addImport(CLI::App& app, ImportOptions& o) {
     app.add_option("file", o.file, "foreign log (.vbo, .mat, text table) or tyre property file (.tir)")->required();
     app.add_option("--map", o.map, "mapping from its columns to channels (YAML; default: guessed from the names)");
     app.add_option("--init", o.init, "write the guessed mapping to this file, to be edited, and no log");
-    app.add_option("-o,--output", o.output, "log or tyre file to write (default: <file>.tread.csv or .tread.yaml beside the file)");
+    app.add_option("-o,--output", o.output,
+                   "log or tyre file to write (default: <file>.tread.csv or .tread.yaml beside the file)");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
@@ -87,6 +89,7 @@ void addDiagnose(CLI::App& app, DiagnoseRequest& o) {
     app.add_option("file", o.file, "diagnosis.yaml: nominal car, recordings, tolerances");
     app.add_flag("--check", o.check,
                  "only check the recordings and list the effects that they could show; status 1 if there are warnings");
+    app.add_flag("--strict", o.strict, "an implausible number is a fault (status 2), not a warning");
     app.add_option("--init", o.init, "write a diagnosis.yaml for the logs in this folder");
     app.add_option("--vehicle", o.vehicle,
                    "nominal car (YAML): for --init, or instead of the vehicle and vehicle_settings of the file");
@@ -122,6 +125,7 @@ void addDescribe(CLI::App& app, DescribeOptions& o) {
 
 void addCheck(CLI::App& app, CheckOptions& o) {
     app.add_option("files", o.files, "YAML, .tir or CSV files")->required();
+    app.add_flag("--strict", o.strict, "an implausible number is a fault (status 2), not a warning");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 

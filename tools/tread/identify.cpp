@@ -7,6 +7,7 @@
 #include "diagnose/options.h"
 #include "diagnose_check.h"
 #include "output.h"
+#include "plausibility.h"
 #include "progress.h"
 #include "recording/subject_paths.h"
 #include "report/identification_report.h"
@@ -43,6 +44,7 @@ int statusOf(const Identification& found) {
 int identify(const IdentifyRequest& request) {
     judgePaths(request.fit);
     DiagnosisInputs inputs = readDiagnosisInputs(request.file, request.data, request.vehicle, request.without);
+    warnOfImplausible(inputs.implausible);
     if (!request.fit.empty()) inputs.file.fit = request.fit;
     warn("identify", inputs.warnings);
 

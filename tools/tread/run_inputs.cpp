@@ -9,13 +9,14 @@
 #include "base/pattern.h"
 #include "base/setting.h"
 #include "base/yaml_position.h"
+#include "kind_of_file.h"
 #include "metrics/metrics.h"
+#include "plausibility.h"
 #include "run/sensors.h"
 #include "run/simulate.h"
 #include "scenario/load.h"
 #include "scenario/replay.h"
 #include "series/series.h"
-#include "tread/load.h"
 
 namespace tread::program {
 namespace {
@@ -94,32 +95,36 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
     return faults;
 }
 
-// A file of another kind has dozens of faults; the first of them are enough.
-[[noreturn]] void refuse(std::vector<Problem> problems) {
-    constexpr std::size_t kMost = 20;
-    if (problems.size() > kMost) {
-        const std::string more = std::to_string(problems.size() - kMost);
-        problems.resize(kMost);
-        problems.push_back({"", 0, 0, "", "and " + more + " more faults; `tread check` lists all"});
+std::vector<Problem> placed(const std::vector<Fault>& faults, const std::string& file) {
+    std::vector<Problem> problems;
+    for (const Fault& fault : faults) {
+        const TextPosition position = fault.at.line > 0 ? fault.at : positionOfValue(file, fault.path);
+        problems.push_back({file, position.line, position.column, fault.path, fault.text});
     }
-    throw LoadError(std::move(problems));
+    return problems;
+}
+
+// The scenario as far as its file is sound.
+Scenario readScenario(const std::string& file, std::vector<Problem>& problems) {
+    std::vector<Problem> faults;
+    Scenario scenario = loadScenario(file, faults);
+    addFurther(faults, placed(unknownNames(scenario), file));
+    problems.insert(problems.end(), faults.begin(), faults.end());
+    return scenario;
 }
 
 }  // namespace
 
 Scenario readScenario(const std::string& file) {
-    Scenario scenario = loadScenario(file);
     std::vector<Problem> problems;
-    for (const Fault& fault : unknownNames(scenario)) {
-        const TextPosition position = fault.at.line > 0 ? fault.at : positionOfValue(file, fault.path);
-        problems.push_back({file, position.line, position.column, fault.path, fault.text});
-    }
-    if (!problems.empty()) throw LoadError(std::move(problems));
+    Scenario scenario = readScenario(file, problems);
+    throwIfAny(std::move(problems));
     return scenario;
 }
 
-RunRecord readRunInputs(const RunOptions& options) {
-    // Both files are read before any fault is reported.
+RunInputs readRunInputs(const RunOptions& options) {
+    // All files and settings are looked at before any fault is reported; what is found in a later one holds whatever
+    // the correction of an earlier fault will be.
     Settable inputs;
     std::vector<Problem> problems;
     const auto collect = [&](const auto& read) {
@@ -129,28 +134,54 @@ RunRecord readRunInputs(const RunOptions& options) {
             problems.insert(problems.end(), error.problems().begin(), error.problems().end());
         }
     };
-    collect([&] { inputs.vehicle = loadVehicle(options.vehicle); });
-    collect([&] { inputs.scenario = readScenario(options.scenario); });
-    if (!problems.empty()) refuse(std::move(problems));
-
+    collect([&] {
+        expectKind(options.vehicle, {"vehicle"});
+        inputs.vehicle = readYaml<VehicleParams>(options.vehicle, problems);
+    });
+    const std::size_t of_the_car = problems.size();
+    collect([&] {
+        expectKind(options.scenario, {"scenario"});
+        inputs.scenario = readScenario(options.scenario, problems);
+    });
+    const bool scenario_is_sound = problems.size() == of_the_car;
     if (!options.log.empty()) inputs.scenario.drive = options.log;
+    collect([&] { expectKind(options.log, {"log"}); });
+
     constexpr const char* kSource = "--set";
+    const std::vector<Fault> before = unknownNames(inputs.scenario);
     // The car settings of the scenario are applied as --set leaves them; --set itself is applied last.
     Settable asked = inputs;
-    applySettings(asked, options.settings, kSource, listingOf);
-    applySettings(inputs.vehicle, asked.scenario.car_settings, options.scenario + ": car_settings", listingOf);
-    applySettings(inputs, options.settings, kSource, listingOf);
+    std::vector<std::string> car_settings;
+    collect([&] {
+        applySettings(asked, options.settings, kSource, listingOf);
+        car_settings = asked.scenario.car_settings;
+        applySettings(inputs.vehicle, car_settings, options.scenario + ": car_settings", listingOf);
+        applySettings(inputs, options.settings, kSource, listingOf);
+    });
     for (const Fault& fault : unknownNames(inputs.scenario)) {
+        const auto same = [&](const Fault& old) { return old.path == fault.path && old.text == fault.text; };
+        if (std::any_of(before.begin(), before.end(), same)) continue;
         problems.push_back({kSource, 0, 0, "scenario." + fault.path, fault.text});
     }
-    if (!problems.empty()) throw LoadError(std::move(problems));
-    inputs.scenario.accept = merged(std::move(inputs.scenario.accept), acceptanceOf(options, inputs.scenario));
+    collect([&] {
+        expectKind(options.accept, {"accept"});
+        if (!scenario_is_sound) return;
+        inputs.scenario.accept = merged(std::move(inputs.scenario.accept), acceptanceOf(options, inputs.scenario));
+    });
+    throwIfAny(std::move(problems));
+
+    const AppliedSettings set{options.settings, kSource}, set_scenario{options.settings, kSource, "scenario."};
+    std::vector<Problem> warnings =
+        implausibleIn(inputs.vehicle, options.vehicle, {{car_settings, options.scenario, "", "car_settings"}, set});
+    for (Problem& warning : implausibleIn(inputs.scenario, options.scenario, {set_scenario}))
+        warnings.push_back(std::move(warning));
+    warnOfImplausible(warnings, options.strict);
 
     RunRecord record;
     record.tread_version = TREAD_VERSION;
     record.vehicle = std::move(inputs.vehicle);
     record.scenario = withReplaysRead(std::move(inputs.scenario));
-    return record;
+    return {std::move(record), std::move(warnings)};
 }
 
 }  // namespace tread::program
