@@ -20,7 +20,6 @@ struct Habit {
 };
 constexpr Habit kHabits[] = {
     {"m", {"mm", "cm", "in", "km"}},
-    {"m2", {"cm2", "mm2"}},
     {"kg", {"t", "lb"}},
     {"kg m2", {"kg cm2", "kg mm2"}},
     {"s", {"ms", "min"}},

@@ -114,7 +114,7 @@ struct Scenario {
             TREAD_FIELD(substep),
             About{"s", "longest step of the car within one of the world: larger is cheaper and coarser", {1e-4, 0.02}});
         field(TREAD_FIELD(time_limit),
-              About{"s", "time after which a manoeuvre that did not end has failed", kPositive}.usually(1, 36000));
+              About{"s", "time after which a manoeuvre that did not end has failed", kPositive}.usually(0.01, 5e5));
         field(TREAD_FIELD(road), About{"", "road"});
         field(TREAD_FIELD(wind), About{"", "wind"});
         field(TREAD_FIELD(start), About{"", "start"});

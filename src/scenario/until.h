@@ -31,10 +31,10 @@ struct Until {
     bool drive_end = false;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(duration), About{"s", "time since the phase began", kPositive}.usually(0.001, 3600));
-        field(TREAD_FIELD(time), About{"s", "time since the manoeuvre began", kPositive}.usually(0.001, 36000));
-        field(TREAD_FIELD(speed_below), About{"m/s", "forward speed falls below this", kAny}.usually(-20, 70));
-        field(TREAD_FIELD(speed_above), About{"m/s", "forward speed rises above this", kNonNegative}.usually(0, 70));
+        field(TREAD_FIELD(duration), About{"s", "time since the phase began", kPositive}.usually(0.001, 2e5));
+        field(TREAD_FIELD(time), About{"s", "time since the manoeuvre began", kPositive}.usually(0.001, 2e5));
+        field(TREAD_FIELD(speed_below), About{"m/s", "forward speed falls below this", kAny}.usually(-20, 100));
+        field(TREAD_FIELD(speed_above), About{"m/s", "forward speed rises above this", kNonNegative}.usually(0, 100));
         field(TREAD_FIELD(lateral_acceleration_above),
               About{"m/s2", "magnitude of the lateral acceleration rises above this", kPositive}.usually(0.01, 30));
         field(TREAD_FIELD(lateral_acceleration_below),

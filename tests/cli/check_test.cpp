@@ -225,11 +225,22 @@ TEST_F(Check, ImplausibleNumbersOfACarAreWarnedOfWithTheLikelySlip) {
              {"bump: 1250 N s/m", "bump: 1.25", "1.25", "front.suspension.damper.bump", "\"1.25 N s/mm\""},
              {"ratio: 16.5", "ratio: 0.0595", "0.0595", "steering.ratio", "the inverse, 16.8"},
              {"mass: 1350 kg", "mass: 1250 lb", "1250 lb", "mass", "\"1250 kg\""},
-             {"mass: 1350 kg", "mass: 1.35", "1.35", "mass", "\"1.35 t\""},
              {"idle_speed: 800 rpm", "idle_speed: 800", "800", "driveline.engine.idle_speed", "\"800 rpm\""},
-             {"[0.35, 1.38]", "[3.5, 1.38]", "3.5", "aero.side_force_area.1.x", "\"3.5 deg\""},
+             {"[0.8, 2.21]", "[45, 2.21]", "45", "aero.side_force_area.2.x", "\"45 deg\""},
          })
         expectWarned(scratch, sound, slip);
+}
+
+TEST_F(Check, WarningsAreToldBesideFaults) {
+    const std::string text = with(contentOf(car), "mass: 1350 kg", "mass: 1.35");
+    const std::string file = scratch.file("tonnes.yaml", text);
+    const std::string at = file + ":" + place(text, "1.35") + ": mass: ";
+    const Result result = runProgram({"check", file});
+    EXPECT_EQ(firstLine(result.out), "1 fault in 1 file") << result.out;
+    EXPECT_NE(result.out.find("\n" + at + "the unsprung masses"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("\nwarning: " + at + "found 1.35 kg, plausible values are "), std::string::npos)
+        << result.out;
+    EXPECT_NE(result.out.find("did you mean \"1.35 t\"?\n"), std::string::npos) << result.out;
 }
 
 TEST_F(Check, ImplausibleNumbersOfAScenarioAreWarnedOf) {
@@ -264,7 +275,7 @@ TEST_F(Check, AFileOfAnotherKindIsOneSentenceWhateverTheCommand) {
     const std::string field = scratch.file("field.csv", "x\\y [m],0,1\n0,0,0\n1,0.1,0.1\n");
     const std::string diagnosis = kScenarios + "diagnose/liu.yaml", out = scratch.path("out");
     const std::vector<std::pair<std::vector<std::string>, std::string>> calls{
-        {{"run", scenario, car}, "found a scenario file, expected a vehicle file"},
+        {{"run", scenario, scenario}, "found a scenario file, expected a vehicle file"},
         {{"run", log, scenario}, "found a log, expected a vehicle file"},
         {{"run", tyre, scenario}, "found a tyre file, expected a vehicle file"},
         {{"run", folder, scenario}, "found a folder, expected a vehicle file"},
@@ -323,7 +334,7 @@ TEST_F(Check, AnIncludedFileOfAnotherKindIsOneFault) {
 
 TEST_F(Check, FaultsOfASecondStageAreToldWithTheOthers) {
     std::string text = with(contentOf(kScenarios + "step_steer_80.yaml"), "manoeuvre: step_steer", "manoeuvre: stp");
-    text = with(text, "80 km/h", "80 km") + "wind: {gust: {shape: ramp, speed: 3, time: 1}}\n";
+    text = with(text, "speed: 80 km/h", "speed: 80 km") + "wind: {gust: {shape: ramp, speed: 3, time: 1}}\n";
     const std::string bad = scratch.file("bad.yaml", text);
     const Result result = runProgram({"check", bad});
     EXPECT_EQ(firstLine(result.out), "3 faults in 1 file") << result.out;

@@ -10,6 +10,7 @@
 #include "base/number_text.h"
 #include "base/text_file.h"
 #include "base/yaml_document.h"
+#include "base/yaml_session.h"
 #include "commands.h"
 #include "describable.h"
 #include "kind_of_file.h"
@@ -31,6 +32,11 @@ struct CheckedFile {
     void take(FileReading reading) {
         notes = std::move(reading.notes);
         warnings = std::move(reading.warnings);
+        try {
+            throwIfAny(std::move(reading.faults));
+        } catch (const LoadError& error) {
+            problems = error.problems();
+        }
     }
 };
 

@@ -128,8 +128,9 @@ FileReading readDiagnosisFile(const Path& file) {
 }
 
 FileReading readVehicleFile(const Path& file) {
-    const VehicleParams car = loadVehicle(file);
-    FileReading found{{}, implausibleIn(car, file.string())};
+    FileReading found;
+    const VehicleParams car = readVehicle(file.string(), found.faults);
+    found.warnings = implausibleIn(car, file.string());
     for (const auto& [path, tyre] : tyresOf(car)) {
         for (const std::string& note : tyre->notes) found.notes.push_back(path + ": " + note);
     }
@@ -137,7 +138,10 @@ FileReading readVehicleFile(const Path& file) {
 }
 
 FileReading readScenarioFile(const Path& file) {
-    return {{}, implausibleIn(readScenario(file.string()), file.string())};
+    FileReading found;
+    const Scenario scenario = readScenario(file.string(), found.faults);
+    found.warnings = implausibleIn(scenario, file.string());
+    return found;
 }
 
 FileReading readAcceptFile(const Path& file) {
@@ -201,7 +205,7 @@ const Describable& describable(std::string_view name, bool only_files) {
 
 FileReading readTyreFile(const Path& file) {
     const TyreParams tyre = loadTyre(file);
-    return {tyre.notes, implausibleIn(tyre, file.string())};
+    return {tyre.notes, implausibleIn(tyre, file.string()), {}};
 }
 
 void rejectName(std::string_view what, std::string_view name, const std::vector<std::string_view>& known) {

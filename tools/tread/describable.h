@@ -17,10 +17,11 @@ struct TopField {
     std::string meaning;
 };
 
-// What the reader of a sound file should see.
+// What the reader of a file should see.
 struct FileReading {
-    std::vector<std::string> notes;
+    std::vector<std::string> notes = {};
     std::vector<Problem> warnings = {};  // implausible numbers
+    std::vector<Problem> faults = {};
 };
 
 struct Describable {
@@ -28,7 +29,7 @@ struct Describable {
     std::string_view meaning;  // "a car"
     std::vector<TopField> (*top)();
     std::vector<ReferenceRow> (*rows)();
-    // Of what is a YAML file; nullptr for anything else. Reading throws LoadError with every fault.
+    // Of what is a YAML file; nullptr for anything else. Reading returns the faults, or throws LoadError with them.
     std::string (*schema)() = nullptr;
     FileReading (*read)(const Path& file) = nullptr;
 

@@ -104,7 +104,12 @@ std::vector<Problem> placed(const std::vector<Fault>& faults, const std::string&
     return problems;
 }
 
-// The scenario as far as its file is sound.
+}  // namespace
+
+VehicleParams readVehicle(const std::string& file, std::vector<Problem>& problems) {
+    return readYaml<VehicleParams>(file, problems);
+}
+
 Scenario readScenario(const std::string& file, std::vector<Problem>& problems) {
     std::vector<Problem> faults;
     Scenario scenario = loadScenario(file, faults);
@@ -112,8 +117,6 @@ Scenario readScenario(const std::string& file, std::vector<Problem>& problems) {
     problems.insert(problems.end(), faults.begin(), faults.end());
     return scenario;
 }
-
-}  // namespace
 
 Scenario readScenario(const std::string& file) {
     std::vector<Problem> problems;
@@ -136,7 +139,7 @@ RunInputs readRunInputs(const RunOptions& options) {
     };
     collect([&] {
         expectKind(options.vehicle, {"vehicle"});
-        inputs.vehicle = readYaml<VehicleParams>(options.vehicle, problems);
+        inputs.vehicle = readVehicle(options.vehicle, problems);
     });
     const std::size_t of_the_car = problems.size();
     collect([&] {
@@ -168,14 +171,15 @@ RunInputs readRunInputs(const RunOptions& options) {
         if (!scenario_is_sound) return;
         inputs.scenario.accept = merged(std::move(inputs.scenario.accept), acceptanceOf(options, inputs.scenario));
     });
-    throwIfAny(std::move(problems));
 
     const AppliedSettings set{options.settings, kSource}, set_scenario{options.settings, kSource, "scenario."};
     std::vector<Problem> warnings =
         implausibleIn(inputs.vehicle, options.vehicle, {{car_settings, options.scenario, "", "car_settings"}, set});
     for (Problem& warning : implausibleIn(inputs.scenario, options.scenario, {set_scenario}))
         warnings.push_back(std::move(warning));
-    warnOfImplausible(warnings, options.strict);
+    if (options.strict) problems.insert(problems.end(), warnings.begin(), warnings.end());
+    if (!options.strict) warnOfImplausible(warnings);
+    throwIfAny(std::move(problems));
 
     RunRecord record;
     record.tread_version = TREAD_VERSION;

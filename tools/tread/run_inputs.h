@@ -14,6 +14,10 @@ namespace tread::program {
 // exist. Throws LoadError.
 Scenario readScenario(const std::string& file);
 
+// A car, and a scenario, as far as their files are sound; the faults are added to `problems`.
+VehicleParams readVehicle(const std::string& file, std::vector<Problem>& problems);
+Scenario readScenario(const std::string& file, std::vector<Problem>& problems);
+
 // Throws LoadError: faults of the files and of the settings, a manoeuvre without metrics, channels that do not exist.
 // Implausible numbers are warned of, once in the whole program; with `strict` they are faults. They are returned for
 // the message of a run that fails.
