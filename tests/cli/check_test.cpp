@@ -273,10 +273,15 @@ TEST_F(Check, AFileOfAnotherKindIsOneSentenceWhateverTheCommand) {
     const std::string tolerances = scratch.file("tolerances.yaml", "relative: 0.01\n");
     const std::string map = scratch.file("map.yaml", "time: {from: t}\nmap: []\n");
     const std::string field = scratch.file("field.csv", "x\\y [m],0,1\n0,0,0\n1,0.1,0.1\n");
+    const std::string record = scratch.file("run.yaml", "tread_version: 1\nvehicle: {mass: 1}\nscenario: {}\n");
+    const std::string results = scratch.file("metrics.json", R"({"tread_version": "1", "metrics": []})");
     const std::string diagnosis = kScenarios + "diagnose/liu.yaml", out = scratch.path("out");
     const std::vector<std::pair<std::vector<std::string>, std::string>> calls{
         {{"run", scenario, scenario}, "found a scenario file, expected a vehicle file"},
         {{"run", log, scenario}, "found a log, expected a vehicle file"},
+        {{"run", record, scenario}, "found the record of a run, expected a vehicle file"},
+        {{"run", car, results}, "found the results of a run, expected a scenario file"},
+        {{"metrics", results}, "found the results of a run, expected a log"},
         {{"run", tyre, scenario}, "found a tyre file, expected a vehicle file"},
         {{"run", folder, scenario}, "found a folder, expected a vehicle file"},
         {{"run", diagnosis, scenario}, "found a diagnosis file, expected a vehicle file"},
@@ -321,6 +326,15 @@ TEST_F(Check, AFileOfAnotherKindIsOneSentenceWhateverTheCommand) {
     }
 }
 
+TEST_F(Check, WhatARunHasWrittenIsOneFault) {
+    const std::string record = scratch.file("run.yaml", "tread_version: 1\nvehicle: {mass: 1}\nscenario: {}\n");
+    const Result result = runProgram({"check", record});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.out.find("1 fault in 1 file\n" + record + ": found the record of a run, which `tread run` has "),
+              0u)
+        << result.out;
+}
+
 TEST_F(Check, AnIncludedFileOfAnotherKindIsOneFault) {
     const std::string text = with(contentOf(car), "tyres/car_205_60R15.yaml", kScenarios + "step_steer_80.yaml");
     const std::string bad = scratch.file("bad.yaml", text);
@@ -334,7 +348,8 @@ TEST_F(Check, AnIncludedFileOfAnotherKindIsOneFault) {
 
 TEST_F(Check, FaultsOfASecondStageAreToldWithTheOthers) {
     std::string text = with(contentOf(kScenarios + "step_steer_80.yaml"), "manoeuvre: step_steer", "manoeuvre: stp");
-    text = with(text, "speed: 80 km/h", "speed: 80 km") + "wind: {gust: {shape: ramp, speed: 3, time: 1}}\n";
+    text = with(text, "speed: 80 km/h", "speed: 80 km") + "accept: {sidesway: \"< 4 m\"}\n" +
+           "wind: {gust: {shape: ramp, speed: 3, time: 1}}\n";
     const std::string bad = scratch.file("bad.yaml", text);
     const Result result = runProgram({"check", bad});
     EXPECT_EQ(firstLine(result.out), "3 faults in 1 file") << result.out;

@@ -49,6 +49,7 @@ void checkYaml(CheckedFile& checked, std::string_view text) {
     const auto document = parseYaml(text, checked.name, checked.problems);
     if (!document) return;
     const std::vector<std::string> keys = keysOf(*document);
+    if (const std::string fault = outputFault(keys); !fault.empty()) throw LoadError({{checked.name, 0, 0, "", fault}});
     const Describable* const kind = bestMatch(keys);
     if (!kind) throw LoadError({{checked.name, 0, 0, "", unknownKindText(keys)}});
     checked.kind = kind->name;

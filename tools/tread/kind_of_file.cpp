@@ -43,6 +43,7 @@ constexpr Kind kKinds[] = {
     {"diagnosis", "a diagnosis file", "`tread diagnose` and `tread identify` take it"},
     {"own_effects", "a file of own effects", "a diagnosis file names it under own_effects"},
     {"run", "the record of a run", "it lists inputs, which `tread run` takes as a vehicle and a scenario"},
+    {"results", "the results of a run", "`tread compare` takes the folder in which it lies"},
     {"log", "a log", "`tread metrics`, `tread compare` and, behind --log, `tread run` take it"},
     {"height field", "a height field", "a scenario names it under road.height_field"},
     {"table", "a table of values", "`tread import` makes a log of a foreign one"},
@@ -61,6 +62,10 @@ const Kind& kindNamed(std::string_view name) {
 std::string lowerCase(std::string text) {
     for (char& c : text) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
     return text;
+}
+
+bool isYamlName(std::string_view extension) {
+    return extension == ".yaml" || extension == ".yml" || extension == ".json";
 }
 
 std::string_view kindOfCsv(std::string_view text) {
@@ -123,6 +128,20 @@ bool looksLikeHeightField(std::string_view text) {
     return text.substr(0, text.find_first_of(",\n")).find("x\\y") != std::string_view::npos;
 }
 
+std::string_view kindOfOutput(const std::vector<std::string>& keys) {
+    const auto has = [&](std::string_view key) { return std::find(keys.begin(), keys.end(), key) != keys.end(); };
+    if (!has("tread_version")) return {};
+    return has("metrics") ? "results" : "run";
+}
+
+std::string outputFault(const std::vector<std::string>& keys) {
+    const std::string_view name = kindOfOutput(keys);
+    if (name.empty()) return {};
+    const Kind& kind = kindNamed(name);
+    return fmt::format("found {}, which `tread run` has written, expected a file that it reads; {}", kind.words,
+                       kind.use);
+}
+
 std::string foundKeys(const std::vector<std::string>& keys) {
     std::string found = keys.empty() ? "no \"key: value\" lines" : "";
     for (std::size_t i = 0; i < std::min<std::size_t>(keys.size(), 3); ++i)
@@ -161,7 +180,7 @@ void expectKind(const Path& file, std::initializer_list<std::string_view> wanted
     // The text of a foreign log may happen to be YAML.
     const bool wants_yaml = std::any_of(describables().begin(), describables().end(),
                                         [&](const Describable& kind) { return kind.isFile() && isWanted(kind.name); });
-    if (!wants_yaml && !only_folder && extension != ".yaml" && extension != ".yml") return;
+    if (!wants_yaml && !only_folder && !isYamlName(extension)) return;
     std::vector<Problem> problems;
     const auto document = parseYaml(*text, file.string(), problems);
     if (!document) {
@@ -169,7 +188,7 @@ void expectKind(const Path& file, std::initializer_list<std::string_view> wanted
         return;
     }
     const std::vector<std::string> keys = keysOf(*document);
-    if (std::find(keys.begin(), keys.end(), "tread_version") != keys.end()) return refuseUnlessWanted("run");
+    if (const std::string_view output = kindOfOutput(keys); !output.empty()) return refuseUnlessWanted(output);
     const Describable* const kind = bestMatch(keys);
     if (kind && isWanted(kind->name)) return;
     const std::size_t points = scoreOf(wanted, keys);

@@ -20,6 +20,10 @@ const Describable* bestMatch(const std::vector<std::string>& keys);
 // `"a", "b" and 3 more`, for a message.
 std::string foundKeys(const std::vector<std::string>& keys);
 
+// "run" or "results" for what `tread run` itself has written; empty for anything else. As a fault, in a sentence.
+std::string_view kindOfOutput(const std::vector<std::string>& keys);
+std::string outputFault(const std::vector<std::string>& keys);
+
 // A height field starts with x and y, a log with the time.
 bool looksLikeHeightField(std::string_view text);
 

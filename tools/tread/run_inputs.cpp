@@ -50,7 +50,8 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
     std::vector<std::string_view> known;
     for (const Manoeuvre& manoeuvre : manoeuvres()) known.push_back(manoeuvre.name);
     const std::string& name = scenario.manoeuvre;
-    if (!name.empty() && std::find(known.begin(), known.end(), name) == known.end()) {
+    const bool known_or_none = name.empty() || std::find(known.begin(), known.end(), name) != known.end();
+    if (!known_or_none) {
         faults.push_back({"manoeuvre", "found the unknown manoeuvre " + quote(name) + ", expected " + listed(known) +
                                            ", or no such line for a run without metrics" + didYouMean(name, known)});
     }
@@ -73,7 +74,9 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
     if (series.vary) expectMetric("series.vary.pass", series.vary->pass);
     if (series.highest) expectMetric("series.highest.pass", series.highest->pass);
 
-    for (const AcceptFault& fault : acceptFaults(scenario.accept, ownerOf(scenario), acceptable(scenario))) {
+    // Nobody knows the metrics of an unknown manoeuvre.
+    const Acceptance accept = known_or_none ? scenario.accept : Acceptance{};
+    for (const AcceptFault& fault : acceptFaults(accept, ownerOf(scenario), acceptable(scenario))) {
         faults.push_back({joinPath("accept", fault.line.metric), fault.text, {fault.line.line, fault.line.column}});
     }
 
