@@ -20,29 +20,39 @@ struct AeroParams {
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(air_density),
-              About{"kg/m3", "density of the air (default: 20 degC, 1013 hPa)", kNonNegative, 0.03});
-        field(TREAD_FIELD(drag_area), About{"m2", "drag coefficient times frontal area", kNonNegative, 0.05});
+              About{"kg/m3", "density of the air (default: 20 degC, 1013 hPa)", kNonNegative, 0.03}.usually(0.5, 1.6));
+        field(TREAD_FIELD(drag_area),
+              About{"m2", "drag coefficient times frontal area", kNonNegative, 0.05}.usually(0.001, 15));
         field(TREAD_FIELD(front_lift_area),
-              About{"m2", "lift coefficient of the front axle times frontal area, positive up", kAny, 0.2});
+              About{"m2", "lift coefficient of the front axle times frontal area, positive up", kAny, 0.2}.usually(-10,
+                                                                                                                   10));
         field(TREAD_FIELD(rear_lift_area),
-              About{"m2", "lift coefficient of the rear axle times frontal area, positive up", kAny, 0.2});
-        field(TREAD_FIELD(height), About{"m", "height above the road where drag and side force act", kNonNegative});
+              About{"m2", "lift coefficient of the rear axle times frontal area, positive up", kAny, 0.2}.usually(-10,
+                                                                                                                  10));
+        field(TREAD_FIELD(height),
+              About{"m", "height above the road where drag and side force act", kNonNegative}.usually(0.005, 4));
         field(
             TREAD_FIELD(side_force_area),
             About{"m2",
                   "side force over dynamic pressure, towards where the air goes, over aerodynamic sideslip from 0 up; "
                   "in addition to the drag, which acts along the air; odd",
-                  kAny, 0.1, "rad"});
+                  kAny, 0.1, "rad"}
+                .usually(-100, 100)
+                .over(0, 3.2));
         field(TREAD_FIELD(yaw_moment_volume),
               About{"m3",
                     "yaw moment at mid-wheelbase over dynamic pressure, positive when it turns the nose away from the "
                     "wind, over aerodynamic sideslip; odd",
-                    kAny, 0.2, "rad"});
+                    kAny, 0.2, "rad"}
+                  .usually(-500, 500)
+                  .over(0, 3.2));
         field(TREAD_FIELD(roll_moment_volume),
               About{"m3",
                     "roll moment besides that of the side force over dynamic pressure, positive when it leans the roof "
                     "away from the wind, over aerodynamic sideslip; odd",
-                    kAny, 0.3, "rad"});
+                    kAny, 0.3, "rad"}
+                  .usually(-200, 200)
+                  .over(0, 3.2));
     }
 };
 static_assert(describesEveryMember<AeroParams>());

@@ -30,14 +30,16 @@ struct AntiLockParams {
               About{"-",
                     "offset of the share of its intervention that reaches the brakes: 1 when enabled, else 0",
                     {-1, 1}});
-        field(TREAD_FIELD(period), About{"s", "sample period of the controller", kPositive});
+        field(TREAD_FIELD(period), About{"s", "sample period of the controller", kPositive}.usually(1e-4, 0.1));
         field(TREAD_FIELD(dump_slip), About{"-", "slip above which pressure is released", {0, 1, true, true}});
         field(TREAD_FIELD(build_slip), About{"-", "slip below which pressure is built up again", {0, 1, true, true}});
-        field(TREAD_FIELD(dump_rate), About{"Pa/s", "rate of pressure decrease during release", kPositive});
-        field(TREAD_FIELD(build_rate), About{"Pa/s", "rate of pressure increase during build-up", kPositive});
-        field(
-            TREAD_FIELD(lowest_speed),
-            About{"m/s", "speed below which the wheels may lock, because the slip is meaningless there", kNonNegative});
+        field(TREAD_FIELD(dump_rate),
+              About{"Pa/s", "rate of pressure decrease during release", kPositive}.usually(1e5, 1e9));
+        field(TREAD_FIELD(build_rate),
+              About{"Pa/s", "rate of pressure increase during build-up", kPositive}.usually(1e5, 1e9));
+        field(TREAD_FIELD(lowest_speed),
+              About{"m/s", "speed below which the wheels may lock, because the slip is meaningless there", kNonNegative}
+                  .usually(0, 5));
         field(TREAD_FIELD(select_low),
               About{"", "both rear wheels get the pressure of the wheel with less grip, for stability (select low)"});
     }

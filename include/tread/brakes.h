@@ -17,7 +17,8 @@ struct ProportioningParams {
     double slope = 1;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(knee), About{"Pa", "pressure above which the rear pressure rises by `slope`", kNonNegative});
+        field(TREAD_FIELD(knee),
+              About{"Pa", "pressure above which the rear pressure rises by `slope`", kNonNegative}.usually(1e5, 2e7));
         field(TREAD_FIELD(slope), About{"-", "rise of the rear over the front pressure above the knee", kFraction});
     }
 };
@@ -33,15 +34,20 @@ struct DiscParams {
     double fade = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(heat_capacity), About{"J/K", "heat capacity (0: it stays cold)", kNonNegative, 0.2});
-        field(TREAD_FIELD(cooling), About{"W/K", "heat given off at standstill", kNonNegative, 0.3});
-        field(TREAD_FIELD(cooling_by_speed), About{"J/(m K)", "increase of the cooling with speed", kNonNegative, 0.3});
+        field(TREAD_FIELD(heat_capacity),
+              About{"J/K", "heat capacity (0: it stays cold)", kNonNegative, 0.2}.usually(1, 2e5));
+        field(TREAD_FIELD(cooling), About{"W/K", "heat given off at standstill", kNonNegative, 0.3}.usually(0, 1000));
+        field(TREAD_FIELD(cooling_by_speed),
+              About{"J/(m K)", "increase of the cooling with speed", kNonNegative, 0.3}.usually(0, 500));
         field(TREAD_FIELD(friction),
-              About{"-", "factor on the brake torque versus disc temperature (fade); none: 1", kNonNegative, 0.1, "K"});
+              About{"-", "factor on the brake torque versus disc temperature (fade); none: 1", kNonNegative, 0.1, "K"}
+                  .usually(0, 2)
+                  .over(200, 1500));
         field(TREAD_FIELD(fade),
               About{"1/K",
                     "relative loss of brake torque over the heating of the disc, besides `friction`: exp(-fade "
-                    "(T - ambient))"});
+                    "(T - ambient))"}
+                  .usually(-0.01, 0.01));
     }
 };
 static_assert(describesEveryMember<DiscParams>());
@@ -62,19 +68,22 @@ struct BrakeParams {
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(full_pedal_torque),
-              About{"N m", "brake torque of all four wheels together at full pedal", kNonNegative, 0.1});
+              About{"N m", "brake torque of all four wheels together at full pedal", kNonNegative, 0.1}.usually(0.05,
+                                                                                                                2e5));
         field(TREAD_FIELD(front_share), About{"-", "share of the front axle (brake balance)", kFraction, 0.05});
         field(TREAD_FIELD(full_pedal_pressure),
-              About{"Pa", "pressure of the master cylinder at full pedal", kPositive});
+              About{"Pa", "pressure of the master cylinder at full pedal", kPositive}.usually(1e5, 3e7));
         field(TREAD_FIELD(rear_proportioning), About{"", "proportioning valve of the rear axle"});
         field(TREAD_FIELD(delay), About{"s", "time until the pressure follows the pedal", {0, 1}, 0.3});
-        field(TREAD_FIELD(lag), About{"s", "time constant of the pressure after the delay", kNonNegative, 0.3});
+        field(TREAD_FIELD(lag),
+              About{"s", "time constant of the pressure after the delay", kNonNegative, 0.3}.usually(0, 1));
         field(TREAD_FIELD(front_disc), About{"", "each front disc"});
         field(TREAD_FIELD(rear_disc), About{"", "each rear disc"});
         field(TREAD_FIELD(ambient_temperature),
-              About{"K", "temperature of the air, and of the discs at the start", kPositive});
+              About{"K", "temperature of the air, and of the discs at the start", kPositive}.usually(220, 340));
         field(TREAD_FIELD(parking_torque),
-              About{"N m", "torque of both rear wheels together with the parking brake fully applied", kNonNegative});
+              About{"N m", "torque of both rear wheels together with the parking brake fully applied", kNonNegative}
+                  .usually(0, 1e5));
         field(TREAD_FIELD(anti_lock), About{"", "anti-lock braking (ABS)"});
         field(TREAD_FIELD(stability_control), About{"", "electronic stability control (ESC)"});
     }

@@ -57,6 +57,22 @@ inline constexpr Limits kPositive{0, kInfinity, true, true};
 inline constexpr Limits kNonNegative{0, kInfinity, false, true};
 inline constexpr Limits kFraction{0, 1};
 
+// The values that a number has in cars of all kinds, from 1:10 models (3 kg) to trucks of 40 t: what lies outside is
+// allowed and yet hardly meant, most often a slip of the unit. The ends are [guess] where no comment names a source:
+// the numbers of the shipped cars and of the sources that their files quote, with room for what is larger, smaller,
+// stiffer and softer. 0 is no slip of a unit: as a default it is the absence of an effect; infinity is the absence of a
+// limit.
+struct Usual {
+    double lowest = -kInfinity;
+    double highest = kInfinity;
+    bool said = false;  // whether the description says it, be it that every value is usual
+
+    constexpr bool has(double value) const {
+        const bool infinite = value == kInfinity || value == -kInfinity;
+        return value == 0 || infinite || !(value < lowest || value > highest);
+    }
+};
+
 // What a user has to know about a field. The unit is the SI unit in which the program holds the value ("" for fields
 // that are not numbers, "-" for pure numbers).
 struct About {
@@ -66,6 +82,23 @@ struct About {
     double tolerance = 0;            // how well a real car's value is usually known, as a fraction of it (0: not said)
     std::string_view argument = {};  // for a Curve: SI unit of its argument
     std::string_view old_name = {};  // of a renamed field: files and settings that use it are still read
+    Usual usual = {};                // plausible values
+    Usual usual_argument = {};       // the same for the argument of a Curve
+
+    // The description with plausible values; those of the argument; and with the statement that any value is as good
+    // as another: a place on a map, a seed, a coefficient of a fit.
+    constexpr About usually(const Usual& range) const {
+        About copy = *this;
+        copy.usual = range;
+        return copy;
+    }
+    constexpr About usually(double from, double to) const { return usually(Usual{from, to, true}); }
+    constexpr About over(double from, double to) const {
+        About copy = *this;
+        copy.usual_argument = {from, to, true};
+        return copy;
+    }
+    constexpr About unjudged() const { return usually(Usual{.said = true}); }
 };
 
 template <class T>

@@ -34,7 +34,8 @@ struct LimitedSlipDifferential {
     double locking_coasting = 0;
     double viscosity = 0;
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(preload), About{"N m", "torque difference that it holds without load", kNonNegative, 0.3});
+        field(TREAD_FIELD(preload),
+              About{"N m", "torque difference that it holds without load", kNonNegative, 0.3}.usually(0, 2000));
         field(
             TREAD_FIELD(locking_driving),
             About{"-",
@@ -43,7 +44,8 @@ struct LimitedSlipDifferential {
                   kFraction, 0.2});
         field(TREAD_FIELD(locking_coasting),
               About{"-", "torque difference that it holds on overrun, divided by the torque sum", kFraction, 0.2});
-        field(TREAD_FIELD(viscosity), About{"N m s/rad", "torque difference per speed difference", kNonNegative, 0.3});
+        field(TREAD_FIELD(viscosity),
+              About{"N m s/rad", "torque difference per speed difference", kNonNegative, 0.3}.usually(0, 2000));
     }
 };
 static_assert(describesEveryMember<LimitedSlipDifferential>());
@@ -60,8 +62,9 @@ struct VectoringDifferential {
     double largest = kRequired;
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(by_lateral_acceleration),
-              About{"N m s2/m", "torque difference, outer minus inner wheel, per lateral acceleration"});
-        field(TREAD_FIELD(largest), About{"N m", "largest torque difference", kNonNegative});
+              About{"N m s2/m", "torque difference, outer minus inner wheel, per lateral acceleration"}.usually(-1000,
+                                                                                                                1000));
+        field(TREAD_FIELD(largest), About{"N m", "largest torque difference", kNonNegative}.usually(0, 1e4));
     }
 };
 static_assert(describesEveryMember<VectoringDifferential>());

@@ -38,8 +38,9 @@ struct DrivelineParams {
                 "",
                 "differential between the axles; with front_share 0 or 1 it couples the other axle to the driven one"});
         field(TREAD_FIELD(shaft_stiffness),
-              About{"N m/rad", "torsional stiffness of the shafts, at the wheels", kPositive, 0.2});
-        field(TREAD_FIELD(shaft_damping), About{"N m s/rad", "torsional damping of the shafts", kNonNegative, 0.5});
+              About{"N m/rad", "torsional stiffness of the shafts, at the wheels", kPositive, 0.2}.usually(0.5, 1e6));
+        field(TREAD_FIELD(shaft_damping),
+              About{"N m s/rad", "torsional damping of the shafts", kNonNegative, 0.5}.usually(0, 1e4));
     }
 
     static void check(const auto& self, auto&& complain) {

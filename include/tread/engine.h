@@ -20,7 +20,9 @@ struct PartLoadParams {
         field(TREAD_FIELD(throttle), About{"-", "throttle pedal", {0, 1, true, true}});
         field(TREAD_FIELD(torque),
               About{"N m", "torque at this pedal position versus engine speed, negative where the engine drags", kAny,
-                    0.1, "rad/s"});
+                    0.1, "rad/s"}
+                  .usually(-5000, 5000)
+                  .over(0, 4000));
     }
 };
 static_assert(describesEveryMember<PartLoadParams>());
@@ -37,18 +39,23 @@ struct EngineParams {
     double drag_scale = 1;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(full_load), About{"N m", "torque at full throttle versus engine speed", kAny, 0.05, "rad/s"});
-        field(TREAD_FIELD(drag), About{"N m", "drag torque at closed throttle", kNonNegative, 0.2, "rad/s"});
+        field(TREAD_FIELD(full_load), About{"N m", "torque at full throttle versus engine speed", kAny, 0.05, "rad/s"}
+                                          .usually(-5000, 5000)
+                                          .over(0, 4000));
+        field(
+            TREAD_FIELD(drag),
+            About{"N m", "drag torque at closed throttle", kNonNegative, 0.2, "rad/s"}.usually(0, 2000).over(0, 4000));
         field(
             TREAD_FIELD(part_load),
             About{"", "torque at throttles between closed and full, rising; none: linear between drag and full_load"});
-        field(TREAD_FIELD(inertia), About{"kg m2", "inertia of engine and flywheel", kPositive, 0.2});
-        field(TREAD_FIELD(idle_speed), About{"rad/s", "idle speed", kPositive});
-        field(TREAD_FIELD(speed_limit), About{"rad/s", "speed at which the fuel is cut", kPositive});
+        field(TREAD_FIELD(inertia), About{"kg m2", "inertia of engine and flywheel", kPositive, 0.2}.usually(1e-6, 10));
+        field(TREAD_FIELD(idle_speed), About{"rad/s", "idle speed", kPositive}.usually(30, 600));
+        field(TREAD_FIELD(speed_limit), About{"rad/s", "speed at which the fuel is cut", kPositive}.usually(100, 4000));
         field(TREAD_FIELD(response_time),
-              About{"s", "time constant with which the torque follows the pedal", kNonNegative, 0.3});
-        field(TREAD_FIELD(torque_scale), About{"-", "factor on full_load and part_load", kNonNegative});
-        field(TREAD_FIELD(drag_scale), About{"-", "factor on drag and on the drag of part_load", kNonNegative});
+              About{"s", "time constant with which the torque follows the pedal", kNonNegative, 0.3}.usually(0, 3));
+        field(TREAD_FIELD(torque_scale), About{"-", "factor on full_load and part_load", kNonNegative}.usually(0, 5));
+        field(TREAD_FIELD(drag_scale),
+              About{"-", "factor on drag and on the drag of part_load", kNonNegative}.usually(0, 5));
     }
 
     static void check(const auto& self, auto&& complain) {
@@ -84,26 +91,32 @@ struct MotorParams {
     double response_time = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(torque), About{"N m", "largest torque, driving and regenerating", kPositive, 0.05});
-        field(TREAD_FIELD(power), About{"W", "largest power at the shaft, driving and regenerating", kPositive, 0.05});
-        field(TREAD_FIELD(speed_limit), About{"rad/s", "speed at which it stops driving", kPositive});
+        field(TREAD_FIELD(torque),
+              About{"N m", "largest torque, driving and regenerating", kPositive, 0.05}.usually(0.005, 1e4));
+        field(TREAD_FIELD(power),
+              About{"W", "largest power at the shaft, driving and regenerating", kPositive, 0.05}.usually(1, 2e6));
+        field(TREAD_FIELD(speed_limit), About{"rad/s", "speed at which it stops driving", kPositive}.usually(30, 8000));
         field(TREAD_FIELD(no_load_speed),
               About{"rad/s",
                     "speed to which the driving torque falls linearly, by the back-voltage of a motor without current "
                     "control; 0: it does not fall",
-                    kNonNegative});
+                    kNonNegative}
+                  .usually(30, 8000));
         field(TREAD_FIELD(throttle_dead_band),
               About{"-", "throttle up to which it does not drive", {0, 1, false, true}});
-        field(TREAD_FIELD(inertia), About{"kg m2", "inertia of the rotor", kPositive, 0.2});
-        field(TREAD_FIELD(drag), About{"N m", "drag torque of the unpowered motor", kNonNegative, 0.3, "rad/s"});
+        field(TREAD_FIELD(inertia), About{"kg m2", "inertia of the rotor", kPositive, 0.2}.usually(1e-8, 5));
+        field(TREAD_FIELD(drag),
+              About{"N m", "drag torque of the unpowered motor", kNonNegative, 0.3, "rad/s"}.usually(0, 200).over(
+                  0, 8000));
         field(TREAD_FIELD(lift_off_regeneration),
               About{"-", "share of the largest torque that it regenerates at closed throttle", kFraction});
         field(TREAD_FIELD(brake_regeneration),
               About{"-", "share of the brake demand that it regenerates, up to its limits", kFraction});
         field(TREAD_FIELD(regeneration_speed),
-              About{"rad/s", "speed below which regeneration fades out towards standstill", kPositive});
+              About{"rad/s", "speed below which regeneration fades out towards standstill", kPositive}.usually(0.1,
+                                                                                                               1000));
         field(TREAD_FIELD(response_time),
-              About{"s", "time constant with which the torque follows the pedal", kNonNegative, 0.3});
+              About{"s", "time constant with which the torque follows the pedal", kNonNegative, 0.3}.usually(0, 2));
     }
 };
 static_assert(describesEveryMember<MotorParams>());

@@ -15,7 +15,8 @@ struct ClutchParams {
     static constexpr std::string_view kName = "clutch";
     double torque = 0;
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(torque), About{"N m", "largest torque of the closed clutch", kNonNegative});
+        field(TREAD_FIELD(torque),
+              About{"N m", "largest torque of the closed clutch", kNonNegative}.usually(0.01, 1e4));
     }
 };
 static_assert(describesEveryMember<ClutchParams>());
@@ -31,15 +32,20 @@ struct TorqueConverterParams {
     int lock_up_gear = 1;
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(capacity), About{"N m s2/rad2", "pump torque over pump speed squared, 0 at the speed ratio 1",
-                                           kNonNegative, 0.1, "-"});
+                                           kNonNegative, 0.1, "-"}
+                                         .usually(0, 1)
+                                         .over(0, 3));
         field(TREAD_FIELD(torque_ratio),
-              About{"-", "turbine torque over pump torque, 1 from the coupling point on", kPositive, 0.05, "-"});
-        field(TREAD_FIELD(lock_up_torque), About{"N m", "torque of the closed lock-up clutch (0: none)", kNonNegative});
+              About{"-", "turbine torque over pump torque, 1 from the coupling point on", kPositive, 0.05, "-"}
+                  .usually(0.5, 4)
+                  .over(0, 3));
+        field(TREAD_FIELD(lock_up_torque),
+              About{"N m", "torque of the closed lock-up clutch (0: none)", kNonNegative}.usually(0.01, 1e4));
         field(TREAD_FIELD(lock_up_speed_ratio),
               About{"-",
                     "speed ratio at which the lock-up clutch begins to close; it is closed at 1",
                     {0, 1, false, true}});
-        field(TREAD_FIELD(lock_up_gear), About{"", "lowest gear in which it closes", {1, kInfinity}});
+        field(TREAD_FIELD(lock_up_gear), About{"", "lowest gear in which it closes", {1, kInfinity}}.usually(1, 16));
     }
     static void check(const auto& self, auto&& complain) {
         if (self.capacity.empty() || self.capacity.points.back() != Curve::Point{1, 0})
@@ -65,20 +71,25 @@ struct GearboxParams {
     double shift_time = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(ratios), About{"-", "gear ratios, first gear first", kPositive});
-        field(TREAD_FIELD(final_drive), About{"-", "final drive ratio", kPositive});
+        field(TREAD_FIELD(ratios), About{"-", "gear ratios, first gear first", kPositive}.usually(0.3, 20));
+        field(TREAD_FIELD(final_drive), About{"-", "final drive ratio", kPositive}.usually(0.5, 15));
         field(TREAD_FIELD(efficiency), About{"-", "output torque over input torque when driving", {0, 1, true}, 0.03});
-        field(TREAD_FIELD(inertia), About{"kg m2", "inertia at the gearbox input", kPositive});
-        field(TREAD_FIELD(shift_up_speed), About{"rad/s", "engine speed of upshifts at full throttle", kNonNegative});
+        field(TREAD_FIELD(inertia), About{"kg m2", "inertia at the gearbox input", kPositive}.usually(1e-8, 5));
+        field(TREAD_FIELD(shift_up_speed),
+              About{"rad/s", "engine speed of upshifts at full throttle", kNonNegative}.usually(50, 4000));
         field(TREAD_FIELD(shift_down_speed),
-              About{"rad/s", "engine speed below which the gearbox shifts down", kNonNegative});
-        field(TREAD_FIELD(shift_up_share),
-              About{"-", "shift map: factor on shift_up_speed versus throttle", kPositive, 0, "-"});
-        field(TREAD_FIELD(shift_down_share),
-              About{"-", "shift map: factor on shift_down_speed versus throttle (kick-down)", kPositive, 0, "-"});
+              About{"rad/s", "engine speed below which the gearbox shifts down", kNonNegative}.usually(30, 4000));
         field(
-            TREAD_FIELD(shift_time),
-            About{"s", "time of a gear change: the clutch is open, then closes in the last third", kNonNegative, 0.3});
+            TREAD_FIELD(shift_up_share),
+            About{"-", "shift map: factor on shift_up_speed versus throttle", kPositive, 0, "-"}.usually(0.05, 3).over(
+                0, 1));
+        field(TREAD_FIELD(shift_down_share),
+              About{"-", "shift map: factor on shift_down_speed versus throttle (kick-down)", kPositive, 0, "-"}
+                  .usually(0.05, 10)
+                  .over(0, 1));
+        field(TREAD_FIELD(shift_time),
+              About{"s", "time of a gear change: the clutch is open, then closes in the last third", kNonNegative, 0.3}
+                  .usually(0, 3));
     }
 
     static void check(const auto& self, auto&& complain) {

@@ -23,11 +23,12 @@ struct FrictionPatch {
     double y_to = kInfinity;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(friction), About{"-", "factor on the friction of the road there", kNonNegative});
-        field(TREAD_FIELD(x_from), About{"m", "start along the road"});
-        field(TREAD_FIELD(x_to), About{"m", "end along the road"});
-        field(TREAD_FIELD(y_from), About{"m", "right edge"});
-        field(TREAD_FIELD(y_to), About{"m", "left edge"});
+        field(TREAD_FIELD(friction),
+              About{"-", "factor on the friction of the road there", kNonNegative}.usually(0.02, 2));
+        field(TREAD_FIELD(x_from), About{"m", "start along the road"}.unjudged());
+        field(TREAD_FIELD(x_to), About{"m", "end along the road"}.unjudged());
+        field(TREAD_FIELD(y_from), About{"m", "right edge"}.unjudged());
+        field(TREAD_FIELD(y_to), About{"m", "left edge"}.unjudged());
     }
 
     static void check(const auto& self, auto&& complain) {
@@ -48,7 +49,7 @@ struct RampShape {
     static constexpr std::string_view kName = "ramp";
     double rise = kRequired;
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(rise), About{"m", "length of each slope", kPositive});
+        field(TREAD_FIELD(rise), About{"m", "length of each slope", kPositive}.usually(0.001, 50));
     }
 };
 // Rises and falls at once.
@@ -69,12 +70,14 @@ struct Obstacle {
     std::variant<CosineShape, RampShape, PlankShape> shape;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(x), About{"m", "start along the road"});
-        field(TREAD_FIELD(y), About{"m", "y of its middle"});
-        field(TREAD_FIELD(heading), About{"rad", "direction of its length, 0 along x, positive to the left"});
-        field(TREAD_FIELD(length), About{"m", "length; a kerb without one never ends", kPositive});
-        field(TREAD_FIELD(width), About{"m", "width; without one it crosses the whole road", kPositive});
-        field(TREAD_FIELD(height), About{"m", "height; negative for a hole"});
+        field(TREAD_FIELD(x), About{"m", "start along the road"}.unjudged());
+        field(TREAD_FIELD(y), About{"m", "y of its middle"}.unjudged());
+        field(TREAD_FIELD(heading),
+              About{"rad", "direction of its length, 0 along x, positive to the left"}.usually(-6.3, 6.3));
+        field(TREAD_FIELD(length), About{"m", "length; a kerb without one never ends", kPositive}.usually(0.005, 1000));
+        field(TREAD_FIELD(width),
+              About{"m", "width; without one it crosses the whole road", kPositive}.usually(0.005, 100));
+        field(TREAD_FIELD(height), About{"m", "height; negative for a hole"}.usually(-1, 1));
         field(TREAD_FIELD(shape), About{"", "shape along its length"});
     }
 
@@ -112,17 +115,20 @@ struct RoughnessParams {
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(road_class), About{"", "class of ISO 8608, at the middle of its range"});
-        field(TREAD_FIELD(unevenness),
-              About{"m3", "Gd(n0), displacement PSD at 0.1 cycles/m, instead of that of the class", kNonNegative});
+        field(
+            TREAD_FIELD(unevenness),
+            About{"m3", "Gd(n0), displacement PSD at 0.1 cycles/m, instead of that of the class", kNonNegative}.usually(
+                1e-8, 1));
         field(TREAD_FIELD(waviness), About{"-", "exponent with which the PSD falls", {1, 4}});
         field(TREAD_FIELD(coherence), About{"",
                                             "how alike both wheel paths are: as on a surface that looks the same "
                                             "in every direction, equal, or independent"});
-        field(TREAD_FIELD(track), About{"m", "distance of the wheel paths at which the coherence holds", kPositive});
+        field(TREAD_FIELD(track),
+              About{"m", "distance of the wheel paths at which the coherence holds", kPositive}.usually(0.1, 3));
         field(TREAD_FIELD(seed), About{"",
                                        "seed of the random road; each whole number gives another road of the same kind",
                                        {0, 2147483647}});
-        field(TREAD_FIELD(begin), About{"m", "x where it begins, growing to its full height over 10 m"});
+        field(TREAD_FIELD(begin), About{"m", "x where it begins, growing to its full height over 10 m"}.unjudged());
     }
 };
 static_assert(describesEveryMember<RoughnessParams>());
@@ -142,13 +148,15 @@ struct RoadParams {
     std::optional<HeightField> height_field;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(grade), About{"-", "rise over run along x"});
-        field(TREAD_FIELD(bank), About{"-", "rise over run along y"});
-        field(TREAD_FIELD(crown), About{"-", "fall over run to both sides of the crown"});
-        field(TREAD_FIELD(crown_y), About{"m", "y of the crown"});
-        field(TREAD_FIELD(crown_rounding), About{"m", "distance over which the crown is rounded", kPositive});
-        field(TREAD_FIELD(crown_begin), About{"m", "x where the crown begins, growing over 20 m"});
-        field(TREAD_FIELD(friction), About{"-", "factor on the friction of the tyre files", kNonNegative});
+        field(TREAD_FIELD(grade), About{"-", "rise over run along x"}.usually(-0.6, 0.6));
+        field(TREAD_FIELD(bank), About{"-", "rise over run along y"}.usually(-1.2, 1.2));
+        field(TREAD_FIELD(crown), About{"-", "fall over run to both sides of the crown"}.usually(-0.1, 0.1));
+        field(TREAD_FIELD(crown_y), About{"m", "y of the crown"}.unjudged());
+        field(TREAD_FIELD(crown_rounding),
+              About{"m", "distance over which the crown is rounded", kPositive}.usually(0.01, 50));
+        field(TREAD_FIELD(crown_begin), About{"m", "x where the crown begins, growing over 20 m"}.unjudged());
+        field(TREAD_FIELD(friction),
+              About{"-", "factor on the friction of the tyre files", kNonNegative}.usually(0.02, 2));
         field(TREAD_FIELD(contact_length),
               About{"m",
                     "side of the square over which a tyre averages the obstacles, the roughness and the height "

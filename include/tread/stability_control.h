@@ -31,18 +31,21 @@ struct StabilityControlParams {
               About{"-",
                     "offset of the share of its intervention that reaches the brakes: 1 when enabled, else 0",
                     {-1, 1}});
-        field(TREAD_FIELD(period), About{"s", "sample period of the controller", kPositive});
+        field(TREAD_FIELD(period), About{"s", "sample period of the controller", kPositive}.usually(1e-4, 0.1));
         field(TREAD_FIELD(understeer_gradient),
               About{"rad s2/m", "understeer gradient of the reference: road-wheel angle per lateral acceleration",
-                    kNonNegative});
+                    kNonNegative}
+                  .usually(0, 0.02));
         field(TREAD_FIELD(lateral_acceleration_limit),
-              About{"m/s2", "lateral acceleration that limits the reference yaw rate (friction)", kPositive});
-        field(TREAD_FIELD(lag), About{"s", "time constant of the reference", kNonNegative});
-        field(TREAD_FIELD(threshold), About{"rad/s", "tolerated yaw-rate error", kNonNegative});
+              About{"m/s2", "lateral acceleration that limits the reference yaw rate (friction)", kPositive}.usually(
+                  1, 30));
+        field(TREAD_FIELD(lag), About{"s", "time constant of the reference", kNonNegative}.usually(0, 1));
+        field(TREAD_FIELD(threshold), About{"rad/s", "tolerated yaw-rate error", kNonNegative}.usually(0, 1));
         field(TREAD_FIELD(gain),
-              About{"N m s/rad", "brake torque per yaw-rate error beyond the threshold", kNonNegative});
-        field(TREAD_FIELD(largest), About{"N m", "largest brake torque that it applies", kNonNegative});
-        field(TREAD_FIELD(lowest_speed), About{"m/s", "speed below which it does not intervene", kPositive});
+              About{"N m s/rad", "brake torque per yaw-rate error beyond the threshold", kNonNegative}.usually(0, 1e6));
+        field(TREAD_FIELD(largest), About{"N m", "largest brake torque that it applies", kNonNegative}.usually(0, 1e5));
+        field(TREAD_FIELD(lowest_speed),
+              About{"m/s", "speed below which it does not intervene", kPositive}.usually(0.1, 30));
     }
 };
 static_assert(describesEveryMember<StabilityControlParams>());

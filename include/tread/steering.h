@@ -34,33 +34,48 @@ struct SteeringParams {
     static constexpr double kLongestDelay = 0.2;  // s
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(ratio), About{"-", "steering-wheel angle over mean road-wheel angle", kPositive, 0.02});
+        field(TREAD_FIELD(ratio),
+              About{"-", "steering-wheel angle over mean road-wheel angle", kPositive, 0.02}.usually(0.5, 40));
         field(TREAD_FIELD(ratio_curve),
               About{"-", "steering ratio versus steering-wheel angle, both sides alike, in place of ratio", kPositive,
-                    0.02, "rad"});
+                    0.02, "rad"}
+                  .usually(0.5, 40)
+                  .over(0, 20));
         field(TREAD_FIELD(ackermann),
               About{"-", "0: wheels parallel, 1: both wheels tangent to circles about the rear axle's extension", kAny,
-                    0.2});
+                    0.2}
+                  .usually(-2, 3));
         field(TREAD_FIELD(delay),
               About{"s", "delay of the steering wheel behind the driver's angle", {0, kLongestDelay}});
-        field(TREAD_FIELD(lag),
-              About{"s", "time constant with which the steering wheel follows the driver's angle", kNonNegative});
+        field(
+            TREAD_FIELD(lag),
+            About{"s", "time constant with which the steering wheel follows the driver's angle", kNonNegative}.usually(
+                0, 0.5));
         field(TREAD_FIELD(play),
               About{"rad", "angle at the steering wheel, about the centre, over which the wheels do not follow",
-                    kNonNegative});
-        field(TREAD_FIELD(column_compliance),
-              About{"rad/(N m)", "twist of the column over the torque at the steering wheel", kNonNegative, 0.3});
+                    kNonNegative}
+                  .usually(0, 0.7));
+        field(
+            TREAD_FIELD(column_compliance),
+            About{"rad/(N m)", "twist of the column over the torque at the steering wheel", kNonNegative, 0.3}.usually(
+                0, 0.5));
         field(TREAD_FIELD(rack_compliance),
               About{"rad/(N m)", "yielding of both road wheels over the sum of their moments, behind the column",
-                    kNonNegative, 0.3});
+                    kNonNegative, 0.3}
+                  .usually(0, 0.1));
         field(TREAD_FIELD(caster_trail),
-              About{"m", "distance of the contact centre behind the steering axis, for the moments", kAny, 0.2});
-        field(TREAD_FIELD(scrub_radius),
-              About{"m", "distance of the contact centre outside the steering axis, for the moments"});
+              About{"m", "distance of the contact centre behind the steering axis, for the moments", kAny, 0.2}.usually(
+                  -0.1, 0.2));
+        field(
+            TREAD_FIELD(scrub_radius),
+            About{"m", "distance of the contact centre outside the steering axis, for the moments"}.usually(-0.3, 0.3));
         field(TREAD_FIELD(inertia),
-              About{"kg m2", "inertia of the whole steering at the steering wheel, for hands off", kPositive, 0.3});
-        field(TREAD_FIELD(damping), About{"N m s/rad", "damping at the steering wheel", kNonNegative, 0.3});
-        field(TREAD_FIELD(friction), About{"N m", "dry friction at the steering wheel", kNonNegative, 0.3});
+              About{"kg m2", "inertia of the whole steering at the steering wheel, for hands off", kPositive, 0.3}
+                  .usually(1e-6, 5));
+        field(TREAD_FIELD(damping),
+              About{"N m s/rad", "damping at the steering wheel", kNonNegative, 0.3}.usually(0, 20));
+        field(TREAD_FIELD(friction),
+              About{"N m", "dry friction at the steering wheel", kNonNegative, 0.3}.usually(0, 20));
     }
 
     static void check(const auto& self, auto&& complain) {

@@ -16,17 +16,21 @@ struct DamperParams {
     double friction = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(bump), About{"N s/m", "damping in compression", kNonNegative, 0.1});
-        field(TREAD_FIELD(rebound), About{"N s/m", "damping in extension", kNonNegative, 0.1});
+        field(TREAD_FIELD(bump), About{"N s/m", "damping in compression", kNonNegative, 0.1}.usually(0.5, 1e5));
+        field(TREAD_FIELD(rebound), About{"N s/m", "damping in extension", kNonNegative, 0.1}.usually(0.5, 1e5));
         field(TREAD_FIELD(bump_curve), About{"N",
                                              "force over the speed of compression, in place of bump; goes on beyond "
                                              "its last point with its last slope",
-                                             kNonNegative, 0.1, "m/s"});
+                                             kNonNegative, 0.1, "m/s"}
+                                           .usually(0, 1e5)
+                                           .over(0, 10));
         field(TREAD_FIELD(rebound_curve), About{"N",
                                                 "force over the speed of extension, in place of rebound; goes on "
                                                 "beyond its last point with its last slope",
-                                                kNonNegative, 0.1, "m/s"});
-        field(TREAD_FIELD(friction), About{"N", "dry friction", kNonNegative, 0.3});
+                                                kNonNegative, 0.1, "m/s"}
+                                              .usually(0, 1e5)
+                                              .over(0, 10));
+        field(TREAD_FIELD(friction), About{"N", "dry friction", kNonNegative, 0.3}.usually(0, 5000));
     }
 
     static void check(const auto& self, auto&& complain) {
@@ -52,10 +56,12 @@ struct StopParams {
     double progression = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(clearance), About{"m", "travel from the static position to the stop", kNonNegative});
-        field(TREAD_FIELD(stiffness), About{"N/m", "stiffness at first contact with the stop", kNonNegative, 0.3});
+        field(TREAD_FIELD(clearance),
+              About{"m", "travel from the static position to the stop", kNonNegative}.usually(0.0005, 1));
+        field(TREAD_FIELD(stiffness),
+              About{"N/m", "stiffness at first contact with the stop", kNonNegative, 0.3}.usually(100, 1e7));
         field(TREAD_FIELD(progression),
-              About{"N/m2", "increase of the force with deflection squared", kNonNegative, 0.3});
+              About{"N/m2", "increase of the force with deflection squared", kNonNegative, 0.3}.usually(0, 1e10));
     }
 };
 static_assert(describesEveryMember<StopParams>());
@@ -82,41 +88,55 @@ struct SuspensionParams {
     double longitudinal_damping = 1000;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(spring), About{"N/m", "spring rate at the wheel", kPositive, 0.05});
+        field(TREAD_FIELD(spring), About{"N/m", "spring rate at the wheel", kPositive, 0.05}.usually(100, 2e6));
         field(TREAD_FIELD(spring_curve), About{"N",
                                                "spring force beyond the static one over compression, in place of "
                                                "spring; goes on beyond its ends with their slopes",
-                                               kAny, 0.05, "m"});
+                                               kAny, 0.05, "m"}
+                                             .usually(-1e6, 1e6)
+                                             .over(-1, 1));
         field(TREAD_FIELD(damper), About{"", "damper"});
         field(TREAD_FIELD(anti_roll_bar),
               About{"N/m", "anti-roll bar: force per wheel over the difference of left and right travel", kNonNegative,
-                    0.1});
+                    0.1}
+                  .usually(10, 1e6));
         field(TREAD_FIELD(bump_stop), About{"", "stop in compression"});
         field(TREAD_FIELD(rebound_stop), About{"", "stop in extension"});
-        field(TREAD_FIELD(roll_centre_height), About{"m", "height of the roll centre above the road", kAny, 0.2});
+        field(TREAD_FIELD(roll_centre_height),
+              About{"m", "height of the roll centre above the road", kAny, 0.2}.usually(-0.5, 1.2));
         field(TREAD_FIELD(side_view_slope_braking), About{"-",
                                                           "forward movement of the contact point over compression, "
                                                           "brake locked to the hub (anti-dive, anti-lift)",
-                                                          kAny, 0.3});
-        field(TREAD_FIELD(side_view_slope_driving),
-              About{"-", "forward movement of the wheel centre over compression (anti-squat)", kAny, 0.3});
-        field(TREAD_FIELD(camber), About{"rad", "static camber, positive when the top leans outwards"});
-        field(TREAD_FIELD(camber_by_travel), About{"rad/m", "change of camber over compression", kAny, 0.2});
-        field(TREAD_FIELD(toe), About{"rad", "static toe of each wheel, positive toe-in"});
-        field(TREAD_FIELD(toe_by_travel), About{"rad/m", "change of toe over compression", kAny, 0.2});
-        field(TREAD_FIELD(steer_by_lateral_force),
-              About{"rad/N", "compliance steer of a wheel by its lateral force; negative understeers in front", kAny,
-                    0.2});
+                                                          kAny, 0.3}
+                                                        .usually(-1, 1));
+        field(
+            TREAD_FIELD(side_view_slope_driving),
+            About{"-", "forward movement of the wheel centre over compression (anti-squat)", kAny, 0.3}.usually(-1, 1));
+        field(TREAD_FIELD(camber),
+              About{"rad", "static camber, positive when the top leans outwards"}.usually(-0.2, 0.2));
+        field(TREAD_FIELD(camber_by_travel),
+              About{"rad/m", "change of camber over compression", kAny, 0.2}.usually(-10, 10));
+        field(TREAD_FIELD(toe), About{"rad", "static toe of each wheel, positive toe-in"}.usually(-0.1, 0.1));
+        field(TREAD_FIELD(toe_by_travel), About{"rad/m", "change of toe over compression", kAny, 0.2}.usually(-3, 3));
+        field(
+            TREAD_FIELD(steer_by_lateral_force),
+            About{"rad/N", "compliance steer of a wheel by its lateral force; negative understeers in front", kAny, 0.2}
+                .usually(-0.005, 0.005));
         field(TREAD_FIELD(steer_by_aligning_moment),
-              About{"rad/(N m)", "compliance steer of a wheel by its aligning moment", kNonNegative});
+              About{"rad/(N m)", "compliance steer of a wheel by its aligning moment", kNonNegative}.usually(0, 0.5));
         field(TREAD_FIELD(steer_by_longitudinal_force),
-              About{"rad/N", "toe-in of a wheel by its longitudinal force, positive when driving toes in"});
+              About{"rad/N", "toe-in of a wheel by its longitudinal force, positive when driving toes in"}.usually(
+                  -0.005, 0.005));
         field(TREAD_FIELD(camber_by_lateral_force),
-              About{"rad/N", "compliance camber of a wheel by its lateral force, positive when the top leans away"});
-        field(TREAD_FIELD(longitudinal_compliance),
-              About{"m/N", "recession of a wheel against the body by its longitudinal force", kNonNegative, 0.3});
+              About{"rad/N", "compliance camber of a wheel by its lateral force, positive when the top leans away"}
+                  .usually(-0.005, 0.005));
+        field(
+            TREAD_FIELD(longitudinal_compliance),
+            About{"m/N", "recession of a wheel against the body by its longitudinal force", kNonNegative, 0.3}.usually(
+                0, 0.001));
         field(TREAD_FIELD(longitudinal_damping),
-              About{"N s/m", "damping of that recession; without effect on a rigid suspension", kNonNegative, 0.5});
+              About{"N s/m", "damping of that recession; without effect on a rigid suspension", kNonNegative, 0.5}
+                  .usually(0.1, 1e5));
     }
 
     static void check(const auto& self, auto&& complain) {

@@ -25,8 +25,9 @@ struct TyrePressureParams {
     double cornering_peak_load = 0.5;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(inflation), About{"Pa", "inflation pressure", kPositive, 0.05});
-        field(TREAD_FIELD(nominal), About{"Pa", "pressure at which the tyre was measured", kPositive});
+        field(TREAD_FIELD(inflation), About{"Pa", "inflation pressure", kPositive, 0.05}.usually(2e4, 1.2e6));
+        field(TREAD_FIELD(nominal),
+              About{"Pa", "pressure at which the tyre was measured", kPositive}.usually(2e4, 1.2e6));
         field(TREAD_FIELD(radial_stiffness),
               About{"-", "relative change of the radial stiffness over that of the pressure", {-1, 1}});
         field(TREAD_FIELD(slip_stiffness),
@@ -64,19 +65,25 @@ struct TyreTemperatureParams {
     double stiffness = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(nominal), About{"K", "temperature at which the tyre was measured", kPositive});
-        field(TREAD_FIELD(start), About{"K", "temperature at the start", kPositive});
-        field(TREAD_FIELD(air), About{"K", "temperature of the air", kPositive});
+        field(TREAD_FIELD(nominal),
+              About{"K", "temperature at which the tyre was measured", kPositive}.usually(230, 420));
+        field(TREAD_FIELD(start), About{"K", "temperature at the start", kPositive}.usually(230, 420));
+        field(TREAD_FIELD(air), About{"K", "temperature of the air", kPositive}.usually(230, 340));
         field(TREAD_FIELD(heat_capacity),
-              About{"J/K", "heat capacity of the tread; 0: the tyre keeps its temperature", kNonNegative, 0.3});
+              About{"J/K", "heat capacity of the tread; 0: the tyre keeps its temperature", kNonNegative, 0.3}.usually(
+                  1, 1e6));
         field(TREAD_FIELD(slip_share), About{"-", "share of the slip power that heats the tyre", kFraction, 0.3});
-        field(TREAD_FIELD(cooling), About{"W/K", "heat given to the air and the road at rest", kNonNegative, 0.3});
+        field(TREAD_FIELD(cooling),
+              About{"W/K", "heat given to the air and the road at rest", kNonNegative, 0.3}.usually(0, 500));
         field(TREAD_FIELD(cooling_by_speed),
-              About{"W s/(K m)", "increase of the cooling with speed", kNonNegative, 0.3});
-        field(TREAD_FIELD(friction), About{"1/K", "relative change of the friction over temperature"});
+              About{"W s/(K m)", "increase of the cooling with speed", kNonNegative, 0.3}.usually(0, 100));
+        field(TREAD_FIELD(friction),
+              About{"1/K", "relative change of the friction over temperature"}.usually(-0.05, 0.05));
         field(TREAD_FIELD(friction_squared),
-              About{"1/K2", "relative change of the friction over temperature squared; negative: a best temperature"});
-        field(TREAD_FIELD(stiffness), About{"1/K", "relative change of the slip stiffnesses over temperature"});
+              About{"1/K2", "relative change of the friction over temperature squared; negative: a best temperature"}
+                  .usually(-0.005, 0.005));
+        field(TREAD_FIELD(stiffness),
+              About{"1/K", "relative change of the slip stiffnesses over temperature"}.usually(-0.05, 0.05));
     }
 };
 static_assert(describesEveryMember<TyreTemperatureParams>());

@@ -35,10 +35,13 @@ struct InertiaParams {
     double roll_yaw = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(roll), About{"kg m2", "moment of inertia about the longitudinal axis", kPositive, 0.05});
-        field(TREAD_FIELD(pitch), About{"kg m2", "moment of inertia about the lateral axis", kPositive, 0.05});
-        field(TREAD_FIELD(yaw), About{"kg m2", "moment of inertia about the vertical axis", kPositive, 0.03});
-        field(TREAD_FIELD(roll_yaw), About{"kg m2", "product of inertia, integral of x z dm"});
+        field(TREAD_FIELD(roll),
+              About{"kg m2", "moment of inertia about the longitudinal axis", kPositive, 0.05}.usually(0.0002, 1e5));
+        field(TREAD_FIELD(pitch),
+              About{"kg m2", "moment of inertia about the lateral axis", kPositive, 0.05}.usually(0.0005, 1e6));
+        field(TREAD_FIELD(yaw),
+              About{"kg m2", "moment of inertia about the vertical axis", kPositive, 0.03}.usually(0.0005, 1e6));
+        field(TREAD_FIELD(roll_yaw), About{"kg m2", "product of inertia, integral of x z dm"}.usually(-2e4, 2e4));
     }
 };
 static_assert(describesEveryMember<InertiaParams>());
@@ -54,13 +57,17 @@ struct LoadParams {
     bool none() const { return mass == 0 && moment_x == 0 && moment_y == 0 && moment_z == 0; }
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(mass), About{"kg", "mass of the load; negative: taken out of the car"});
-        field(TREAD_FIELD(x), About{"m", "place of the load forward of the centre of gravity of the car without it"});
-        field(TREAD_FIELD(y), About{"m", "place of the load left of this centre of gravity"});
-        field(TREAD_FIELD(z), About{"m", "place of the load above this centre of gravity"});
-        field(TREAD_FIELD(moment_x), About{"kg m", "forward moment of mass, in addition to mass times x"});
-        field(TREAD_FIELD(moment_y), About{"kg m", "moment of mass to the left, in addition to mass times y"});
-        field(TREAD_FIELD(moment_z), About{"kg m", "upward moment of mass, in addition to mass times z"});
+        field(TREAD_FIELD(mass), About{"kg", "mass of the load; negative: taken out of the car"}.usually(-2000, 30000));
+        field(TREAD_FIELD(x),
+              About{"m", "place of the load forward of the centre of gravity of the car without it"}.usually(-10, 10));
+        field(TREAD_FIELD(y), About{"m", "place of the load left of this centre of gravity"}.usually(-1.5, 1.5));
+        field(TREAD_FIELD(z), About{"m", "place of the load above this centre of gravity"}.usually(-3, 3));
+        field(TREAD_FIELD(moment_x),
+              About{"kg m", "forward moment of mass, in addition to mass times x"}.usually(-1e5, 1e5));
+        field(TREAD_FIELD(moment_y),
+              About{"kg m", "moment of mass to the left, in addition to mass times y"}.usually(-3e4, 3e4));
+        field(TREAD_FIELD(moment_z),
+              About{"kg m", "upward moment of mass, in addition to mass times z"}.usually(-5e4, 5e4));
         field(TREAD_FIELD(levelled),
               About{"", "the suspension levels the car: it keeps its height, while springs alone sink under the load"});
     }
@@ -78,10 +85,14 @@ struct WheelParams {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(tyre), About{"", "tyre of this wheel alone, or the file that describes it"});
         field(TREAD_FIELD(tyre_surroundings), About{"", "conditions of the tyre of this wheel alone"});
-        field(TREAD_FIELD(stiffness), About{"-", "factor on the slip stiffness of the tyre of this wheel", kPositive});
-        field(TREAD_FIELD(grip), About{"-", "factor on the friction of the tyre of this wheel", kPositive});
-        field(TREAD_FIELD(brake_drag),
-              About{"N m", "torque of the brake of this wheel with the pedal released (it drags)", kNonNegative});
+        field(TREAD_FIELD(stiffness),
+              About{"-", "factor on the slip stiffness of the tyre of this wheel", kPositive}.usually(0.1, 5));
+        field(TREAD_FIELD(grip),
+              About{"-", "factor on the friction of the tyre of this wheel", kPositive}.usually(0.02, 3));
+        field(
+            TREAD_FIELD(brake_drag),
+            About{"N m", "torque of the brake of this wheel with the pedal released (it drags)", kNonNegative}.usually(
+                0, 2000));
     }
 };
 static_assert(describesEveryMember<WheelParams>());
@@ -97,10 +108,14 @@ struct AxleParams {
     WheelParams right;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(track), About{"m", "distance between the contact points of both wheels", kPositive, 0.01});
-        field(TREAD_FIELD(unsprung_mass), About{"kg", "mass that moves with one wheel", kPositive, 0.1});
-        field(TREAD_FIELD(wheel_inertia),
-              About{"kg m2", "moment of inertia of one wheel with tyre and disc about its axis", kPositive, 0.1});
+        field(TREAD_FIELD(track),
+              About{"m", "distance between the contact points of both wheels", kPositive, 0.01}.usually(0.04, 3));
+        field(TREAD_FIELD(unsprung_mass),
+              About{"kg", "mass that moves with one wheel", kPositive, 0.1}.usually(0.005, 1000));
+        field(
+            TREAD_FIELD(wheel_inertia),
+            About{"kg m2", "moment of inertia of one wheel with tyre and disc about its axis", kPositive, 0.1}.usually(
+                1e-6, 60));
         field(TREAD_FIELD(suspension), About{"", "suspension"});
         field(TREAD_FIELD(tyre), About{"", "tyre, or the file that describes it"});
         field(TREAD_FIELD(tyre_surroundings),
@@ -135,11 +150,13 @@ struct VehicleParams {
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(name), About{"", "name of the car"});
-        field(TREAD_FIELD(mass), About{"kg", "mass of the whole car with its load", kPositive, 0.02});
+        field(TREAD_FIELD(mass),
+              About{"kg", "mass of the whole car with its load", kPositive, 0.02}.usually(0.5, 50000));
         field(TREAD_FIELD(inertia), About{"", "moments of inertia of the whole car about its centre of gravity"});
-        field(TREAD_FIELD(wheelbase), About{"m", "distance between the axles", kPositive, 0.005});
-        field(TREAD_FIELD(front_axle_distance),
-              About{"m", "distance from the front axle back to the centre of gravity", kPositive, 0.02});
+        field(TREAD_FIELD(wheelbase), About{"m", "distance between the axles", kPositive, 0.005}.usually(0.1, 10));
+        field(
+            TREAD_FIELD(front_axle_distance),
+            About{"m", "distance from the front axle back to the centre of gravity", kPositive, 0.02}.usually(0.03, 8));
         field(TREAD_FIELD(lateral_offset),
               About{"m",
                     "distance of the centre of gravity left of the middle of the tracks (uneven load); the car stands "
@@ -149,7 +166,8 @@ struct VehicleParams {
                                                            .meaning = "height of the centre of gravity above the road",
                                                            .limits = kPositive,
                                                            .tolerance = 0.05,
-                                                           .old_name = "height"});
+                                                           .old_name = "height"}
+                                                         .usually(0.02, 3));
         field(TREAD_FIELD(load),
               About{"",
                     "load in addition to the numbers above; ride height and the point to which the chassis channels "

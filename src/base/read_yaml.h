@@ -5,7 +5,8 @@
 // A bare number is SI; "1480 mm" or 4.5 deg are converted to the described unit. A key that is absent leaves the
 // default; a number without default must be given. A struct may have
 //   static void check(const auto& self, auto&& complain);
-//       rules across fields: complain("bump", "found ..., expected ..."); asked only when the fields are fine
+//       rules across fields: complain("bump", "found ..., expected ..."); a complaint that names a field which is
+//       faulty itself does not count, so a rule names the fields that it compares
 //   static constexpr bool kIncludable = true;
 //       the name of a file, relative to the including one, may stand for the struct
 // and, declared beside its definition so that every reader of the type sees it,
@@ -57,15 +58,35 @@ void readFields(const YamlReader& reader, const YamlPlace& place, T& object) {
     const std::size_t faults_before = reader.faults();
     YamlFields fields(reader, place);
     if (!fields.readable()) return;
-    T::describe(object, [&](std::string_view name, auto& value, const About& about) {
-        readValue(reader, fields.take(name, about.old_name), value, about);
-    });
+    T::describe(object,
+                [&](std::string_view name, const auto&, const About& about) { fields.know(name, about.old_name); });
     fields.rejectUnknown();
+    T::describe(object, [&](std::string_view name, auto& value, const About& about) {
+        readValue(reader, fields.find(name), value, about);
+    });
     if constexpr (Checked<T>) {
-        if (reader.faults() != faults_before) return;
-        T::check(std::as_const(object),
-                 [&](std::string_view field, std::string text) { fields.complain(field, std::move(text)); });
+        const std::vector<std::string> faulty = reader.faultyNames(faults_before, place.path);
+        T::check(std::as_const(object), [&](std::string_view field, std::string text) {
+            if (!namesAny(faulty, field, text)) fields.complain(field, std::move(text));
+        });
     }
+}
+
+// The same for a struct that the file may not give at all: then what it requires is one fault.
+template <Described T>
+void readPart(const YamlReader& reader, const YamlPlace& place, T& object) {
+    const std::size_t faults_before = reader.faults();
+    readFields(reader, place, object);
+    if (!place.node) reader.gatherMissing(place, faults_before);
+}
+
+// Whether an included file is of another kind altogether: most of its keys are none of the fields.
+template <Described T>
+bool isAnotherKind(const YamlReader& reader, const YamlPlace& place, const YamlDocument& document, const T& object) {
+    if (!place.node) return false;
+    std::vector<std::string_view> names;
+    T::describe(object, [&](std::string_view name, const auto&, const About&) { names.push_back(name); });
+    return reader.rejectsKind(place, document, names);
 }
 
 // Looks once more at an object that was filled by other means than YAML: what is missing or beyond its limits?
@@ -91,7 +112,7 @@ void readFile(const YamlReader& reader, const YamlPlace& place, const std::files
         }
     }
     const auto document = openYaml(reader, place, file);
-    if (!document) return;
+    if (!document || isAnotherKind(reader, place, *document, object)) return;
     const YamlReader inner(session, *document);
     readFields(inner, inner.root(place.path), object);
 }
@@ -114,7 +135,7 @@ void readVariant(const YamlReader& reader, const YamlPlace& place, std::variant<
     constexpr std::array<std::string_view, sizeof...(T)> kNames{T::kName...};
     if (const auto given = reader.alternative(place, kNames)) {
         const auto tryOne = [&]<class Alternative>(std::size_t index, std::type_identity<Alternative>) {
-            if (index == given->index) readFields(reader, given->place, variant.template emplace<Alternative>());
+            if (index == given->index) readPart(reader, given->place, variant.template emplace<Alternative>());
         };
         std::size_t index = 0;
         (tryOne(index++, std::type_identity<T>{}), ...);
@@ -156,20 +177,30 @@ void readValue(const YamlReader& reader, const YamlPlace& place, T& value, const
                 return;
             }
         }
-        readFields(reader, place, value);
+        readPart(reader, place, value);
     }
 }
 
 }  // namespace detail
 
-// The object that a file describes. Throws LoadError with every fault of the file and of the files that it includes.
+// The object that a file describes, as far as the file is sound; its faults and those of the files that it includes are
+// added to `problems`. For readers that look for further faults: they throw (throwIfAny) when they have them all.
 template <Described T>
-T readYaml(const std::filesystem::path& file) {
+T readYaml(const std::filesystem::path& file, std::vector<Problem>& problems) {
     YamlSession session;
     const YamlDocument nothing{file.string(), {}};
     T object{};
     detail::readFile(YamlReader(session, nothing), {}, file, object);
-    throwIfAny(std::move(session.problems));
+    problems.insert(problems.end(), session.problems.begin(), session.problems.end());
+    return object;
+}
+
+// The object that a file describes. Throws LoadError with every fault of the file and of the files that it includes.
+template <Described T>
+T readYaml(const std::filesystem::path& file) {
+    std::vector<Problem> problems;
+    T object = readYaml<T>(file, problems);
+    throwIfAny(std::move(problems));
     return object;
 }
 

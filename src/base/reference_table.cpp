@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/implausible.h"
 #include "base/number_text.h"
 
 namespace tread::detail {
 
 void ReferenceRows::add(const std::string& path, const About& about, std::string limits, std::string default_text) {
     rows.push_back({path, std::string(about.unit), std::string(about.meaning), std::move(limits),
-                    std::move(default_text), about.tolerance});
+                    std::move(default_text), about.tolerance, usualText(about.usual)});
 }
 
 bool ReferenceRows::opens(std::type_index type) {

@@ -21,9 +21,10 @@ struct ReferenceRow {
     std::string path;  // "front.damper.bump"; "gears.0" for the elements of a list
     std::string unit;
     std::string meaning;
-    std::string limits;        // "at least 0"; the names of an enum; empty when every value is allowed
-    std::string default_text;  // "required" when the file must say
-    double tolerance = 0;      // as in About
+    std::string limits;          // "at least 0"; the names of an enum; empty when every value is allowed
+    std::string default_text;    // "required" when the file must say
+    double tolerance = 0;        // as in About
+    std::string plausible = {};  // "0.02 to 3"; empty when the description says none
 };
 
 namespace detail {

@@ -39,6 +39,14 @@ std::optional<Setting> parseSetting(std::string_view assignment, std::string_vie
     return Setting{path, {std::string(what), {{kind, std::string(value), false, 0, 0, {}}}}};
 }
 
+std::vector<std::string> lastNames(const std::vector<Problem>& problems) {
+    std::vector<std::string> names;
+    for (const Problem& problem : problems) {
+        if (!problem.path.empty()) names.push_back(lastName(problem.path));
+    }
+    return names;
+}
+
 std::size_t elementIndex(std::string_view name, std::size_t size) {
     std::size_t index = 0;
     const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);

@@ -35,6 +35,9 @@ std::optional<Setting> parseSetting(std::string_view assignment, std::string_vie
 // Index of an element; `size` when the name is not one.
 std::size_t elementIndex(std::string_view name, std::size_t size);
 
+// The last names of the paths of faults.
+std::vector<std::string> lastNames(const std::vector<Problem>& problems);
+
 std::string unknownPathText(const std::string& path, const std::vector<ReferenceRow>& known, PathListing listing);
 
 // Calls `visit(field, about, its path)` for the field at the path; false when there is none. The path may have old
@@ -74,7 +77,8 @@ bool visitField(T& value, std::string_view path, const About& about, const Visit
 
 }  // namespace detail
 
-// Sets fields one after the other, then looks at the whole object again: rules across fields see all new values.
+// Sets fields one after the other, then looks at the whole object again: rules across fields see all new values. A rule
+// that is broken does not count when a setting of a field that it names is faulty.
 // Throws LoadError, naming `what` ("--set") in place of a file, and then leaves the object as it was.
 template <Described T>
 void applySettings(T& object, std::span<const std::string> assignments, std::string_view what, PathListing listing) {
@@ -95,8 +99,6 @@ void applySettings(T& object, std::span<const std::string> assignments, std::str
         const bool found = detail::visitField(changed, setting->path, About{}, read);
         if (!found) reader.complain(place, detail::unknownPathText(setting->path, referenceTable<T>(), listing));
     }
-    throwIfAny(session.problems);
-
     // An object that was incomplete before may remain so.
     const auto gapsOf = [&](T copy) {
         YamlSession check;
@@ -105,9 +107,13 @@ void applySettings(T& object, std::span<const std::string> assignments, std::str
     };
     std::vector<Problem> gaps = gapsOf(changed);
     const std::vector<Problem> before = gapsOf(object);
-    std::erase_if(gaps,
-                  [&](const Problem& gap) { return std::find(before.begin(), before.end(), gap) != before.end(); });
-    throwIfAny(std::move(gaps));
+    const std::vector<std::string> faulty = detail::lastNames(session.problems);
+    std::erase_if(gaps, [&](const Problem& gap) {
+        return std::find(before.begin(), before.end(), gap) != before.end() ||
+               namesAny(faulty, lastName(gap.path), gap.text);
+    });
+    session.problems.insert(session.problems.end(), gaps.begin(), gaps.end());
+    throwIfAny(std::move(session.problems));
     object = std::move(changed);
 }
 

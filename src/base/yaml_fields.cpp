@@ -44,10 +44,9 @@ YamlPlace YamlFields::find(std::string_view name) const {
     return reader_.child(place_, key->second + 1, name);
 }
 
-YamlPlace YamlFields::take(std::string_view name, std::string_view old_name) {
+void YamlFields::know(std::string_view name, std::string_view old_name) {
     known_.push_back(name);
     if (!old_name.empty()) takeOldKey(name, old_name);
-    return find(name);
 }
 
 // From here on the old key counts as the new one.
@@ -61,9 +60,13 @@ void YamlFields::takeOldKey(std::string_view name, std::string_view old_name) {
     reader_.complain({&key, key.line, key.column, place_.path}, sameFieldTwice(old_name, name));
 }
 
-void YamlFields::rejectUnknown() const {
+void YamlFields::rejectUnknown() {
+    std::vector<std::pair<std::size_t, std::string_view>> unknown;  // in the order of the file
     for (const auto& [name, index] : keys_) {
-        if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
+        if (std::find(known_.begin(), known_.end(), name) == known_.end()) unknown.emplace_back(index, name);
+    }
+    std::sort(unknown.begin(), unknown.end());
+    for (const auto& [index, name] : unknown) {
         if (reader_.faults() > kMostProblems) return;
         const YamlNode& key = reader_.document_.nodes[place_.node->children[index]];
         std::string advice = didYouMean(name, known_);
@@ -72,6 +75,7 @@ void YamlFields::rejectUnknown() const {
             advice = known_.size() > kFewNames ? "; correct or remove it" : "; write one of " + listed(known_);
         reader_.complain({&key, key.line, key.column, place_.path},
                          "found the unknown key " + quote(name) + ", expected the name of a field" + advice);
+        if (const auto meant = closest(name, known_)) keys_.emplace(*meant, index);
     }
 }
 

@@ -21,17 +21,20 @@ public:
     // False when something else stands where the map should be.
     bool readable() const { return readable_; }
 
-    // The value of a field; marks its key as known. `old_name` may stand in place of the name, not beside it.
-    YamlPlace take(std::string_view name, std::string_view old_name = {});
+    // Marks the key of a field as known. `old_name` may stand in place of the name, not beside it.
+    void know(std::string_view name, std::string_view old_name = {});
 
-    // Complains about the keys that no field took.
-    void rejectUnknown() const;
+    // Complains about the keys that are not known. One that is the mistyped name of a field counts as that field from
+    // here on: its value is looked at, and the field is not missed.
+    void rejectUnknown();
+
+    // The value of a field.
+    YamlPlace find(std::string_view name) const;
 
     // Complains about a field, "bump" or "front.bump", where it stands.
     void complain(std::string_view field, std::string text) const;
 
 private:
-    YamlPlace find(std::string_view name) const;
     void takeOldKey(std::string_view name, std::string_view old_name);
 
     const YamlReader& reader_;

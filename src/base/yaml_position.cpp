@@ -22,28 +22,40 @@ const YamlNode* childOf(const YamlDocument& document, const YamlNode& parent, st
     return nullptr;
 }
 
-// The value of a path; nothing when the file does not say it.
-std::optional<YamlNode> valueAt(const std::string& file, std::string_view path) {
+constexpr int kMostFiles = 8;  // that name one another: a car, an axle, a tyre; ends a circle
+
+std::optional<WrittenValue> written(const std::string& file, std::string_view path, int files_left) {
+    std::string fault;
+    std::vector<Problem> problems;
+    const auto text = readTextFile(file, fault);
+    const auto document = text ? parseYaml(*text, file, problems) : std::nullopt;
+    const YamlNode* node = document ? &document->root() : nullptr;
+    while (node && !path.empty()) {
+        if (node->kind == YamlNode::Kind::scalar) {
+            if (files_left == 0 || node->text.empty()) return {};
+            const auto included = (std::filesystem::path(file).parent_path() / node->text).lexically_normal();
+            return written(included.string(), path, files_left - 1);
+        }
+        node = childOf(*document, *node, takeName(path));
+    }
+    if (!node) return {};
+    return WrittenValue{file, {node->line, node->column}, node->text};
+}
+
+}  // namespace
+
+std::optional<WrittenValue> writtenValue(const std::string& file, std::string_view path) {
+    return written(file, path, kMostFiles);
+}
+
+TextPosition positionOfValue(const std::string& file, std::string_view path) {
     std::string fault;
     std::vector<Problem> problems;
     const auto text = readTextFile(file, fault);
     const auto document = text ? parseYaml(*text, file, problems) : std::nullopt;
     const YamlNode* node = document ? &document->root() : nullptr;
     while (node && !path.empty()) node = childOf(*document, *node, takeName(path));
-    return node ? std::optional(*node) : std::nullopt;
-}
-
-}  // namespace
-
-TextPosition positionOfValue(const std::string& file, std::string_view path) {
-    const auto node = valueAt(file, path);
     return node ? TextPosition{node->line, node->column} : TextPosition{0, 0};
-}
-
-std::optional<std::string> writtenValue(const std::string& file, std::string_view path) {
-    const auto node = valueAt(file, path);
-    if (!node || node->kind != YamlNode::Kind::scalar) return {};
-    return node->text;
 }
 
 }  // namespace tread

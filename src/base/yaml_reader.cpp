@@ -33,11 +33,6 @@ std::string unitName(std::string_view unit) {
     return unit.empty() || unit == "-" ? "a pure number" : "a number in " + std::string(unit);
 }
 
-std::string lastName(const std::string& path) {
-    const std::size_t dot = path.rfind('.');
-    return dot == std::string::npos ? path : path.substr(dot + 1);
-}
-
 }  // namespace
 
 YamlPlace YamlReader::root(const std::string& path) const {

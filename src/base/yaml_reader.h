@@ -35,6 +35,14 @@ public:
     YamlPlace root(const std::string& path) const;
     void complain(const YamlPlace& place, std::string text) const;
 
+    // The names along the paths of the faults since there were so many, as far as they lie behind `path`.
+    std::vector<std::string> faultyNames(std::size_t faults_before, std::string_view path) const;
+    // Makes one fault of several that an absent struct gave rise to.
+    void gatherMissing(const YamlPlace& place, std::size_t faults_before) const;
+    // Complains at `place`, which names the document's file, when most of its keys are none of the names.
+    bool rejectsKind(const YamlPlace& place, const YamlDocument& document,
+                     std::span<const std::string_view> names) const;
+
     // Each leaves the value alone when it is absent or wrong; a number without default must not be absent.
     void number(const YamlPlace& place, const About& about, double& value) const;
     void wholeNumber(const YamlPlace& place, const About& about, int& value) const;
@@ -75,6 +83,9 @@ private:
     YamlSession& session_;
     const YamlDocument& document_;
 };
+
+// Whether a complaint is about one of the names, or mentions it.
+bool namesAny(std::span<const std::string> names, std::string_view field, std::string_view text);
 
 // Reads and parses a file. When it cannot be read, the fault is at `place`, where the file was named, or concerns the
 // file itself when no other file named it.

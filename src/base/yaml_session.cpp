@@ -12,6 +12,20 @@ OpenFile::OpenFile(YamlSession& session, const std::filesystem::path& file) : se
     session_.open_files.push_back(std::filesystem::weakly_canonical(file, error));
 }
 
+void addFurther(std::vector<Problem>& problems, std::vector<Problem> further) {
+    const std::size_t known = problems.size();
+    const auto within = [](const std::string& inner, const std::string& outer) {
+        return inner == outer || (inner.starts_with(outer) && inner[outer.size()] == '.');
+    };
+    for (Problem& problem : further) {
+        const bool follows = std::any_of(
+            problems.begin(), problems.begin() + static_cast<std::ptrdiff_t>(known), [&](const Problem& before) {
+                return !before.path.empty() && (within(before.path, problem.path) || within(problem.path, before.path));
+            });
+        if (!follows) problems.push_back(std::move(problem));
+    }
+}
+
 void throwIfAny(std::vector<Problem> problems) {
     if (problems.empty()) return;
     // Files in the order in which they came up, each from top to bottom; a file that is included twice is wrong once.

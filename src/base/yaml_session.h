@@ -32,6 +32,9 @@ private:
     YamlSession& session_;
 };
 
+// Adds faults that were found in what had been read; not those of values that were faulty already in the file.
+void addFurther(std::vector<Problem>& problems, std::vector<Problem> further);
+
 // Sorts by position within each file, drops repetitions, throws when anything is left.
 void throwIfAny(std::vector<Problem> problems);
 

@@ -122,7 +122,8 @@ void nameRecordings(DiagnosisFile& diagnosis) {
 }
 
 DiagnosisFile load(const Path& file, const Path& data, bool with_logs) {
-    DiagnosisFile diagnosis = readYaml<DiagnosisFile>(file);
+    std::vector<Problem> problems;
+    DiagnosisFile diagnosis = readYaml<DiagnosisFile>(file, problems);
     const Path folder = file.parent_path();
     diagnosis.vehicle = beside(folder, diagnosis.vehicle);
     diagnosis.import = beside(folder, diagnosis.import);
@@ -134,7 +135,8 @@ DiagnosisFile load(const Path& file, const Path& data, bool with_logs) {
     nameRecordings(diagnosis);
     Faults faults{file};
     judgeNames(faults, diagnosis, with_logs);
-    throwIfAny(std::move(faults.problems));
+    addFurther(problems, std::move(faults.problems));
+    throwIfAny(std::move(problems));
     return diagnosis;
 }
 

@@ -14,6 +14,7 @@ namespace {
 constexpr double kFastest = 200;                         // m/s
 constexpr double kFarthest = 1e6;                        // m
 constexpr double kTipped = 80 * std::numbers::pi / 180;  // rad
+constexpr auto kNumbers = SimulationError::Suspect::numbers;
 
 }  // namespace
 
@@ -31,27 +32,27 @@ void checkHealth(const VehicleOutput& output, double time) {
                 fmt::format("the simulation broke down at t = {:.4g} s: {} is {} (a parameter far from that of "
                             "a real car, or a step that is too long, can do this)",
                             time, number.path, *number.value),
-                time);
+                time, kNumbers);
         }
     }
     if (std::abs(c.roll) > kTipped || std::abs(c.pitch) > kTipped) {
         throw SimulationError(
             fmt::format("the car rolled over at t = {:.4g} s: chassis.roll is {:.0f} deg, chassis.pitch {:.0f} deg",
                         time, c.roll * 180 / std::numbers::pi, c.pitch * 180 / std::numbers::pi),
-            time);
+            time, kNumbers);
     }
     const double speed = std::hypot(c.vx, c.vy, c.vz);
     if (speed > kFastest) {
         throw SimulationError(fmt::format("the car left the bounds of the simulation at t = {:.4g} s: its speed "
                                           "(chassis.vx, vy, vz) is {:.3g} m/s, more than {} m/s",
                                           time, speed, kFastest),
-                              time);
+                              time, kNumbers);
     }
     if (std::hypot(c.x, c.y, c.z) > kFarthest) {
         throw SimulationError(fmt::format("the car left the bounds of the simulation at t = {:.4g} s: it is {:.3g} m "
                                           "from the origin (chassis.x, y, z)",
                                           time, std::hypot(c.x, c.y, c.z)),
-                              time);
+                              time, kNumbers);
     }
 }
 

@@ -130,7 +130,7 @@ Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const
             fmt::format("the simulation broke down before the start, while the car settled on its wheels: its "
                         "acceleration is {} (a parameter far from that of a real car can do this)",
                         rest.acceleration),
-            0);
+            0, SimulationError::Suspect::numbers);
     }
     if (rest.acceleration >= (start.speed > 0 ? kPullsAside : kNoEquilibrium)) {
         throw SimulationError(
@@ -138,7 +138,7 @@ Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const
                 "the car finds no equilibrium to start from: {:.3g} m/s2 are left after settling (does it stand "
                 "on a slope with its brakes off, or on ice?)",
                 rest.acceleration),
-            0);
+            0, SimulationError::Suspect::numbers);
     }
     if (start.speed > 0 && !startsWithoutPedals(scenario) &&
         (rest.throttle < -kThrottleRounding || rest.throttle > 1 + kThrottleRounding)) {

@@ -18,8 +18,12 @@ namespace tread {
 // The simulation could not go on; the rows so far have been handed out.
 class SimulationError : public std::runtime_error {
 public:
-    SimulationError(const std::string& what, double at) : std::runtime_error(what), time(at) {}
+    // What is to be looked at: the manoeuvre, which asks too much; the numbers of the car, which breaks down.
+    enum class Suspect { manoeuvre, numbers };
+    SimulationError(const std::string& what, double at, Suspect of = Suspect::manoeuvre)
+        : std::runtime_error(what), time(at), suspect(of) {}
     double time;  // s
+    Suspect suspect;
 };
 
 // The user stopped the run.

@@ -18,15 +18,20 @@ struct HoldSpeed {
     Curve profile = {};
     bool as_driven = false;
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(speed), About{"m/s", "speed to hold; 0: that at the start of the phase", kNonNegative});
-        field(TREAD_FIELD(proportional), About{"s/m", "throttle over the speed that is missing", kNonNegative});
+        field(TREAD_FIELD(speed),
+              About{"m/s", "speed to hold; 0: that at the start of the phase", kNonNegative}.usually(0, 70));
+        field(TREAD_FIELD(proportional),
+              About{"s/m", "throttle over the speed that is missing", kNonNegative}.usually(0, 10));
         field(TREAD_FIELD(integral),
-              About{"1/m", "throttle over the integral of the speed that is missing", kNonNegative});
+              About{"1/m", "throttle over the integral of the speed that is missing", kNonNegative}.usually(0, 10));
         field(TREAD_FIELD(brake),
               About{"-", "brake pedal over the throttle below zero that the controller would like; 0: never brakes",
-                    kNonNegative});
+                    kNonNegative}
+                  .usually(0, 20));
         field(TREAD_FIELD(profile),
-              About{"m/s", "speed to hold over the time of the phase, in place of `speed`", kNonNegative, 0, "s"});
+              About{"m/s", "speed to hold over the time of the phase, in place of `speed`", kNonNegative, 0, "s"}
+                  .usually(0, 70)
+                  .over(0, 36000));
         field(TREAD_FIELD(as_driven), About{"", "holds the speed of the drive that the scenario repeats (drive)"});
     }
 };
@@ -37,7 +42,8 @@ struct FollowSpeed {
     static constexpr std::string_view kName = "follow_speed";
     Curve profile;
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(profile), About{"m/s", "speed over the time of the phase", kNonNegative, 0, "s"});
+        field(TREAD_FIELD(profile),
+              About{"m/s", "speed over the time of the phase", kNonNegative, 0, "s"}.usually(0, 70).over(0, 36000));
     }
     static void check(const auto& self, auto&& complain) {
         if (self.profile.empty()) complain("profile", "found no speed, expected the speed over time");
@@ -50,7 +56,9 @@ struct CommandedForce {
     static constexpr std::string_view kName = "force";
     Curve points;
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(points), About{"N", "force over the time of the phase, positive forward", kAny, 0, "s"});
+        field(TREAD_FIELD(points),
+              About{"N", "force over the time of the phase, positive forward", kAny, 0, "s"}.usually(-2e5, 2e5).over(
+                  0, 36000));
     }
     static void check(const auto& self, auto&& complain) {
         if (self.points.empty()) complain("points", "found no force, expected the force over time");
@@ -65,8 +73,8 @@ struct HoldLateralAcceleration {
     double target = kRequired;
     double bandwidth = 1;
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(target), About{"m/s2", "lateral acceleration, positive to the left"});
-        field(TREAD_FIELD(bandwidth), About{"1/s", "how quickly the driver corrects", kPositive});
+        field(TREAD_FIELD(target), About{"m/s2", "lateral acceleration, positive to the left"}.usually(-30, 30));
+        field(TREAD_FIELD(bandwidth), About{"1/s", "how quickly the driver corrects", kPositive}.usually(0.01, 20));
     }
 };
 
@@ -75,8 +83,9 @@ struct HoldRadius {
     double radius = kRequired;
     double bandwidth = 1;
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(radius), About{"m", "radius of the path of the centre of gravity, positive to the left"});
-        field(TREAD_FIELD(bandwidth), About{"1/s", "how quickly the driver corrects", kPositive});
+        field(TREAD_FIELD(radius),
+              About{"m", "radius of the path of the centre of gravity, positive to the left"}.usually(-1e4, 1e4));
+        field(TREAD_FIELD(bandwidth), About{"1/s", "how quickly the driver corrects", kPositive}.usually(0.01, 20));
     }
     static void check(const auto& self, auto&& complain) {
         if (self.radius == 0) complain("radius", "found 0, expected a radius, positive to the left");
@@ -97,16 +106,21 @@ struct FollowPath {
     double lag = 0.05;
     double largest_rate = 17;
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(preview_time), About{"s", "how far ahead the driver looks", kPositive});
-        field(TREAD_FIELD(preview_distance), About{"m", "the same at low speed: never nearer than this", kPositive});
-        field(TREAD_FIELD(gain), About{"-", "steering-wheel angle over the one that the arc needs", kPositive});
+        field(TREAD_FIELD(preview_time), About{"s", "how far ahead the driver looks", kPositive}.usually(0.05, 5));
+        field(TREAD_FIELD(preview_distance),
+              About{"m", "the same at low speed: never nearer than this", kPositive}.usually(0.1, 100));
+        field(TREAD_FIELD(gain),
+              About{"-", "steering-wheel angle over the one that the arc needs", kPositive}.usually(0.1, 5));
         field(TREAD_FIELD(lead),
-              About{"-", "share of the curvature that is still missing by which the driver steers more", kNonNegative});
+              About{"-", "share of the curvature that is still missing by which the driver steers more", kNonNegative}
+                  .usually(0, 5));
         field(TREAD_FIELD(understeer),
-              About{"rad s2/m", "understeer gradient, at the road wheels, that the driver reckons with"});
+              About{"rad s2/m", "understeer gradient, at the road wheels, that the driver reckons with"}.usually(-0.02,
+                                                                                                                 0.02));
         field(TREAD_FIELD(delay), About{"s", "dead time between eye and hand", {0, 2}});
-        field(TREAD_FIELD(lag), About{"s", "time constant of arms and steering wheel", kNonNegative});
-        field(TREAD_FIELD(largest_rate), About{"rad/s", "fastest turn of the steering wheel", kPositive});
+        field(TREAD_FIELD(lag), About{"s", "time constant of arms and steering wheel", kNonNegative}.usually(0, 2));
+        field(TREAD_FIELD(largest_rate),
+              About{"rad/s", "fastest turn of the steering wheel", kPositive}.usually(0.5, 40));
     }
 };
 

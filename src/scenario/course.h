@@ -22,8 +22,8 @@ struct PathPoint {
     double y = kRequired;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(x), About{"m", "forward of where the car starts"});
-        field(TREAD_FIELD(y), About{"m", "to the left of it"});
+        field(TREAD_FIELD(x), About{"m", "forward of where the car starts"}.unjudged());
+        field(TREAD_FIELD(y), About{"m", "to the left of it"}.unjudged());
     }
 };
 static_assert(describesEveryMember<PathPoint>());
@@ -35,9 +35,11 @@ struct CarOutline {
     double behind = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(width), About{"m", "width of the car without mirrors", kNonNegative});
-        field(TREAD_FIELD(ahead), About{"m", "from the centre of gravity to the front end", kNonNegative});
-        field(TREAD_FIELD(behind), About{"m", "from the centre of gravity to the rear end", kNonNegative});
+        field(TREAD_FIELD(width), About{"m", "width of the car without mirrors", kNonNegative}.usually(0.1, 3));
+        field(TREAD_FIELD(ahead),
+              About{"m", "from the centre of gravity to the front end", kNonNegative}.usually(0.05, 12));
+        field(TREAD_FIELD(behind),
+              About{"m", "from the centre of gravity to the rear end", kNonNegative}.usually(0.05, 12));
     }
 };
 static_assert(describesEveryMember<CarOutline>());
@@ -54,13 +56,14 @@ struct LaneSection {
     int cones = 5;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(from), About{"m", "beginning, from the beginning of the course"});
-        field(TREAD_FIELD(to), About{"m", "end, from the beginning of the course"});
+        field(TREAD_FIELD(from), About{"m", "beginning, from the beginning of the course"}.unjudged());
+        field(TREAD_FIELD(to), About{"m", "end, from the beginning of the course"}.unjudged());
         field(TREAD_FIELD(edge), About{"", "the edge of which `at` says where it lies"});
-        field(TREAD_FIELD(at), About{"m", "lateral place of that edge, positive to the left"});
-        field(TREAD_FIELD(width_factor), About{"-", "share of the lane's width over that of the car", kNonNegative});
-        field(TREAD_FIELD(width_extra), About{"m", "what the lane is wider than that"});
-        field(TREAD_FIELD(width_least), About{"m", "least width of the lane", kNonNegative});
+        field(TREAD_FIELD(at), About{"m", "lateral place of that edge, positive to the left"}.unjudged());
+        field(TREAD_FIELD(width_factor),
+              About{"-", "share of the lane's width over that of the car", kNonNegative}.usually(0, 5));
+        field(TREAD_FIELD(width_extra), About{"m", "what the lane is wider than that"}.usually(-10, 10));
+        field(TREAD_FIELD(width_least), About{"m", "least width of the lane", kNonNegative}.usually(0, 30));
         field(TREAD_FIELD(cones), About{"-", "cones along each edge, the first and the last at its ends", {2, 1000}});
     }
     static void check(const auto& self, auto&& complain) {
@@ -76,7 +79,8 @@ struct CourseParams {
     std::vector<PathPoint> path;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(begin), About{"m", "where the course begins: from there the sections are measured"});
+        field(TREAD_FIELD(begin),
+              About{"m", "where the course begins: from there the sections are measured"}.unjudged());
         field(TREAD_FIELD(car), About{"", "outline of the car"});
         field(TREAD_FIELD(sections),
               About{"", "lanes between cones; the car starts in line with the middle of the first"});

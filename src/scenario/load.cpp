@@ -8,7 +8,14 @@
 namespace tread {
 
 Scenario loadScenario(const std::filesystem::path& file) {
-    Scenario scenario = readYaml<Scenario>(file);
+    std::vector<Problem> problems;
+    Scenario scenario = loadScenario(file, problems);
+    throwIfAny(std::move(problems));
+    return scenario;
+}
+
+Scenario loadScenario(const std::filesystem::path& file, std::vector<Problem>& problems) {
+    Scenario scenario = readYaml<Scenario>(file, problems);
     placeReplays(scenario, file.parent_path());
     if (auto& vary = scenario.series.vary; vary && !vary->of_scenario.empty())
         vary->of_scenario = (file.parent_path() / vary->of_scenario).lexically_normal().string();

@@ -28,16 +28,18 @@ struct StartParams {
     double run_in = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(speed), About{"m/s", "forward speed", kNonNegative});
-        field(TREAD_FIELD(heading), About{"rad", "direction, 0 along x, positive to the left"});
+        field(TREAD_FIELD(speed), About{"m/s", "forward speed", kNonNegative}.usually(0, 70));
+        field(TREAD_FIELD(heading), About{"rad", "direction, 0 along x, positive to the left"}.usually(-6.3, 6.3));
         field(TREAD_FIELD(brake), About{"-", "brake pedal", kFraction});
         field(TREAD_FIELD(parking_brake), About{"-", "parking brake", kFraction});
-        field(TREAD_FIELD(drop), About{"m", "height above equilibrium from which the car is dropped", kNonNegative});
+        field(TREAD_FIELD(drop),
+              About{"m", "height above equilibrium from which the car is dropped", kNonNegative}.usually(0, 3));
         field(TREAD_FIELD(run_in),
               About{"s",
                     "time of the first phase that passes before the manoeuvre's time 0 and is not logged; a replay of "
                     "a log that begins in a turn sets it",
-                    kNonNegative});
+                    kNonNegative}
+                  .usually(0, 600));
     }
 
     static void check(const auto& self, auto&& complain) {
@@ -76,7 +78,8 @@ struct LogParams {
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(rate),
-              About{"1/s", "rows per second (rounded to a whole number of steps per row)", kPositive});
+              About{"1/s", "rows per second (rounded to a whole number of steps per row)", kPositive}.usually(0.5,
+                                                                                                              20000));
         field(TREAD_FIELD(channels), About{"", "names of the channels to log, * for any characters; none: all"});
         field(TREAD_FIELD(sensors), About{"", "sensors, logged beside the channels as sensor.<name>"});
     }
@@ -111,7 +114,7 @@ struct Scenario {
             TREAD_FIELD(substep),
             About{"s", "longest step of the car within one of the world: larger is cheaper and coarser", {1e-4, 0.02}});
         field(TREAD_FIELD(time_limit),
-              About{"s", "time after which a manoeuvre that did not end has failed", kPositive});
+              About{"s", "time after which a manoeuvre that did not end has failed", kPositive}.usually(0.01, 5e5));
         field(TREAD_FIELD(road), About{"", "road"});
         field(TREAD_FIELD(wind), About{"", "wind"});
         field(TREAD_FIELD(start), About{"", "start"});

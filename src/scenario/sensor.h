@@ -11,9 +11,9 @@ struct SensorPosition {
     double x = 0, y = 0, z = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(x), About{"m", "forward of the centre of gravity"});
-        field(TREAD_FIELD(y), About{"m", "left of the centre of gravity"});
-        field(TREAD_FIELD(z), About{"m", "above the centre of gravity"});
+        field(TREAD_FIELD(x), About{"m", "forward of the centre of gravity"}.usually(-10, 10));
+        field(TREAD_FIELD(y), About{"m", "left of the centre of gravity"}.usually(-3, 3));
+        field(TREAD_FIELD(z), About{"m", "above the centre of gravity"}.usually(-4, 4));
     }
 };
 static_assert(describesEveryMember<SensorPosition>());
@@ -23,9 +23,9 @@ struct SensorMisalignment {
     double roll = 0, pitch = 0, yaw = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(roll), About{"rad", "positive with the right side down"});
-        field(TREAD_FIELD(pitch), About{"rad", "positive with the nose down"});
-        field(TREAD_FIELD(yaw), About{"rad", "positive to the left"});
+        field(TREAD_FIELD(roll), About{"rad", "positive with the right side down"}.usually(-0.8, 0.8));
+        field(TREAD_FIELD(pitch), About{"rad", "positive with the nose down"}.usually(-0.8, 0.8));
+        field(TREAD_FIELD(yaw), About{"rad", "positive to the left"}.usually(-3.2, 3.2));
     }
 };
 static_assert(describesEveryMember<SensorMisalignment>());
@@ -59,14 +59,17 @@ struct SensorParams {
                     "angular velocities of the chassis)"});
         field(TREAD_FIELD(misalignment), About{"", "of its axes, for the same channels"});
         field(TREAD_FIELD(low_pass),
-              About{"1/s", "corner frequency of its second-order Butterworth filter (cycles per second)", kPositive});
+              About{"1/s", "corner frequency of its second-order Butterworth filter (cycles per second)", kPositive}
+                  .usually(0.05, 1e5));
         field(TREAD_FIELD(delay), About{"s", "by which its reading is late", {0, 10}});
-        field(TREAD_FIELD(gain), About{"-", "reading over value"});
-        field(TREAD_FIELD(bias), About{"-", "reading at zero, in the SI unit of the channel"});
+        field(TREAD_FIELD(gain), About{"-", "reading over value"}.usually(-5, 5));
+        field(TREAD_FIELD(bias), About{"-", "reading at zero, in the SI unit of the channel"}.unjudged());
         field(TREAD_FIELD(noise),
-              About{"-", "standard deviation of each logged reading, in the SI unit of the channel", kNonNegative});
+              About{"-", "standard deviation of each logged reading, in the SI unit of the channel", kNonNegative}
+                  .unjudged());
         field(TREAD_FIELD(resolution),
-              About{"-", "smallest step of its reading, in the SI unit of the channel; 0: none", kNonNegative});
+              About{"-", "smallest step of its reading, in the SI unit of the channel; 0: none", kNonNegative}
+                  .unjudged());
         field(TREAD_FIELD(seed), About{"", "of the noise", {0, 2147483647}});
     }
 

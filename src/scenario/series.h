@@ -21,10 +21,11 @@ struct Tune {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(number), About{"", "path of the number, for example phases.1.steering.ramp.to"});
         field(TREAD_FIELD(metric), About{"", "metric of the manoeuvre"});
-        field(TREAD_FIELD(target), About{"", "wanted value, in the unit of the metric"});
+        field(TREAD_FIELD(target), About{"", "wanted value, in the unit of the metric"}.unjudged());
         field(TREAD_FIELD(lowest), About{"", "least value to try, with its unit"});
         field(TREAD_FIELD(highest), About{"", "largest value to try, with its unit"});
-        field(TREAD_FIELD(tolerance), About{"-", "how near the metric must come, as a share of the target", kPositive});
+        field(TREAD_FIELD(tolerance),
+              About{"-", "how near the metric must come, as a share of the target", kPositive}.usually(1e-5, 0.2));
     }
 };
 static_assert(describesEveryMember<Tune>());
@@ -43,7 +44,8 @@ struct Vary {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(number), About{"", "path of the number"});
         field(TREAD_FIELD(values), About{"", "its values, with their unit"});
-        field(TREAD_FIELD(factors), About{"-", "in place of values: factors of the metric of another scenario"});
+        field(TREAD_FIELD(factors),
+              About{"-", "in place of values: factors of the metric of another scenario"}.usually(0.01, 100));
         field(TREAD_FIELD(of_scenario), About{"", "that scenario's file, relative to this one"});
         field(TREAD_FIELD(of_metric), About{"", "that metric; its unit must fit the number"});
         field(TREAD_FIELD(least_last), About{"", "the last value is at least this, with its unit"});

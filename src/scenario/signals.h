@@ -16,11 +16,15 @@ struct Angle {
     static constexpr std::string_view kUnit = "rad";
     static constexpr std::string_view kRate = "rad/s";
     static constexpr Limits kLimits = kAny;
+    static constexpr Usual kUsual{-20, 20, true};        // three turns to either side: trucks
+    static constexpr Usual kUsualRate{0.001, 50, true};  // a robot's 2000 deg/s, and some more
 };
 struct Pedal {
     static constexpr std::string_view kUnit = "-";
     static constexpr std::string_view kRate = "1/s";
     static constexpr Limits kLimits = kFraction;
+    static constexpr Usual kUsual{-1, 1, true};
+    static constexpr Usual kUsualRate{0.001, 1000, true};  // the stroke in 1 ms is as good as at once
 };
 
 // Stays where the phase before left it.
@@ -35,7 +39,7 @@ struct Constant {
     static constexpr std::string_view kName = "constant";
     double value = kRequired;
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(value), About{Of::kUnit, "value", Of::kLimits});
+        field(TREAD_FIELD(value), About{Of::kUnit, "value", Of::kLimits}.usually(Of::kUsual));
     }
 };
 
@@ -46,8 +50,8 @@ struct Ramp {
     double to = kRequired;
     double rate = kRequired;
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(to), About{Of::kUnit, "value at the end", Of::kLimits});
-        field(TREAD_FIELD(rate), About{Of::kRate, "rate of change", kPositive});
+        field(TREAD_FIELD(to), About{Of::kUnit, "value at the end", Of::kLimits}.usually(Of::kUsual));
+        field(TREAD_FIELD(rate), About{Of::kRate, "rate of change", kPositive}.usually(Of::kUsualRate));
     }
 };
 
@@ -59,9 +63,10 @@ struct Sine {
     double frequency = kRequired;
     double cycles = kInfinity;
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(amplitude), About{Of::kUnit, "amplitude"});
-        field(TREAD_FIELD(frequency), About{"1/s", "frequency", kPositive});
-        field(TREAD_FIELD(cycles), About{"-", "number of periods; then it stays where it began", {0, kInfinity, true}});
+        field(TREAD_FIELD(amplitude), About{Of::kUnit, "amplitude"}.usually(Of::kUsual));
+        field(TREAD_FIELD(frequency), About{"1/s", "frequency", kPositive}.usually(0.01, 20));
+        field(TREAD_FIELD(cycles),
+              About{"-", "number of periods; then it stays where it began", {0, kInfinity, true}}.usually(0.1, 1000));
     }
 };
 
@@ -73,9 +78,9 @@ struct SineWithDwell {
     double frequency = kRequired;
     double dwell = kRequired;
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(amplitude), About{Of::kUnit, "amplitude"});
-        field(TREAD_FIELD(frequency), About{"1/s", "frequency of the sine", kPositive});
-        field(TREAD_FIELD(dwell), About{"s", "pause at three quarters of the period", kNonNegative});
+        field(TREAD_FIELD(amplitude), About{Of::kUnit, "amplitude"}.usually(Of::kUsual));
+        field(TREAD_FIELD(frequency), About{"1/s", "frequency of the sine", kPositive}.usually(0.01, 20));
+        field(TREAD_FIELD(dwell), About{"s", "pause at three quarters of the period", kNonNegative}.usually(0, 10));
     }
 };
 
@@ -94,10 +99,11 @@ struct Sweep {
     double duration = kRequired;
     SweepLaw law = SweepLaw::linear;
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(amplitude), About{Of::kUnit, "amplitude"});
-        field(TREAD_FIELD(from), About{"1/s", "frequency at the start", kNonNegative});
-        field(TREAD_FIELD(to), About{"1/s", "frequency at the end", kPositive});
-        field(TREAD_FIELD(duration), About{"s", "time from the first to the last frequency", kPositive});
+        field(TREAD_FIELD(amplitude), About{Of::kUnit, "amplitude"}.usually(Of::kUsual));
+        field(TREAD_FIELD(from), About{"1/s", "frequency at the start", kNonNegative}.usually(0.001, 50));
+        field(TREAD_FIELD(to), About{"1/s", "frequency at the end", kPositive}.usually(0.001, 50));
+        field(TREAD_FIELD(duration),
+              About{"s", "time from the first to the last frequency", kPositive}.usually(0.1, 3600));
         field(TREAD_FIELD(law), About{"", "how the frequency changes over time"});
     }
     static void check(const auto& self, auto&& complain) {
@@ -113,8 +119,8 @@ struct Pulse {
     double amplitude = kRequired;
     double duration = kRequired;
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(amplitude), About{Of::kUnit, "height"});
-        field(TREAD_FIELD(duration), About{"s", "width at the foot", kPositive});
+        field(TREAD_FIELD(amplitude), About{Of::kUnit, "height"}.usually(Of::kUsual));
+        field(TREAD_FIELD(duration), About{"s", "width at the foot", kPositive}.usually(0.001, 60));
     }
 };
 
@@ -129,11 +135,12 @@ struct Noise {
     int lines = 120;
     int seed = 1;
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(rms), About{Of::kUnit, "root mean square", kNonNegative});
-        field(TREAD_FIELD(from), About{"1/s", "lowest frequency", kNonNegative});
-        field(TREAD_FIELD(to), About{"1/s", "highest frequency", kPositive});
+        field(TREAD_FIELD(rms), About{Of::kUnit, "root mean square", kNonNegative}.usually(Of::kUsual));
+        field(TREAD_FIELD(from), About{"1/s", "lowest frequency", kNonNegative}.usually(0.001, 50));
+        field(TREAD_FIELD(to), About{"1/s", "highest frequency", kPositive}.usually(0.001, 50));
         field(TREAD_FIELD(lines), About{"-", "number of sines", {1, 10000}});
-        field(TREAD_FIELD(seed), About{"-", "another seed gives another signal of the same kind", kNonNegative});
+        field(TREAD_FIELD(seed),
+              About{"-", "another seed gives another signal of the same kind", kNonNegative}.unjudged());
     }
     static void check(const auto& self, auto&& complain) {
         if (self.from >= self.to) complain("from", "the lowest frequency must be below the highest (from < to)");
@@ -145,7 +152,9 @@ struct Table {
     static constexpr std::string_view kName = "table";
     Curve points;
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(points), About{Of::kUnit, "value over the time of the phase", Of::kLimits, 0, "s"});
+        field(TREAD_FIELD(points), About{Of::kUnit, "value over the time of the phase", Of::kLimits, 0, "s"}
+                                       .usually(Of::kUsual)
+                                       .over(0, 36000));
     }
 };
 
@@ -160,7 +169,7 @@ struct Replay {
         field(TREAD_FIELD(file),
               About{"", "log (CSV), relative to the scenario's file; none: the drive that the scenario repeats"});
         field(TREAD_FIELD(channel), About{"", "channel of the log; its unit must be that of the signal"});
-        field(TREAD_FIELD(from), About{"s", "time in the log at which the phase begins"});
+        field(TREAD_FIELD(from), About{"s", "time in the log at which the phase begins"}.unjudged());
     }
     static void check(const auto& self, auto&& complain) {
         if (self.channel.empty()) complain("channel", "found no channel, expected the name of one in the log");

@@ -31,22 +31,23 @@ struct Until {
     bool drive_end = false;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(duration), About{"s", "time since the phase began", kPositive});
-        field(TREAD_FIELD(time), About{"s", "time since the manoeuvre began", kPositive});
-        field(TREAD_FIELD(speed_below), About{"m/s", "forward speed falls below this", kAny});
-        field(TREAD_FIELD(speed_above), About{"m/s", "forward speed rises above this", kNonNegative});
+        field(TREAD_FIELD(duration), About{"s", "time since the phase began", kPositive}.usually(0.001, 2e5));
+        field(TREAD_FIELD(time), About{"s", "time since the manoeuvre began", kPositive}.usually(0.001, 2e5));
+        field(TREAD_FIELD(speed_below), About{"m/s", "forward speed falls below this", kAny}.usually(-20, 100));
+        field(TREAD_FIELD(speed_above), About{"m/s", "forward speed rises above this", kNonNegative}.usually(0, 100));
         field(TREAD_FIELD(lateral_acceleration_above),
-              About{"m/s2", "magnitude of the lateral acceleration rises above this", kPositive});
+              About{"m/s2", "magnitude of the lateral acceleration rises above this", kPositive}.usually(0.01, 30));
         field(TREAD_FIELD(lateral_acceleration_below),
-              About{"m/s2", "magnitude of the lateral acceleration falls below this", kPositive});
-        field(TREAD_FIELD(sideslip_above), About{"rad", "magnitude of the sideslip angle rises above this", kPositive});
+              About{"m/s2", "magnitude of the lateral acceleration falls below this", kPositive}.usually(0.01, 30));
+        field(TREAD_FIELD(sideslip_above),
+              About{"rad", "magnitude of the sideslip angle rises above this", kPositive}.usually(0.001, 1.6));
         field(TREAD_FIELD(steering_above),
-              About{"rad", "magnitude of the steering-wheel angle rises above this", kPositive});
-        field(TREAD_FIELD(distance), About{"m", "way since the phase began", kPositive});
-        field(TREAD_FIELD(x_above), About{"m", "the car is farther along x than this"});
-        field(TREAD_FIELD(x_below), About{"m", "the car is less far along x than this"});
-        field(TREAD_FIELD(y_above), About{"m", "the car is farther to the left, along y, than this"});
-        field(TREAD_FIELD(y_below), About{"m", "the car is farther to the right, along y, than this"});
+              About{"rad", "magnitude of the steering-wheel angle rises above this", kPositive}.usually(0.001, 20));
+        field(TREAD_FIELD(distance), About{"m", "way since the phase began", kPositive}.usually(0.05, 1e5));
+        field(TREAD_FIELD(x_above), About{"m", "the car is farther along x than this"}.unjudged());
+        field(TREAD_FIELD(x_below), About{"m", "the car is less far along x than this"}.unjudged());
+        field(TREAD_FIELD(y_above), About{"m", "the car is farther to the left, along y, than this"}.unjudged());
+        field(TREAD_FIELD(y_below), About{"m", "the car is farther to the right, along y, than this"}.unjudged());
         field(TREAD_FIELD(yaw_rate_zero), About{"", "the yaw rate passes through zero during the phase"});
         field(TREAD_FIELD(drive_end), About{"", "the drive that the scenario repeats (drive) ends"});
     }

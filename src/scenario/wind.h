@@ -28,11 +28,14 @@ struct GustParams {
         field(TREAD_FIELD(shape), About{"",
                                         "none; step and stay; ramp over duration or length and stay; cosine: 1 - cos, "
                                         "from nothing up and down again over duration or length"});
-        field(TREAD_FIELD(speed), About{"m/s", "what it adds to the wind at most, in the wind's direction"});
-        field(TREAD_FIELD(time), About{"s", "when it begins", kNonNegative});
-        field(TREAD_FIELD(duration), About{"s", "how long a ramp or cosine takes that begins at a time", kPositive});
-        field(TREAD_FIELD(x), About{"m", "where it begins, for a car that drives along x"});
-        field(TREAD_FIELD(length), About{"m", "how long a ramp or cosine is that begins at a place", kPositive});
+        field(TREAD_FIELD(speed),
+              About{"m/s", "what it adds to the wind at most, in the wind's direction"}.usually(-40, 40));
+        field(TREAD_FIELD(time), About{"s", "when it begins", kNonNegative}.usually(0, 3600));
+        field(TREAD_FIELD(duration),
+              About{"s", "how long a ramp or cosine takes that begins at a time", kPositive}.usually(0.01, 600));
+        field(TREAD_FIELD(x), About{"m", "where it begins, for a car that drives along x"}.unjudged());
+        field(TREAD_FIELD(length),
+              About{"m", "how long a ramp or cosine is that begins at a place", kPositive}.usually(0.1, 1000));
     }
 
     static void check(const auto& self, auto&& complain) {
@@ -58,11 +61,12 @@ struct WindParams {
     GustParams gust;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(speed), About{"m/s", "speed of the steady wind", kNonNegative});
+        field(TREAD_FIELD(speed), About{"m/s", "speed of the steady wind", kNonNegative}.usually(0, 40));
         field(TREAD_FIELD(direction),
-              About{"rad", "to where it blows: 0 along x, a quarter turn (90 deg) to the left of that along y"});
-        field(TREAD_FIELD(x), About{"m/s", "steady wind along x, in addition"});
-        field(TREAD_FIELD(y), About{"m/s", "steady wind along y, in addition"});
+              About{"rad", "to where it blows: 0 along x, a quarter turn (90 deg) to the left of that along y"}.usually(
+                  -6.3, 6.3));
+        field(TREAD_FIELD(x), About{"m/s", "steady wind along x, in addition"}.usually(-40, 40));
+        field(TREAD_FIELD(y), About{"m/s", "steady wind along y, in addition"}.usually(-40, 40));
         field(TREAD_FIELD(gust), About{"", "gust"});
     }
 };

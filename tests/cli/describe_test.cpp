@@ -79,16 +79,18 @@ TEST(Describe, ListsEveryFieldOfEveryFile) {
     expectEveryFieldOnce<OwnEffects>("own_effects");
 }
 
-TEST(Describe, FieldHasUnitMeaningLimitsDefaultAndTolerance) {
+TEST(Describe, FieldHasUnitMeaningLimitsPlausibleRangeDefaultAndTolerance) {
     const Json damping = field(described("vehicle"), "front.suspension.damper.bump");
     EXPECT_EQ(damping, (Json{{"path", "front.suspension.damper.bump"},
                              {"unit", "N s/m"},
                              {"meaning", "damping in compression"},
                              {"limits", "at least 0"},
+                             {"plausible", "0.5 to 100000"},
                              {"default", "required"},
                              {"tolerance", 0.1}}));
     const std::string text = describedInLines("vehicle");
     EXPECT_NE(text.find("damping in compression (usually known within 10 %)"), std::string::npos);
+    EXPECT_NE(text.find(" plausible "), std::string::npos) << "a column";
     EXPECT_NE(text.find("\nfront: front axle\n"), std::string::npos) << "groups have a headline";
 }
 

@@ -188,6 +188,38 @@ TEST_F(DiagnoseCommand, CheckSaysWhatTheDrivesCouldShowWithoutADiagnosis) {
     EXPECT_LT(json.at("simulations").get<int>(), 240) << "sensitivities were kept by the first check";
 }
 
+TEST_F(DiagnoseCommand, WarnsOfImplausibleNumbersOfTheCarAndRefusesThemWithStrict) {
+    recorded("a.csv", slalom());
+    diagnosis("effects: [steering_ratio]\nvehicle_settings: [steering.ratio=17, aero.drag_area=66]\n");
+    const std::string warning = scratch.path("diagnosis.yaml") +
+                                ":5:39: aero.drag_area: found 66 m2, plausible values are 0.001 to 15 m2; check value "
+                                "and unit\n";
+    const Result result = checked();
+    EXPECT_EQ(result.err.find("warning: " + warning), 0u) << result.err;
+    const Result strict = checked({"--strict"});
+    expectRefused(strict, warning);
+    EXPECT_EQ(strict.err, warning);
+}
+
+TEST_F(DiagnoseCommand, ScenarioAsItsVehicleIsOneSentence) {
+    recorded("a.csv", slalom());
+    const std::string scenario = sourceFile("scenarios/step_steer_80.yaml");
+    scratch.file("diagnosis.yaml", "vehicle: " + scenario + "\nrecordings:\n  - {log: a.csv, speed: followed}\n");
+    const Result result = checked();
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.err, scenario +
+                              ": found a scenario file, expected a vehicle file; `tread run` takes it behind the "
+                              "vehicle\n");
+}
+
+TEST_F(DiagnoseCommand, NamesAndValuesThatAreWrongAreToldTogether) {
+    diagnosis("channels: [{channel: chassis.yawrate}]\nstep: 4\n");
+    const Result result = checked();
+    expectRefused(result, ": channels.0.channel: found the unknown channel");
+    EXPECT_NE(result.err.find(": step: found"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find(": recordings.0.log: found"), std::string::npos) << result.err;
+}
+
 TEST_F(DiagnoseCommand, InitWritesAFileThatCanBeRead) {
     recorded("a.csv", slalom());
     const Result made =

@@ -8,6 +8,8 @@
 namespace tread {
 namespace {
 
+const std::string kNoSuspect = "; none of the numbers of car and scenario is implausible, so no field is suspected";
+
 TEST_F(TreadRun, SpeedThatIsNeverReachedFailsAndNamesThePhase) {
     car();
     scenario(R"(time_limit: 1.5 s
@@ -66,7 +68,8 @@ TEST_F(TreadRun, StandingOnASlopeWithoutBrakesFails) {
     expectStart(result.err, "tread run: the car finds no equilibrium to start from: ");
     EXPECT_TRUE(
         result.err.ends_with(" m/s2 are left after settling (does it stand on a slope with its brakes off, or on "
-                             "ice?)\n"))
+                             "ice?)" +
+                             kNoSuspect + "\n"))
         << result.err;
     EXPECT_EQ(results(), Names{"run.yaml"});
 }
@@ -82,7 +85,9 @@ phases:
     EXPECT_EQ(result.out, "");
     expectStart(result.err, "tread run: the car rolled over at t = ");
     EXPECT_NE(result.err.find(" s: chassis.roll is 8"), std::string::npos) << result.err;
-    EXPECT_TRUE(result.err.ends_with("; the rows so far are in '" + out("log.incomplete.csv") + "'\n")) << result.err;
+    EXPECT_TRUE(
+        result.err.ends_with("; the rows so far are in '" + out("log.incomplete.csv") + "'" + kNoSuspect + "\n"))
+        << result.err;
     EXPECT_EQ(results(), kFailedResults);
 }
 
@@ -95,10 +100,14 @@ TEST_F(TreadRun, CarThatIsFlungAwayFailsAndKeepsTheLogSoFar) {
                                "--set", "scenario.start.speed=0", "--set", "scenario.log.rate=1000"});
     EXPECT_EQ(result.status, 3);
     EXPECT_EQ(result.out, "");
-    expectStart(result.err, "tread run: the car left the bounds of the simulation at t = 0.0");
+    const std::string suspect =
+        "--set: front.suspension.rebound_stop.stiffness: found 1e308 N/m, plausible values are 100 to 10000000 N/m; "
+        "check "
+        "value and unit\n";
+    expectStart(result.err, "warning: " + suspect + "tread run: the car left the bounds of the simulation at t = 0.0");
     EXPECT_NE(result.err.find(" s: its speed (chassis.vx, vy, vz) is "), std::string::npos) << result.err;
-    EXPECT_TRUE(
-        result.err.ends_with(", more than 200 m/s; the rows so far are in '" + out("log.incomplete.csv") + "'\n"))
+    EXPECT_TRUE(result.err.ends_with(", more than 200 m/s; the rows so far are in '" + out("log.incomplete.csv") +
+                                     "'; suspect: " + suspect))
         << result.err;
     EXPECT_EQ(results(), kFailedResults);
     for (const Channel& channel : readLog(out("log.incomplete.csv")).channels) {
@@ -107,15 +116,25 @@ TEST_F(TreadRun, CarThatIsFlungAwayFailsAndKeepsTheLogSoFar) {
     }
 }
 
-TEST_F(TreadRun, CarThatBreaksDownWhileItSettlesFails) {
-    car();
-    scenario();
-    const Result result = run({"--set", "inertia.roll=1e-9"});
+TEST_F(TreadRun, CarThatBreaksDownWhileItSettlesFailsAndNamesThreeSuspects) {
+    const std::string text = replaced(carText("roll: 480 kg m2", "roll: 1e-9"), "drag_area: 0.66 m2", "drag_area: 66");
+    car(text);
+    scenario("road: {friction: 80}\n" + kScenario);
+    const Result result = run({"--set", "steering.ratio=0.06"});
     EXPECT_EQ(result.status, 3);
     EXPECT_EQ(result.out, "");
-    expectStart(result.err,
-                "tread run: the simulation broke down before the start, while the car settled on its wheels: its "
-                "acceleration is ");
+    EXPECT_NE(result.err.find("tread run: the simulation broke down before the start, while the car settled on its "
+                              "wheels: its acceleration is "),
+              std::string::npos)
+        << result.err;
+    const std::string file = scratch.path("car.yaml") + ":";
+    const std::string roll = file + placeOf(text, "1e-9") + ": inertia.roll: found 1e-9 kg m2, plausible values are ";
+    const std::size_t suspects = result.err.find("; suspects: " + roll);
+    ASSERT_NE(suspects, std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("; --set: steering.ratio: ", suspects), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("; " + file + placeOf(text, "66 ") + ": aero.drag_area: ", suspects), std::string::npos)
+        << result.err;
+    EXPECT_TRUE(result.err.ends_with("; and 1 more\n")) << result.err;
     EXPECT_EQ(results(), Names{"run.yaml"});
 }
 

@@ -78,18 +78,11 @@ TEST_F(TreadRun, TyreFileThatNamesItselfIsRefused) {
                              "lines");
 }
 
-TEST_F(TreadRun, OtherCarAsTyreIsRefused) {
-    const std::string other = carText();
-    scratch.file("other.yaml", other);
-    car(carText(kTyre, "tyre: other.yaml"));
-    scenario();
-    const Result result = run();
-    EXPECT_EQ(result.status, 2);
-    EXPECT_EQ(firstLine(result.err), scratch.path("other.yaml") + ":" + placeOf(other, "name:") +
-                                         ": front.tyre.parameters.Fzo: found no value, expected a number in N (nominal "
-                                         "load (29)); add \"Fzo: <number>\"");
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 21) << result.err;
-    EXPECT_TRUE(result.err.ends_with(" more faults; `tread check` lists all\n")) << result.err;
+TEST_F(TreadRun, OtherCarAsTyreIsRefusedInOneSentence) {
+    scratch.file("other.yaml", carText());
+    expectCarRefused(carText(kTyre, "tyre: other.yaml"), "other.yaml",
+                     "front.tyre: found \"other.yaml\", a file of another kind (with \"mass\", \"inertia\", "
+                     "\"wheelbase\"), expected a file with name, side, parameters, lambda or notes; name another file");
 }
 
 TEST_F(TreadRun, AliasBombIsRefusedAtOnce) {
@@ -121,10 +114,14 @@ TEST_F(TreadRun, EmptyBinaryMissingFilesAndFoldersAreRefused) {
                   none + ": found no file of this name; correct the path");
     const std::string folder = scratch.path("folder");
     std::filesystem::create_directory(folder);
-    const std::string message = folder + ": found a directory, expected a file; name a file in it";
-    expectRefused(runProgram({"run", folder, road, "-o", out()}), message);
+    const auto message = [&](const std::string& kind) {
+        return folder + ": found a folder, expected " + kind +
+               "; `tread compare` takes folders of runs, `tread run --all` a folder of scenarios, `tread diagnose "
+               "--init` a folder of logs";
+    };
+    expectRefused(runProgram({"run", folder, road, "-o", out()}), message("a vehicle file"));
     car();
-    expectRefused(runProgram({"run", file, folder, "-o", out()}), message);
+    expectRefused(runProgram({"run", file, folder, "-o", out()}), message("a scenario file"));
 }
 
 TEST_F(TreadRun, FaultsOfBothFilesAreToldAtOnce) {
@@ -184,13 +181,24 @@ TEST_F(TreadRun, ChannelThatDoesNotExistIsRefusedBeforeTheCarDrives) {
                       "pattern with *; `tread describe log` lists all channels");
 }
 
-TEST_F(TreadRun, CarInPlaceOfTheScenarioIsRefused) {
-    const std::string text = carText();
-    const Result result = runProgram({"run", car(text), car(text), "-o", out()});
+TEST_F(TreadRun, CarInPlaceOfTheScenarioIsRefusedInOneSentence) {
+    const std::string file = car();
+    expectRefused(runProgram({"run", file, file, "-o", out()}),
+                  file +
+                      ": found a vehicle file, expected a scenario file; `tread run` takes it first, `tread describe` "
+                      "shows its data sheet");
+}
+
+TEST_F(TreadRun, FaultsOfFilesAndSettingsAreToldTogether) {
+    const std::string text = carText("mass: 1350 kg", "mass: 1350 m");
+    car(text);
+    scenario(replaced(kScenario, "0.2 s", "0.2 m") + "log: {channels: [chasis.vx]}\n");
+    const Result result = run({"--set", "scenario.start.speed=fast", "--set", "wheelbas=3"});
     EXPECT_EQ(result.status, 2);
-    EXPECT_EQ(firstLine(result.err), scratch.path("car.yaml") + ":" + placeOf(text, "name:") +
-                                         ": found the unknown key \"name\", expected the name of a field; correct or "
-                                         "remove it");
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 5) << result.err;
+    for (const std::string part : {": mass: ", ": phases.0.until.duration: ", ": log.channels.0: ",
+                                   "--set: scenario.start.speed: ", "--set: wheelbas: "})
+        EXPECT_NE(result.err.find(part), std::string::npos) << part << "\n" << result.err;
 }
 
 }  // namespace

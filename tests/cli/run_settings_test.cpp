@@ -106,6 +106,34 @@ TEST_F(TreadRun, AllBadSettingsAreToldAtOnce) {
     expectRefused(run({"--set", "mass=heavy", "--set", "scenario.step=1"}), kHeavy + "\n" + kLongStep);
 }
 
+TEST_F(TreadRun, ImplausibleSettingsAreWarnedOfOnceAndAreFaultsWithStrict) {
+    car();
+    scenario();
+    const std::string height =
+        "--set: centre_of_gravity_height: found 550 m, plausible values are 0.02 to 3 m; did you mean "
+        "\"550 mm\"?\n";
+    const std::string speed =
+        "--set: scenario.start.speed: found 80 m/s, plausible values are 0 to 70 m/s; did you mean "
+        "\"80 km/h\"?\n";
+    const Result strict = run({"--set", "height=550", "--set", "scenario.start.speed=80", "--strict"});
+    EXPECT_EQ(strict.status, 2);
+    EXPECT_EQ(strict.err, height + speed);
+
+    // A car setting of the scenario, and the car once for two scenarios.
+    std::filesystem::create_directory(scratch.path("all"));
+    scratch.file("all/a.yaml", kScenario);
+    const std::string second = kScenario + "car_settings: [steering.play=7]\n";
+    const std::string file = scratch.file("all/b.yaml", second);
+    const std::string text = carText("mass: 1350 kg", "mass: 2975 lb").append("  air_density: 12\n");
+    const Result all = runProgram({"run", car(text), "--all", scratch.path("all"), "-o", out()});
+    EXPECT_EQ(all.err,
+              "warning: " + scratch.path("car.yaml") + ":" + placeOf(text, "12\n") +
+                  ": aero.air_density: found 12 kg/m3, plausible values are 0.5 to 1.6 kg/m3; check value and unit\n" +
+                  "warning: " + file + ":" + placeOf(second, "steering.play=7") +
+                  ": steering.play: found 7 rad, plausible values are 0 to 0.7 rad; did you mean \"7 deg\"?\n")
+        << all.out;
+}
+
 TEST_F(TreadRun, SettingMayStandBeforeTheFiles) {
     const Result result = runProgram({"run", "--set", "mass=1400", car(), scenario(), "-o", out()});
     EXPECT_EQ(result.status, 0) << result.err;

@@ -96,8 +96,9 @@ TEST(TyreInputs, AMissingFileIsNamed) {
         EXPECT_EQ(result.status, 2);
         EXPECT_EQ(result.err, none + ": cannot be read: No such file or directory\n");
     }
-    EXPECT_EQ(runProgram({"tyre", kCarTyre, "--table", scratch.folder()}).err,
-              scratch.folder() + ": cannot be read: Is a directory\n");
+    EXPECT_EQ(runProgram({"tyre", kCarTyre, "--table", scratch.folder()})
+                  .err.find(scratch.folder() + ": found a folder, expected a table of values or a log; "),
+              0u);
     EXPECT_EQ(runProgram({"tyre", none, "--table", none}).status, 2);
     EXPECT_TRUE(scratch.names().empty());
 }

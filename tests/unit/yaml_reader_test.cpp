@@ -161,6 +161,21 @@ TEST(YamlReader, AliasesStandForTheirValue) {
     EXPECT_EQ(car.damper.rear.bump, 5);
 }
 
+TEST(YamlReader, MistypedKeyCountsAsTheFieldThatItMeans) {
+    EXPECT_EQ(faults("extra: [{bmup: 4}]\n"),
+              (Texts{"car.yaml:1:10: extra.0: found the unknown key \"bmup\", expected the name of a field; did you "
+                     "mean \"bump\"?"}))
+        << "and no missing bump";
+    EXPECT_EQ(faults("extra: [{bmup: -4}]\n").size(), 2u) << "its value is looked at";
+    EXPECT_EQ(faults("mass: 1\nmas: -2\n").size(), 1u) << "the mass is there";
+}
+
+TEST(YamlReader, WhatAMissingStructRequiresIsOneFault) {
+    EXPECT_EQ(faults<PerAxle<PerAxle<Damper>>>("front: {front: {bump: 1}, rear: {bump: 1}}\n"),
+              (Texts{"car.yaml:1:1: rear: found nothing, expected a map with at least \"front\", \"rear\"; add "
+                     "\"rear:\" with these"}));
+}
+
 // ---- Faults, each with its place -----------------------------------------------------------------------------------
 
 TEST(YamlReader, UnknownKeyIsAnErrorThatNamesTheLikelyOne) {
@@ -303,11 +318,13 @@ TEST(YamlReader, VariantIsExactlyOneOfItsAlternatives) {
               (Texts{"car.yaml:2:3: steer.ramp: found nothing, expected a map; write \"key: value\" lines"}));
 }
 
-TEST(YamlReader, RulesAcrossFieldsAreAskedOnlyWhenTheFieldsAreFine) {
+TEST(YamlReader, RulesAcrossFieldsCountUnlessAFieldThatTheyNameIsFaulty) {
     EXPECT_EQ(
         faults("gears: 3\nratios: [1, 2]\n"),
         (Texts{"car.yaml:2:9: ratios: found 2 ratios, expected one for each of the 3 gears; correct one of the two"}));
-    EXPECT_EQ(faults("gears: 3\nratios: [1, 2]\nmass: x\n").size(), 1u) << "only the mass is reported";
+    EXPECT_EQ(faults("gears: 3\nratios: [1, 2]\nmass: x\n").size(), 2u) << "mass and ratios";
+    EXPECT_EQ(faults("gears: x\nratios: [1, 2]\n").size(), 1u) << "only the gears are reported";
+    EXPECT_EQ(faults("gears: 3\nratios: [1, x]\n").size(), 1u) << "only the second ratio is reported";
     EXPECT_EQ(faults("damper:\n  front: {bump: 9001}\n"),
               (Texts{"car.yaml:2:17: damper.front.bump: found too much, expected less; correct it"}));
 }
@@ -512,9 +529,21 @@ TEST_F(YamlFiles, FaultsOfIncludedFilesAreReportedWithTheOthersAndOnce) {
     EXPECT_EQ(
         faultsOf(wheel),
         (Texts{
+            wheel + ":2:1: found the unknown key \"nam\", expected the name of a field; did you mean \"name\"?",
             tyre + ":1:9: tyre.radius: found a mass (\"kg\"), expected m; correct the unit",
-            tyre + ":2:1: tyre: found the unknown key \"witdh\", expected the name of a field; did you mean \"width\"?",
-            wheel + ":2:1: found the unknown key \"nam\", expected the name of a field; did you mean \"name\"?"}));
+            tyre +
+                ":2:1: tyre: found the unknown key \"witdh\", expected the name of a field; did you mean \"width\"?"}));
+}
+
+TEST_F(YamlFiles, IncludedFileOfAnotherKindIsOneFaultWhereItIsNamed) {
+    write("tyres/a.yaml", "mass: 3\ninertia: 4\nwheelbase: 5\nname: x\n");
+    const std::string wheel = write("wheel.yaml", "tyre: tyres/a.yaml\n");
+    const Texts texts = faultsOf(wheel);
+    ASSERT_EQ(texts.size(), 1u);
+    EXPECT_TRUE(texts[0].starts_with(wheel +
+                                     ":1:7: tyre: found \"tyres/a.yaml\", a file of another kind (with \"mass\", "
+                                     "\"inertia\", \"wheelbase\"), expected a file with "))
+        << texts[0];
 }
 
 TEST_F(YamlFiles, MissingIncludeNamesWhoIncludedItAndWhatWasTried) {

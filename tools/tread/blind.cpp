@@ -10,6 +10,7 @@
 #include "blind/score/score.h"
 #include "commands.h"
 #include "diagnose/catalogue/effect.h"
+#include "kind_of_file.h"
 #include "log/csv.h"
 #include "output.h"
 #include "report/blind_report.h"
@@ -58,6 +59,7 @@ std::string madeOf(const SealedKey& key) {
 }  // namespace
 
 int blindMake(const BlindMakeOptions& options) {
+    expectKind(options.vehicle, {"vehicle"});
     const Path folder = options.output;
     const Path key_file = options.key.empty() ? Path(withoutSlash(options.output) + ".key.json") : Path(options.key);
     std::error_code error;
@@ -91,6 +93,7 @@ int blindMake(const BlindMakeOptions& options) {
 }
 
 int blindScore(const BlindScoreOptions& options) {
+    expectKind(options.cases, {"folder"});
     // The hash is that of the key file as it is; its contents are parsed only when all cases are answered.
     const std::string sealed = readBytes(options.key);
     const References references = options.no_references ? References::left_out : References::used;

@@ -11,6 +11,7 @@
 #include "base/problem_texts.h"
 #include "base/text_file.h"
 #include "base/yaml_document.h"
+#include "base/yaml_session.h"
 #include "commands.h"
 #include "describable.h"
 #include "kind_of_file.h"
@@ -27,6 +28,17 @@ struct CheckedFile {
     std::string kind;  // empty: not recognised
     std::vector<Problem> problems;
     std::vector<std::string> notes;
+    std::vector<Problem> warnings;  // implausible numbers
+
+    void take(FileReading reading) {
+        notes = std::move(reading.notes);
+        warnings = std::move(reading.warnings);
+        try {
+            throwIfAny(std::move(reading.faults));
+        } catch (const LoadError& error) {
+            problems = error.problems();
+        }
+    }
 };
 
 std::string unknownKindText(const std::vector<std::string>& keys) {
@@ -38,16 +50,11 @@ void checkYaml(CheckedFile& checked, std::string_view text) {
     const auto document = parseYaml(text, checked.name, checked.problems);
     if (!document) return;
     const std::vector<std::string> keys = keysOf(*document);
+    if (const std::string fault = outputFault(keys); !fault.empty()) throw LoadError({{checked.name, 0, 0, "", fault}});
     const Describable* const kind = bestMatch(keys);
     if (!kind) throw LoadError({{checked.name, 0, 0, "", unknownKindText(keys)}});
     checked.kind = kind->name;
-    checked.notes = kind->read(checked.name);
-}
-
-// A height field starts with x and y, a log with the time.
-bool looksLikeHeightField(std::string_view text) {
-    while (text.starts_with('#')) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
-    return text.substr(0, text.find_first_of(",\n")).find("x\\y") != std::string_view::npos;
+    checked.take(kind->read(checked.name));
 }
 
 void checkCsv(CheckedFile& checked, std::string_view text) {
@@ -62,7 +69,7 @@ void checkCsv(CheckedFile& checked, std::string_view text) {
 }
 
 CheckedFile checkFile(const std::string& name) {
-    CheckedFile checked{name, "", {}, {}};
+    CheckedFile checked{name, "", {}, {}, {}};
     const std::string extension = Path(name).extension().string();
     std::string fault;
     const auto text = readTextFile(name, fault);  // only the beginning of a long log
@@ -73,7 +80,7 @@ CheckedFile checkFile(const std::string& name) {
     try {
         if (extension == ".tir" || extension == ".TIR") {
             checked.kind = "tyre";
-            checked.notes = readTyreFile(name);
+            checked.take(readTyreFile(name));
         } else if (extension == ".csv" || extension == ".CSV") {
             checkCsv(checked, *text);
         } else {
@@ -91,12 +98,12 @@ std::string count(std::size_t number, std::string_view what) {
     return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
 }
 
-// All faults; a fault of a file that several others include is listed once.
-std::vector<Problem> allFaults(const std::vector<CheckedFile>& files) {
+// All faults, or all warnings; one of a file that several others include is listed once.
+std::vector<Problem> allOf(const std::vector<CheckedFile>& files, std::vector<Problem> CheckedFile::*list) {
     std::vector<Problem> faults;
     std::set<std::tuple<std::string, int, int, std::string>> seen;
     for (const CheckedFile& file : files) {
-        for (const Problem& problem : file.problems) {
+        for (const Problem& problem : file.*list) {
             if (seen.emplace(problem.file, problem.line, problem.column, problem.text).second) {
                 faults.push_back(problem);
             }
@@ -105,32 +112,45 @@ std::vector<Problem> allFaults(const std::vector<CheckedFile>& files) {
     return faults;
 }
 
-std::string answer(std::size_t faults, std::size_t faulty, std::size_t files) {
-    if (faults == 0) return fmt::format("{} {} fine", count(files, "file"), files == 1 ? "is" : "are");
+std::string answer(std::size_t faults, std::size_t warnings, std::size_t faulty, std::size_t files) {
+    if (faults == 0) {
+        const std::string words = fmt::format("{} {} fine", count(files, "file"), files == 1 ? "is" : "are");
+        return warnings == 0 ? words : fmt::format("{}, with {}", words, count(warnings, "warning"));
+    }
     if (files == 1) return fmt::format("{} in 1 file", count(faults, "fault"));
     return fmt::format("{} in {} of {}", count(faults, "fault"), faulty, count(files, "file"));
 }
 
-std::string text(const std::vector<CheckedFile>& files, const std::vector<Problem>& faults) {
+std::string text(const std::vector<CheckedFile>& files, const std::vector<Problem>& faults,
+                 const std::vector<Problem>& warnings) {
     std::string out = textOf(faults) + (faults.empty() ? "" : "\n");
+    for (const Problem& warning : warnings) out += "warning: " + toText(warning) + "\n";
     for (const CheckedFile& file : files) {
         if (file.problems.empty()) out += fmt::format("{}: {}, fine\n", file.name, file.kind);
     }
     return out;
 }
 
+nlohmann::json json(const std::vector<Problem>& problems) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const Problem& problem : problems) {
+        list.push_back({{"file", problem.file},
+                        {"line", problem.line > 0 ? nlohmann::json(problem.line) : nlohmann::json(nullptr)},
+                        {"column", problem.line > 0 ? nlohmann::json(problem.column) : nlohmann::json(nullptr)},
+                        {"path", problem.path},
+                        {"text", problem.text}});
+    }
+    return list;
+}
+
 nlohmann::json json(const std::vector<CheckedFile>& files) {
     nlohmann::json list = nlohmann::json::array();
     for (const CheckedFile& file : files) {
-        nlohmann::json problems = nlohmann::json::array();
-        for (const Problem& problem : file.problems) {
-            problems.push_back({{"file", problem.file},
-                                {"line", problem.line > 0 ? nlohmann::json(problem.line) : nlohmann::json(nullptr)},
-                                {"column", problem.line > 0 ? nlohmann::json(problem.column) : nlohmann::json(nullptr)},
-                                {"path", problem.path},
-                                {"text", problem.text}});
-        }
-        list.push_back({{"file", file.name}, {"kind", file.kind}, {"problems", problems}, {"notes", file.notes}});
+        list.push_back({{"file", file.name},
+                        {"kind", file.kind},
+                        {"problems", json(file.problems)},
+                        {"warnings", json(file.warnings)},
+                        {"notes", file.notes}});
     }
     return list;
 }
@@ -140,6 +160,11 @@ nlohmann::json json(const std::vector<CheckedFile>& files) {
 int check(const CheckOptions& options) {
     std::vector<CheckedFile> files;
     for (const std::string& name : options.files) files.push_back(checkFile(name));
+    if (options.strict) {
+        for (CheckedFile& file : files)
+            file.problems.insert(file.problems.end(), file.warnings.begin(), file.warnings.end());
+        for (CheckedFile& file : files) file.warnings.clear();
+    }
     for (const CheckedFile& file : files) {
         for (const std::string& note : file.notes) {
             // Notes on the file itself already start with its name.
@@ -148,14 +173,16 @@ int check(const CheckOptions& options) {
             program::note(fmt::format("{}: note: {}", file.name, note.substr(begin)));
         }
     }
-    const std::vector<Problem> faults = allFaults(files);
+    const std::vector<Problem> faults = allOf(files, &CheckedFile::problems);
+    const std::vector<Problem> warnings = allOf(files, &CheckedFile::warnings);
     const auto faulty = static_cast<std::size_t>(
         std::count_if(files.begin(), files.end(), [](const CheckedFile& file) { return !file.problems.empty(); }));
-    const std::string words = answer(faults.size(), faulty, files.size());
+    const std::string words = answer(faults.size(), warnings.size(), faulty, files.size());
     if (options.json) {
-        printJson({{"answer", words}, {"faults", faults.size()}, {"files", json(files)}});
+        printJson(
+            {{"answer", words}, {"faults", faults.size()}, {"warnings", warnings.size()}, {"files", json(files)}});
     } else {
-        say(words + "\n" + text(files, faults), faults.empty() ? Tone::good : Tone::bad);
+        say(words + "\n" + text(files, faults, warnings), faults.empty() ? Tone::good : Tone::bad);
     }
     return faults.empty() ? kYes : kBadInput;
 }

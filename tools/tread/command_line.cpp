@@ -50,6 +50,7 @@ void addRun(CLI::App& app, RunOptions& o) {
     addSettings(app, o.settings, "path=value, for example front.suspension.spring=\"25 kN/m\" or scenario.step=0.002");
     addFile(app, "--accept", o.accept, "conditions on metrics (YAML), beside those of the scenario");
     addFile(app, "--junit", o.junit, "write the verdicts as JUnit XML to this file");
+    app.add_flag("--strict", o.strict, "treat an implausible number as an error (exit code 2), not a warning");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
@@ -109,6 +110,7 @@ void addDiagnose(CLI::App& app, DiagnoseRequest& o) {
     addFile(app, "file", o.file, "diagnosis.yaml: nominal car, recordings, tolerances");
     app.add_flag("--check", o.check,
                  "only check the recordings and list the effects that they could show; status 1 if there are warnings");
+    app.add_flag("--strict", o.strict, "treat an implausible number as an error (exit code 2), not a warning");
     addFolder(app, "--init", o.init, "write a diagnosis.yaml for the logs in this folder");
     addFile(app, "--vehicle", o.vehicle,
             "nominal car (YAML): for --init, or instead of the vehicle and vehicle_settings of the file");
@@ -143,6 +145,7 @@ void addDescribe(CLI::App& app, DescribeOptions& o) {
 
 void addCheck(CLI::App& app, CheckOptions& o) {
     addFile(app, "files", o.files, "YAML, .tir or CSV files")->required();
+    app.add_flag("--strict", o.strict, "treat an implausible number as an error (exit code 2), not a warning");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 

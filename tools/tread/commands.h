@@ -27,6 +27,7 @@ struct RunOptions {
     std::vector<std::string> settings;  // path=value
     std::string accept;                 // file of conditions; empty: those of the scenario alone
     std::string junit;                  // file; empty: none
+    bool strict = false;                // an implausible number is a fault
     bool json = false;
 };
 int run(const RunOptions& options);
@@ -86,6 +87,7 @@ struct DiagnoseRequest {
     std::string vehicle;  // that it names; without init: nominal car in place of the file's
     int threads = 0;      // 0: one per core
     bool check = false;   // the data and what they could show, no diagnosis
+    bool strict = false;  // an implausible number is a fault
     bool json = false;
 };
 int diagnose(const DiagnoseRequest& request);
@@ -113,6 +115,7 @@ int describe(const DescribeOptions& options);
 
 struct CheckOptions {
     std::vector<std::string> files;
+    bool strict = false;  // an implausible number is a fault
     bool json = false;
 };
 int check(const CheckOptions& options);

@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "compare_folders.h"
 #include "judge.h"
+#include "kind_of_file.h"
 #include "log/csv.h"
 #include "output.h"
 #include "overlay.h"
@@ -111,8 +112,13 @@ void writeReport(const CompareOptions& options, const Log& reference, const Log&
 }  // namespace
 
 int compare(const CompareOptions& options) {
+    for (const std::string& log : options.repeats) expectKind(log, {"log"});
+    expectKind(options.tolerances, {"tolerances"});
+    expectKind(options.envelope, {"envelope"});
+    expectKind(options.score, {"score"});
     if (std::filesystem::is_directory(options.reference) || std::filesystem::is_directory(options.candidate))
         return compareFolders(options);
+    for (const std::string& log : {options.reference, options.candidate}) expectKind(log, {"log", "folder"});
     if (options.update || !options.junit.empty()) {
         throw LoadError(
             {{"tread compare", 0, 0, "",

@@ -16,6 +16,7 @@
 #include "import/import_map.h"
 #include "log/log_columns.h"
 #include "metrics/metrics.h"
+#include "plausibility.h"
 #include "recording/diagnosis_file.h"
 #include "recording/subject_paths.h"
 #include "run_inputs.h"
@@ -116,38 +117,41 @@ std::vector<ReferenceRow> effectRows() {
     return rows;
 }
 
-std::vector<std::string> readOwnEffectsFile(const Path& file) {
+FileReading readOwnEffectsFile(const Path& file) {
     loadOwnEffects(file);
     return {};
 }
 
 // The logs may be in a folder that is given only to the diagnosis, so their existence is not checked.
-std::vector<std::string> readDiagnosisFile(const Path& file) {
+FileReading readDiagnosisFile(const Path& file) {
     effectsToConsider(checkedDiagnosis(file));
     return {};
 }
 
-std::vector<std::string> readVehicleFile(const Path& file) {
-    const VehicleParams car = loadVehicle(file);
-    std::vector<std::string> notes;
+FileReading readVehicleFile(const Path& file) {
+    FileReading found;
+    const VehicleParams car = readVehicle(file.string(), found.faults);
+    found.warnings = implausibleIn(car, file.string());
     for (const auto& [path, tyre] : tyresOf(car)) {
-        for (const std::string& note : tyre->notes) notes.push_back(path + ": " + note);
+        for (const std::string& note : tyre->notes) found.notes.push_back(path + ": " + note);
     }
-    return notes;
+    return found;
 }
 
-std::vector<std::string> readScenarioFile(const Path& file) {
-    readScenario(file.string());
-    return {};
+FileReading readScenarioFile(const Path& file) {
+    FileReading found;
+    const Scenario scenario = readScenario(file.string(), found.faults);
+    found.warnings = implausibleIn(scenario, file.string());
+    return found;
 }
 
-std::vector<std::string> readAcceptFile(const Path& file) {
+FileReading readAcceptFile(const Path& file) {
     checkAcceptFile(file.string());
     return {};
 }
 
 template <class T>
-std::vector<std::string> readDescribed(const Path& file) {
+FileReading readDescribed(const Path& file) {
     readYaml<T>(file);
     return {};
 }
@@ -200,8 +204,9 @@ const Describable& describable(std::string_view name, bool only_files) {
     rejectName(only_files ? "kind of file" : "description", name, describableNames(only_files));
 }
 
-std::vector<std::string> readTyreFile(const Path& file) {
-    return loadTyre(file).notes;
+FileReading readTyreFile(const Path& file) {
+    const TyreParams tyre = loadTyre(file);
+    return {tyre.notes, implausibleIn(tyre, file.string()), {}};
 }
 
 void rejectName(std::string_view what, std::string_view name, const std::vector<std::string_view>& known) {

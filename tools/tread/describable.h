@@ -7,6 +7,7 @@
 
 #include "base/reference_table.h"
 #include "commands.h"
+#include "tread/problem.h"
 
 namespace tread::program {
 
@@ -16,15 +17,21 @@ struct TopField {
     std::string meaning;
 };
 
+// What the reader of a file should see.
+struct FileReading {
+    std::vector<std::string> notes = {};
+    std::vector<Problem> warnings = {};  // implausible numbers
+    std::vector<Problem> faults = {};
+};
+
 struct Describable {
     std::string_view name;     // as typed: "vehicle"
     std::string_view meaning;  // "a car"
     std::vector<TopField> (*top)();
     std::vector<ReferenceRow> (*rows)();
-    // Of what is a YAML file; nullptr for anything else. Reading throws LoadError with every fault and returns notes
-    // that the reader of the file should see.
+    // Of what is a YAML file; nullptr for anything else. Reading returns the faults, or throws LoadError with them.
     std::string (*schema)() = nullptr;
-    std::vector<std::string> (*read)(const Path& file) = nullptr;
+    FileReading (*read)(const Path& file) = nullptr;
 
     bool isFile() const { return read != nullptr; }
 };
@@ -37,8 +44,8 @@ std::vector<std::string_view> describableNames(bool only_files);
 // The one of that name; LoadError with a suggestion and the list when there is none.
 const Describable& describable(std::string_view name, bool only_files);
 
-// Notes of a .tir file, or of the tyres of a car.
-std::vector<std::string> readTyreFile(const Path& file);
+// A tyre file, YAML or .tir.
+FileReading readTyreFile(const Path& file);
 
 // LoadError: there is no <what> "x", only y or z; did you mean "y"?
 [[noreturn]] void rejectName(std::string_view what, std::string_view name, const std::vector<std::string_view>& known);

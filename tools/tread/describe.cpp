@@ -25,11 +25,11 @@ std::string_view groupOf(const ReferenceRow& row) {
 }
 
 // Cells of a row in reading order; the long description comes last, where it may wrap.
-constexpr std::size_t kCells = 5;
+constexpr std::size_t kCells = 6;
 std::array<std::string, kCells> cellsOf(const ReferenceRow& row) {
     std::string meaning = row.meaning;
     if (row.tolerance > 0) meaning += fmt::format(" (usually known within {:.3g} %)", 100 * row.tolerance);
-    return {row.path, row.unit, row.default_text, row.limits, meaning};
+    return {row.path, row.unit, row.default_text, row.limits, row.plausible, meaning};
 }
 
 using Widths = std::array<std::size_t, kCells - 1>;
@@ -49,10 +49,11 @@ std::string line(const Widths& widths, std::span<const std::string> cells) {
 
 // The same where the columns leave too little room: path and unit, and below them all else.
 std::string block(const std::array<std::string, kCells>& cells) {
-    const auto& [path, unit, default_text, limits, meaning] = cells;
+    const auto& [path, unit, default_text, limits, plausible, meaning] = cells;
     const bool required = default_text == "required" || default_text.empty();
     std::string words = required ? default_text : default_text == "absent" ? "optional" : "default " + default_text;
     if (!limits.empty()) words += (words.empty() ? "" : ", ") + limits;
+    if (!plausible.empty()) words += (words.empty() ? "plausible " : ", plausible ") + plausible;
     words += (words.empty() ? "" : ": ") + meaning;
     constexpr std::size_t kIndent = 6;
     return fmt::format("  {}{}{}\n{:{}}{}\n", path, unit.empty() ? "" : "  ", unit, "", kIndent,
@@ -60,7 +61,7 @@ std::string block(const std::array<std::string, kCells>& cells) {
 }
 
 std::string table(std::span<const ReferenceRow> rows) {
-    static const std::array<std::string, kCells> kHead = {"field", "unit", "default", "limits", "meaning"};
+    static const std::array<std::string, kCells> kHead = {"field", "unit", "default", "limits", "plausible", "meaning"};
     constexpr std::size_t kRoom = 30;  // columns that the last cell needs
     Widths widths{};
     for (const ReferenceRow& row : rows) widen(widths, cellsOf(row));
@@ -125,6 +126,7 @@ nlohmann::json json(const Describable& what, const std::vector<ReferenceRow>& ro
                           {"unit", row.unit},
                           {"meaning", row.meaning},
                           {"limits", row.limits},
+                          {"plausible", row.plausible},
                           {"default", row.default_text},
                           {"tolerance", row.tolerance > 0 ? nlohmann::json(row.tolerance) : nlohmann::json(nullptr)}});
     }

@@ -8,11 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/setting.h"
-#include "base/text_file.h"
-#include "base/yaml_document.h"
-#include "describable.h"
 #include "kind_of_file.h"
 #include "output.h"
+#include "plausibility.h"
 #include "report/sheet_report.h"
 #include "report/text.h"
 #include "sheet/sheet.h"
@@ -24,29 +22,6 @@ namespace {
 
 using sheet::Sheet;
 using sheet::SheetRow;
-
-[[noreturn]] void rejectKind(const std::string& file, const std::string& found) {
-    throw LoadError({{file, 0, 0, "",
-                      fmt::format("found {}, expected a vehicle file, such as vehicles/compact.yaml; `tread describe "
-                                  "vehicle` lists what it holds",
-                                  found)}});
-}
-
-// One sentence for a file of another kind, where the reader would name every field that a car has and it has not.
-void expectCar(const std::string& file) {
-    const std::string extension = Path(file).extension().string();
-    if (extension == ".tir" || extension == ".TIR") rejectKind(file, "a tyre property file");
-    if (extension == ".csv" || extension == ".CSV") rejectKind(file, "a table of values");
-    std::string fault;
-    const auto text = readTextFile(file, fault);
-    std::vector<Problem> problems;
-    const auto document = text ? parseYaml(*text, file, problems) : std::nullopt;
-    if (!document) return;  // the reader says why
-    const std::vector<std::string> keys = keysOf(*document);
-    const Describable* const kind = bestMatch(keys);
-    if (!kind) rejectKind(file, foundKeys(keys));
-    if (kind->name != "vehicle") rejectKind(file, fmt::format("a {} file", kind->name));
-}
 
 std::string joined(const std::vector<std::string_view>& words) {
     return fmt::format("{}", fmt::join(words, ", "));
@@ -97,10 +72,11 @@ nlohmann::json json(const Sheet& sheet, const std::string& file, const std::stri
 }  // namespace
 
 int describeCar(const DescribeOptions& options) {
-    expectCar(options.what);
+    expectKind(options.what, {"vehicle"});
     VehicleParams car = loadVehicle(options.what);
     applySettings(car, options.settings, "--set",
                   [](std::string_view) -> std::string { return "`tread describe vehicle` lists all paths"; });
+    warnOfImplausible(implausibleIn(car, options.what, {{options.settings, "--set"}}));
     const Sheet sheet = sheet::sheetOf(car);
     if (!options.report.empty()) {
         writeFile(options.report, sheetReport({.file = options.what,

@@ -11,6 +11,7 @@
 #include "diagnose_check.h"
 #include "output.h"
 #include "output_folder.h"
+#include "plausibility.h"
 #include "report/diagnosis_report.h"
 #include "shipped_drives.h"
 #include "stages.h"
@@ -32,6 +33,7 @@ int diagnose(const DiagnoseRequest& request) {
     if (request.file.empty())
         throw LoadError({{"tread diagnose", 0, 0, "", "found no file, expected a diagnosis.yaml or --init FOLDER"}});
     const DiagnosisInputs inputs = readDiagnosisInputs(request.file, request.data, request.vehicle);
+    warnOfImplausible(inputs.implausible, request.strict);
     const Path out = request.output.empty() ? Path("out") : Path(request.output);
     tread::diagnose::Options options;
     options.threads = request.threads;
@@ -45,7 +47,12 @@ int diagnose(const DiagnoseRequest& request) {
         Progress bar(100, "%");
         options.possible_next = shippedDrives();
         options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
-        diagnosis = tread::diagnose::diagnosisOf(inputs.nominal, inputs.file, inputs.recorded, inputs.effects, options);
+        try {
+            diagnosis =
+                tread::diagnose::diagnosisOf(inputs.nominal, inputs.file, inputs.recorded, inputs.effects, options);
+        } catch (const SimulationError& error) {
+            throw SimulationError(withSuspects(error, inputs.implausible), error.time, error.suspect);
+        }
     }
     warnOf(diagnosis.data_warnings);
     diagnosis.data_warnings.insert(diagnosis.data_warnings.begin(), inputs.warnings.begin(), inputs.warnings.end());

@@ -16,7 +16,9 @@
 #include "diagnose/catalogue/effects_to_consider.h"
 #include "diagnose/options.h"
 #include "diagnose/precheck.h"
+#include "kind_of_file.h"
 #include "output.h"
+#include "plausibility.h"
 #include "recording/checks/data_checks.h"
 #include "recording/checks/rigid_body.h"
 #include "recording/choose_windows.h"
@@ -134,14 +136,19 @@ void holdOut(DiagnosisFile& file, const std::vector<std::string>& names) {
 DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const std::string& vehicle,
                                     const std::vector<std::string>& without) {
     DiagnosisInputs inputs;
+    expectKind(file, {"diagnosis"});
+    expectKind(vehicle, {"vehicle"});
     inputs.file = loadDiagnosis(file, data);
     holdOut(inputs.file, without);
     if (!vehicle.empty()) inputs.file.vehicle = vehicle, inputs.file.vehicle_settings.clear();
+    expectKind(inputs.file.vehicle, {"vehicle"});
     inputs.recorded = readRecordings(inputs.file);
     chooseWindows(inputs.file, inputs.recorded);
     addFurtherInstruments(inputs.file.instruments, inputs.recorded.logs);
     addFurtherInstruments(inputs.file.instruments, inputs.recorded.before);
     inputs.nominal = nominalSubject(inputs.file);
+    inputs.implausible = implausibleIn(inputs.nominal.vehicle, inputs.file.vehicle,
+                                       {{inputs.file.vehicle_settings, file.string(), "", "vehicle_settings"}});
     locate(file, [&] { inputs.effects = effectsToConsider(inputs.file); });
     inputs.warnings = inputs.recorded.notes;
     for (const DataWarning& warning : dataWarnings(inputs.file, inputs.recorded, inputs.nominal))

@@ -22,6 +22,7 @@ struct DiagnosisInputs {
     std::vector<diagnose::catalogue::Effect> effects;
     recording::Recorded recorded;
     std::vector<std::string> warnings;  // of reading and of the data checks, one sentence or two each
+    std::vector<Problem> implausible;   // numbers of the nominal car
 };
 DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const std::string& vehicle,
                                     const std::vector<std::string>& without = {});

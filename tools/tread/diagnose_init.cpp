@@ -5,6 +5,7 @@
 
 #include "base/number_text.h"
 #include "diagnose_check.h"
+#include "kind_of_file.h"
 #include "output.h"
 #include "recording/diagnosis_file.h"
 #include "recording/driver_inputs.h"
@@ -68,6 +69,8 @@ std::string recordingText(const std::string& name, const Recognised& log, bool h
 }  // namespace
 
 int initDiagnosis(const Path& folder, const std::string& vehicle) {
+    expectKind(folder, {"folder"});
+    expectKind(vehicle, {"vehicle"});
     const std::vector<std::string> names = logsOf(folder);
     const Path file = folder / "diagnosis.yaml";
     if (std::filesystem::exists(file))

@@ -125,7 +125,7 @@ Driven driveInto(const RunRecord& record, const Path& folder, const Tell& tell) 
     } catch (const Interrupted& error) {
         throw Interrupted(withRows(error), error.time);
     } catch (const SimulationError& error) {
-        throw SimulationError(withRows(error), error.time);
+        throw SimulationError(withRows(error), error.time, error.suspect);
     }
 }
 

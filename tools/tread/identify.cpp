@@ -6,6 +6,7 @@
 #include "diagnose_check.h"
 #include "output.h"
 #include "output_folder.h"
+#include "plausibility.h"
 #include "recording/subject_paths.h"
 #include "report/identification_report.h"
 #include "stages.h"
@@ -35,6 +36,7 @@ void judgePaths(const std::vector<std::string>& paths) {
 int identify(const IdentifyRequest& request) {
     judgePaths(request.fit);
     DiagnosisInputs inputs = readDiagnosisInputs(request.file, request.data, request.vehicle, request.without);
+    warnOfImplausible(inputs.implausible);
     if (!request.fit.empty()) inputs.file.fit = request.fit;
     warnOf(inputs.warnings);
 

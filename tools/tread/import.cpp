@@ -10,6 +10,7 @@
 #include "base/yaml_position.h"
 #include "commands.h"
 #include "import/essentials.h"
+#include "kind_of_file.h"
 #include "log/csv.h"
 #include "output.h"
 #include "tread/load.h"
@@ -170,6 +171,8 @@ int writeGuess(const ImportOptions& options, const GuessedMap& guessed) {
 }  // namespace
 
 int import(const ImportOptions& options) {
+    expectKind(options.file, {"table", "log", "vbo", "mat", "tir"});
+    expectKind(options.map, {"import"});
     const std::string extension = Path(options.file).extension().string();
     if (extension == ".tir" || extension == ".TIR") return importTyre(options);
 

@@ -7,6 +7,7 @@
 #include "base/yaml_session.h"
 #include "commands.h"
 #include "describable.h"
+#include "kind_of_file.h"
 #include "log/csv.h"
 #include "log/log_columns.h"
 #include "output.h"
@@ -26,6 +27,9 @@ void expectKnown(std::string_view manoeuvre) {
 int metrics(const MetricsOptions& options) {
     const bool detected = options.manoeuvre.empty();
     if (!detected) expectKnown(options.manoeuvre);
+    expectKind(options.log, {"log"});
+    expectKind(options.scenario, {"scenario"});
+    expectKind(options.accept, {"accept"});
     const Log log = readLog(options.log);
     throwIfAny(unitFaults(log, options.log));
 

@@ -6,6 +6,7 @@
 #include "accepting.h"
 #include "commands.h"
 #include "output.h"
+#include "plausibility.h"
 #include "run/simulate.h"
 #include "run_all.h"
 #include "run_inputs.h"
@@ -40,9 +41,9 @@ void writeJUnit(const RunOptions& options, const std::vector<JUnitCase>& cases) 
     if (!options.junit.empty()) writeFile(options.junit, junit("tread run", cases));
 }
 
-int failed(const RunOptions& options, const std::string& name, const std::runtime_error& error) {
-    fmt::print(stderr, "tread run: {}\n", error.what());
-    writeJUnit(options, {{name, "run", "", error.what()}});
+int failed(const RunOptions& options, const std::string& name, const std::string& why) {
+    fmt::print(stderr, "tread run: {}\n", why);
+    writeJUnit(options, {{name, "run", "", why}});
     return kRunFailed;
 }
 
@@ -54,7 +55,7 @@ int run(const RunOptions& options) {
         throw LoadError(
             {{"tread run", 0, 0, "", "found no scenario, expected a file or --all with a folder of scenarios"}});
     }
-    const RunRecord record = readRunInputs(options);
+    const auto [record, implausible] = readRunInputs(options);
     const Path folder = options.output.empty() ? Path("out") / Path(options.scenario).stem() : Path(options.output);
     const std::string name = Path(options.scenario).stem().string();
     bool accepted = true;
@@ -62,7 +63,8 @@ int run(const RunOptions& options) {
     try {
         const double longest = longestDuration(record.scenario);
         Progress progress(longest, "s");
-        const Driven driven = driveScenario(record, folder, [&](double share) { progress.at(share * longest); });
+        Driven driven = driveScenario(record, folder, [&](double share) { progress.at(share * longest); });
+        for (const Problem& warning : implausible) driven.json["warnings"].push_back(toText(warning));
         show(driven, options, folder);
         writeJUnit(options, junitCases(name, driven.verdicts));
         accepted = allMet(driven.verdicts);
@@ -70,9 +72,9 @@ int run(const RunOptions& options) {
         fmt::print(stderr, "tread run: {}\n", error.what());
         return stoppedStatus();
     } catch (const SimulationError& error) {
-        return failed(options, name, error);
+        return failed(options, name, withSuspects(error, implausible));
     } catch (const SeriesError& error) {
-        return failed(options, name, error);
+        return failed(options, name, error.what());
     }
     return accepted ? kYes : kNo;
 }

@@ -10,8 +10,10 @@
 #include "answer.h"
 #include "base/number_text.h"
 #include "drive.h"
+#include "kind_of_file.h"
 #include "log/csv.h"
 #include "output.h"
+#include "plausibility.h"
 #include "report/series_report.h"
 #include "run/simulate.h"
 #include "run_inputs.h"
@@ -41,7 +43,8 @@ std::vector<Path> scenariosIn(const Path& folder) {
 struct Planned {
     std::string name;
     RunRecord record;
-    std::string fault;  // empty: none
+    std::string fault;                 // empty: none
+    std::vector<Problem> implausible;  // numbers of car and scenario
 };
 
 // All faults of a file in one sentence: the first one, and the number of the others.
@@ -60,9 +63,11 @@ std::vector<Planned> planned(const RunOptions& options) {
     for (const Path& file : scenariosIn(options.all)) {
         RunOptions one = options;
         one.scenario = file.string();
-        Planned plan{file.stem().string(), {}, ""};
+        Planned plan{file.stem().string(), {}, "", {}};
         try {
-            plan.record = readRunInputs(one);
+            RunInputs inputs = readRunInputs(one);
+            plan.record = std::move(inputs.record);
+            plan.implausible = std::move(inputs.implausible);
         } catch (const LoadError& error) {
             plan.fault = sentenceOf(error);
             if (!first) first = error;
@@ -99,6 +104,8 @@ Outcome drive(const Planned& plan, const Path& out, const TellShare& tell) {
                 {{"scenario", name}, {"result", std::move(driven.json)}}};
     } catch (const Interrupted&) {
         throw;
+    } catch (const SimulationError& error) {
+        return failed(name, title, withSuspects(error, plan.implausible));
     } catch (const std::runtime_error& error) {
         return failed(name, title, error.what());
     }
@@ -107,6 +114,7 @@ Outcome drive(const Planned& plan, const Path& out, const TellShare& tell) {
 }  // namespace
 
 int runAll(const RunOptions& options) {
+    expectKind(options.all, {"folder"});
     const std::vector<Planned> plans = planned(options);
     const Path out = options.output.empty() ? Path("out") : Path(options.output);
     const OutputFolder output(out);

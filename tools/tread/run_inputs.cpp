@@ -12,13 +12,14 @@
 #include "base/trimmed.h"
 #include "base/write_yaml.h"
 #include "base/yaml_position.h"
+#include "kind_of_file.h"
 #include "metrics/metrics.h"
+#include "plausibility.h"
 #include "run/sensors.h"
 #include "run/simulate.h"
 #include "scenario/load.h"
 #include "scenario/replay.h"
 #include "series/series.h"
-#include "tread/load.h"
 
 namespace tread::program {
 namespace {
@@ -52,7 +53,8 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
     std::vector<std::string_view> known;
     for (const Manoeuvre& manoeuvre : manoeuvres()) known.push_back(manoeuvre.name);
     const std::string& name = scenario.manoeuvre;
-    if (!name.empty() && std::find(known.begin(), known.end(), name) == known.end()) {
+    const bool known_or_none = name.empty() || std::find(known.begin(), known.end(), name) != known.end();
+    if (!known_or_none) {
         faults.push_back({"manoeuvre", "found the unknown manoeuvre " + quote(name) + ", expected " + listed(known) +
                                            ", or no such line for a run without metrics" + didYouMean(name, known)});
     }
@@ -75,7 +77,9 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
     if (series.vary) expectMetric("series.vary.pass", series.vary->pass);
     if (series.highest) expectMetric("series.highest.pass", series.highest->pass);
 
-    for (const AcceptFault& fault : acceptFaults(scenario.accept, ownerOf(scenario), acceptable(scenario))) {
+    // Nobody knows the metrics of an unknown manoeuvre.
+    const Acceptance accept = known_or_none ? scenario.accept : Acceptance{};
+    for (const AcceptFault& fault : acceptFaults(accept, ownerOf(scenario), acceptable(scenario))) {
         faults.push_back({joinPath("accept", fault.line.metric), fault.text, {fault.line.line, fault.line.column}});
     }
 
@@ -127,8 +131,8 @@ void sayChanges(Settable& inputs, const Settable& before, const RunOptions& opti
         if (!is || yamlText(was->item) == yamlText(is->item)) continue;
         const bool of_scenario = was->path.starts_with(kScenario);
         const std::string path = of_scenario ? was->path.substr(kScenario.size()) : was->path;
-        const std::string old =
-            writtenValue(of_scenario ? options.scenario : options.vehicle, path).value_or(valueText(was->item));
+        const auto written = writtenValue(of_scenario ? options.scenario : options.vehicle, path);
+        const std::string old = written && !written->text.empty() ? written->text : valueText(was->item);
         std::string given(trimmed(std::string_view(setting).substr(equals + 1)));
         std::string_view unit = given;
         if (takeNumber(unit) && trimmed(unit).empty() && !is->item.comment.empty()) given += " " + is->item.comment;
@@ -137,32 +141,39 @@ void sayChanges(Settable& inputs, const Settable& before, const RunOptions& opti
     }
 }
 
-// A file of another kind has dozens of faults; the first of them are enough.
-[[noreturn]] void refuse(std::vector<Problem> problems) {
-    constexpr std::size_t kMost = 20;
-    if (problems.size() > kMost) {
-        const std::string more = std::to_string(problems.size() - kMost);
-        problems.resize(kMost);
-        problems.push_back({"", 0, 0, "", "and " + more + " more faults; `tread check` lists all"});
+std::vector<Problem> placed(const std::vector<Fault>& faults, const std::string& file) {
+    std::vector<Problem> problems;
+    for (const Fault& fault : faults) {
+        const TextPosition position = fault.at.line > 0 ? fault.at : positionOfValue(file, fault.path);
+        problems.push_back({file, position.line, position.column, fault.path, fault.text});
     }
-    throw LoadError(std::move(problems));
+    return problems;
 }
 
 }  // namespace
 
-Scenario readScenario(const std::string& file) {
-    Scenario scenario = loadScenario(file);
-    std::vector<Problem> problems;
-    for (const Fault& fault : unknownNames(scenario)) {
-        const TextPosition position = fault.at.line > 0 ? fault.at : positionOfValue(file, fault.path);
-        problems.push_back({file, position.line, position.column, fault.path, fault.text});
-    }
-    if (!problems.empty()) throw LoadError(std::move(problems));
+VehicleParams readVehicle(const std::string& file, std::vector<Problem>& problems) {
+    return readYaml<VehicleParams>(file, problems);
+}
+
+Scenario readScenario(const std::string& file, std::vector<Problem>& problems) {
+    std::vector<Problem> faults;
+    Scenario scenario = loadScenario(file, faults);
+    addFurther(faults, placed(unknownNames(scenario), file));
+    problems.insert(problems.end(), faults.begin(), faults.end());
     return scenario;
 }
 
-RunRecord readRunInputs(const RunOptions& options) {
-    // Both files are read before any fault is reported.
+Scenario readScenario(const std::string& file) {
+    std::vector<Problem> problems;
+    Scenario scenario = readScenario(file, problems);
+    throwIfAny(std::move(problems));
+    return scenario;
+}
+
+RunInputs readRunInputs(const RunOptions& options) {
+    // All files and settings are looked at before any fault is reported; what is found in a later one holds whatever
+    // the correction of an earlier fault will be.
     Settable inputs;
     std::vector<Problem> problems;
     const auto collect = [&](const auto& read) {
@@ -172,30 +183,57 @@ RunRecord readRunInputs(const RunOptions& options) {
             problems.insert(problems.end(), error.problems().begin(), error.problems().end());
         }
     };
-    collect([&] { inputs.vehicle = loadVehicle(options.vehicle); });
-    collect([&] { inputs.scenario = readScenario(options.scenario); });
-    if (!problems.empty()) refuse(std::move(problems));
-
+    collect([&] {
+        expectKind(options.vehicle, {"vehicle"});
+        inputs.vehicle = readVehicle(options.vehicle, problems);
+    });
+    const std::size_t of_the_car = problems.size();
+    collect([&] {
+        expectKind(options.scenario, {"scenario"});
+        inputs.scenario = readScenario(options.scenario, problems);
+    });
+    const bool scenario_is_sound = problems.size() == of_the_car;
     if (!options.log.empty()) inputs.scenario.drive = options.log;
+    collect([&] { expectKind(options.log, {"log"}); });
+
     constexpr const char* kSource = "--set";
+    const std::vector<Fault> before = unknownNames(inputs.scenario);
     // The car settings of the scenario are applied as --set leaves them; --set itself is applied last.
     Settable asked = inputs;
-    applySettings(asked, options.settings, kSource, listingOf);
-    applySettings(inputs.vehicle, asked.scenario.car_settings, options.scenario + ": car_settings", listingOf);
-    const Settable before = inputs;
-    applySettings(inputs, options.settings, kSource, listingOf);
-    sayChanges(inputs, before, options);
+    std::vector<std::string> car_settings;
+    collect([&] {
+        applySettings(asked, options.settings, kSource, listingOf);
+        car_settings = asked.scenario.car_settings;
+        applySettings(inputs.vehicle, car_settings, options.scenario + ": car_settings", listingOf);
+        const Settable file = inputs;
+        applySettings(inputs, options.settings, kSource, listingOf);
+        sayChanges(inputs, file, options);
+    });
     for (const Fault& fault : unknownNames(inputs.scenario)) {
+        const auto same = [&](const Fault& old) { return old.path == fault.path && old.text == fault.text; };
+        if (std::any_of(before.begin(), before.end(), same)) continue;
         problems.push_back({kSource, 0, 0, "scenario." + fault.path, fault.text});
     }
-    if (!problems.empty()) throw LoadError(std::move(problems));
-    inputs.scenario.accept = merged(std::move(inputs.scenario.accept), acceptanceOf(options, inputs.scenario));
+    collect([&] {
+        expectKind(options.accept, {"accept"});
+        if (!scenario_is_sound) return;
+        inputs.scenario.accept = merged(std::move(inputs.scenario.accept), acceptanceOf(options, inputs.scenario));
+    });
+
+    const AppliedSettings set{options.settings, kSource}, set_scenario{options.settings, kSource, "scenario."};
+    std::vector<Problem> warnings =
+        implausibleIn(inputs.vehicle, options.vehicle, {{car_settings, options.scenario, "", "car_settings"}, set});
+    for (Problem& warning : implausibleIn(inputs.scenario, options.scenario, {set_scenario}))
+        warnings.push_back(std::move(warning));
+    if (options.strict) problems.insert(problems.end(), warnings.begin(), warnings.end());
+    if (!options.strict) warnOfImplausible(warnings);
+    throwIfAny(std::move(problems));
 
     RunRecord record;
     record.tread_version = TREAD_VERSION;
     record.vehicle = std::move(inputs.vehicle);
     record.scenario = withReplaysRead(std::move(inputs.scenario));
-    return record;
+    return {std::move(record), std::move(warnings)};
 }
 
 }  // namespace tread::program

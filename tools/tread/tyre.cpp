@@ -6,7 +6,9 @@
 
 #include "base/setting.h"
 #include "commands.h"
+#include "kind_of_file.h"
 #include "output.h"
+#include "plausibility.h"
 #include "tread/load.h"
 #include "tyre_figures.h"
 #include "tyre_overview.h"
@@ -88,10 +90,13 @@ int tyre(const TyreOptions& given) {
     TyreOptions options = given;
     if (options.output == "-" || options.output == "/dev/stdout") options.output.clear();
     rejectOptionsThatDoNotFit(given);
+    expectKind(options.tyre, {"tyre", "tir"});
+    for (const std::string& table : {options.table, options.transient}) expectKind(table, {"table", "log"});
     TyreParams params = loadTyre(options.tyre);
     for (const std::string& note : params.notes) warn(note);
     applySettings(params, options.settings, "--set",
                   [](std::string_view) -> std::string { return "`tread describe tyre` lists all paths"; });
+    warnOfImplausible(implausibleIn(params, options.tyre, {{options.settings, "--set"}}));
     const Axes axes = options.axes == "iso" ? Axes::iso : Axes::paper;
 
     const bool table = !options.table.empty() || !options.transient.empty();
