@@ -9,6 +9,8 @@ Manoeuvre dropAndSettle();
 Manoeuvre parked();
 Manoeuvre straightBraking();
 Manoeuvre coastDown();
+Manoeuvre fishhook();
+Manoeuvre jTurn();
 Manoeuvre stepSteer();
 Manoeuvre sineSteer();
 Manoeuvre frequencyResponse();

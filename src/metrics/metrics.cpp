@@ -22,6 +22,8 @@ const std::vector<Manoeuvre>& manoeuvres() {
                                                 coastDown(),
                                                 powerOff(),
                                                 freeSteer(),
+                                                fishhook(),
+                                                jTurn(),
                                                 stepSteer(),
                                                 sineSteer(),
                                                 sineWithDwell(),

@@ -75,6 +75,8 @@ const std::vector<Row>& table() {
                                             over("Steering-wheel torque", kLateral, kSteeringWheelTorque)};
     static const std::vector<Row> kRows = {
         {"step_steer", {step, path}},
+        {"fishhook", {over("Yaw rate and sideslip", kSideslip, kYawRate), roll, path}},
+        {"j_turn", {over("Yaw rate and sideslip", kSideslip, kYawRate), roll, path}},
         {"slowly_increasing_steer", {understeer, roll, sideslip, path}},
         {"steady_circle", {understeer, roll, sideslip, path}},
         {"frequency_response", {bode}},

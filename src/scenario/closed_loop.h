@@ -31,6 +31,25 @@ struct HoldSpeed {
     }
 };
 
+// Throttle and brake pedal of a driver who knows the speed of the course ahead: a controller of the speed that is
+// missing a little ahead, and the pedals for the acceleration that the course asks there.
+struct FollowCourse {
+    static constexpr std::string_view kName = "follow_course";
+    double preview_time = 0.3;
+    double proportional = 0.3;
+    double integral = 0.05;
+    double acceleration = 0.1;
+    double brake = 1;
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(preview_time), About{"s", "how far ahead the driver reads the speed", kNonNegative});
+        field(TREAD_FIELD(proportional), About{"s/m", "pedal over the speed that is missing", kNonNegative});
+        field(TREAD_FIELD(integral),
+              About{"1/m", "throttle over the integral of the speed that is missing", kNonNegative});
+        field(TREAD_FIELD(acceleration), About{"s2/m", "pedal over the acceleration of the course", kNonNegative});
+        field(TREAD_FIELD(brake), About{"-", "brake pedal over the throttle below zero", kNonNegative});
+    }
+};
+
 // Follows a speed as exactly as the grip allows, by a commanded force in place of throttle and brake pedal: what
 // engine, gearbox and brakes can do does not limit it.
 struct FollowSpeed {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numbers.h"
+#include "scenario/expression/parse.h"
 #include "scenario/replay.h"
 
 namespace tread {
@@ -15,11 +17,30 @@ bool watchesCar(const SteeringSignal& signal) {
            std::holds_alternative<FollowPath>(signal);
 }
 
+// The conditions of the phases, bound to their channels.
+std::vector<std::optional<MomentaryExpression>> conditionsOf(const Scenario& scenario, Place& place,
+                                                             const ChannelValue& channel) {
+    const std::vector<Number> own = numbers(place);
+    const ChannelValue find = [&](std::string_view name) -> const double* {
+        const auto found = std::find_if(own.begin(), own.end(), [&](const Number& n) { return n.path == name; });
+        if (found != own.end()) return found->value;
+        return channel ? channel(name) : nullptr;
+    };
+    std::vector<std::optional<MomentaryExpression>> conditions;
+    for (const Phase& phase : scenario.phases) {
+        ExpressionFault fault;
+        const auto term = phase.until.when ? parseExpression(phase.until.when.text, fault) : std::nullopt;
+        conditions.push_back(term ? std::optional<MomentaryExpression>(std::in_place, *term, find) : std::nullopt);
+    }
+    return conditions;
+}
+
 }  // namespace
 
 Driver::Driver(const Scenario& scenario, const VehicleInput& initial, const KnownSteering& car,
-               const KnownResistance& resistance)
+               const KnownResistance& resistance, const ChannelValue& channel)
     : scenario_(withReplaysRead(scenario)),
+      conditions_(conditionsOf(scenario_, *place_, channel)),
       held_(initial),
       follower_(resistance),
       hands_(car, Path(coursePath(scenario.course))) {
@@ -30,6 +51,7 @@ Driver::Driver(const Scenario& scenario, const VehicleInput& initial, const Know
 void Driver::beginPhase() {
     seen_.distance = 0;
     seen_.yaw_rate_before = 0;
+    if (conditions_[phase_]) conditions_[phase_]->begin();
     feet_.begin(seen_.car.vx, held_.throttle);
     hands_.begin(held_.steering_wheel_angle);
 }
@@ -49,13 +71,24 @@ void Driver::look(double time, const ChassisOutput& chassis, double steering_whe
     seen_steering_wheel_ = steering_wheel_angle;
     if (phase().until.steering_above) seen_.steering_wheel_angle = signals(time).steering_wheel_angle;
     seen_time_ = time;
+    seen_.condition = conditions_[phase_] && conditions_[phase_]->holds(time);
     if (!ended_ && happened(phase().until, seen_)) next(time);
+
+    // A phase that ends by the clock is over from then on, though the hands go on only in the coming step.
+    const auto end = endByClock();
+    const bool over = end && !last() && time >= *end - kTimeRounding;
+    place_->manoeuvre.phase = static_cast<double>(phase_ + (over ? 2 : 1));
+    place_->manoeuvre.phase_start = over ? *end : phase_start_;
 }
 
 std::optional<double> Driver::endByClock() const {
     const Until& until = phase().until;
     std::optional<double> end = until.time;
-    if (until.duration) end = std::min(end.value_or(kInfinity), phase_start_ + *until.duration);
+    const auto atLatest = [&](double latest) { end = std::min(end.value_or(kInfinity), latest); };
+    if (until.duration) atLatest(phase_start_ + *until.duration);
+    if (until.after_steering) {
+        atLatest(phase_start_ + lengthOf(phase().steering, held_.steering_wheel_angle) + *until.after_steering);
+    }
     return end;
 }
 

@@ -10,8 +10,11 @@ namespace tread {
 Scenario loadScenario(const std::filesystem::path& file) {
     Scenario scenario = readYaml<Scenario>(file);
     placeReplays(scenario, file.parent_path());
-    if (auto& vary = scenario.series.vary; vary && !vary->of_scenario.empty())
-        vary->of_scenario = (file.parent_path() / vary->of_scenario).lexically_normal().string();
+    const auto place = [&](std::string& name) {
+        if (!name.empty()) name = (file.parent_path() / name).lexically_normal().string();
+    };
+    if (auto& vary = scenario.series.vary) place(vary->of_scenario);
+    for (Scale& scale : scenario.series.scale) place(scale.of_scenario);
     return scenario;
 }
 

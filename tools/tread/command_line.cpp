@@ -26,6 +26,7 @@ void addRun(CLI::App& app, RunOptions& o) {
     app.add_option("-o,--output", o.output, "folder for log, metrics and report (default: out/<scenario>, or out)");
     addSettings(app, o.settings, "path=value, for example front.suspension.spring=\"25 kN/m\" or scenario.step=0.002");
     app.add_option("--accept", o.accept, "conditions on metrics (YAML), beside those of the scenario");
+    app.add_option("--metrics", o.metrics, "metrics of your own (YAML), beside those of the scenario");
     app.add_option("--junit", o.junit, "write the verdicts as JUnit XML to this file");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
@@ -50,7 +51,9 @@ void addCompare(CLI::App& app, CompareOptions& o) {
 void addMetrics(CLI::App& app, MetricsOptions& o) {
     app.add_option("log", o.log, "log (CSV)")->required();
     app.add_option("--manoeuvre", o.manoeuvre, "name of the manoeuvre (default: found from the log)");
-    app.add_option("--scenario", o.scenario, "scenario file that was driven: lanes of its course");
+    app.add_option("--scenario", o.scenario, "scenario file that was driven: its course, phases and own metrics");
+    app.add_option("--vehicle", o.vehicle, "vehicle file that was driven: its numbers for own metrics");
+    app.add_option("--metrics", o.metrics, "metrics of your own (YAML)");
     app.add_option("--accept", o.accept, "conditions on the metrics (YAML); status 1 when one is missed");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
@@ -59,7 +62,8 @@ void addImport(CLI::App& app, ImportOptions& o) {
     app.add_option("file", o.file, "foreign log (.vbo, .mat, text table) or tyre property file (.tir)")->required();
     app.add_option("--map", o.map, "mapping from its columns to channels (YAML; default: guessed from the names)");
     app.add_option("--init", o.init, "write the guessed mapping to this file, to be edited, and no log");
-    app.add_option("-o,--output", o.output, "log or tyre file to write (default: <file>.tread.csv or .tread.yaml beside the file)");
+    app.add_option("-o,--output", o.output,
+                   "log or tyre file to write (default: <file>.tread.csv or .tread.yaml beside the file)");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 

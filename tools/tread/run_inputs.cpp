@@ -10,8 +10,10 @@
 #include "base/setting.h"
 #include "base/yaml_position.h"
 #include "metrics/metrics.h"
+#include "own_metrics.h"
 #include "run/sensors.h"
 #include "run/simulate.h"
+#include "scenario/conditions.h"
 #include "scenario/load.h"
 #include "scenario/replay.h"
 #include "series/series.h"
@@ -44,7 +46,7 @@ struct Fault {
 };
 
 // Names that the scenario itself cannot check: manoeuvres and channels.
-std::vector<Fault> unknownNames(const Scenario& scenario) {
+std::vector<Fault> unknownNames(const Scenario& scenario, const std::string& file) {
     std::vector<Fault> faults;
     std::vector<std::string_view> known;
     for (const Manoeuvre& manoeuvre : manoeuvres()) known.push_back(manoeuvre.name);
@@ -56,15 +58,13 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
 
     if (const std::string fault = faultOf(scenario); !fault.empty()) faults.push_back({"series", fault});
     const auto expectMetric = [&](const std::string& path, const std::string& metric) {
-        for (const Manoeuvre& manoeuvre : manoeuvres()) {
-            if (manoeuvre.name != name || metric.empty()) continue;
-            std::vector<std::string> names;
-            for (const MetricDefinition& definition : manoeuvre.definitions()) names.push_back(definition.name);
-            if (std::find(names.begin(), names.end(), metric) != names.end()) continue;
-            const std::vector<std::string_view> views(names.begin(), names.end());
-            faults.push_back({path, "found " + quote(metric) + ", which is no metric of " + name +
-                                        didYouMean(metric, views) + "; `tread describe metrics` lists them"});
-        }
+        std::vector<std::string> names;
+        for (const MetricDefinition& definition : metricsOf(scenario)) names.push_back(definition.name);
+        if (names.empty() || metric.empty() || std::find(names.begin(), names.end(), metric) != names.end()) return;
+        const std::vector<std::string_view> views(names.begin(), names.end());
+        faults.push_back({path, "found " + quote(metric) + ", which is no metric of " +
+                                    (name.empty() ? "the scenario" : name) + didYouMean(metric, views) +
+                                    "; `tread describe metrics` lists them"});
     };
     const SeriesParams& series = scenario.series;
     for (std::size_t i = 0; i < series.tune.size(); ++i)
@@ -76,9 +76,9 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
         faults.push_back({joinPath("accept", fault.line.metric), fault.text, {fault.line.line, fault.line.column}});
     }
 
-    const std::vector<Column> all = recordedColumns({});
+    const std::vector<KnownName> all = knownChannels(scenario);
     known.clear();
-    for (const Column& column : all) known.push_back(column.name);
+    for (const KnownName& channel : all) known.push_back(channel.name);
     for (std::size_t i = 0; i < scenario.log.channels.size(); ++i) {
         const std::string& pattern = scenario.log.channels[i];
         const auto fits = [&](std::string_view channel) { return matches(pattern, channel); };
@@ -88,6 +88,10 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
                           "found " + quote(pattern) + ", which fits no channel, expected a name or a pattern with *" +
                               (suggestion.empty() ? ";" : suggestion) + " `tread describe log` lists all channels"});
     }
+    for (Problem& fault : faultsOfOwnMetrics(scenario, loggedChannels(scenario), file))
+        faults.push_back({fault.path, std::move(fault.text), {fault.line, fault.column}});
+    for (const ConditionFault& fault : conditionFaults(scenario, all))
+        faults.push_back({fault.path, fault.text, positionWithin(file, fault.condition, fault.at)});
     for (SensorFault& fault : sensorFaults(scenario.log.sensors, known)) {
         faults.push_back({"log.sensors." + std::to_string(fault.sensor) + "." + fault.path, std::move(fault.text)});
     }
@@ -110,7 +114,7 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
 Scenario readScenario(const std::string& file) {
     Scenario scenario = loadScenario(file);
     std::vector<Problem> problems;
-    for (const Fault& fault : unknownNames(scenario)) {
+    for (const Fault& fault : unknownNames(scenario, file)) {
         const TextPosition position = fault.at.line > 0 ? fault.at : positionOfValue(file, fault.path);
         problems.push_back({file, position.line, position.column, fault.path, fault.text});
     }
@@ -140,10 +144,11 @@ RunRecord readRunInputs(const RunOptions& options) {
     applySettings(asked, options.settings, kSource, listingOf);
     applySettings(inputs.vehicle, asked.scenario.car_settings, options.scenario + ": car_settings", listingOf);
     applySettings(inputs, options.settings, kSource, listingOf);
-    for (const Fault& fault : unknownNames(inputs.scenario)) {
+    for (const Fault& fault : unknownNames(inputs.scenario, "")) {
         problems.push_back({kSource, 0, 0, "scenario." + fault.path, fault.text});
     }
     if (!problems.empty()) throw LoadError(std::move(problems));
+    inputs.scenario = withMetricsOf(options.metrics, std::move(inputs.scenario), loggedChannels(inputs.scenario));
     inputs.scenario.accept = merged(std::move(inputs.scenario.accept), acceptanceOf(options, inputs.scenario));
 
     RunRecord record;
