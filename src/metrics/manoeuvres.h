@@ -25,6 +25,7 @@ Manoeuvre weave();
 Manoeuvre transition();
 Manoeuvre hillStart();
 Manoeuvre laneChange();
+Manoeuvre course();
 Manoeuvre crosswind();
 Manoeuvre steadyCircle();
 Manoeuvre bump();

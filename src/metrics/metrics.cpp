@@ -33,6 +33,7 @@ const std::vector<Manoeuvre>& manoeuvres() {
                                                 weave(),
                                                 transition(),
                                                 laneChange(),
+                                                course(),
                                                 crosswind(),
                                                 bump(),
                                                 ride(),

@@ -17,6 +17,7 @@
 #include "tread/bullet_vehicle.h"
 #include "tread/equilibrium.h"
 #include "tread/road_surface.h"
+#include "tread/tyre.h"
 
 namespace tread {
 namespace {
@@ -145,6 +146,23 @@ KnownResistance resistanceOf(const Vehicle& vehicle, const VehicleState& state) 
     return known;
 }
 
+// What a driver who knows the course knows of the car's grip: that of the axle which reaches its end first when all its
+// wheels bear their static loads, by the tyres' lateral friction (51). Load transfer costs some of it.
+KnownGrip gripOf(const Vehicle& vehicle, double friction) {
+    KnownGrip grip{.lateral = kInfinity};
+    for (std::size_t axle = 0; axle < kWheels; axle += 2) {
+        double force = 0, load = 0;
+        for (std::size_t i = axle; i < axle + 2; ++i) {
+            const Vehicle::Corner& corner = vehicle.corners[i];
+            const double on_wheel = corner.static_force + corner.unsprung_mass * kStandardGravity;
+            force += friction * steadyState(corner.tyre, {.Fz = on_wheel, .Vx = 1}).muy * on_wheel;
+            load += on_wheel;
+        }
+        grip.lateral = std::min(grip.lateral, force / load * kStandardGravity);
+    }
+    return grip;
+}
+
 Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const Surroundings& surroundings) {
     const StartParams& start = scenario.start;
     Equilibrium rest = equilibrium(prepare(params), surroundings,
@@ -192,8 +210,10 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
     checkSensors(scenario);
     checkConditions(scenario);
     Sample sample(scenario.log, true, hasCourse(scenario.course), scenario.step);
-    Driver driver(scenario, rest.input, {params.wheelbase, params.steering.ratio, params.steering.ratio_curve},
-                  resistanceOf(car.vehicle(), rest.state), [&](std::string_view name) { return sample.valueOf(name); });
+    Driver driver(
+        scenario, rest.input, {params.wheelbase, params.steering.ratio, params.steering.ratio_curve},
+        resistanceOf(car.vehicle(), rest.state), [&](std::string_view name) { return sample.valueOf(name); },
+        gripOf(car.vehicle(), scenario.road.friction));
     const bool sees_everything = sample.isObserved() || hasConditions(scenario);
 
     sample.driver = rest.input;

@@ -81,9 +81,9 @@ struct LinePoint {
         field(TREAD_FIELD(x), About{"m", "place, first axis"});
         field(TREAD_FIELD(y), About{"m", "place, second axis, to the left of the first"});
         field(TREAD_FIELD(width), About{"m", "width of the road; 0: not given", kNonNegative});
-        field(TREAD_FIELD(bank),
-              About{"rad",
-                    "cross slope of the road, positive with the right side down; read only: the road stays that of the scenario"});
+        field(TREAD_FIELD(bank), About{"rad",
+                                       "cross slope of the road, positive with the right side down; read only: the "
+                                       "road stays that of the scenario"});
         field(TREAD_FIELD(speed), About{"m/s", "wanted speed; 0: none", kNonNegative});
     }
 };
@@ -161,6 +161,8 @@ struct CourseParams {
             complain("car", "found no width of the car, expected one: the lanes are as wide as the car needs");
         if (self.line.given() && (!self.path.empty() || !self.sections.empty()))
             complain("line", "found a line beside a path or sections, expected one of them");
+        if (!self.cones.empty() && self.car.width <= 0)
+            complain("car", "found no width of the car, expected one: a cone is hit where the car is");
         if (self.path.size() == 1) complain("path", "found one point, expected at least two");
         for (std::size_t i = 1; i < self.sections.size(); ++i) {
             if (self.sections[i].from < self.sections[i - 1].to)

@@ -38,12 +38,13 @@ std::vector<std::optional<MomentaryExpression>> conditionsOf(const Scenario& sce
 }  // namespace
 
 Driver::Driver(const Scenario& scenario, const VehicleInput& initial, const KnownSteering& car,
-               const KnownResistance& resistance, const ChannelValue& channel)
+               const KnownResistance& resistance, const ChannelValue& channel, const KnownGrip& grip)
     : scenario_(withReplaysRead(scenario)),
       conditions_(conditionsOf(scenario_, *place_, channel)),
       held_(initial),
+      course_(scenario_.course, grip),
       follower_(resistance),
-      hands_(car, Path(coursePath(scenario.course))) {
+      hands_(car, course_.path()) {
     phase_start_ = seen_time_ = -scenario_.start.run_in;
     beginPhase();
 }
@@ -53,21 +54,50 @@ void Driver::beginPhase() {
     seen_.yaw_rate_before = 0;
     if (conditions_[phase_]) conditions_[phase_]->begin();
     feet_.begin(seen_.car.vx, held_.throttle);
-    hands_.begin(held_.steering_wheel_angle);
+    hands_.begin(held_.steering_wheel_angle, way_);
+}
+
+// Where the car is on the course. From step to step the nearest place is looked for ahead of the last one, so that a
+// course may cross itself.
+void Driver::findPlace() {
+    if (course_.empty()) return;
+    constexpr double kReach = 20;  // m: a car moves less in a step
+    const Path& path = course_.path();
+    const Point here{seen_.car.x, seen_.car.y};
+    if (!way_) {
+        way_ = path.nearest(here);
+        // A car just behind the line of a closed course has its first lap yet to come.
+        if (path.closed() && *way_ > 0.5 * path.length()) *way_ -= path.length();
+    } else {
+        way_ = path.nearest(here, *way_, kReach);
+    }
+    place_->course = {*way_, path.aside(here, *way_), course_.speed(*way_)};
+    seen_.laps = course_.laps(*way_);
+}
+
+// Lets the feet know what a step of dt has brought.
+void Driver::driveOn(double elapsed, double dt) {
+    if (const auto* hold = std::get_if<HoldSpeed>(&phase().throttle)) feet_.look(*hold, seen_.car.vx, elapsed, dt);
+    if (const auto* follow = std::get_if<FollowCourse>(&phase().throttle); follow && way_) {
+        const double ahead = aheadOf(*follow);
+        feet_.look(*follow, course_.speed(ahead) - seen_.car.vx, course_.acceleration(ahead), dt);
+    }
 }
 
 void Driver::look(double time, const ChassisOutput& chassis, double steering_wheel_angle) {
     const double dt = time - seen_time_, elapsed = time - phase_start_;
     if (looked_) {
         seen_.distance += dt * std::hypot(chassis.vx, chassis.vy);
-        if (const auto* hold = std::get_if<HoldSpeed>(&phase().throttle)) feet_.look(*hold, chassis.vx, elapsed, dt);
         hands_.look(phase().steering, chassis, time, dt);
         seen_.yaw_rate_before = seen_.car.yaw_rate;
+        seen_.car = chassis;
+        driveOn(elapsed, dt);
     } else {
         feet_.begin(chassis.vx, held_.throttle);
     }
     looked_ = true;
     seen_.car = chassis;
+    findPlace();
     seen_steering_wheel_ = steering_wheel_angle;
     if (phase().until.steering_above) seen_.steering_wheel_angle = signals(time).steering_wheel_angle;
     seen_time_ = time;
@@ -119,6 +149,13 @@ VehicleInput Driver::signals(double time) const {
     input.parking_brake = valueAt(now.parking_brake, held_.parking_brake, elapsed);
     if (const auto* hold = std::get_if<HoldSpeed>(&now.throttle)) {
         const auto [throttle, brake] = feet_.pedals(*hold, seen_.car.vx, elapsed);
+        input.throttle = throttle;
+        input.brake = std::max(input.brake, brake);
+    }
+    if (const auto* follow = std::get_if<FollowCourse>(&now.throttle); follow && way_) {
+        const double ahead = aheadOf(*follow);
+        const auto [throttle, brake] =
+            feet_.pedals(*follow, course_.speed(ahead) - seen_.car.vx, course_.acceleration(ahead));
         input.throttle = throttle;
         input.brake = std::max(input.brake, brake);
     }

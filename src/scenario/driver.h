@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "log/log_columns.h"
+#include "scenario/course_plan.h"
 #include "scenario/expression/moment.h"
 #include "scenario/scenario.h"
 #include "scenario/speed_control.h"
@@ -35,7 +36,7 @@ public:
     // Conditions of phases find the `channel`s of the log there; those of the place are the driver's own.
     // Reads the logs that the scenario replays; throws as withReplaysRead does.
     Driver(const Scenario& scenario, const VehicleInput& initial, const KnownSteering& car = {},
-           const KnownResistance& resistance = {}, const ChannelValue& channel = {});
+           const KnownResistance& resistance = {}, const ChannelValue& channel = {}, const KnownGrip& grip = {});
 
     // Looks at the car at a time: ends a phase whose condition came true.
     void look(double time, const ChassisOutput& chassis, double steering_wheel_angle = 0);
@@ -59,6 +60,10 @@ private:
     void next(double time);
     void beginPhase();
     VehicleInput signals(double time) const;
+    void findPlace();
+    // m along the course, where the driver reads the speed.
+    double aheadOf(const FollowCourse& driver) const { return *way_ + driver.preview_time * seen_.car.vx; }
+    void driveOn(double elapsed, double dt);
 
     Scenario scenario_;
     std::unique_ptr<Place> place_ = std::make_unique<Place>();    // where conditions find it, also of a moved driver
@@ -71,6 +76,8 @@ private:
     double seen_steering_wheel_ = 0;  // rad
     double seen_time_ = 0;            // s
     bool looked_ = false;
+    CoursePlan course_;
+    std::optional<double> way_;  // m along the course; nothing: not yet looked for
     SpeedControl feet_;
     SpeedFollower follower_;
     SteerControl hands_;

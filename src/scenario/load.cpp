@@ -1,8 +1,10 @@
 #include "scenario/load.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/read_yaml.h"
+#include "scenario/course_file.h"
 #include "scenario/replay.h"
 
 namespace tread {
@@ -15,7 +17,7 @@ Scenario loadScenario(const std::filesystem::path& file) {
     };
     if (auto& vary = scenario.series.vary) place(vary->of_scenario);
     for (Scale& scale : scenario.series.scale) place(scale.of_scenario);
-    return scenario;
+    return withCourseRead(std::move(scenario), file);
 }
 
 double longestDuration(const Scenario& scenario) {
