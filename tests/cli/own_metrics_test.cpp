@@ -61,10 +61,9 @@ TEST_F(OwnMetrics, PhasesEndOnChannelsTheirRatesAndTheEndOfTheSteering) {
     // The last row is the first step in which the condition is met.
     EXPECT_LT(log.find("chassis.ay")->values.back(), 3);
     EXPECT_LT(log.channels.front().values.back(), 3);
-    // Half of the angle, to the other side, within 0.2 s.
-    const std::vector<double>& hand = log.find("driver.steering_wheel_angle")->values;
-    const double half_way = log.channels.front().values.back() - 0.4 < 0.2 ? -1 : -20;
-    if (half_way == -20) EXPECT_NEAR(hand.back() * 57.29578, half_way, 1e-3);
+    // On its way to half of the angle on the other side, for which it takes 0.2 s.
+    const double on = std::min(1.0, (log.channels.front().values.back() - 0.4) / 0.2);
+    EXPECT_NEAR(log.find("driver.steering_wheel_angle")->values.back() * 57.29577951, 40 - 60 * on, 0.5);
 }
 
 TEST_F(OwnMetrics, StandOnThePageInTheFileAndInAccept) {
@@ -111,13 +110,16 @@ TEST_F(OwnMetrics, AFileAddsThemToARunAndToALog) {
     const Result again = runProgram({"metrics", out("log.csv"), "--metrics", file, "--json"});
     ASSERT_EQ(again.status, 0) << again.err;
     for (const Json& one : Json::parse(again.out)["metrics"]) {
-        if (one["name"] == "way") EXPECT_EQ(one["value"].get<double>(), way);
-        if (one["name"] == "mass") EXPECT_TRUE(one["value"].is_null()) << "the log does not say the car";
+        if (one["name"] == "way") {
+            EXPECT_EQ(one["value"].get<double>(), way);
+        } else if (one["name"] == "mass") {
+            EXPECT_TRUE(one["value"].is_null()) << "the log does not say the car";
+        }
     }
     const Result of_car =
         runProgram({"metrics", out("log.csv"), "--metrics", file, "--vehicle", scratch.path("car.yaml")});
     EXPECT_NE(of_car.out.find("mass"), std::string::npos);
-    EXPECT_EQ(runProgram({"check", file}).out, file + ": own_metrics, fine\n1 file is fine\n");
+    EXPECT_EQ(runProgram({"check", file}).out, "1 file is fine\n" + file + ": own_metrics, fine\n");
 }
 
 TEST_F(OwnMetrics, InASeriesEveryRunHasThem) {
@@ -172,7 +174,7 @@ TEST_F(OwnMetrics, FishhooksAndJTurnFollowTheirRecipe) {
         runProgram({"run", scratch.path("car.yaml"), kSource + "/scenarios/slowly_increasing_steer.yaml", "-o", out(),
                     "--set", "scenario.step=0.002"});
     ASSERT_EQ(slow.status, 0) << slow.err;
-    EXPECT_NEAR(6.5 * valueOf("steering_angle_03g"), angle, 0.5);
+    EXPECT_NEAR(6.5 * valueOf("steering_angle_03g"), angle, 1);
 
     const Log watched = drive("fishhook_1b");
     // At the reversal the roll angle is at its largest of that side.
