@@ -41,6 +41,15 @@ std::optional<Chart> lineFigure(const RunReport& content) {
     Chart chart{.title = "Course from above", .x = {"x", "m"}, .y = {"y", "m"}, .series = {}};
     chart.equal_aspect = true;
     chart.width = kWideChart;
+    // As high as the course is long, within what a page shows.
+    Point low = plan.path().at(0), high = low;
+    for (double way = 0; way < plan.path().length(); way += 1) {
+        const Point here = plan.path().at(way);
+        low = {std::min(low.x, here.x), std::min(low.y, here.y)};
+        high = {std::max(high.x, here.x), std::max(high.y, here.y)};
+    }
+    const double share = (high.y - low.y) / std::max(1.0, high.x - low.x);
+    chart.height = std::clamp(share * kWideChart, 230.0, 520.0);
     if (std::any_of(course.line.points.begin(), course.line.points.end(), [](const auto& p) { return p.width > 0; })) {
         chart.series.push_back(besidePath(plan, 0.5, "edges of the road"));
         chart.series.push_back(besidePath(plan, -0.5, ""));
