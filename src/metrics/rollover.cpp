@@ -157,7 +157,8 @@ Rollover findRollover(const Log& log, bool fishhook) {
         held_from = firstBelow(turned, -kPlateau * less, held_to).value_or(turned.end());
         held_to = firstBelow(increments(turned, 0, -1), kPlateau * less, held_from).value_or(turned.end());
     }
-    if (held_to - held_from < kHeld) {
+    // A log that ends before is that of a car which tipped over.
+    if (held_to < turned.end() && held_to - held_from < kHeld) {
         notFound(name, fmt::format("the last angle is held for {:.2g} s, looked for {} s or more", held_to - held_from,
                                    kHeld));
     }

@@ -120,7 +120,14 @@ SeriesRun runWith(const Scenario& scenario, const std::string& number, double va
 
 // A metric of another scenario, measured in a run of it.
 Metric measuredIn(const std::string& file, const std::string& metric, const Measure& measure) {
-    return metricOf(measure(tuned(loadScenario(file), measure)), metric);
+    try {
+        return metricOf(measure(tuned(loadScenario(file), measure)), metric);
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const SimulationError& error) {
+        throw SeriesError(
+            fmt::format("{} of {}, which the series needs first, cannot be had: {}", metric, file, error.what()));
+    }
 }
 
 std::string times(double factor, const Metric& metric) {
