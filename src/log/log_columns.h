@@ -37,12 +37,44 @@ struct MeasuredPosition {
 };
 static_assert(describesEveryMember<MeasuredPosition>());
 
+// Where the run stands in its scenario, in simulated logs only.
+struct ManoeuvreOutput {
+    double phase = 1;
+    double phase_start = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(phase), About{"-", "number of the phase of the scenario, from 1"});
+        field(TREAD_FIELD(phase_start), About{"s", "time at which that phase began"});
+    }
+};
+static_assert(describesEveryMember<ManoeuvreOutput>());
+
+// Where the car is on the course, in simulated logs of scenarios with one.
+struct CourseOutput {
+    double distance = 0;
+    double cross_track_error = 0;
+    double speed = 0;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(
+            TREAD_FIELD(distance),
+            About{"m",
+                  "way along the path of the course to the point nearest to the centre of gravity; goes on over laps"});
+        field(TREAD_FIELD(cross_track_error),
+              About{"m", "distance of the centre of gravity from the path, positive to its left"});
+        field(TREAD_FIELD(speed), About{"m/s", "speed that the course wants there; 0: none"});
+    }
+};
+static_assert(describesEveryMember<CourseOutput>());
+
 struct LogColumns {
     double time = 0;
     VehicleInput driver;
     Command command;
     VehicleOutput output;
     MeasuredPosition position;
+    ManoeuvreOutput manoeuvre;
+    CourseOutput course;
 
     // The parts of the output are columns of their own: "chassis.vx", not "output.chassis.vx".
     static constexpr void describe(auto& self, auto&& field) {
@@ -51,6 +83,8 @@ struct LogColumns {
         field(TREAD_FIELD(command), About{"", "commands of an automated car, in recorded logs only"});
         VehicleOutput::describe(self.output, field);
         field(TREAD_FIELD(position), About{"", "measured position of the car"});
+        field(TREAD_FIELD(manoeuvre), About{"", "place in the scenario"});
+        field(TREAD_FIELD(course), About{"", "place on the course"});
     }
 };
 

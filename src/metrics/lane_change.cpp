@@ -74,13 +74,6 @@ struct Cone {
     bool hit = false;
 };
 
-bool covers(const CarOutline& car, const Pose& pose, const Cone& cone) {
-    const double dx = cone.x - pose.x, dy = cone.y - pose.y;
-    const double along = dx * std::cos(pose.yaw) + dy * std::sin(pose.yaw);
-    const double across = dy * std::cos(pose.yaw) - dx * std::sin(pose.yaw);
-    return along > -car.behind && along < car.ahead && std::abs(across) < 0.5 * car.width;
-}
-
 // Room between the corners that are in a lane and its edges.
 double clearance(const CarOutline& car, const Pose& pose, const std::vector<Lane>& course) {
     double least = kInfinity;
@@ -125,7 +118,8 @@ LaneChange findLaneChange(const Log& log, const KnownCar& known) {
             const auto between = [&](const TimeSeries& s) { return (1 - share) * s.value[i] + share * s.value[i + 1]; };
             const Pose pose{between(x), between(y), between(yaw)};
             found.clearance = std::min(found.clearance, clearance(known.course.car, pose, course));
-            for (Cone& cone : cones) cone.hit = cone.hit || covers(known.course.car, pose, cone);
+            for (Cone& cone : cones)
+                cone.hit = cone.hit || covers(known.course.car, {pose.x, pose.y}, pose.yaw, {cone.x, cone.y});
         }
     }
     found.cones_hit =

@@ -1,4 +1,4 @@
-// A course between cones from above.
+// A course from above: lanes between cones, or a path.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,8 @@
 
 namespace tread {
 
-// Lanes, cones, the way of the car and its outline; nothing without a course or without the car's place.
+// Lanes, cones, the way of the car and its outline; of a path that and the way of the car; nothing without a course or
+// without the car's place.
 std::optional<Chart> courseFigure(const RunReport& content);
 
 }  // namespace tread

@@ -82,6 +82,8 @@ const std::vector<Row>& table() {
                                             over("Steering-wheel torque", kLateral, kSteeringWheelTorque)};
     static const std::vector<Row> kRows = {
         {"step_steer", {step, path}},
+        {"fishhook", {over("Yaw rate and sideslip", kSideslip, kYawRate), roll, path}},
+        {"j_turn", {over("Yaw rate and sideslip", kSideslip, kYawRate), roll, path}},
         {"slowly_increasing_steer", {understeer, roll, sideslip, path}},
         {"steady_circle", {understeer, roll, sideslip, path}},
         {"frequency_response", {bode}},
@@ -96,6 +98,9 @@ const std::vector<Row>& table() {
         {"weave", loops},
         {"transition", loops},
         {"free_steer", {over("Yaw rate", kSteeringWheel, kYawRate), path}},
+        {"course",
+         {course, over("Distance from the path", kCourseDistance, kCrossTrack),
+          over("Speed", kCourseDistance, kForwardSpeed), gg, friction}},
         {"lane_change", {course, gg, over("Yaw rate", kSteeringWheel, kYawRate), friction}},
         {"parked", {}},
         {"hill_start", {}},
@@ -119,6 +124,9 @@ const std::vector<Figures>& figuresFor(std::string_view manoeuvre) {
 
 std::vector<Chart> manoeuvreFigures(const RunReport& content) {
     std::vector<Chart> charts;
+    const bool on_path = content.record && lanes(content.record->scenario.course).empty() &&
+                         content.record->scenario.manoeuvre != "course";
+    if (on_path) charts = course(content);  // beside the figures of another manoeuvre
     for (const Figures& figures : figuresFor(content.record ? content.record->scenario.manoeuvre : "")) {
         for (Chart& chart : figures(content)) charts.push_back(std::move(chart));
     }

@@ -142,7 +142,7 @@ std::vector<Point> wayOf(const std::vector<ReplayCar>& cars) {
 }  // namespace
 
 ReplayScene sceneOf(const Scenario& scenario) {
-    return {scenario.road, conesOf(lanes(scenario.course))};
+    return {scenario.road, conesOf(scenario.course)};
 }
 
 std::string replayData(const std::vector<ReplayCar>& cars, const ReplayScene& scene) {

@@ -17,6 +17,7 @@
 #include "tread/bullet_vehicle.h"
 #include "tread/equilibrium.h"
 #include "tread/road_surface.h"
+#include "tread/tyre.h"
 
 namespace tread {
 namespace {
@@ -29,10 +30,17 @@ constexpr double kMostStepsPerRow = 1e9;  // a row at the beginning and one at t
 // What the run logs: columns, and where in the sample each number is read.
 class Sample {
 public:
-    explicit Sample(const LogParams& params, double step = kInfinity) {
-        std::vector<Number> all{{"time", &time, {"s", "time since the start of the manoeuvre"}}};
+    Sample(const LogParams& params, bool in_scenario, bool on_course, double step = kInfinity) {
+        std::vector<Number>& all = all_;
+        all.push_back({"time", &time, {"s", "time since the start of the manoeuvre"}});
         for (Number& n : numbers(driver, "driver")) all.push_back(std::move(n));
         for (Number& n : numbers(car)) all.push_back(std::move(n));
+        if (in_scenario) {
+            for (Number& n : numbers(place.manoeuvre, "manoeuvre")) all.push_back(std::move(n));
+        }
+        if (on_course) {
+            for (Number& n : numbers(place.course, "course")) all.push_back(std::move(n));
+        }
         for (const Number& n : all) {
             const auto fits = [&](const std::string& pattern) { return matches(pattern, n.path); };
             const auto& patterns = params.channels;
@@ -65,11 +73,19 @@ public:
         for (Observed& one : sensors_) one.sensor.observe(*one.source, body);
     }
 
+    // Where the value of a channel is found, logged or not; nullptr: there is none of that name.
+    const double* valueOf(std::string_view name) const {
+        const auto found = std::find_if(all_.begin(), all_.end(), [&](const Number& n) { return n.path == name; });
+        return found == all_.end() ? nullptr : found->value;
+    }
+
     double time = 0;
     VehicleInput driver;
     VehicleOutput car;
+    Place place;
 
 private:
+    std::vector<Number> all_;
     std::vector<Column> columns_;
     std::vector<double*> sources_;
     struct Observed {
@@ -92,14 +108,25 @@ Vector3 startingWind(const Scenario& scenario) {
            heading;
 }
 
-void checkSensors(const std::vector<SensorParams>& sensors) {
+void checkSensors(const Scenario& scenario) {
+    const std::vector<SensorParams>& sensors = scenario.log.sensors;
     if (sensors.empty()) return;
-    const std::vector<Column> all = recordedColumns({});
+    const std::vector<KnownName> all = knownChannels(scenario);
     std::vector<std::string_view> names;
-    for (const Column& column : all) names.push_back(column.name);
+    for (const KnownName& channel : all) names.push_back(channel.name);
     for (const SensorFault& fault : sensorFaults(sensors, names)) {
         throw SimulationError(fmt::format("log.sensors.{}.{}: {}", fault.sensor, fault.path, fault.text), 0);
     }
+}
+
+void checkConditions(const Scenario& scenario) {
+    for (const ConditionFault& fault : conditionFaults(scenario, knownChannels(scenario)))
+        throw SimulationError(fmt::format("{}: {}", fault.path, fault.text), 0);
+}
+
+bool hasConditions(const Scenario& scenario) {
+    return std::any_of(scenario.phases.begin(), scenario.phases.end(),
+                       [](const Phase& phase) { return static_cast<bool>(phase.until.when); });
 }
 
 // The first phase does without the pedals, and so without what the engine can do.
@@ -117,6 +144,23 @@ KnownResistance resistanceOf(const Vehicle& vehicle, const VehicleState& state) 
         known.force += state.wheels[i].drive_torque / radius;
     }
     return known;
+}
+
+// What a driver who knows the course knows of the car's grip: that of the axle which reaches its end first when all its
+// wheels bear their static loads, by the tyres' lateral friction (51). Load transfer costs some of it.
+KnownGrip gripOf(const Vehicle& vehicle, double friction) {
+    KnownGrip grip{.lateral = kInfinity};
+    for (std::size_t axle = 0; axle < kWheels; axle += 2) {
+        double force = 0, load = 0;
+        for (std::size_t i = axle; i < axle + 2; ++i) {
+            const Vehicle::Corner& corner = vehicle.corners[i];
+            const double on_wheel = corner.static_force + corner.unsprung_mass * kStandardGravity;
+            force += friction * steadyState(corner.tyre, {.Fz = on_wheel, .Vx = 1}).muy * on_wheel;
+            load += on_wheel;
+        }
+        grip.lateral = std::min(grip.lateral, force / load * kStandardGravity);
+    }
+    return grip;
 }
 
 Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const Surroundings& surroundings) {
@@ -163,11 +207,15 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
     car.setSubstep(scenario.substep);
     car.restore(rest.motion, rest.state, rest.input);
     Pushed pushed(pushing, car.vehicle());
-    Driver driver(scenario, rest.input, {params.wheelbase, params.steering.ratio, params.steering.ratio_curve},
-                  resistanceOf(car.vehicle(), rest.state));
+    checkSensors(scenario);
+    checkConditions(scenario);
+    Sample sample(scenario.log, true, hasCourse(scenario.course), scenario.step);
+    Driver driver(
+        scenario, rest.input, {params.wheelbase, params.steering.ratio, params.steering.ratio_curve},
+        resistanceOf(car.vehicle(), rest.state), [&](std::string_view name) { return sample.valueOf(name); },
+        gripOf(car.vehicle(), scenario.road.friction));
+    const bool sees_everything = sample.isObserved() || hasConditions(scenario);
 
-    checkSensors(scenario.log.sensors);
-    Sample sample(scenario.log, scenario.step);
     sample.driver = rest.input;
     recorder.begin(sample.columns());
 
@@ -187,10 +235,11 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
             sample.car.chassis.yaw = unwrapped(sample.car.chassis.yaw, yaw_before);
             pushed.felt(sample.car.chassis);
         };
-        look(row_due || sample.isObserved());
+        look(row_due || sees_everything);
         checkHealth(sample.car, sample.time);
         sample.observe(pushed.felt(referenceMotion(car.motion(), car.state(), car.vehicle())));
         driver.look(sample.time, sample.car.chassis, sample.car.steering.angle);
+        sample.place = driver.place();
 
         const bool finished = driver.finished(sample.time);
         if (finished && !row_due) look(true);
@@ -217,7 +266,18 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
 }
 
 std::vector<Column> recordedColumns(const std::vector<std::string>& patterns) {
-    return Sample({.channels = patterns}).columns();
+    return Sample({.channels = patterns}, false, false).columns();
+}
+
+std::vector<Column> columnsOf(const Scenario& scenario) {
+    return Sample(scenario.log, true, hasCourse(scenario.course), scenario.step).columns();
+}
+
+std::vector<KnownName> knownChannels(const Scenario& scenario) {
+    std::vector<KnownName> known;
+    const Sample everything({}, true, hasCourse(scenario.course));
+    for (const Column& column : everything.columns()) known.push_back({column.name, column.unit});
+    return known;
 }
 
 Recorder recorderInto(Log& log) {

@@ -10,6 +10,7 @@
 #include "log/csv.h"
 #include "log/log.h"
 #include "run/push.h"
+#include "scenario/conditions.h"
 #include "scenario/scenario.h"
 #include "tread/vehicle.h"
 
@@ -39,8 +40,14 @@ struct Recorder {
     std::function<bool(double time)> stop = [](double) { return false; };  // asked in every step
 };
 
-// Columns of the log of a scenario with these `log.channels`; none: all.
+// Columns of the car with these `log.channels`; none: all.
 std::vector<Column> recordedColumns(const std::vector<std::string>& patterns);
+
+// Columns of the log of a scenario: those of the car, its place in the scenario and on the course, sensors.
+std::vector<Column> columnsOf(const Scenario& scenario);
+
+// The channels that a scenario can log, which conditions of its phases may name.
+std::vector<KnownName> knownChannels(const Scenario& scenario);
 
 // Throws SimulationError when a value is not finite or out of bounds, when the car cannot hold the speed at which the
 // scenario starts, or when the manoeuvre does not end. `pushing`, when there is one, acts on the body besides.

@@ -23,7 +23,9 @@ struct HoldSpeed {
         field(TREAD_FIELD(proportional),
               About{"s/m", "throttle over the speed that is missing", kNonNegative}.usually(0, 10));
         field(TREAD_FIELD(integral),
-              About{"1/m", "throttle over the integral of the speed that is missing", kNonNegative}.usually(0, 10));
+              About{"1/m", "throttle over the integral of the speed that is missing", kNonNegative}
+                  .usually(0.0001, 20)
+                  .usually(0, 10));
         field(TREAD_FIELD(brake),
               About{"-", "brake pedal over the throttle below zero that the controller would like; 0: never brakes",
                     kNonNegative}
@@ -33,6 +35,30 @@ struct HoldSpeed {
                   .usually(0, 70)
                   .over(0, 36000));
         field(TREAD_FIELD(as_driven), About{"", "holds the speed of the drive that the scenario repeats (drive)"});
+    }
+};
+
+// Throttle and brake pedal of a driver who knows the speed of the course ahead: a controller of the speed that is
+// missing a little ahead, and the pedals for the acceleration that the course asks there.
+struct FollowCourse {
+    static constexpr std::string_view kName = "follow_course";
+    double preview_time = 0.3;
+    double proportional = 0.3;
+    double integral = 0.05;
+    double acceleration = 0.1;
+    double brake = 1;
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(preview_time),
+              About{"s", "how far ahead the driver reads the speed", kNonNegative}.usually(0.01, 10));
+        field(TREAD_FIELD(proportional),
+              About{"s/m", "pedal over the speed that is missing", kNonNegative}.usually(0.001, 20));
+        field(
+            TREAD_FIELD(integral),
+            About{"1/m", "throttle over the integral of the speed that is missing", kNonNegative}.usually(0.0001, 20));
+        field(TREAD_FIELD(acceleration),
+              About{"s2/m", "pedal over the acceleration of the course", kNonNegative}.usually(0.001, 5));
+        field(TREAD_FIELD(brake),
+              About{"-", "brake pedal over the throttle below zero", kNonNegative}.usually(0.01, 20));
     }
 };
 

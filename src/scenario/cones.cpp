@@ -1,5 +1,7 @@
 #include "scenario/cones.h"
 
+#include <cmath>
+
 namespace tread {
 
 std::vector<Point> conesOf(const std::vector<Lane>& course) {
@@ -12,6 +14,19 @@ std::vector<Point> conesOf(const std::vector<Lane>& course) {
         }
     }
     return cones;
+}
+
+std::vector<Point> conesOf(const CourseParams& course) {
+    std::vector<Point> cones = conesOf(lanes(course));
+    for (const PathPoint& cone : course.cones) cones.push_back({cone.x, cone.y});
+    return cones;
+}
+
+bool covers(const CarOutline& car, const Point& here, double yaw, const Point& point) {
+    const double dx = point.x - here.x, dy = point.y - here.y;
+    const double along = dx * std::cos(yaw) + dy * std::sin(yaw);
+    const double across = dy * std::cos(yaw) - dx * std::sin(yaw);
+    return along > -car.behind && along < car.ahead && std::abs(across) < 0.5 * car.width;
 }
 
 }  // namespace tread

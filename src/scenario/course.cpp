@@ -24,6 +24,10 @@ double middle(const Lane& lane) {
 
 }  // namespace
 
+bool hasCourse(const CourseParams& course) {
+    return !course.sections.empty() || !course.path.empty() || course.line.given();
+}
+
 std::vector<Lane> lanes(const CourseParams& course) {
     std::vector<Lane> out;
     if (course.sections.empty()) return out;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numbers.h"
+#include "scenario/expression/parse.h"
 #include "scenario/replay.h"
 
 namespace tread {
@@ -15,14 +17,34 @@ bool watchesCar(const SteeringSignal& signal) {
            std::holds_alternative<FollowPath>(signal);
 }
 
+// The conditions of the phases, bound to their channels.
+std::vector<std::optional<MomentaryExpression>> conditionsOf(const Scenario& scenario, Place& place,
+                                                             const ChannelValue& channel) {
+    const std::vector<Number> own = numbers(place);
+    const ChannelValue find = [&](std::string_view name) -> const double* {
+        const auto found = std::find_if(own.begin(), own.end(), [&](const Number& n) { return n.path == name; });
+        if (found != own.end()) return found->value;
+        return channel ? channel(name) : nullptr;
+    };
+    std::vector<std::optional<MomentaryExpression>> conditions;
+    for (const Phase& phase : scenario.phases) {
+        ExpressionFault fault;
+        const auto term = phase.until.when ? parseExpression(phase.until.when.text, fault) : std::nullopt;
+        conditions.push_back(term ? std::optional<MomentaryExpression>(std::in_place, *term, find) : std::nullopt);
+    }
+    return conditions;
+}
+
 }  // namespace
 
 Driver::Driver(const Scenario& scenario, const VehicleInput& initial, const KnownSteering& car,
-               const KnownResistance& resistance)
+               const KnownResistance& resistance, const ChannelValue& channel, const KnownGrip& grip)
     : scenario_(withReplaysRead(scenario)),
+      conditions_(conditionsOf(scenario_, *place_, channel)),
       held_(initial),
+      course_(scenario_.course, grip),
       follower_(resistance),
-      hands_(car, Path(coursePath(scenario.course))) {
+      hands_(car, course_.path()) {
     phase_start_ = seen_time_ = -scenario_.start.run_in;
     beginPhase();
 }
@@ -30,32 +52,73 @@ Driver::Driver(const Scenario& scenario, const VehicleInput& initial, const Know
 void Driver::beginPhase() {
     seen_.distance = 0;
     seen_.yaw_rate_before = 0;
+    if (conditions_[phase_]) conditions_[phase_]->begin();
     feet_.begin(seen_.car.vx, held_.throttle);
-    hands_.begin(held_.steering_wheel_angle);
+    hands_.begin(held_.steering_wheel_angle, way_);
+}
+
+// Where the car is on the course. From step to step the nearest place is looked for ahead of the last one, so that a
+// course may cross itself.
+void Driver::findPlace() {
+    if (course_.empty()) return;
+    constexpr double kReach = 20;  // m: a car moves less in a step
+    const Path& path = course_.path();
+    const Point here{seen_.car.x, seen_.car.y};
+    if (!way_) {
+        way_ = path.nearest(here);
+        // A car just behind the line of a closed course has its first lap yet to come.
+        if (path.closed() && *way_ > 0.5 * path.length()) *way_ -= path.length();
+    } else {
+        way_ = path.nearest(here, *way_, kReach);
+    }
+    place_->course = {*way_, path.aside(here, *way_), course_.speed(*way_)};
+    seen_.laps = course_.laps(*way_);
+}
+
+// Lets the feet know what a step of dt has brought.
+void Driver::driveOn(double elapsed, double dt) {
+    if (const auto* hold = std::get_if<HoldSpeed>(&phase().throttle)) feet_.look(*hold, seen_.car.vx, elapsed, dt);
+    if (const auto* follow = std::get_if<FollowCourse>(&phase().throttle); follow && way_) {
+        const double ahead = aheadOf(*follow);
+        feet_.look(*follow, course_.speed(ahead) - seen_.car.vx, course_.acceleration(ahead), dt);
+    }
 }
 
 void Driver::look(double time, const ChassisOutput& chassis, double steering_wheel_angle) {
     const double dt = time - seen_time_, elapsed = time - phase_start_;
     if (looked_) {
         seen_.distance += dt * std::hypot(chassis.vx, chassis.vy);
-        if (const auto* hold = std::get_if<HoldSpeed>(&phase().throttle)) feet_.look(*hold, chassis.vx, elapsed, dt);
         hands_.look(phase().steering, chassis, time, dt);
         seen_.yaw_rate_before = seen_.car.yaw_rate;
+        seen_.car = chassis;
+        driveOn(elapsed, dt);
     } else {
         feet_.begin(chassis.vx, held_.throttle);
     }
     looked_ = true;
     seen_.car = chassis;
+    findPlace();
     seen_steering_wheel_ = steering_wheel_angle;
     if (phase().until.steering_above) seen_.steering_wheel_angle = signals(time).steering_wheel_angle;
     seen_time_ = time;
+    seen_.condition = conditions_[phase_] && conditions_[phase_]->holds(time);
     if (!ended_ && happened(phase().until, seen_)) next(time);
+
+    // A phase that ends by the clock is over from then on, though the hands go on only in the coming step.
+    const auto end = endByClock();
+    const bool over = end && !last() && time >= *end - kTimeRounding;
+    place_->manoeuvre.phase = static_cast<double>(phase_ + (over ? 2 : 1));
+    place_->manoeuvre.phase_start = over ? *end : phase_start_;
 }
 
 std::optional<double> Driver::endByClock() const {
     const Until& until = phase().until;
     std::optional<double> end = until.time;
-    if (until.duration) end = std::min(end.value_or(kInfinity), phase_start_ + *until.duration);
+    const auto atLatest = [&](double latest) { end = std::min(end.value_or(kInfinity), latest); };
+    if (until.duration) atLatest(phase_start_ + *until.duration);
+    if (until.after_steering) {
+        atLatest(phase_start_ + lengthOf(phase().steering, held_.steering_wheel_angle) + *until.after_steering);
+    }
     return end;
 }
 
@@ -86,6 +149,13 @@ VehicleInput Driver::signals(double time) const {
     input.parking_brake = valueAt(now.parking_brake, held_.parking_brake, elapsed);
     if (const auto* hold = std::get_if<HoldSpeed>(&now.throttle)) {
         const auto [throttle, brake] = feet_.pedals(*hold, seen_.car.vx, elapsed);
+        input.throttle = throttle;
+        input.brake = std::max(input.brake, brake);
+    }
+    if (const auto* follow = std::get_if<FollowCourse>(&now.throttle); follow && way_) {
+        const double ahead = aheadOf(*follow);
+        const auto [throttle, brake] =
+            feet_.pedals(*follow, course_.speed(ahead) - seen_.car.vx, course_.acceleration(ahead));
         input.throttle = throttle;
         input.brake = std::max(input.brake, brake);
     }

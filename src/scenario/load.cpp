@@ -1,8 +1,10 @@
 #include "scenario/load.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/read_yaml.h"
+#include "scenario/course_file.h"
 #include "scenario/replay.h"
 
 namespace tread {
@@ -17,9 +19,12 @@ Scenario loadScenario(const std::filesystem::path& file) {
 Scenario loadScenario(const std::filesystem::path& file, std::vector<Problem>& problems) {
     Scenario scenario = readYaml<Scenario>(file, problems);
     placeReplays(scenario, file.parent_path());
-    if (auto& vary = scenario.series.vary; vary && !vary->of_scenario.empty())
-        vary->of_scenario = (file.parent_path() / vary->of_scenario).lexically_normal().string();
-    return scenario;
+    const auto place = [&](std::string& name) {
+        if (!name.empty()) name = (file.parent_path() / name).lexically_normal().string();
+    };
+    if (auto& vary = scenario.series.vary) place(vary->of_scenario);
+    for (Scale& scale : scenario.series.scale) place(scale.of_scenario);
+    return withCourseRead(std::move(scenario), file);
 }
 
 double longestDuration(const Scenario& scenario) {

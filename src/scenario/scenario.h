@@ -8,6 +8,7 @@
 
 #include "scenario/accept.h"
 #include "scenario/course.h"
+#include "scenario/own_metric.h"
 #include "scenario/sensor.h"
 #include "scenario/series.h"
 #include "scenario/signals.h"
@@ -102,6 +103,7 @@ struct Scenario {
     std::vector<Phase> phases;
     LogParams log;
     SeriesParams series;
+    std::vector<OwnMetric> metrics = {};
     Acceptance accept = {};
 
     static constexpr void describe(auto& self, auto&& field) {
@@ -128,6 +130,7 @@ struct Scenario {
         field(TREAD_FIELD(phases), About{"", "what the driver does, one phase after the other"});
         field(TREAD_FIELD(log), About{"", "what is logged"});
         field(TREAD_FIELD(series), About{"", "further runs, when one cannot answer the question"});
+        field(TREAD_FIELD(metrics), About{"", "metrics of your own, beside those of the manoeuvre"});
         field(TREAD_FIELD(accept),
               About{"",
                     "what the metrics must be, each `name: condition`: \"< 40 m\", \"= 0\", \"30 .. 40 m\", "
@@ -137,10 +140,10 @@ struct Scenario {
     static void check(const auto& self, auto&& complain) {
         if (self.phases.empty())
             complain("phases", "found no phase, expected at least one that says what the driver does and until when");
-        if (!self.course.path.empty() || !self.course.sections.empty()) return;
+        if (self.course.line.given() || !self.course.path.empty() || !self.course.sections.empty()) return;
         for (const Phase& phase : self.phases) {
-            if (!std::holds_alternative<FollowPath>(phase.steering)) continue;
-            complain("course", "found no path, expected sections or a path: a driver follows it");
+            if (!std::holds_alternative<FollowPath>(phase.steering) && !phase.until.laps) continue;
+            complain("course", "found no path, expected sections, a path or a line: a driver follows it");
             return;
         }
     }

@@ -30,6 +30,27 @@ struct Tune {
 };
 static_assert(describesEveryMember<Tune>());
 
+// A number that is set first: a factor times what a run of another scenario shows.
+struct Scale {
+    std::string number;
+    double factor = kRequired;
+    std::string of_scenario;
+    std::string of_metric;
+
+    static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(number), About{"", "path of the number, for example phases.1.steering.ramp.to"});
+        field(TREAD_FIELD(factor), About{"-", "factor of the metric"}.unjudged());
+        field(TREAD_FIELD(of_scenario), About{"", "that scenario's file, relative to this one"});
+        field(TREAD_FIELD(of_metric), About{"", "that metric; its unit must fit the number"});
+    }
+    static void check(const auto& self, auto&& complain) {
+        if (self.number.empty()) complain("number", "found no number, expected the path of the one that is set");
+        if (self.of_scenario.empty() || self.of_metric.empty())
+            complain("of_scenario", "expected of_scenario and of_metric, which the factor multiplies");
+    }
+};
+static_assert(describesEveryMember<Scale>());
+
 // One run for each value; or for each factor times what a run of another scenario shows.
 struct Vary {
     std::string number;
@@ -80,11 +101,13 @@ struct Highest {
 static_assert(describesEveryMember<Highest>());
 
 struct SeriesParams {
+    std::vector<Scale> scale = {};
     std::vector<Tune> tune;
     std::optional<Vary> vary;
     std::optional<Highest> highest;
 
     static constexpr void describe(auto& self, auto&& field) {
+        field(TREAD_FIELD(scale), About{"", "numbers that are set first from what other scenarios show"});
         field(TREAD_FIELD(tune), About{"", "numbers that are found first, one after the other"});
         field(TREAD_FIELD(vary), About{"", "a number that is varied from run to run"});
         field(TREAD_FIELD(highest), About{"", "a number whose highest passing value is looked for"});
@@ -92,7 +115,7 @@ struct SeriesParams {
     static void check(const auto& self, auto&& complain) {
         if (self.vary && self.highest) complain("highest", "a scenario has either vary or highest");
     }
-    bool empty() const { return tune.empty() && !vary && !highest; }
+    bool empty() const { return scale.empty() && tune.empty() && !vary && !highest; }
 };
 static_assert(describesEveryMember<SeriesParams>());
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <type_traits>
 
 #include "base/random.h"
 
@@ -28,6 +29,13 @@ double at(const Ramp<Of>& signal, double held, double elapsed) {
     const double way = signal.to - held;
     const double moved = signal.rate * elapsed;
     return moved >= std::abs(way) ? signal.to : held + std::copysign(moved, way);
+}
+
+template <class Of>
+double at(const Rescale<Of>& signal, double held, double elapsed) {
+    const double to = signal.factor * held, way = to - held;
+    if (signal.duration) return held + way * std::min(1.0, elapsed / *signal.duration);
+    return at(Ramp<Of>{.to = to, .rate = signal.rate.value_or(kInfinity)}, held, elapsed);
 }
 
 template <class Of>
@@ -80,6 +88,42 @@ double at(const Table<Of>& signal, double, double elapsed) {
     return signal.points(elapsed);
 }
 
+// Keep and a constant have no way to go.
+template <class Other>
+double length(const Other&, double) {
+    constexpr bool at_once = std::is_same_v<Other, Keep> || std::is_same_v<Other, Constant<Angle>>;
+    return at_once ? 0 : kInfinity;
+}
+template <class Of>
+double length(const Ramp<Of>& signal, double held) {
+    return std::abs(signal.to - held) / signal.rate;
+}
+template <class Of>
+double length(const Rescale<Of>& signal, double held) {
+    if (signal.duration) return *signal.duration;
+    return std::abs((signal.factor - 1) * held) / signal.rate.value_or(kInfinity);
+}
+template <class Of>
+double length(const Sine<Of>& signal, double) {
+    return signal.cycles / signal.frequency;
+}
+template <class Of>
+double length(const SineWithDwell<Of>& signal, double) {
+    return 1 / signal.frequency + signal.dwell;
+}
+template <class Of>
+double length(const Sweep<Of>& signal, double) {
+    return signal.duration;
+}
+template <class Of>
+double length(const Pulse<Of>& signal, double) {
+    return signal.duration;
+}
+template <class Of>
+double length(const Table<Of>& signal, double) {
+    return signal.points.empty() ? 0 : std::max(0.0, signal.points.points.back().x);
+}
+
 template <class Signal>
 double visited(const Signal& signal, double held, double elapsed) {
     return std::visit([&](const auto& alternative) { return at(alternative, held, elapsed); }, signal);
@@ -89,6 +133,9 @@ double visited(const Signal& signal, double held, double elapsed) {
 
 double valueAt(const SteeringSignal& signal, double held, double elapsed) {
     return visited(signal, held, elapsed);
+}
+double lengthOf(const SteeringSignal& signal, double held) {
+    return std::visit([&](const auto& alternative) { return length(alternative, held); }, signal);
 }
 double valueAt(const PedalSignal& signal, double held, double elapsed) {
     return visited(signal, held, elapsed);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -52,6 +53,27 @@ struct Ramp {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(to), About{Of::kUnit, "value at the end", Of::kLimits}.usually(Of::kUsual));
         field(TREAD_FIELD(rate), About{Of::kRate, "rate of change", kPositive}.usually(Of::kUsualRate));
+    }
+};
+
+// From where it is to a multiple of that: the reversal of a fishhook, the way back to straight ahead.
+template <class Of>
+struct Rescale {
+    static constexpr std::string_view kName = "rescale";
+    double factor = kRequired;
+    std::optional<double> rate = {};
+    std::optional<double> duration = {};
+    static constexpr void describe(auto& self, auto&& field) {
+        field(
+            TREAD_FIELD(factor),
+            About{"-", "value at the end over that at the start of the phase, -1: to the other side"}.usually(-20, 20));
+        field(TREAD_FIELD(rate), About{Of::kRate, "rate of change", kPositive}.usually(Of::kUsualRate));
+        field(TREAD_FIELD(duration),
+              About{"s", "in place of the rate: time that it takes", kPositive}.usually(0.001, 1000));
+    }
+    static void check(const auto& self, auto&& complain) {
+        if (self.rate.has_value() == self.duration.has_value())
+            complain("rate", "expected either a rate or a duration, to know how quickly the value changes");
     }
 };
 
@@ -182,12 +204,12 @@ struct HandsOff {
     static constexpr void describe(auto&, auto&&) {}
 };
 
-using SteeringSignal =
-    std::variant<Keep, Constant<Angle>, Ramp<Angle>, Sine<Angle>, SineWithDwell<Angle>, Sweep<Angle>, Pulse<Angle>,
-                 Noise<Angle>, Table<Angle>, Replay<Angle>, HoldLateralAcceleration, HoldRadius, FollowPath, HandsOff>;
+using SteeringSignal = std::variant<Keep, Constant<Angle>, Ramp<Angle>, Sine<Angle>, SineWithDwell<Angle>, Sweep<Angle>,
+                                    Pulse<Angle>, Noise<Angle>, Table<Angle>, Replay<Angle>, HoldLateralAcceleration,
+                                    HoldRadius, FollowPath, HandsOff, Rescale<Angle>>;
 using PedalSignal = std::variant<Keep, Constant<Pedal>, Ramp<Pedal>, Table<Pedal>, Replay<Pedal>>;
 using ThrottleSignal = std::variant<Keep, Constant<Pedal>, Ramp<Pedal>, Table<Pedal>, Replay<Pedal>, HoldSpeed,
-                                    FollowSpeed, CommandedForce>;
+                                    FollowSpeed, CommandedForce, FollowCourse>;
 
 // True where a force replaces throttle and brake pedal.
 inline bool commandsForce(const ThrottleSignal& signal) {
@@ -199,5 +221,8 @@ inline bool commandsForce(const ThrottleSignal& signal) {
 double valueAt(const SteeringSignal& signal, double held, double elapsed);
 double valueAt(const PedalSignal& signal, double held, double elapsed);
 double valueAt(const ThrottleSignal& signal, double held, double elapsed);
+
+// Time that the signal takes to come to its end, s: infinite for what goes on for ever or watches the car.
+double lengthOf(const SteeringSignal& signal, double held);
 
 }  // namespace tread

@@ -25,6 +25,21 @@ void SpeedControl::look(const HoldSpeed& hold, double speed, double elapsed, dou
     }
 }
 
+double SpeedControl::wish(const FollowCourse& follow, double missing, double acceleration) const {
+    return follow.proportional * missing + follow.integral * missing_way_ + follow.acceleration * acceleration;
+}
+
+// A pedal at its end, and the brake, teach nothing about the throttle that holds a speed.
+void SpeedControl::look(const FollowCourse& follow, double missing, double acceleration, double dt) {
+    const double now = wish(follow, missing, acceleration);
+    if (now >= 0 && now <= 1) missing_way_ += dt * missing;
+}
+
+SpeedControl::Pedals SpeedControl::pedals(const FollowCourse& follow, double missing, double acceleration) const {
+    const double now = wish(follow, missing, acceleration);
+    return {std::clamp(now, 0.0, 1.0), std::clamp(-follow.brake * now, 0.0, 1.0)};
+}
+
 SpeedControl::Pedals SpeedControl::pedals(const HoldSpeed& hold, double speed, double elapsed) const {
     const double missing = wanted(hold, elapsed) - speed;
     const double wish = start_throttle_ + hold.proportional * missing + hold.integral * missing_way_;

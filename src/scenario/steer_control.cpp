@@ -13,9 +13,9 @@ constexpr double kAtOnce = 1e-9;  // s
 
 }  // namespace
 
-void SteerControl::begin(double angle) {
+void SteerControl::begin(double angle, std::optional<double> way) {
     angle_ = angle;
-    way_ = -1;
+    way_ = way;
     intended_.clear();
 }
 
@@ -40,8 +40,8 @@ void SteerControl::correct(double missing_curvature, double bandwidth, double dt
 double SteerControl::pathAngle(const FollowPath& driver, const ChassisOutput& car) {
     const double v = std::hypot(car.vx, car.vy);
     const Point here{car.x, car.y};
-    way_ = way_ < 0 ? path_.nearest(here) : path_.nearest(here, way_, kReach);
-    const Point target = path_.at(way_ + std::max(driver.preview_time * v, driver.preview_distance));
+    way_ = way_ ? path_.nearest(here, *way_, kReach) : path_.nearest(here);
+    const Point target = path_.at(*way_ + std::max(driver.preview_time * v, driver.preview_distance));
     const double dx = target.x - here.x, dy = target.y - here.y;
     const double course = car.yaw + std::atan2(car.vy, car.vx);
     const double aside = dy * std::cos(course) - dx * std::sin(course);

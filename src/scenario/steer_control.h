@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <deque>
+#include <optional>
 #include <utility>
 
 #include "scenario/path.h"
@@ -28,7 +29,8 @@ public:
     SteerControl(const KnownSteering& car, Path path) : car_(car), path_(std::move(path)) {}
 
     // A phase begins, with the steering wheel at this angle.
-    void begin(double angle);
+    // `way`: m along the path, where that is known.
+    void begin(double angle, std::optional<double> way = {});
 
     // The car at the end of a step of dt.
     void look(const SteeringSignal& signal, const ChassisOutput& car, double time, double dt);
@@ -43,7 +45,7 @@ private:
     KnownSteering car_;
     Path path_;
     double angle_ = 0;                                // rad, of the steering wheel
-    double way_ = -1;                                 // m along the path; negative: not yet looked for
+    std::optional<double> way_;                       // m along the path; nothing: not yet looked for
     std::deque<std::pair<double, double>> intended_;  // s, rad: what the hands have yet to do
 };
 

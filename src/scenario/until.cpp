@@ -22,7 +22,8 @@ bool happened(const Until& until, const Observed& seen) {
            above(std::abs(car.sideslip), until.sideslip_above) ||
            above(std::abs(seen.steering_wheel_angle), until.steering_above) || above(seen.distance, until.distance) ||
            above(car.x, until.x_above) || below(car.x, until.x_below) || above(car.y, until.y_above) ||
-           below(car.y, until.y_below) || (until.yaw_rate_zero && car.yaw_rate * seen.yaw_rate_before < 0);
+           below(car.y, until.y_below) || (until.laps && seen.laps >= *until.laps) || (until.when && seen.condition) ||
+           (until.yaw_rate_zero && car.yaw_rate * seen.yaw_rate_before < 0);
 }
 
 std::string wordsOf(const Until& until) {
@@ -41,6 +42,9 @@ std::string wordsOf(const Until& until) {
     say(until.x_below, "x below ", "m");
     say(until.y_above, "y above ", "m");
     say(until.y_below, "y below ", "m");
+    say(until.laps, "laps: ", "");
+    if (until.when) ends.push_back("\"" + until.when.text + "\"");
+    if (until.after_steering) ends.push_back("the end of the steering");
     if (until.yaw_rate_zero) ends.push_back("a yaw rate of zero");
     say(until.time, "the time ", "s");
     if (until.duration) ends.push_back(shortNumber(*until.duration) + " s to pass");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/did_you_mean.h"
+#include "scenario/expression/expression_text.h"
 #include "tread/describe.h"
 #include "tread/vehicle_output.h"
 
@@ -27,6 +28,9 @@ struct Until {
     std::optional<double> x_below;
     std::optional<double> y_above;
     std::optional<double> y_below;
+    std::optional<double> after_steering;
+    std::optional<double> laps;
+    ExpressionText when = {};
     bool yaw_rate_zero = false;
     bool drive_end = false;
 
@@ -48,6 +52,17 @@ struct Until {
         field(TREAD_FIELD(x_below), About{"m", "the car is less far along x than this"}.unjudged());
         field(TREAD_FIELD(y_above), About{"m", "the car is farther to the left, along y, than this"}.unjudged());
         field(TREAD_FIELD(y_below), About{"m", "the car is farther to the right, along y, than this"}.unjudged());
+        field(TREAD_FIELD(after_steering),
+              About{"s", "time since the steering of the phase came to its end: a ramp, sine or pulse is complete",
+                    kNonNegative}
+                  .usually(0.001, 1000));
+        field(TREAD_FIELD(laps),
+              About{"-", "laps of the course that are complete; of an open course 1: its end", kPositive}.usually(
+                  1, 1000));
+        field(TREAD_FIELD(when),
+              About{"",
+                    "condition on channels of the log and their rates of change, e.g. \"abs(rate(chassis.roll)) < 1.5 "
+                    "deg/s\" (see tread describe expressions)"});
         field(TREAD_FIELD(yaw_rate_zero), About{"", "the yaw rate passes through zero during the phase"});
         field(TREAD_FIELD(drive_end), About{"", "the drive that the scenario repeats (drive) ends"});
     }
@@ -72,6 +87,8 @@ struct Observed {
     double steering_wheel_angle = 0;  // rad
     double distance = 0;              // m, since the phase began
     double yaw_rate_before = 0;       // rad/s, one look earlier; 0 in the first look of a phase
+    double laps = 0;                  // of the course, since the start
+    bool condition = false;           // `when` is met
 };
 
 // Whether an event other than by the clock has come true.

@@ -118,15 +118,36 @@ SeriesRun runWith(const Scenario& scenario, const std::string& number, double va
     return run;
 }
 
+// A metric of another scenario, measured in a run of it.
+Metric measuredIn(const std::string& file, const std::string& metric, const Measure& measure) {
+    try {
+        return metricOf(measure(tuned(loadScenario(file), measure)), metric);
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const SimulationError& error) {
+        throw SeriesError(
+            fmt::format("{} of {}, which the series needs first, cannot be had: {}", metric, file, error.what()));
+    }
+}
+
+std::string times(double factor, const Metric& metric) {
+    if (std::isnan(metric.value)) {
+        throw SeriesError(
+            fmt::format("the other scenario of the series gives no {}, which the factors multiply", metric.name));
+    }
+    return fmt::format("{} {}", numberText(factor * metric.value), metric.unit);
+}
+
+Scenario scaledBy(const Scale& scale, const Scenario& scenario, const Measure& measure) {
+    return with(scenario, scale.number, times(scale.factor, measuredIn(scale.of_scenario, scale.of_metric, measure)));
+}
+
 std::vector<double> valuesOf(const Vary& vary, const Scenario& scenario, const Measure& measure) {
     std::vector<double> values;
     for (const std::string& text : vary.values) values.push_back(valueOf(scenario, vary.number, text));
     if (!vary.factors.empty()) {
-        const Metric unit = metricOf(measure(tuned(loadScenario(vary.of_scenario), measure)), vary.of_metric);
-        for (const double factor : vary.factors) {
-            const std::string text = fmt::format("{} {}", numberText(factor * unit.value), unit.unit);
-            values.push_back(valueOf(scenario, vary.number, text));
-        }
+        const Metric unit = measuredIn(vary.of_scenario, vary.of_metric, measure);
+        for (const double factor : vary.factors) values.push_back(valueOf(scenario, vary.number, times(factor, unit)));
     }
     if (!vary.least_last.empty())
         values.back() = std::max(values.back(), valueOf(scenario, vary.number, vary.least_last));
@@ -141,6 +162,8 @@ std::vector<double> valuesOf(const Vary& vary, const Scenario& scenario, const M
 }  // namespace
 
 Scenario tuned(Scenario scenario, const Measure& measure) {
+    const std::vector<Scale> scales = scenario.series.scale;
+    for (const Scale& scale : scales) scenario = scaledBy(scale, scenario, measure);
     const std::vector<Tune> all = scenario.series.tune;
     for (const Tune& tune : all) scenario = tunedBy(tune, scenario, measure);
     return scenario;
@@ -181,6 +204,7 @@ std::string faultOf(const Scenario& scenario) {
                 if (!text.empty()) valueOf(scenario, number, text);
             }
         };
+        for (const Scale& scale : scenario.series.scale) known(scale.number, {});
         for (const Tune& tune : scenario.series.tune) known(tune.number, {tune.lowest, tune.highest});
         if (const auto& vary = scenario.series.vary) {
             known(vary->number, {vary->least_last, vary->largest});

@@ -35,7 +35,7 @@ struct SeriesResult {
     double highest;  // that passed, SI; NaN: none, or not asked for
 };
 
-// The scenario with the numbers that `tune` asks for. Throws SeriesError when a target cannot be reached.
+// The scenario with the numbers that `scale` and `tune` ask for. Throws SeriesError when a target cannot be reached.
 Scenario tuned(Scenario scenario, const Measure& measure);
 
 // The runs of `vary` or `highest`, made by `run`, in their order; `measure` makes those that only scale the values.

@@ -115,7 +115,7 @@ TEST(Describe, ColumnsOfAGroupAreAligned) {
 
 TEST(Describe, LogHasTheColumnsOfALog) {
     const Json log = described("log");
-    EXPECT_EQ(log["fields"].size(), 1u + 8u + 2u + 16u + 4u * 16u + 2u + 4u + 2u + 3u);
+    EXPECT_EQ(log["fields"].size(), 1u + 8u + 2u + 16u + 4u * 16u + 2u + 4u + 2u + 3u + 2u + 3u);
     EXPECT_EQ(field(log, "time")["unit"], "s");
     EXPECT_EQ(field(log, "driver.steering_wheel_angle")["unit"], "rad");
     EXPECT_EQ(field(log, "chassis.ay")["unit"], "m/s2");

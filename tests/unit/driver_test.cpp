@@ -300,7 +300,8 @@ TEST(Scenario, FirstPhaseWithoutEndIsAFaultWithItsPlace) {
     EXPECT_EQ(faultOf("phases:\n  - until: {duration: 1}\n  - name: circle\n  - until: {duration: 1}\n"),
               "scenario.yaml:3:5: phases.1.until.duration: found no condition, expected at least one (duration, "
               "time, speed_below, speed_above, lateral_acceleration_above, lateral_acceleration_below, "
-              "sideslip_above, steering_above, distance, x_above, x_below, y_above, y_below, yaw_rate_zero or "
+              "sideslip_above, steering_above, distance, x_above, x_below, y_above, y_below, after_steering, laps, "
+              "when, yaw_rate_zero or "
               "drive_end), or the phase would never end");
 }
 

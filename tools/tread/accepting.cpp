@@ -9,6 +9,7 @@
 #include "base/setting.h"
 #include "base/yaml_position.h"
 #include "metrics/metrics.h"
+#include "own_metrics.h"
 
 namespace tread::program {
 namespace {
@@ -73,10 +74,7 @@ std::vector<MetricDefinition> acceptable(const Scenario& scenario) {
         });
         return {{highestMetric(number), highestTitle(number), unit, "highest value that passes"}};
     }
-    for (const Manoeuvre& manoeuvre : manoeuvres()) {
-        if (manoeuvre.name == scenario.manoeuvre) return manoeuvre.definitions();
-    }
-    return {};
+    return metricsOf(scenario);
 }
 
 Acceptance acceptanceOf(const RunOptions& options, const Scenario& scenario) {

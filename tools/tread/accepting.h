@@ -13,7 +13,8 @@
 
 namespace tread::program {
 
-// The metrics on which a scenario can have conditions: of its manoeuvre; of a search for the highest value, that value.
+// The metrics on which a scenario can have conditions: of its manoeuvre, its own; of a search for the highest value,
+// that value.
 std::vector<MetricDefinition> acceptable(const Scenario& scenario);
 
 // What has these metrics, for messages: the manoeuvre, or the search.

@@ -49,6 +49,7 @@ void addRun(CLI::App& app, RunOptions& o) {
     addFolder(app, "-o,--output", o.output, "folder for log, metrics and report (default: out/<scenario>, or out)");
     addSettings(app, o.settings, "path=value, for example front.suspension.spring=\"25 kN/m\" or scenario.step=0.002");
     addFile(app, "--accept", o.accept, "conditions on metrics (YAML), beside those of the scenario");
+    addFile(app, "--metrics", o.metrics, "metrics of your own (YAML), in addition to those of the scenario");
     addFile(app, "--junit", o.junit, "write the verdicts as JUnit XML to this file");
     app.add_flag("--strict", o.strict, "treat an implausible number as an error (exit code 2), not a warning");
     app.add_flag("--json", o.json, "print the result as JSON");
@@ -73,8 +74,10 @@ void addCompare(CLI::App& app, CompareOptions& o) {
 void addMetrics(CLI::App& app, MetricsOptions& o) {
     addFile(app, "log", o.log, "log (CSV)")->required();
     app.add_option("--manoeuvre", o.manoeuvre, "name of the manoeuvre (default: found from the log)");
-    addFile(app, "--scenario", o.scenario, "scenario file that was driven: lanes of its course");
-    addFile(app, "--accept", o.accept, "conditions on the metrics (YAML); status 1 when one is missed");
+    addFile(app, "--scenario", o.scenario, "scenario file that was driven: its course, phases and own metrics");
+    addFile(app, "--vehicle", o.vehicle, "vehicle file that was driven: its numbers for own metrics");
+    addFile(app, "--metrics", o.metrics, "metrics of your own (YAML)");
+    addFile(app, "--accept", o.accept, "conditions on the metrics (YAML); exit code 1 when one is not met");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 

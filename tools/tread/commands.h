@@ -26,6 +26,7 @@ struct RunOptions {
     std::string output;
     std::vector<std::string> settings;  // path=value
     std::string accept;                 // file of conditions; empty: those of the scenario alone
+    std::string metrics;                // file of metrics of the user's own; empty: none
     std::string junit;                  // file; empty: none
     bool strict = false;                // an implausible number is a fault
     bool json = false;
@@ -51,6 +52,8 @@ struct MetricsOptions {
     std::string manoeuvre;  // empty: detected
     std::string scenario;   // file that was driven; empty: not known
     std::string accept;     // file of conditions; empty: none
+    std::string metrics;    // file of metrics of the user's own; empty: none
+    std::string vehicle;    // file of the car that was driven; empty: not known
     bool json = false;
 };
 int metrics(const MetricsOptions& options);

@@ -16,10 +16,12 @@
 #include "import/import_map.h"
 #include "log/log_columns.h"
 #include "metrics/metrics.h"
+#include "own_metrics.h"
 #include "plausibility.h"
 #include "recording/diagnosis_file.h"
 #include "recording/subject_paths.h"
 #include "run_inputs.h"
+#include "scenario/expression/functions.h"
 #include "tread/load.h"
 #include "tyres_of.h"
 
@@ -145,6 +147,32 @@ FileReading readScenarioFile(const Path& file) {
     return found;
 }
 
+FileReading readOwnMetricsFile(const Path& file) {
+    checkOwnMetricsFile(file.string());
+    return {};
+}
+
+// An example and the rules, then the functions.
+std::vector<TopField> expressionFields() {
+    std::vector<TopField> fields = {
+        {"example", "max(abs(chassis.roll), start(\"countersteer\"), end()) with the unit deg"},
+        {"condition",
+         "abs(rate(chassis.roll)) < 1.5 deg/s and chassis.vx > 5 m/s: in until.when of a phase, or in duration(...), "
+         "longest(...), time_of(...), count(...)"},
+        {"names",
+         "channels as the log calls them; vehicle.<path> and scenario.<path> are numbers of the run (metrics only)"},
+        {"numbers", "with their unit: 0.3 g, 40 km/h, 2 s; 0 fits everything; the radian counts as 1"},
+        {"signs", "+ - * / ^ < <= > >= == != and or not ( )"}};
+    for (const FunctionAbout& about : functions()) fields.push_back({callOf(about), std::string(about.meaning)});
+    return fields;
+}
+
+std::vector<ReferenceRow> expressionRows() {
+    std::vector<ReferenceRow> rows;
+    for (const TopField& field : expressionFields()) rows.push_back({field.name, "", field.meaning, "", ""});
+    return rows;
+}
+
 FileReading readAcceptFile(const Path& file) {
     checkAcceptFile(file.string());
     return {};
@@ -168,6 +196,9 @@ const std::vector<Describable>& describables() {
          [] { return jsonSchema<Scenario>("Manoeuvre", "scenario.schema.json"); }, readScenarioFile},
         {"accept", "what the metrics of a run must be", topOf<AcceptFile>, referenceTable<AcceptFile>,
          [] { return jsonSchema<AcceptFile>("Accept", "accept.schema.json"); }, readAcceptFile},
+        {"own_metrics", "metrics of your own", topOf<OwnMetricsFile>, referenceTable<OwnMetricsFile>,
+         [] { return jsonSchema<OwnMetricsFile>("OwnMetrics", "own_metrics.schema.json"); }, readOwnMetricsFile},
+        {"expressions", "what until.when of a phase and own metrics are written in", expressionFields, expressionRows},
         {"log", "the columns of a log", topOf<LogColumns>, logRows},
         {"import", "how a foreign log becomes a log", topOf<ImportMap>, referenceTable<ImportMap>,
          [] { return jsonSchema<ImportMap>("Import", "import.schema.json"); }, readDescribed<ImportMap>},

@@ -12,6 +12,7 @@
 #include "base/write_yaml.h"
 #include "log/csv.h"
 #include "metrics/metrics.h"
+#include "metrics/own/own_metrics.h"
 #include "output.h"
 #include "report/run_report.h"
 #include "run/simulate.h"
@@ -53,15 +54,23 @@ KnownCar knownOf(const VehicleParams& vehicle, const Scenario& scenario) {
     return {vehicle.wheelbase, vehicle.steering.ratio, scenario.course, vehicle.steering.ratio_curve};
 }
 
+void addOwn(std::vector<Metric>& metrics, const VehicleParams& vehicle, const Scenario& scenario, const Log& log) {
+    if (scenario.metrics.empty()) return;
+    for (Metric& own : ownMetrics(scenario.metrics, log, parametersOf(vehicle, scenario), scenario))
+        metrics.push_back(std::move(own));
+}
+
 Driven evaluate(const RunRecord& record, const Log& log) {
     Driven found;
     if (const std::string& manoeuvre = record.scenario.manoeuvre; !manoeuvre.empty()) {
         try {
             found.metrics = tread::metrics(log, manoeuvre, knownOf(record.vehicle, record.scenario));
         } catch (const MetricError& error) {
-            found.warnings.push_back(fmt::format("no metrics of {}: {}", manoeuvre, error.what()));
+            found.no_metrics = fmt::format("no metrics of {}: {}", manoeuvre, error.what());
+            found.warnings.push_back(found.no_metrics);
         }
     }
+    addOwn(found.metrics, record.vehicle, record.scenario, log);
     for (const auto& [path, tyre] : tyresOf(record.vehicle)) {
         for (const std::string& note : tyre->notes) {
             const auto& known = found.warnings;
@@ -134,7 +143,11 @@ std::vector<Metric> measure(const VehicleParams& vehicle, const Scenario& scenar
     Recorder recorder = recorderInto(log);
     recorder.stop = [](double) { return stopped_by != 0; };
     simulate(vehicle, scenario, recorder);
-    return tread::metrics(log, scenario.manoeuvre, knownOf(vehicle, scenario));
+    std::vector<Metric> found;
+    if (!scenario.manoeuvre.empty() || scenario.metrics.empty())
+        found = tread::metrics(log, scenario.manoeuvre, knownOf(vehicle, scenario));
+    addOwn(found, vehicle, scenario, log);
+    return found;
 }
 
 void listenToSignals() {

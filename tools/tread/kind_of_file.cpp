@@ -104,11 +104,13 @@ std::vector<std::string> keysOf(const YamlDocument& document) {
 const Describable* bestMatch(const std::vector<std::string>& keys) {
     const Describable* best = nullptr;
     std::size_t most = 0;
-    // A scenario has conditions too, but never them alone.
+    // A scenario has conditions and metrics too, but never them alone.
     if (std::find(keys.begin(), keys.end(), "phases") == keys.end() &&
         std::find(keys.begin(), keys.end(), "title") == keys.end()) {
         const Describable& accept = describable("accept", true);
         if (!keys.empty() && score(accept, keys) == 2 * keys.size()) return &accept;
+        const Describable& metrics = describable("own_metrics", true);
+        if (!keys.empty() && score(metrics, keys) == 2 * keys.size()) return &metrics;
     }
     for (const Describable& kind : describables()) {
         if (!kind.isFile()) continue;

@@ -14,9 +14,11 @@
 #include "base/yaml_position.h"
 #include "kind_of_file.h"
 #include "metrics/metrics.h"
+#include "own_metrics.h"
 #include "plausibility.h"
 #include "run/sensors.h"
 #include "run/simulate.h"
+#include "scenario/conditions.h"
 #include "scenario/load.h"
 #include "scenario/replay.h"
 #include "series/series.h"
@@ -48,7 +50,7 @@ struct Fault {
 };
 
 // Names that the scenario itself cannot check: manoeuvres and channels.
-std::vector<Fault> unknownNames(const Scenario& scenario) {
+std::vector<Fault> unknownNames(const Scenario& scenario, const std::string& file) {
     std::vector<Fault> faults;
     std::vector<std::string_view> known;
     for (const Manoeuvre& manoeuvre : manoeuvres()) known.push_back(manoeuvre.name);
@@ -61,15 +63,13 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
 
     if (const std::string fault = faultOf(scenario); !fault.empty()) faults.push_back({"series", fault});
     const auto expectMetric = [&](const std::string& path, const std::string& metric) {
-        for (const Manoeuvre& manoeuvre : manoeuvres()) {
-            if (manoeuvre.name != name || metric.empty()) continue;
-            std::vector<std::string> names;
-            for (const MetricDefinition& definition : manoeuvre.definitions()) names.push_back(definition.name);
-            if (std::find(names.begin(), names.end(), metric) != names.end()) continue;
-            const std::vector<std::string_view> views(names.begin(), names.end());
-            faults.push_back({path, "found " + quote(metric) + ", which is no metric of " + name +
-                                        didYouMean(metric, views) + "; `tread describe metrics` lists them"});
-        }
+        std::vector<std::string> names;
+        for (const MetricDefinition& definition : metricsOf(scenario)) names.push_back(definition.name);
+        if (names.empty() || metric.empty() || std::find(names.begin(), names.end(), metric) != names.end()) return;
+        const std::vector<std::string_view> views(names.begin(), names.end());
+        faults.push_back({path, "found " + quote(metric) + ", which is no metric of " +
+                                    (name.empty() ? "the scenario" : name) + didYouMean(metric, views) +
+                                    "; `tread describe metrics` lists them"});
     };
     const SeriesParams& series = scenario.series;
     for (std::size_t i = 0; i < series.tune.size(); ++i)
@@ -83,9 +83,9 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
         faults.push_back({joinPath("accept", fault.line.metric), fault.text, {fault.line.line, fault.line.column}});
     }
 
-    const std::vector<Column> all = recordedColumns({});
+    const std::vector<KnownName> all = knownChannels(scenario);
     known.clear();
-    for (const Column& column : all) known.push_back(column.name);
+    for (const KnownName& channel : all) known.push_back(channel.name);
     for (std::size_t i = 0; i < scenario.log.channels.size(); ++i) {
         const std::string& pattern = scenario.log.channels[i];
         const auto fits = [&](std::string_view channel) { return matches(pattern, channel); };
@@ -95,6 +95,10 @@ std::vector<Fault> unknownNames(const Scenario& scenario) {
                           "found " + quote(pattern) + ", which fits no channel, expected a name or a pattern with *" +
                               (suggestion.empty() ? ";" : suggestion) + " `tread describe log` lists all channels"});
     }
+    for (Problem& fault : faultsOfOwnMetrics(scenario, loggedChannels(scenario), file))
+        faults.push_back({fault.path, std::move(fault.text), {fault.line, fault.column}});
+    for (const ConditionFault& fault : conditionFaults(scenario, all))
+        faults.push_back({fault.path, fault.text, positionWithin(file, fault.condition, fault.at)});
     for (SensorFault& fault : sensorFaults(scenario.log.sensors, known)) {
         faults.push_back({"log.sensors." + std::to_string(fault.sensor) + "." + fault.path, std::move(fault.text)});
     }
@@ -159,7 +163,7 @@ VehicleParams readVehicle(const std::string& file, std::vector<Problem>& problem
 Scenario readScenario(const std::string& file, std::vector<Problem>& problems) {
     std::vector<Problem> faults;
     Scenario scenario = loadScenario(file, faults);
-    addFurther(faults, placed(unknownNames(scenario), file));
+    addFurther(faults, placed(unknownNames(scenario, file), file));
     problems.insert(problems.end(), faults.begin(), faults.end());
     return scenario;
 }
@@ -197,7 +201,7 @@ RunInputs readRunInputs(const RunOptions& options) {
     collect([&] { expectKind(options.log, {"log"}); });
 
     constexpr const char* kSource = "--set";
-    const std::vector<Fault> before = unknownNames(inputs.scenario);
+    const std::vector<Fault> before = unknownNames(inputs.scenario, "");
     // The car settings of the scenario are applied as --set leaves them; --set itself is applied last.
     Settable asked = inputs;
     std::vector<std::string> car_settings;
@@ -209,7 +213,7 @@ RunInputs readRunInputs(const RunOptions& options) {
         applySettings(inputs, options.settings, kSource, listingOf);
         sayChanges(inputs, file, options);
     });
-    for (const Fault& fault : unknownNames(inputs.scenario)) {
+    for (const Fault& fault : unknownNames(inputs.scenario, "")) {
         const auto same = [&](const Fault& old) { return old.path == fault.path && old.text == fault.text; };
         if (std::any_of(before.begin(), before.end(), same)) continue;
         problems.push_back({kSource, 0, 0, "scenario." + fault.path, fault.text});
@@ -217,6 +221,7 @@ RunInputs readRunInputs(const RunOptions& options) {
     collect([&] {
         expectKind(options.accept, {"accept"});
         if (!scenario_is_sound) return;
+        inputs.scenario = withMetricsOf(options.metrics, std::move(inputs.scenario), loggedChannels(inputs.scenario));
         inputs.scenario.accept = merged(std::move(inputs.scenario.accept), acceptanceOf(options, inputs.scenario));
     });
 

@@ -94,10 +94,11 @@ std::vector<Verdict> verdictsOf(const Scenario& scenario, const SeriesResult& se
 }  // namespace
 
 RunRecord tunedRecord(RunRecord record) {
-    if (record.scenario.series.tune.empty()) return record;
+    if (record.scenario.series.tune.empty() && record.scenario.series.scale.empty()) return record;
     record.scenario =
         tuned(record.scenario, [&](const Scenario& scenario) { return measure(record.vehicle, scenario); });
-    record.scenario.series.tune.clear();  // the value is found: the saved scenario repeats this run
+    record.scenario.series.scale.clear();
+    record.scenario.series.tune.clear();  // the values are found: the saved scenario repeats this run
     return record;
 }
 
@@ -113,7 +114,7 @@ Driven driveSeries(const RunRecord& record, const Path& folder, const Tell& tell
             one.scenario = scenario;
             if (record.scenario.series.highest) one.scenario.accept = {};  // on the highest value, which no run knows
             const Driven driven = driveInto(one, folder / folderOf(count++), tell);
-            if (driven.metrics.empty() && !driven.warnings.empty()) throw MetricError(driven.warnings.front());
+            if (!driven.no_metrics.empty()) throw MetricError(driven.no_metrics);
             return driven.metrics;
         });
 

@@ -1,0 +1,78 @@
+// What operations and functions at one moment make of numbers. A condition is 1 or 0.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "scenario/expression/functions.h"
+#include "scenario/expression/term.h"
+
+namespace tread {
+
+inline double operate(Operation operation, double a, double b) {
+    switch (operation) {
+        case Operation::negate:
+            return -a;
+        case Operation::invert:
+            return a == 0 ? 1 : 0;
+        case Operation::add:
+            return a + b;
+        case Operation::subtract:
+            return a - b;
+        case Operation::multiply:
+            return a * b;
+        case Operation::divide:
+            return a / b;
+        case Operation::power:
+            return std::pow(a, b);
+        case Operation::less:
+            return a < b;
+        case Operation::at_most:
+            return a <= b;
+        case Operation::greater:
+            return a > b;
+        case Operation::at_least:
+            return a >= b;
+        case Operation::equal:
+            return a == b;
+        case Operation::unequal:
+            return a != b;
+        case Operation::both:
+            return a != 0 && b != 0;
+        case Operation::either:
+            return a != 0 || b != 0;
+        default:
+            return std::numeric_limits<double>::quiet_NaN();
+    }
+}
+
+inline double operate(Function function, double a, double b) {
+    switch (function) {
+        case Function::abs:
+            return std::abs(a);
+        case Function::sign:
+            return a > 0 ? 1 : a < 0 ? -1 : a;
+        case Function::sqrt:
+            return std::sqrt(a);
+        case Function::sin:
+            return std::sin(a);
+        case Function::cos:
+            return std::cos(a);
+        case Function::tan:
+            return std::tan(a);
+        case Function::atan:
+            return std::atan(a);
+        case Function::atan2:
+            return std::atan2(a, b);
+        case Function::hypot:
+            return std::hypot(a, b);
+        case Function::lower:
+            return std::fmin(a, b);
+        case Function::higher:
+            return std::fmax(a, b);
+        default:
+            return std::numeric_limits<double>::quiet_NaN();
+    }
+}
+
+}  // namespace tread
