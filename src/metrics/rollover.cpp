@@ -34,33 +34,36 @@ struct Rollover {
 
 MetricTable<Rollover> table(bool fishhook) {
     MetricTable<Rollover> lines = {
-        {{"two_wheel_lift", "s",
+        {{"two_wheel_lift", "Two-wheel lift, longest", "s",
           "longest time during which both wheels of one side carry no load at once; 0: never; undefined without the "
           "wheels' loads",
           Say{1, "two wheels lifted for {} s", 2}},
          [](const Rollover& r) { return r.two_wheels; }},
-        {{"no_two_wheel_lift", "-", "1 when that never happens: what a series may ask to pass"},
+        {{"no_two_wheel_lift", "No two-wheel lift", "-", "1 when that never happens: what a series may ask to pass"},
          [](const Rollover& r) { return r.known() ? (r.two_wheels == 0 ? 1.0 : 0.0) : kUndefined; }},
-        {{"wheel_lift", "s", "longest time during which any one wheel carries no load"},
+        {{"wheel_lift", "Wheel lift, longest", "s", "longest time during which any one wheel carries no load"},
          [](const Rollover& r) { return r.one_wheel; }},
-        {{"load_transfer_ratio", "-",
+        {{"load_transfer_ratio", "Load transfer ratio, peak", "-",
           "largest magnitude of the load of the right side less that of the left over their sum; 1: one side is lifted",
           Say{2, "load transfer ratio up to {}", 2}},
          [](const Rollover& r) { return r.transfer; }},
-        {{"largest_roll", "deg", "largest magnitude of the roll angle", Say{3, "roll angle up to {} deg", 1}},
+        {{"largest_roll", "Roll angle, peak", "deg", "largest magnitude of the roll angle",
+          Say{3, "roll angle up to {} deg", 1}},
          [](const Rollover& r) { return kDegrees * r.roll; }},
-        {{"largest_roll_rate", "deg/s", "largest magnitude of the roll rate"},
+        {{"largest_roll_rate", "Roll rate, peak", "deg/s", "largest magnitude of the roll rate"},
          [](const Rollover& r) { return kDegrees * r.roll_rate; }},
-        {{"largest_ay", "m/s2", "largest magnitude of the lateral acceleration"},
+        {{"largest_ay", "Lateral acceleration, peak", "m/s2", "largest magnitude of the lateral acceleration"},
          [](const Rollover& r) { return r.ay; }},
-        {{"largest_sideslip", "deg", "largest magnitude of the sideslip angle"},
+        {{"largest_sideslip", "Sideslip angle, peak", "deg", "largest magnitude of the sideslip angle"},
          [](const Rollover& r) { return kDegrees * r.sideslip; }},
-        {{"entry_speed", "m/s", "speed when the steering begins"}, [](const Rollover& r) { return r.entry_speed; }},
-        {{"steering_angle", "deg", "largest magnitude of the steering-wheel angle"},
+        {{"entry_speed", "Speed at the beginning of the steering", "m/s", "speed when the steering begins"},
+         [](const Rollover& r) { return r.entry_speed; }},
+        {{"steering_angle", "Steering-wheel angle, peak", "deg", "largest magnitude of the steering-wheel angle"},
          [](const Rollover& r) { return kDegrees * r.amplitude; }},
     };
     if (fishhook) {
-        lines.push_back({{"reversal_time", "s", "from the beginning of the steering to that of the countersteer"},
+        lines.push_back({{"reversal_time", "Time to the countersteer", "s",
+                          "from the beginning of the steering to that of the countersteer"},
                          [](const Rollover& r) { return r.reversal - r.begin; }});
     }
     return lines;

@@ -14,8 +14,8 @@
 #include "report/sheet_report.h"
 #include "report/text.h"
 #include "sheet/sheet.h"
+#include "terminal.h"
 #include "tread/load.h"
-#include "wrapped.h"
 
 namespace tread::program {
 namespace {
@@ -36,7 +36,7 @@ std::string text(const Sheet& sheet) {
     const auto shown = [](const SheetRow& row) { return std::isnan(row.value) ? "none" : formatNumber(row.value, 4); };
     const std::size_t labels = widest([](const SheetRow&row) { return row.label; }), values = widest(shown),
                       units = widest([](const SheetRow&row) { return row.unit; });
-    const std::size_t columns = outputColumns(), indent = 2 + labels + 2 + values + 1 + units + 2;
+    const std::size_t columns = lineWidth(), indent = 2 + labels + 2 + values + 1 + units + 2;
     std::string out = sheetAnswer(sheet) + "\n";
     std::string_view group;
     for (const SheetRow& row : sheet.rows) {

@@ -40,6 +40,12 @@ const char* codeOf(Tone tone) {
 constexpr std::size_t kUsualWidth = 100;
 constexpr std::size_t kNarrowest = 40;
 
+// Bytes that continue a UTF-8 character take no column.
+std::size_t columnsOf(std::string_view word) {
+    return static_cast<std::size_t>(
+        std::count_if(word.begin(), word.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
 }  // namespace
 
 void beQuiet() {
@@ -65,23 +71,24 @@ std::size_t lineWidth() {
     return given > 0 ? std::max(static_cast<std::size_t>(given), kNarrowest) : kUsualWidth;
 }
 
-std::string wrapped(std::string_view text, std::size_t indent, std::size_t width) {
+std::string wrapped(std::string_view words, std::size_t indent, std::size_t columns) {
     std::string out;
-    std::size_t column = indent;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(' ', begin), text.size());
-        const std::string_view word = text.substr(begin, end - begin);
-        const bool first = begin == 0;
-        if (!first && column + 1 + word.size() > width) {
+    std::size_t at = indent;
+    while (!words.empty()) {
+        const std::size_t end = std::min(words.find(' '), words.size());
+        const std::string_view word = words.substr(0, end);
+        words.remove_prefix(std::min(end + 1, words.size()));
+        if (word.empty()) continue;
+        const std::size_t width = columnsOf(word);
+        if (at > indent && at + 1 + width > columns) {
             out += "\n" + std::string(indent, ' ');
-            column = indent;
-        } else if (!first) {
+            at = indent;
+        } else if (at > indent) {
             out += ' ';
-            ++column;
+            ++at;
         }
         out += word;
-        column += word.size();
-        begin = end + 1;
+        at += width;
     }
     return out;
 }
