@@ -46,7 +46,7 @@ Standing findStanding(const Log& log) {
     const auto needed = channels(log, kName, {"chassis.x", "chassis.y", "chassis.vx"});
     const double from = needed[0].begin() + kSettling, to = needed[0].end();
     if (to - from < kShortest) {
-        notFound(kName, fmt::format("the log lasts {:.2g} s, looked for at least {:.2g} s", kSettling + to - from,
+        notFound(kName, fmt::format("the log lasts {:.2g} s, expected at least {:.2g} s", kSettling + to - from,
                                     kSettling + kShortest));
     }
     const TimeSeries v = part(speed(log, kName), from, to), x = part(needed[0], from, to),
@@ -54,7 +54,7 @@ Standing findStanding(const Log& log) {
     const double fastest = largestSample(v);
     if (fastest > kFastest) {
         notFound(kName,
-                 fmt::format("the car moves at up to {:.2g} m/s, looked for at most {:.2g} m/s", fastest, kFastest));
+                 fmt::format("the car moves at up to {:.2g} m/s, expected at most {:.2g} m/s", fastest, kFastest));
     }
     Standing found{.drift = std::hypot(fitLine(x.time, x.value).slope, fitLine(y.time, y.value).slope),
                    .excursion = 0,

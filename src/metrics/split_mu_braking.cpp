@@ -39,7 +39,7 @@ MetricTable<SplitMu> table() {
          [](const SplitMu& s) { return kDegrees * s.steering; }},
         {{"initial_speed", "Initial speed", "m/s", "speed when the driver starts to actuate the brake"},
          [](const SplitMu& s) { return s.stop.initial_speed; }},
-        {{"stopping_distance", "Stopping distance", "m", "path from the start of brake actuation to standstill"},
+        {{"stopping_distance", "Stopping distance", "m", "distance from the start of brake actuation to standstill"},
          [](const SplitMu& s) { return s.stop.distance; }},
         {{"mfdd", "Deceleration, mean fully developed", "m/s2",
           "mean fully developed deceleration: (vb^2 - ve^2) / (2 (se - sb)), vb = 0.8 v0, ve = 0.1 v0",
@@ -78,8 +78,8 @@ SplitMu findSplitMu(const Log& log) {
         .yaw_rate = std::max(highest(turning, stop.start, end).value, -lowest(turning, stop.start, end).value),
         .yaw = largestMove(needed[2], stop.start, end)};
     if (std::max(found.steering, found.yaw) < kLeastTurn) {
-        notFound(kName, fmt::format("while braking the steering wheel turns by {:.2g} deg and the car by {:.2g} deg "
-                                    "only, looked for at least {:.2g} deg of one",
+        notFound(kName, fmt::format("while braking the steering wheel turns by {:.2g} deg and the car by only {:.2g} "
+                                    "deg, expected at least {:.2g} deg of one",
                                     kDegrees * found.steering, kDegrees * found.yaw, kDegrees * kLeastTurn));
     }
     return found;

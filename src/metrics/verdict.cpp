@@ -131,7 +131,7 @@ std::string marginInWords(const Verdict& verdict) {
 
 std::string text(const Verdict& verdict) {
     const std::string margin = marginInWords(verdict);
-    return fmt::format("{}{}: {}, wanted {}: {}{}{}", verdict.run.empty() ? "" : "run " + verdict.run + ", ",
+    return fmt::format("{}{}: {}, required {}: {}{}{}", verdict.run.empty() ? "" : "run " + verdict.run + ", ",
                        verdict.metric, valueInWords(verdict), verdict.condition, verdict.met ? "met" : "missed",
                        margin.empty() ? "" : ", ", margin);
 }

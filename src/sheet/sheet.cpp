@@ -216,7 +216,7 @@ const std::vector<Definition>& definitions() {
           "heave_frequency",
           "heave of the body",
           "Hz",
-          "|lambda| / 2 pi of body and both axles; the slow mode that moves more up and down than it pitches",
+          "|lambda| / 2 pi of body and both axles; the slow mode with more heave than pitch",
           {"mass", "inertia.pitch", "front.suspension", "rear.suspension", "front_axle_distance"}},
          [](const Figures& f) -> Value { return {f.ride.heave.frequency}; }},
         {{"Ride",
@@ -313,7 +313,7 @@ const std::vector<Definition>& definitions() {
           "deg/g",
           "phi / ay of the simulated car at 0.1 g, mean of left and right",
           {"front.suspension", "rear.suspension"}},
-         [](const Figures& f) -> Value { return orNone(kPerG * f.driven.roll, "it does not hold such a turn"); }},
+         [](const Figures& f) -> Value { return orNone(kPerG * f.driven.roll, "the car cannot hold such a turn"); }},
 
         {{"Handling",
           "cornering_stiffness_front",
@@ -363,7 +363,7 @@ const std::vector<Definition>& definitions() {
           "(steering-wheel angle / i - L / R) / ay of the simulated car at 0.1 g, mean of left and right",
           {"front.tyre", "rear.tyre", "front.suspension", "rear.suspension", "steering", "driveline", "aero"}},
          [](const Figures& f) -> Value {
-             if (std::isnan(f.driven.understeer)) return {kNaN, "it does not hold such a turn"};
+             if (std::isnan(f.driven.understeer)) return {kNaN, "the car cannot hold such a turn"};
              return {kPerG * f.driven.understeer, fmt::format("driven at {:.0f} km/h", kKmh * f.turn_speed)};
          }},
         {{"Handling",
@@ -406,7 +406,7 @@ const std::vector<Definition>& definitions() {
          }},
         {{"Handling",
           "yaw_frequency_lagging",
-          "yaw natural frequency with tyres that lag",
+          "yaw natural frequency with tyre relaxation",
           "Hz",
           "|lambda| / 2 pi of the same model with F' = (C alpha - F) v / sigma, sigma = C / cFy of both tyres",
           {"front.tyre.parameters.cFy", "rear.tyre.parameters.cFy", "inertia.yaw", "mass", "wheelbase"}},
