@@ -75,7 +75,7 @@ public:
         if (passed_over_ == 0) return;
         table_.notes.push_back(std::to_string(passed_over_) + " variable" + (passed_over_ == 1 ? "" : "s") +
                                " that tread cannot read (objects, tables, cells, complex numbers: " + first_ + ")" +
-                               " were passed over");
+                               (passed_over_ == 1 ? " was" : " were") + " skipped");
     }
 
 private:

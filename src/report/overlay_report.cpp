@@ -109,8 +109,9 @@ void addCurves(HtmlPage& page, const OverlayReport& content, const std::vector<c
     if (channels.empty()) return;
     page.section("Curves, worst first");
     if (channels.size() > kMostDrawn) {
-        page.text(fmt::format("The {} channels that use most of their tolerance, of {}; the table below has all.",
-                              kMostDrawn, channels.size()));
+        page.text(
+            fmt::format("The {} channels, out of {}, that use the most of their tolerance; the table below shows all.",
+                        kMostDrawn, channels.size()));
     }
     const std::size_t drawn = std::min(channels.size(), kMostDrawn);
     for (std::size_t i = 0; i < drawn; ++i) gaps.push_back(differences(*channels[i]));

@@ -184,7 +184,7 @@ struct CourseParams {
                 complain("sections", which + " narrower than the car, which cannot go through");
             if (i > 0 && all[i].from == all[i - 1].to &&
                 (all[i].right > all[i - 1].left - self.car.width || all[i].left < all[i - 1].right + self.car.width))
-                complain("sections", which + " beside the end of the one before, expected way to get there");
+                complain("sections", which + " beside the end of the one before, expected a distance to get there");
         }
     }
 };

@@ -108,7 +108,8 @@ struct Scenario {
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(title), About{"", "what the manoeuvre is, in a few words"});
-        field(TREAD_FIELD(description), About{"", "what it is after, and where its numbers come from"});
+        field(TREAD_FIELD(description),
+              About{"", "the standard or source that it follows, and where its numbers come from"});
         field(TREAD_FIELD(manoeuvre),
               About{"", "whose metrics are computed (see tread describe metrics); empty: none"});
         field(TREAD_FIELD(step), About{"s", "time step of the Bullet world", {1e-5, 0.05}});

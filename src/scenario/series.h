@@ -110,7 +110,7 @@ struct SeriesParams {
         field(TREAD_FIELD(scale), About{"", "numbers that are set first from what other scenarios show"});
         field(TREAD_FIELD(tune), About{"", "numbers that are found first, one after the other"});
         field(TREAD_FIELD(vary), About{"", "a number that is varied from run to run"});
-        field(TREAD_FIELD(highest), About{"", "a number whose highest passing value is looked for"});
+        field(TREAD_FIELD(highest), About{"", "a number whose highest passing value is sought"});
     }
     static void check(const auto& self, auto&& complain) {
         if (self.vary && self.highest) complain("highest", "a scenario has either vary or highest");

@@ -273,7 +273,7 @@ TEST(Driver, SaysWhichPhaseWaitsForWhatAndWhatTheCarDoes) {
     Driver driver(scenario, {});
     driver.look(0, at(20.0004, -1.5));
     EXPECT_EQ(driver.waitsFor(),
-              "phase \"run up\" waits for a speed above 50 m/s or a way of 2000 m; the car has 20 m/s and 1.5 m/s2 to "
+              "phase \"run up\" waits for a speed above 50 m/s or a distance of 2000 m; the car has 20 m/s and 1.5 m/s2 to "
               "the side");
 }
 

@@ -130,7 +130,7 @@ TEST_F(Mat, WhatIsNoNumberIsPassedOverAndSaid) {
     ASSERT_EQ(table.columns.size(), 1u);
     ASSERT_EQ(table.notes.size(), 1u);
     EXPECT_EQ(table.notes[0],
-              "1 variable that tread cannot read (objects, tables, cells, complex numbers: cell) were passed over");
+              "1 variable that tread cannot read (objects, tables, cells, complex numbers: cell) was skipped");
 }
 
 TEST_F(Mat, FaultsNameTheFileOrTheVariable) {

@@ -94,7 +94,7 @@ void checkSize(const LogChecks& checks, const Pair& pair, const Related& found) 
     const std::string look = lookOf(factor);
     if (look.empty() ? !(off(factor) && off(gentle)) : look != lookOf(gentle) && !off(gentle)) return;
     checks.warn(pair.channel, fmt::format("is {:.3g} times {}{}", factor, pair.says, look),
-                "A wrong unit or scale factor is taken for a difference of the car",
+                "A wrong unit or scale factor is mistaken for a difference between car and model",
                 "Check the units of both signals (channels, import)");
 }
 
@@ -223,13 +223,13 @@ void checkRigidBody(const LogChecks& checks) {
         if (wrong_unit) continue;
         if (one.contradicts) {
             checks.warn(one.channel, toText(one),
-                        "No body can move like this, so that at least one of the channels is wrong",
+                        "No rigid body can move like this, so at least one of the channels is wrong",
                         fmt::format("Check {}, which is the least certain of them", oddChannel(all)));
         } else if (!one.errors.empty()) {
             const InstrumentError& error = one.errors.front();
             const bool delay = error.kind == InstrumentError::Kind::delay;
-            checks.warn(one.channel, toText(one), "Such an error looks like a difference of the car",
-                        fmt::format("If it is one of the instrument, state it (instruments{})",
+            checks.warn(one.channel, toText(one), "Such an error looks like a difference between car and model",
+                        fmt::format("If the instrument causes it, state it (instruments{})",
                                     delay ? fmt::format(", {} delay: {:.3f}", error.channel, error.size) : ""));
         }
     }
