@@ -96,8 +96,8 @@ TEST_F(TreadRun, BadValueOfASettingIsRefused) {
     expectRefused(run({"--set", "scenario.manoeuvre=turn"}),
                   "--set: scenario.manoeuvre: found the unknown manoeuvre \"turn\", expected " + kManoeuvres);
     expectRefused(run({"--set", "scenario.log.channels=[chassis.vxx]"}),
-                  "--set: scenario.log.channels.0: found \"chassis.vxx\", which fits no channel, expected a name or a "
-                  "pattern with *; did you mean \"chassis.vx\"? `tread describe log` lists all channels");
+                  "--set: scenario.log.channels.0: found \"chassis.vxx\", which matches no channel, expected a name or "
+                  "a pattern with *; did you mean \"chassis.vx\"? `tread describe log` lists all channels");
 }
 
 TEST_F(TreadRun, AllBadSettingsAreToldAtOnce) {

@@ -563,8 +563,8 @@ TEST_F(YamlFiles, CircleOfIncludesIsNoticed) {
     write("a.yaml", "tyre: {radius: 1}\nspares: [b.yaml]\n");
     write("b.yaml", "tyre: {radius: 1}\nspares:\n  - tyres/../a.yaml\n");
     EXPECT_EQ(faultsOf(path("a.yaml")),
-              (Texts{path("b.yaml") + ":3:5: spares.0.spares.0: found \"tyres/../a.yaml\", which includes "
-                                      "itself by way of this file; break the circle"}));
+              (Texts{path("b.yaml") + ":3:5: spares.0.spares.0: found \"tyres/../a.yaml\", which includes itself "
+                                      "through this file; break the cycle"}));
     write("self.yaml", "tyre: {radius: 1}\nspares: [self.yaml]\n");
     EXPECT_EQ(faultsOf(path("self.yaml")).size(), 1u);
 }

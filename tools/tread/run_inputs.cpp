@@ -92,7 +92,8 @@ std::vector<Fault> unknownNames(const Scenario& scenario, const std::string& fil
         if (std::any_of(known.begin(), known.end(), fits)) continue;
         const std::string suggestion = didYouMean(pattern, known);
         faults.push_back({"log.channels." + std::to_string(i),
-                          "found " + quote(pattern) + ", which fits no channel, expected a name or a pattern with *" +
+                          "found " + quote(pattern) +
+                              ", which matches no channel, expected a name or a pattern with *" +
                               (suggestion.empty() ? ";" : suggestion) + " `tread describe log` lists all channels"});
     }
     for (Problem& fault : faultsOfOwnMetrics(scenario, loggedChannels(scenario), file))
