@@ -29,7 +29,7 @@ const std::vector<Essential>& essentials() {
          {"driver.steering_wheel_angle"},
          "tread run --log and diagnose cannot repeat the steering",
          "map a column to driver.steering_wheel_angle; the angle of the road wheels times the steering ratio (scale) "
-         "also serves"},
+         "can be used instead"},
         {"yaw rate or lateral acceleration",
          {"chassis.yaw_rate", "chassis.ay"},
          "compare and diagnose have no response of the car to evaluate",

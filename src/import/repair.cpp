@@ -73,7 +73,7 @@ void repair(const WholeChannel& channel, const ImportRepairs& repairs, const std
     if (how.delay != 0) {
         values = resample(time, values, shifted(time, how.delay));
         note("delay", values.size(),
-             fmt::format("{:.4g} s {} taken out", std::abs(how.delay), how.delay > 0 ? "late," : "early,"));
+             fmt::format("{:.4g} s {} removed", std::abs(how.delay), how.delay > 0 ? "delay" : "lead"));
     }
 }
 

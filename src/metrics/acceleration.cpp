@@ -67,7 +67,7 @@ MetricTable<Acceleration> table() {
          [](const Acceleration& a) { return a.peak; }},
         {{"initial_speed", "Initial speed", "m/s", "speed when the throttle pedal is pressed"},
          [](const Acceleration& a) { return a.initial; }},
-        {{"largest_speed", "Speed, largest", "m/s", "to the end of the log or to the brake"},
+        {{"largest_speed", "Speed, maximum", "m/s", "to the end of the log or to the brake"},
          [](const Acceleration& a) { return a.most; }},
     };
 }

@@ -41,7 +41,7 @@ MetricTable<Crosswind> table() {
           Say{2, "turns at up to {} deg/s", 2}},
          [](const Crosswind& c) { return kDegrees * c.peak_yaw_rate; }},
         {{"peak_ay", "Lateral acceleration, peak", "m/s2", "largest lateral acceleration up to then",
-          Say{3, "pushed at {} m/s2", 2}},
+          Say{3, "peak lateral acceleration {} m/s2", 2}},
          [](const Crosswind& c) { return c.peak_ay; }},
         {{"speed", "Speed", "m/s", "speed when the wind begins"}, [](const Crosswind& c) { return c.speed; }},
     };

@@ -114,7 +114,7 @@ MetricTable<SteeringResponse> table() {
     add(answerTable(&SteeringResponse::ay, "ay", "lateral acceleration", "m/s2/rad"));
     add({
         {{"speed", "Speed", "m/s", "mean forward speed"}, [](const SteeringResponse& r) { return r.speed; }},
-        {{"largest_ay", "Lateral acceleration, largest", "m/s2", "largest magnitude of the lateral acceleration"},
+        {{"largest_ay", "Lateral acceleration, maximum", "m/s2", "largest magnitude of the lateral acceleration"},
          [](const SteeringResponse& r) { return r.largest_ay; }},
         {{"lowest_frequency", "Evaluated from", "Hz", "lowest frequency at which the steering has enough power"},
          [](const SteeringResponse& r) { return r.from; }},

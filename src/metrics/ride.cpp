@@ -56,7 +56,7 @@ MetricTable<Ride> table() {
                           "dynamic load coefficient: standard deviation of the wheel load over its mean"},
                          [i](const Ride& r) { return kPercent * r.load_variation[i]; }});
     }
-    lines.push_back({{"lowest_load", "Wheel load, smallest over its mean", "%",
+    lines.push_back({{"lowest_load", "Wheel load over its mean, minimum", "%",
                       "smallest load of any wheel over its mean; 0: the wheel lifts off",
                       Say{2, "lightest wheel carries {} % of its load", 0}},
                      [](const Ride& r) { return kPercent * r.lowest_load; }});

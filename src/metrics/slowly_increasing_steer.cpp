@@ -47,7 +47,7 @@ MetricTable<SlowSteer> table() {
           "known",
           Say{2, "understeer gradient {} deg/g", 2}},
          [](const SlowSteer& s) { return kDegrees * kGravity * s.understeer; }},
-        {{"largest_ay", "Lateral acceleration, largest", "m/s2", "largest magnitude of the lateral acceleration",
+        {{"largest_ay", "Lateral acceleration, maximum", "m/s2", "largest magnitude of the lateral acceleration",
           Say{3, "up to {} m/s2 of lateral acceleration", 2}},
          [](const SlowSteer& s) { return s.largest_ay; }},
         {{"steering_angle_largest_ay", "Steering-wheel angle at the largest lateral acceleration", "deg",

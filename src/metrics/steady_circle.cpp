@@ -217,7 +217,7 @@ MetricTable<SteadyCircle> table() {
          [](const SteadyCircle& s) { return kPerG * s.roll; }},
         {{"sideslip_gradient", "Sideslip gradient", "deg/g", "d sideslip angle / d ay by the method; " + range},
          [](const SteadyCircle& s) { return kPerG * s.sideslip; }},
-        {{"largest_ay", "Lateral acceleration, largest", "m/s2", "largest magnitude of the lateral acceleration",
+        {{"largest_ay", "Lateral acceleration, maximum", "m/s2", "largest magnitude of the lateral acceleration",
           Say{3, "up to {} m/s2 of lateral acceleration", 2}},
          [](const SteadyCircle& s) { return s.largest_ay; }},
     };

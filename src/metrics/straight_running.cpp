@@ -43,7 +43,7 @@ MetricTable<StraightRunning> table() {
         {{"last_yaw_rate", "Yaw rate at the end", "deg/s", fmt::format("mean of the last {:.0f} s", kAtLast)},
          [](const StraightRunning& s) { return kDegrees * s.yaw_rate; }},
         {{"last_ay", "Lateral acceleration at the end", "m/s2",
-          fmt::format("mean lateral acceleration of the last {:.0f} s", kAtLast), Say{2, "{} m/s2 at last", 3}},
+          fmt::format("mean lateral acceleration of the last {:.0f} s", kAtLast), Say{2, "{} m/s2 at the end", 3}},
          [](const StraightRunning& s) { return s.ay; }},
         {{"hand_torque", "Steering-wheel torque", "N m",
           "torque of the driver who holds the wheel, mean over the same time, positive to the left",

@@ -109,7 +109,7 @@ void addMoved(HtmlPage& page, const std::map<std::string, NuisanceEstimate>& num
         "tolerance is doubtful.",
         moved.size(), numbers.size(), kDoubtful));
     if (fold) page.fold(fmt::format("The {} numbers", rows.size()));
-    page.table({"Number", "Nominal ± tolerance → found", "Moved, in ±", "Path"}, rows, true);
+    page.table({"Number", "Nominal ± tolerance → found", "Change, in ±", "Path"}, rows, true);
     if (fold) page.unfold();
 }
 

@@ -90,7 +90,7 @@ Value orNone(double value, std::string_view why) {
 Value topSpeedValue(const Figures& f) {
     const TopSpeed& top = f.top;
     if (std::isnan(top.speed)) return {kNaN, "full throttle does not overcome the resistance"};
-    const char* const why = top.limit == SpeedLimit::power ? "power meets resistance"
+    const char* const why = top.limit == SpeedLimit::power ? "driving power equals resistance"
                             : top.limit == SpeedLimit::gearing
                                 ? "limited by gearing: engine or motor at its speed limit"
                                 : "the next gear cannot hold it";
@@ -201,7 +201,7 @@ const std::vector<Definition>& definitions() {
           "ride_frequency_rear",
           "ride frequency, rear",
           "Hz",
-          "the same of the rear axle",
+          "the same for the rear axle",
           {"rear.suspension.spring", "rear.suspension.damper", "rear.unsprung_mass", "rear.tyre.parameters.pz1", "mass",
            "front_axle_distance"}},
          [](const Figures& f) -> Value { return {f.ride.body.rear.frequency}; }},
@@ -258,7 +258,7 @@ const std::vector<Definition>& definitions() {
           "wheel_hop_frequency_rear",
           "wheel hop, rear",
           "Hz",
-          "the same of the rear axle",
+          "the same for the rear axle",
           {"rear.unsprung_mass", "rear.tyre.parameters.pz1", "rear.suspension.spring"}},
          [](const Figures& f) -> Value { return {f.ride.wheel.rear.frequency}; }},
         {{"Ride",

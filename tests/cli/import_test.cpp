@@ -32,7 +32,7 @@ TEST_F(Import, WritesALogAndSaysWhatItChanged) {
         "chassis.vx: km/h to m/s\nchassis.yaw_rate: deg/s to rad/s\nchassis.yaw_rate: sign reversed\nchassis.ay: g "
         "to m/s2\nnot taken: Steering wheel angle\nlacking: no steering: tread run --log and diagnose cannot "
         "repeat the steering; map a column to driver.steering_wheel_angle; the angle of the road wheels times "
-        "the steering ratio (scale) also serves\n");
+        "the steering ratio (scale) can be used instead\n");
     const Log imported = readLog(log);
     EXPECT_NEAR(imported.find("chassis.yaw_rate")->values[100], foreign::yawRate(1), 1e-8);
     EXPECT_EQ(runProgram({"check", log}).status, 0);

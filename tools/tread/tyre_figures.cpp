@@ -180,8 +180,8 @@ std::vector<Chart> loadFigures(const TyreView& view) {
     Chart slip{.title = "Slip stiffness", .x = load_axis, .y = {"Kx", "kN/%", 0}, .series = {}};
     slip.series = {overLoad("", [](const TyreSteadyState& s) { return s.Kx * kPercent / 1000; })};
     Chart friction{.title = "Peak friction", .x = load_axis, .y = {"μ", "-", 0}, .series = {}};
-    friction.series = {overLoad("along, μx", [](const TyreSteadyState& s) { return s.mux; }),
-                       overLoad("across, μy", [](const TyreSteadyState& s) { return s.muy; })};
+    friction.series = {overLoad("longitudinal, μx", [](const TyreSteadyState& s) { return s.mux; }),
+                       overLoad("lateral, μy", [](const TyreSteadyState& s) { return s.muy; })};
     return {cornering, slip, friction};
 }
 

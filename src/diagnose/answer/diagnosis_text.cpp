@@ -134,7 +134,7 @@ std::string remainsOf(const Diagnosis& d) {
     std::string text = percentInWords(d.training.remainder.share) + " of the gap";
     const auto large = largeForces(d.unexplained);
     for (std::size_t i = 0; i < std::min(large.size(), kMostListed); ++i)
-        text += fmt::format("; {}: {:.1f} usual sizes", kindOfForceInWords(large[i].second), large[i].first);
+        text += fmt::format("; {}: {:.1f} times the usual size", kindOfForceInWords(large[i].second), large[i].first);
     if (large.empty()) text += "; no force is larger than in an ordinary drive";
     const std::string law = d.causes.empty() ? "" : lawInWords(d.unexplained.law);
     return paragraph("REMAINS", {law.empty() ? text : text + "; " + law});

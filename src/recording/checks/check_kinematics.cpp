@@ -119,7 +119,7 @@ void checkSigns(const LogChecks& checks, const std::vector<Pair>& pairs, const s
         checks.warn(channel,
                     fmt::format("has the opposite sign of {} (correlation {:.2f})", partner, found[i].all.correlation),
                     "A channel with the wrong sign cannot be compared with the model",
-                    either ? fmt::format("Reverse the sign of {} or of {} on import: no other channel tells which is "
+                    either ? fmt::format("Reverse the sign of {} or of {} on import: no other channel shows which is "
                                          "wrong. ISO 8855, x forward, y left, z up",
                                          pair.channel, pair.other)
                            : "Reverse the sign on import: ISO 8855, x forward, y left, z up");
