@@ -21,7 +21,7 @@ struct Tune {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(number), About{"", "path of the number, for example phases.1.steering.ramp.to"});
         field(TREAD_FIELD(metric), About{"", "metric of the manoeuvre"});
-        field(TREAD_FIELD(target), About{"", "wanted value, in the unit of the metric"}.unjudged());
+        field(TREAD_FIELD(target), About{"", "target value, in the unit of the metric"}.unjudged());
         field(TREAD_FIELD(lowest), About{"", "least value to try, with its unit"});
         field(TREAD_FIELD(highest), About{"", "largest value to try, with its unit"});
         field(TREAD_FIELD(tolerance),
