@@ -30,7 +30,7 @@ std::string unknownMetric(const std::string& name, std::string_view manoeuvre,
     }
     std::vector<std::string_view> names;
     for (const MetricDefinition& definition : known) names.push_back(definition.name);
-    return fmt::format("found {}, which is no metric of {}{}; `tread describe metrics` lists them", quote(name),
+    return fmt::format("found {}, which is not a metric of {}{}; `tread describe metrics` lists them", quote(name),
                        manoeuvre, didYouMean(name, names));
 }
 

@@ -67,7 +67,7 @@ struct LaneSection {
         field(TREAD_FIELD(cones), About{"-", "cones along each edge, the first and the last at its ends", {2, 1000}});
     }
     static void check(const auto& self, auto&& complain) {
-        if (self.from >= self.to) complain("to", "a lane must end behind its beginning (from < to)");
+        if (self.from >= self.to) complain("to", "a lane must end after its beginning (from < to)");
     }
 };
 static_assert(describesEveryMember<LaneSection>());

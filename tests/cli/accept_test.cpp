@@ -157,7 +157,7 @@ TEST_F(Accept, ASearchIsJudgedByWhatItFinds) {
     EXPECT_EQ(judged("highest_start.speed: '>= 70 km/h'").status, 1);
     const Result other = judged("cones_hit: '= 0'");
     EXPECT_EQ(other.status, 2);
-    EXPECT_NE(other.err.find("which is no metric of a search, which has \"highest_start.speed\" alone"),
+    EXPECT_NE(other.err.find("which is not a metric of a search, which has \"highest_start.speed\" alone"),
               std::string::npos)
         << other.err;
 }

@@ -81,7 +81,7 @@ TEST_F(Import, FaultsOfTheMappingStandAtTheirPlaceInIt) {
     const Result result = runProgram({"import", table, "--map", wrong, "-o", log});
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.out, "");
-    EXPECT_EQ(result.err, wrong + ":3:33: map.0.from: found \"Sped\", which is no column of " + table +
+    EXPECT_EQ(result.err, wrong + ":3:33: map.0.from: found \"Sped\", which is not a column of " + table +
                               "; did you mean \"Speed\"?\n" + wrong +
                               ":5:11: map.1.from: found a speed (\"km/h\", the unit of column \"Speed\"), expected an "
                               "acceleration (m/s2); correct the unit or the channel\n");
@@ -159,7 +159,7 @@ TEST_F(Import, AMistypedChannelOrKeyIsAFaultAtItsPlace) {
         return result.err.substr(std::min(result.err.size(), wrong.size()));
     };
     EXPECT_EQ(faultOf("  - {channel: chassis.yawrate, from: Yaw rate}\n"),
-              ":3:15: map.0.channel: found \"chassis.yawrate\", which is no channel of tread; did you mean "
+              ":3:15: map.0.channel: found \"chassis.yawrate\", which is not a channel of tread; did you mean "
               "\"chassis.yaw_rate\"? A channel of your own needs another name, like own.yawrate\n");
     const auto suggests = [&](const std::string& wrong, const std::string& meant) {
         const std::string fault = faultOf("  - {channel: " + wrong + ", from: Yaw rate}\n");

@@ -72,7 +72,7 @@ TEST_F(Judge, WhatCannotBeJudgedIsStatusTwo) {
 
     const Result name = runProgram({"compare", measured, measured, "--score", "iso1857"});
     EXPECT_EQ(name.status, 2);
-    EXPECT_EQ(name.err, "tread compare: found \"iso1857\" behind --score, expected iso18571 or the name of a file\n");
+    EXPECT_EQ(name.err, "tread compare: found \"iso1857\" after --score, expected iso18571 or the name of a file\n");
     const Result report =
         runProgram({"compare", measured, measured, "--score", "iso18571", "--report", scratch.path("x.html")});
     EXPECT_EQ(report.status, 2);

@@ -58,7 +58,7 @@ TEST_F(TreadRun, UnknownPathIsAnsweredWithTheRightOne) {
                                                        "\", expected the path of a field; " + answer);
     };
     const std::string of_the_car = "`tread describe vehicle` lists all paths";
-    const std::string of_the_scenario = "`tread describe scenario` lists all paths behind \"scenario.\"";
+    const std::string of_the_scenario = "`tread describe scenario` lists all paths after \"scenario.\"";
     expectAnswer("front.suspension.sprng", "did you mean \"front.suspension.spring\"? " + of_the_car);
     expectAnswer("spring", "did you mean front.suspension.spring or rear.suspension.spring? " + of_the_car);
     expectAnswer("quux", of_the_car);

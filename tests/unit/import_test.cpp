@@ -181,7 +181,7 @@ TEST(Import, FaultsOfTheMappingComeAllAtOnceWithTheirPath) {
                                  "  - {channel: chassis.ay, from: Lateral acceleration, unit: furlong}\n"));
     });
     EXPECT_EQ(faults,
-              "map.0.from: found \"Sped\", which is no column of x.csv; did you mean \"Speed\"?\n"
+              "map.0.from: found \"Sped\", which is not a column of x.csv; did you mean \"Speed\"?\n"
               "map.1.from: found a speed (\"km/h\", the unit of column \"Speed\"), expected an angular speed (rad/s); "
               "correct the unit or the channel\n"
               "map.2.unit: found the unknown unit \"furlong\"; write another unit of the same kind, or leave it out");

@@ -400,7 +400,7 @@ TEST(YamlReader, SyntaxErrorsHaveTheirPlace) {
 
 // yaml-cpp 0.7 itself takes the rest of the file for the text.
 TEST(YamlReader, QuoteThatIsNeverClosedIsAnError) {
-    const std::string fault = "found no end of the quoted text that begins behind this place; close the quotation mark";
+    const std::string fault = "found no end of the quoted text that begins after this place; close the quotation mark";
     EXPECT_EQ(faults("gears: 3\nname: \"a\n"), (Texts{"car.yaml:2:1: " + fault}));
     EXPECT_EQ(faults("gears: 3\nname: 'a\nmass: 3\n\n"), (Texts{"car.yaml:2:1: " + fault}));
     EXPECT_EQ(faults("gears: 3\nname: \"a"), (Texts{"car.yaml:2:1: " + fault}));

@@ -231,7 +231,7 @@ void expectOptionsOfFolders(const CompareOptions& options) {
         refuse("found --envelope, --score or --repeat beside a folder, expected two logs; name the logs");
     const auto expectFolder = [&](const std::string& folder) {
         if (std::filesystem::is_directory(folder)) return;
-        refuse("found " + folder + ", which is no folder, expected two logs or two folders of runs");
+        refuse("found " + folder + ", which is not a folder, expected two logs or two folders of runs");
     };
     expectFolder(options.candidate);
     const bool first_baseline = options.update && !std::filesystem::exists(options.reference);
