@@ -48,8 +48,7 @@ struct FollowCourse {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(preview_time),
               About{"s", "how far ahead the driver reads the speed", kNonNegative}.usually(0.01, 10));
-        field(TREAD_FIELD(proportional),
-              About{"s/m", "pedal over the speed that is missing", kNonNegative}.usually(0.001, 20));
+        field(TREAD_FIELD(proportional), About{"s/m", "pedal over the speed error", kNonNegative}.usually(0.001, 20));
         field(TREAD_FIELD(integral),
               About{"1/m", "throttle over the integral of the speed error", kNonNegative}.usually(0.0001, 20));
         field(TREAD_FIELD(acceleration),

@@ -88,7 +88,7 @@ struct LinePoint {
                                        "cross slope of the road, positive with the right side down; read only: the "
                                        "road stays that of the scenario"}
                                      .usually(-1, 1));
-        field(TREAD_FIELD(speed), About{"m/s", "wanted speed; 0: none", kNonNegative}.usually(0.1, 120));
+        field(TREAD_FIELD(speed), About{"m/s", "target speed; 0: none", kNonNegative}.usually(0.1, 120));
     }
 };
 static_assert(describesEveryMember<LinePoint>());

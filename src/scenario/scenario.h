@@ -131,7 +131,7 @@ struct Scenario {
         field(TREAD_FIELD(phases), About{"", "what the driver does, one phase after the other"});
         field(TREAD_FIELD(log), About{"", "what is logged"});
         field(TREAD_FIELD(series), About{"", "further runs, when one cannot answer the question"});
-        field(TREAD_FIELD(metrics), About{"", "metrics of your own, beside those of the manoeuvre"});
+        field(TREAD_FIELD(metrics), About{"", "metrics of your own, in addition to those of the manoeuvre"});
         field(TREAD_FIELD(accept),
               About{"",
                     "what the metrics must be, each `name: condition`: \"< 40 m\", \"= 0\", \"30 .. 40 m\", "
