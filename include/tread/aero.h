@@ -48,8 +48,8 @@ struct AeroParams {
                   .over(0, 3.2));
         field(TREAD_FIELD(roll_moment_volume),
               About{"m3",
-                    "roll moment besides that of the side force over dynamic pressure, positive when it leans the roof "
-                    "away from the wind, over aerodynamic sideslip; odd",
+                    "roll moment in addition to that of the side force over dynamic pressure, positive when it leans "
+                    "the roof away from the wind, over aerodynamic sideslip; odd",
                     kAny, 0.3, "rad"}
                   .usually(-200, 200)
                   .over(0, 3.2));

@@ -43,11 +43,10 @@ struct DiscParams {
               About{"-", "factor on the brake torque versus disc temperature (fade); none: 1", kNonNegative, 0.1, "K"}
                   .usually(0, 2)
                   .over(200, 1500));
-        field(TREAD_FIELD(fade),
-              About{"1/K",
-                    "relative loss of brake torque over the heating of the disc, besides `friction`: exp(-fade "
-                    "(T - ambient))"}
-                  .usually(-0.01, 0.01));
+        field(TREAD_FIELD(fade), About{"1/K",
+                                       "relative loss of brake torque over the heating of the disc, in addition to "
+                                       "`friction`: exp(-fade (T - ambient))"}
+                                     .usually(-0.01, 0.01));
     }
 };
 static_assert(describesEveryMember<DiscParams>());

@@ -49,8 +49,9 @@ struct TorqueConverterParams {
     }
     static void check(const auto& self, auto&& complain) {
         if (self.capacity.empty() || self.capacity.points.back() != Curve::Point{1, 0})
-            complain("capacity",
-                     "the last point must be [1, 0]: a converter whose halves turn alike transmits nothing");
+            complain(
+                "capacity",
+                "the last point must be [1, 0]: a converter whose halves turn at the same speed transmits nothing");
         if (self.torque_ratio.empty() || self.torque_ratio.points.back().y != 1)
             complain("torque_ratio", "the last point must have the torque ratio 1: the stator freewheels there");
     }

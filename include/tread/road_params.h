@@ -121,8 +121,8 @@ struct RoughnessParams {
                 1e-8, 1));
         field(TREAD_FIELD(waviness), About{"-", "exponent with which the PSD falls", {1, 4}});
         field(TREAD_FIELD(coherence), About{"",
-                                            "how alike both wheel paths are: as on a surface that looks the same "
-                                            "in every direction, equal, or independent"});
+                                            "coherence of both wheel paths: as on a surface that looks the same in "
+                                            "every direction, equal, or independent"});
         field(TREAD_FIELD(track),
               About{"m", "distance of the wheel paths at which the coherence holds", kPositive}.usually(0.1, 3));
         field(TREAD_FIELD(seed), About{"",

@@ -37,8 +37,8 @@ struct SteeringParams {
         field(TREAD_FIELD(ratio),
               About{"-", "steering-wheel angle over mean road-wheel angle", kPositive, 0.02}.usually(0.5, 40));
         field(TREAD_FIELD(ratio_curve),
-              About{"-", "steering ratio versus steering-wheel angle, both sides alike, in place of ratio", kPositive,
-                    0.02, "rad"}
+              About{"-", "steering ratio versus steering-wheel angle, the same to both sides, in place of ratio",
+                    kPositive, 0.02, "rad"}
                   .usually(0.5, 40)
                   .over(0, 20));
         field(TREAD_FIELD(ackermann),
@@ -60,7 +60,7 @@ struct SteeringParams {
             About{"rad/(N m)", "twist of the column over the torque at the steering wheel", kNonNegative, 0.3}.usually(
                 0, 0.5));
         field(TREAD_FIELD(rack_compliance),
-              About{"rad/(N m)", "yielding of both road wheels over the sum of their moments, behind the column",
+              About{"rad/(N m)", "rotation of both road wheels over the sum of their moments, beyond the column",
                     kNonNegative, 0.3}
                   .usually(0, 0.1));
         field(TREAD_FIELD(caster_trail),

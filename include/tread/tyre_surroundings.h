@@ -107,7 +107,7 @@ struct TyreSurroundingsParams {
                                            "its pull changes sides with the tyre",
                                            {-0.1, 0.1}});
         field(TREAD_FIELD(grip_difference),
-              About{"-", "friction of a left tyre less that of a right one, over their mean", {-1, 1}});
+              About{"-", "friction of a left tyre minus that of a right one, over their mean", {-1, 1}});
     }
 };
 static_assert(describesEveryMember<TyreSurroundingsParams>());

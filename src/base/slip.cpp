@@ -99,7 +99,7 @@ std::string likelySlip(std::string_view written, std::string_view unit, const Us
     if (converted && fits(given->value, usual)) return concat({"\"", given->number, " ", unit, "\""});
     constexpr double kGram = 1e-3;  // kg; a file cannot say it, its g is standard gravity
     if (unit == "kg" && !converted && fits(kGram * given->value, usual))
-        return numberText(kGram * given->value) + " kg, which is so many grams";
+        return numberText(kGram * given->value) + " kg, if the value is in g";
     return {};
 }
 

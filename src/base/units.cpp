@@ -103,7 +103,7 @@ private:
             const bool slash = !first && take('/');
             if (!slash && divided) {
                 return fail("found the unit " + quote(whole_) + ", which can be read in two ways",
-                            "put what is below the line in parentheses, a/(b c)");
+                            "put the denominator in parentheses, a/(b c)");
             }
             divided = divided || slash;
             skipSpaces();

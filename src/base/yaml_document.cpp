@@ -181,7 +181,7 @@ std::optional<YamlDocument> parseYaml(std::string_view text, const std::string& 
         if (is_quote && !document.nodes.empty()) {
             const YamlNode& last = document.nodes.back();
             return refuse({last.line, last.column},
-                          "found no end of the quoted text that begins behind this place; close the quotation mark");
+                          "found no end of the quoted text that begins after this place; close the quotation mark");
         }
         return refuse(builder.position(error.mark), concat({"found text that is not YAML (", error.msg,
                                                             "); check indentation, colons, quotes and brackets here"}));

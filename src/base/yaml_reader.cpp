@@ -238,7 +238,7 @@ std::optional<std::filesystem::path> YamlReader::include(const YamlPlace& place)
     const auto& open = session_.open_files;
     if (std::find(open.begin(), open.end(), canonical) != open.end()) {
         complain(place,
-                 "found " + quote(place.node->text) + ", which includes itself by way of this file; break the circle");
+                 "found " + quote(place.node->text) + ", which includes itself through this file; break the cycle");
         return {};
     }
     if (++session_.files_read > kMostFiles) {

@@ -50,7 +50,7 @@ void judgeChoice(const recording::DiagnosisFile& file, const Subject& nominal,
     if (file.fit.empty())
         problems.push_back(
             {"", 0, 0, "fit",
-             "found no number to fit, expected paths such as front.tyre.lambda.Ky under fit or behind --fit"});
+             "found no number to fit, expected paths such as front.tyre.lambda.Ky under fit or after --fit"});
     Subject subject = nominal;
     const std::vector<Number> all = numbers(subject);
     for (std::size_t i = 0; i < file.fit.size(); ++i) {

@@ -112,9 +112,9 @@ void findTimeShift(Comparison& result, const Log& reference, const Log& candidat
         estimateTimeShift(reference, candidate, tolerances.time_shift_channel, tolerances.time_shift_max);
     if (shift) {
         result.time_shift = *shift;
-        result.notes.push_back(fmt::format("The candidate is {:.3g} s {} ({}); taken out before comparing.",
-                                           std::abs(*shift), *shift < 0 ? "early" : "late",
-                                           tolerances.time_shift_channel));
+        result.notes.push_back(
+            fmt::format("The candidate is {:.3g} s {} ({}); the shift was removed before the comparison.",
+                        std::abs(*shift), *shift < 0 ? "early" : "late", tolerances.time_shift_channel));
     } else {
         result.notes.push_back(fmt::format("No time shift within {:.4g} s could be found from {}.",
                                            tolerances.time_shift_max, tolerances.time_shift_channel));
@@ -148,7 +148,7 @@ void listChannelsOfOneLogOnly(Comparison& result, const Log& reference, const Lo
     for (const ChannelTolerance& own : tolerances.channels) {
         const auto fits = [&](const Channel& channel) { return matches(own.channel, channel.name); };
         if (std::none_of(reference.channels.begin(), reference.channels.end(), fits)) {
-            result.notes.push_back(fmt::format("The tolerance for '{}' fits no channel.", own.channel));
+            result.notes.push_back(fmt::format("The tolerance for '{}' matches no channel.", own.channel));
         }
     }
 }
@@ -210,8 +210,8 @@ Comparison compare(const Log& reference, const Log& candidate, const Tolerances&
             const AllowedDifference allowed = allowedDifference(tolerances, here);
             if (!there || allowed.ignore) continue;
             if (here.unit != there->unit) {
-                result.faults.push_back(fmt::format("{} is in {} in the reference, in {} in the candidate.", here.name,
-                                                    here.unit, there->unit));
+                result.faults.push_back(fmt::format("{} is in {} in the reference, but in {} in the candidate.",
+                                                    here.name, here.unit, there->unit));
                 continue;
             }
             result.channels.push_back(compareChannel(here, *there, candidate.channels.front().values, common, allowed));

@@ -64,7 +64,7 @@ Comparison compare(const Log& reference, const Log& candidate, const Tolerances&
 
 // What "no fit" stands for in the place of R2.
 inline constexpr std::string_view kNoFit =
-    "no fit: the mean of the reference is nearer to it than the candidate, so there is no R2";
+    "no fit: the mean of the reference is closer to the reference than the candidate is, so there is no R2";
 
 // What was found besides values, one sentence each: faults, notes, channels that only one log has.
 std::vector<std::string> remarks(const Comparison& comparison);

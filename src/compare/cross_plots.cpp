@@ -28,17 +28,17 @@ std::string answer(const CrossPlotResult& result) {
     if (!far) return "Not judged: the logs share none of the cross-plots";
     if (result.inside) {
         return fmt::format(
-            "Inside: the measurements lie within the boundaries of {} cross-plots, at most at {:.0f} % of "
-            "the tolerance ({})",
+            "Inside: the measurements lie within the boundaries of {} cross-plots, using at most {:.0f} % of the "
+            "tolerance ({})",
             result.plots.size(), 100 * far->envelope.worst, pair(far->plot));
     }
     if (far->envelope.judged == 0) {
-        return fmt::format("Outside: no point of {} of {} lies beside the simulated curve", pair(far->plot),
+        return fmt::format("Outside: no point of {} of {} lies alongside the simulated curve", pair(far->plot),
                            far->measurement);
     }
-    return fmt::format("Outside: {} of {} points of {} leave the boundaries, at most {:.3g} times the tolerance ({})",
-                       far->envelope.outside, far->envelope.judged, pair(far->plot), far->envelope.worst,
-                       far->measurement);
+    return fmt::format(
+        "Outside: {} of {} points of {} lie outside the boundaries, the farthest at {:.3g} times the tolerance ({})",
+        far->envelope.outside, far->envelope.judged, pair(far->plot), far->envelope.worst, far->measurement);
 }
 
 }  // namespace
@@ -46,8 +46,8 @@ std::string answer(const CrossPlotResult& result) {
 CrossPlotResult judgeCrossPlots(const Log& simulated, const std::vector<NamedLog>& measured, const CrossPlots& plots) {
     CrossPlotResult result;
     if (measured.size() < kRepeats) {
-        result.notes.push_back(fmt::format("ISO 19364 asks for at least {} measurements of the manoeuvre; here {} {}.",
-                                           kRepeats, measured.size() == 1 ? "is" : "are", measured.size()));
+        result.notes.push_back(fmt::format("ISO 19364 requires at least {} measurements of the manoeuvre; {} {} given.",
+                                           kRepeats, measured.size(), measured.size() == 1 ? "is" : "are"));
     }
     for (const CrossPlot& plot : plots.plots) {
         for (const NamedLog& log : measured) {

@@ -24,9 +24,9 @@ struct EnvelopeTolerance {
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(x_offset), About{"unit of the x channel", "tolerance of x at x = 0", kPositive});
-        field(TREAD_FIELD(x_gain), About{"-", "further tolerance of x per magnitude of x", kNonNegative});
+        field(TREAD_FIELD(x_gain), About{"-", "additional tolerance of x per magnitude of x", kNonNegative});
         field(TREAD_FIELD(y_offset), About{"unit of the y channel", "tolerance of y at y = 0", kPositive});
-        field(TREAD_FIELD(y_gain), About{"-", "further tolerance of y per magnitude of y", kNonNegative});
+        field(TREAD_FIELD(y_gain), About{"-", "additional tolerance of y per magnitude of y", kNonNegative});
     }
 };
 static_assert(describesEveryMember<EnvelopeTolerance>());

@@ -33,27 +33,27 @@ struct ScoreParams {
     double slope_weight = 0.2;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(scored), About{"", "names, or patterns with *, of what is scored"});
+        field(TREAD_FIELD(scored), About{"", "channels to score, as names or patterns with *"});
         field(TREAD_FIELD(least), About{"-", "a channel below this fails; 0.8 is the grade good", kFraction});
         field(
             TREAD_FIELD(corridor_inner),
             About{"-", "half width, as a share of the reference's peak, within which a sample scores 1", kNonNegative});
         field(TREAD_FIELD(corridor_outer), About{"-", "half width beyond which it scores 0", kPositive});
-        field(TREAD_FIELD(corridor_exponent), About{"-", "power between the two", kPositive});
+        field(TREAD_FIELD(corridor_exponent), About{"-", "exponent between the two", kPositive});
         field(TREAD_FIELD(largest_shift),
-              About{"-", "shift, as a share of the duration, that scores 0; larger ones are not looked for",
+              About{"-", "shift, as a share of the duration, that scores 0; larger shifts are not considered",
                     Limits{0, 0.5, true, true}});
-        field(TREAD_FIELD(phase_exponent), About{"-", "power of the phase score", kPositive});
+        field(TREAD_FIELD(phase_exponent), About{"-", "exponent of the phase score", kPositive});
         field(TREAD_FIELD(magnitude_error), About{"-", "relative error of the warped curves that scores 0", kPositive});
-        field(TREAD_FIELD(magnitude_exponent), About{"-", "power of the magnitude score", kPositive});
+        field(TREAD_FIELD(magnitude_exponent), About{"-", "exponent of the magnitude score", kPositive});
         field(TREAD_FIELD(warping_window),
-              About{"-", "by how much of the duration warping may move a sample", Limits{0, 1}});
+              About{"-", "largest shift of a sample by warping, as a share of the duration", Limits{0, 1}});
         field(TREAD_FIELD(slope_error), About{"-", "relative error of the slopes that scores 0", kPositive});
-        field(TREAD_FIELD(slope_exponent), About{"-", "power of the slope score", kPositive});
-        field(TREAD_FIELD(corridor_weight), About{"-", "share in the whole score", kFraction});
-        field(TREAD_FIELD(phase_weight), About{"-", "share in the whole score", kFraction});
-        field(TREAD_FIELD(magnitude_weight), About{"-", "share in the whole score", kFraction});
-        field(TREAD_FIELD(slope_weight), About{"-", "share in the whole score", kFraction});
+        field(TREAD_FIELD(slope_exponent), About{"-", "exponent of the slope score", kPositive});
+        field(TREAD_FIELD(corridor_weight), About{"-", "weight in the total score", kFraction});
+        field(TREAD_FIELD(phase_weight), About{"-", "weight in the total score", kFraction});
+        field(TREAD_FIELD(magnitude_weight), About{"-", "weight in the total score", kFraction});
+        field(TREAD_FIELD(slope_weight), About{"-", "weight in the total score", kFraction});
     }
     static void check(const auto& self, auto&& complain) {
         if (!(self.corridor_outer > self.corridor_inner)) {

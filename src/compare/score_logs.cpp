@@ -47,8 +47,8 @@ void scoreOne(Scores& scores, const NamedLog& measured, const Log& candidate, co
         if (channel.name == "time" || !wanted(channel.name, params)) continue;
         const Channel* const other = candidate.find(channel.name);
         if (!other || other->unit != channel.unit) {
-            scores.notes.push_back(fmt::format("{} of {} was not scored: the simulation has it {}.", channel.name,
-                                               measured.name, other ? "in " + other->unit : "not"));
+            scores.notes.push_back(fmt::format("{} of {} was not scored: {} in the simulation.", channel.name,
+                                               measured.name, other ? "its unit is " + other->unit : "it is missing"));
             continue;
         }
         const std::vector<double> a = resample(measured.log.channels.front().values, channel.values, time);
@@ -71,9 +71,9 @@ const ChannelScore& worst(const Scores& scores) {
 std::string answer(const Scores& scores) {
     if (scores.channels.empty()) return "Not scored: the logs share none of the channels";
     const ChannelScore& low = worst(scores);
-    return fmt::format("{}: ISO 18571 score at least {:.3f} ({}, {}), {:.2g} wanted",
-                       scores.passed ? "Alike" : "Not alike", low.score.total, low.channel, gradeOf(low.score.total),
-                       scores.least);
+    return fmt::format("{}: lowest ISO 18571 score {:.3f} ({}, {}), threshold {:.2g}",
+                       scores.passed ? "Good agreement" : "Poor agreement", low.score.total, low.channel,
+                       gradeOf(low.score.total), scores.least);
 }
 
 }  // namespace

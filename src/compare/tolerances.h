@@ -25,7 +25,7 @@ struct UnitTolerance {
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(unit), About{"", "unit of a channel, as in its header"});
-        field(TREAD_FIELD(absolute), About{"unit of the channel", "difference that never counts", kNonNegative});
+        field(TREAD_FIELD(absolute), About{"unit of the channel", "difference that is always allowed", kNonNegative});
     }
 
     static void check(const auto& self, auto&& complain) {
@@ -49,8 +49,7 @@ struct ChannelTolerance {
     bool ignore = false;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(channel),
-              About{"", "name, or pattern with `*` for any characters; the last that fits counts"});
+        field(TREAD_FIELD(channel), About{"", "name, or pattern with `*` for any characters; the last match applies"});
         field(TREAD_FIELD(absolute), About{"unit of the channel", "allowed difference", kNonNegative});
         field(TREAD_FIELD(relative),
               About{"-", "allowed difference as a fraction of the reference's peak", kNonNegative});
@@ -67,8 +66,7 @@ struct MetricTolerance {
     bool ignore = false;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(metric),
-              About{"", "name, or pattern with `*` for any characters; the last that fits counts"});
+        field(TREAD_FIELD(metric), About{"", "name, or pattern with `*` for any characters; the last match applies"});
         field(TREAD_FIELD(absolute), About{"unit of the metric", "allowed difference", kNonNegative});
         field(TREAD_FIELD(relative),
               About{"-", "allowed difference as a fraction of the reference's magnitude", kNonNegative});
@@ -89,14 +87,14 @@ struct Tolerances {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(relative),
               About{"-", "allowed difference as a fraction of the reference's peak", kNonNegative});
-        field(TREAD_FIELD(units), About{"", "differences that never count, by unit"});
+        field(TREAD_FIELD(units), About{"", "differences that are always allowed, by unit"});
         field(TREAD_FIELD(channels), About{"", "channels with tolerances of their own"});
         field(TREAD_FIELD(metrics),
               About{"", "metrics with tolerances of their own, when folders of runs are compared"});
         field(TREAD_FIELD(time_span),
-              About{"s", "by how much one log may begin or end before the other", kNonNegative});
+              About{"s", "largest difference between the starts, and between the ends, of the two logs", kNonNegative});
         field(TREAD_FIELD(time_shift_max),
-              About{"s", "largest constant delay between the logs that is found and taken out; 0: none", kNonNegative});
+              About{"s", "largest constant delay between the logs that is found and removed; 0: none", kNonNegative});
         field(TREAD_FIELD(time_shift_channel), About{"", "channel from which the delay is found"});
     }
 };

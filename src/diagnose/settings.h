@@ -88,15 +88,15 @@ struct Settings {
     double sure = 0.9;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(block),
-              About{"s",
-                    "length over which readings are averaged: 20 rows a second, for vehicle dynamics lie below 5 Hz"});
+        field(TREAD_FIELD(block), About{"s",
+                                        "length over which readings are averaged: 20 rows per second, because vehicle "
+                                        "dynamics lie below 5 Hz"});
         field(TREAD_FIELD(slide_angle),
               About{"rad",
-                    "by which the sideslip angles of car and model part, within three correlation times, where "
-                    "the usable part of a drive ends: about that of a car that still grips"});
+                    "difference between the sideslip angles of car and model, within three correlation times, at which "
+                    "the usable part of a drive ends: about the sideslip angle of a car that still grips"});
         field(TREAD_FIELD(correlation_time),
-              About{"s", "time in which a disturbance falls to 1/e; hats are half of it apart: guess"});
+              About{"s", "time in which a disturbance falls to 1/e; the hat functions are half of it apart: guess"});
         field(TREAD_FIELD(longitudinal),
               About{"m/s2", "usual longitudinal disturbance, wind and unevenness of a good road: guess"});
         field(TREAD_FIELD(lateral), About{"m/s2", "usual lateral disturbance: guess"});
@@ -107,9 +107,9 @@ struct Settings {
         field(TREAD_FIELD(force_error), About{"-", "usual error of the model's forces, as a share of them: guess"});
         field(TREAD_FIELD(error_correlation), About{"s", "time in which such an error falls to 1/e: guess"});
         field(TREAD_FIELD(rate_drift), About{"rad/s", "usual drift of a rate sensor within seconds"});
-        field(TREAD_FIELD(acceleration_drift), About{"m/s2", "the same of an accelerometer"});
-        field(TREAD_FIELD(angle_drift), About{"rad", "the same of roll and sideslip angle"});
-        field(TREAD_FIELD(speed_drift), About{"m/s", "the same of speeds, at the tyre for wheel speeds"});
+        field(TREAD_FIELD(acceleration_drift), About{"m/s2", "the same for an accelerometer"});
+        field(TREAD_FIELD(angle_drift), About{"rad", "the same for roll and sideslip angles"});
+        field(TREAD_FIELD(speed_drift), About{"m/s", "the same for speeds; wheel speeds are taken at the tyre"});
         field(TREAD_FIELD(drift_correlation), About{"s", "time in which such a drift falls to 1/e: guess"});
         field(TREAD_FIELD(size_spread),
               About{"-", "prior standard deviation of the logarithm of a size of the remainder"});
@@ -117,31 +117,30 @@ struct Settings {
         field(TREAD_FIELD(ordinary_spread),
               About{"-", "the same for disturbances and model errors of an ordinary drive"});
         field(TREAD_FIELD(imperfection),
-              About{"-", "usual error of the model along each effect that is no cause, in typical sizes: guess"});
+              About{"-", "usual error of the model along each effect that is not a cause, in typical sizes: guess"});
         field(TREAD_FIELD(imperfection_spread),
               About{"-", "prior standard deviation of the logarithm of the size of such errors: guess"});
         field(TREAD_FIELD(largest_imperfection), About{"-", "largest size of such errors, in typical sizes: choice"});
         field(TREAD_FIELD(reference_inflation),
               About{"-", "factor on noise and disturbances where drives have references: guess"});
         field(TREAD_FIELD(between_days),
-              About{"-", "share of its tolerances by which a car differs from itself on another day: guess"});
-        field(
-            TREAD_FIELD(structure),
-            About{"-", "relative standard deviation of an effect's value where the model's structure may be another"});
+              About{"-", "day-to-day variation of a car as a share of its tolerances: guess"});
+        field(TREAD_FIELD(structure), About{"-",
+                                            "relative standard deviation of an effect's value because the model's "
+                                            "structure may differ from the car's"});
         field(TREAD_FIELD(none), About{"-", "prior probability of no cause"});
-        field(TREAD_FIELD(unknown_cause), About{"-", "prior probability of a cause of no catalogue"});
-        field(TREAD_FIELD(rarer), About{"-", "prior probability of one cause more, over that of one less"});
-        field(TREAD_FIELD(effect), About{"nat", "that each effect must gain"});
+        field(TREAD_FIELD(unknown_cause), About{"-", "prior probability of a cause outside the catalogue"});
+        field(TREAD_FIELD(rarer),
+              About{"-", "prior probability with one additional cause, relative to that without it"});
+        field(TREAD_FIELD(effect), About{"nat", "log evidence that each effect must gain"});
         field(TREAD_FIELD(false_alarm),
-              About{"-", "probability of the set without it, above which an effect is not named"});
-        field(TREAD_FIELD(material),
-              About{"-",
-                    "excess of the squared gap over that of a perfect model, in a channel or a drive, from which "
-                    "a remainder is told"});
-        field(TREAD_FIELD(clear),
-              About{"nat",
-                    "that an unknown cause must gain over the best model, that tell two effects apart, and from "
-                    "which an effect may show"});
+              About{"-", "probability of the set of causes without an effect, above which the effect is not named"});
+        field(TREAD_FIELD(material), About{"-",
+                                           "excess of the squared gap over that of a perfect model, in a channel or a "
+                                           "drive, above which a remainder is reported"});
+        field(TREAD_FIELD(clear), About{"nat",
+                                        "log evidence that an unknown cause must gain over the best model, that "
+                                        "distinguishes two effects, and above which an effect may be visible"});
         field(TREAD_FIELD(sure),
               About{"-", "probability below which alternatives are named, and that the credible set holds"});
     }

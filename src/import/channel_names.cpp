@@ -103,7 +103,7 @@ bool isChannelName(std::string_view name) {
 std::string misspelling(const std::string& name) {
     const Split part = split(quantityOf(name));
     if (!isChannelName(name) || isKnown(part)) return {};
-    const std::string meant = nearest(part), found = "found " + quote(name) + ", which is no channel of tread";
+    const std::string meant = nearest(part), found = "found " + quote(name) + ", which is not a channel of tread";
     if (!meant.empty()) {
         const std::string_view source = sourceOf(name);
         return found + "; did you mean " + quote(meant + (source.empty() ? "" : "@" + std::string(source))) +

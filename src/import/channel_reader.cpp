@@ -66,12 +66,12 @@ private:
         if (!known && !foreign) {
             channel.unit = column.unit.empty() ? "-" : column.unit;
             note("unit", how.channel,
-                 column.unit.empty() ? "no unit said, taken as a pure number"
+                 column.unit.empty() ? "no unit given, treated as a pure number"
                                      : "unknown unit " + quote(column.unit) + ", kept as it is");
             return {};
         }
         if (!foreign && *known != "-") {
-            refuse(path_ + ".from", "column " + quote(column.name) + " of " + table_.file + " says " +
+            refuse(path_ + ".from", "column " + quote(column.name) + " of " + table_.file + " has " +
                                         (column.unit.empty() ? "no unit" : "the unknown unit " + quote(column.unit)) +
                                         ", expected one like " + std::string(*known) + "; add a line unit");
         }
@@ -112,7 +112,7 @@ private:
 
     void reportFactors(const ImportChannel& how, std::size_t columns) {
         if (columns > 1) note("mean", how.channel, fmt::format("mean of {} columns", columns));
-        if (how.sign < 0) note("sign", how.channel, "sign turned");
+        if (how.sign < 0) note("sign", how.channel, "sign reversed");
         if (!how.curve.empty())
             note("curve", how.channel, fmt::format("by a curve of {} points", how.curve.points.size()));
         if (how.scale != 1) note("scale", how.channel, "multiplied by " + numberText(how.scale));

@@ -21,7 +21,7 @@ const ForeignColumn& foreignColumn(const ForeignTable& table, const std::string&
     std::vector<std::string_view> names;
     for (const ForeignColumn& column : table.columns) names.push_back(column.name);
     const std::string suggestion = didYouMean(name, names);
-    fail(path, "found " + quote(name) + ", which is no column of " + table.file +
+    fail(path, "found " + quote(name) + ", which is not a column of " + table.file +
                    (suggestion.empty() ? "; its columns are " + quote(listed(names), 400) : suggestion));
 }
 

@@ -34,14 +34,14 @@ void judgeSigns(std::vector<Change>& found, const std::vector<BodyRelation>& rel
             ++all;
         }
         found.push_back({"doubt", channel, 1,
-                         fmt::format("is the odd one out: {} of {} checks of a rigid body against {} contradict its "
-                                     "sign; set its sign to -1, or swap its axis",
+                         fmt::format("is the odd one out: {} of {} rigid-body checks against {} contradict its sign; "
+                                     "set its sign to -1, or swap its axis",
                                      contradict, all, joined(others, " and "))});
     }
     if (odd.either.empty()) return;
     found.push_back({"doubt", odd.either.front(), 1,
-                     fmt::format("one of {} has the wrong sign, and no further channel tells which; compare with a "
-                                 "turn to the left, where all of ISO 8855 are positive",
+                     fmt::format("one of {} has the wrong sign, and no other channel shows which; compare with a turn "
+                                 "to the left, where all are positive in ISO 8855",
                                  joined(odd.either, " and "))});
 }
 

@@ -19,7 +19,7 @@ const std::vector<Essential>& essentials() {
     static const std::vector<Essential> list = {
         {"time",
          {"time"},
-         "a log without it has only a sampling rate that somebody told",
+         "without it, the sampling rate is only an assumption",
          "name the column of the time (time.from), or confirm the rate (time.rate)"},
         {"speed",
          {"chassis.vx"},
@@ -29,10 +29,10 @@ const std::vector<Essential>& essentials() {
          {"driver.steering_wheel_angle"},
          "tread run --log and diagnose cannot repeat the steering",
          "map a column to driver.steering_wheel_angle; the angle of the road wheels times the steering ratio (scale) "
-         "will do"},
+         "can be used instead"},
         {"yaw rate or lateral acceleration",
          {"chassis.yaw_rate", "chassis.ay"},
-         "compare and diagnose have no answer of the car to judge",
+         "compare and diagnose have no response of the car to evaluate",
          "map a column to chassis.yaw_rate or chassis.ay"}};
     return list;
 }

@@ -372,7 +372,7 @@ private:
 
     void noteUnit(std::string_view name, const ForeignColumn& column, const std::string& unit, const std::string& why) {
         note(name, "unit",
-             "column " + column.name + " says no unit that tread knows: taken to be in " + unit + " (" + why + ")",
+             "column " + column.name + " has no unit that tread knows: assumed to be in " + unit + " (" + why + ")",
              "guess: " + why);
         guessed_units_.emplace(name);
     }
@@ -381,8 +381,7 @@ private:
         ImportTime& time = result_.map.time;
         if (!column) {
             time.rate = 100;
-            note("time", "rate", "no column looks like a time: counted at 100 Hz",
-                 "guess: no column looks like a time");
+            note("time", "rate", "no column looks like a time: 100 Hz assumed", "guess: no column looks like a time");
             return;
         }
         time.from = column->name;
@@ -398,10 +397,10 @@ private:
         const bool micro = step >= 1e3 && step < 1e5, milli = step < 1e3 && (step > 1 || (step == 1 && fine));
         time.unit = micro ? "us" : milli ? "ms" : "s";
         const std::string why = fmt::format("its usual step is {:.3g}", step);
-        note(
-            "time", "unit",
-            "column " + column->name + " says no unit that tread knows: taken to be in " + time.unit + " (" + why + ")",
-            "guess: " + why);
+        note("time", "unit",
+             "column " + column->name + " has no unit that tread knows: assumed to be in " + time.unit + " (" + why +
+                 ")",
+             "guess: " + why);
     }
 
     static double usualStep(const std::vector<double>& values) {
@@ -427,7 +426,7 @@ private:
             lettersAndDigits(nameWithoutUnit(column.name)) == "course") {
             result_.map.map.back().sign = -1;
             note(name, "sign",
-                 "column " + column.name + " is a heading, which counts clockwise from north: sign turned",
+                 "column " + column.name + " is a heading, which counts clockwise from north: sign reversed",
                  "guess: a heading counts clockwise from north");
         }
         if (lettersAndDigits(nameWithoutUnit(column.name)) == "delta") {
@@ -597,16 +596,16 @@ private:
             if (!turned) continue;
             turned->sign = -turned->sign;
             const std::string partners = partnersOf(name, relations);
-            note(name, "sign", "column " + turned->from + " has the opposite sign of " + partners + ": turned",
+            note(name, "sign", "column " + turned->from + " has the opposite sign of " + partners + ": reversed",
                  "guess: opposite to " + partners);
         }
         for (const std::string& name : odd.either) {
             if (!channel(name)) continue;
             const std::string partners = partnersOf(name, relations);
-            const std::string why =
-                partners.empty() ? "it hangs on others that contradict one another" : "it is opposite to " + partners;
-            note(name, "from", "sign of " + name + " is not settled: " + why,
-                 "guess by the name; sign not settled: " + why);
+            const std::string why = partners.empty() ? "it depends on channels that contradict one another"
+                                                     : "it is opposite to " + partners;
+            note(name, "from", "sign of " + name + " is undetermined: " + why,
+                 "guess by the name; sign undetermined: " + why);
         }
     }
 

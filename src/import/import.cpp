@@ -74,9 +74,8 @@ void checkNames(const ImportMap& map) {
         if (!isChannelName(name)) {
             problems.push_back({"", 0, 0, path,
                                 "found " + quote(name) +
-                                    ", expected the name of a channel in small letters, digits, _ "
-                                    "and dots, with the word for a further source behind @: chassis.ay, "
-                                    "chassis.ay@can"});
+                                    ", expected the name of a channel in small letters, digits, _ and dots, with a "
+                                    "further source after @: chassis.ay, chassis.ay@can"});
         } else if (!seen.insert(name).second) {
             problems.push_back(
                 {"", 0, 0, path, "found " + quote(name) + " for the second time; a channel has one source"});

@@ -39,18 +39,18 @@ struct ImportChannel {
         field(TREAD_FIELD(unit), About{"", "unit of the foreign values; none: what the file says"});
         field(TREAD_FIELD(time), About{"", "foreign column with this channel's own time, when it has one"});
         field(TREAD_FIELD(sign),
-              About{"-", "-1 turns the sign: z down, y right, steering positive to the right", Limits{-1, 1}});
-        field(TREAD_FIELD(curve),
-              About{"unit of the channel",
-                    "characteristic of a sensor or an actuator: value over the foreign value in SI units, bare "
-                    "numbers; held beyond its ends",
-                    kAny, 0, "SI unit of the foreign values"});
+              About{"-", "-1 reverses the sign: z down, y right, steering positive to the right", Limits{-1, 1}});
+        field(TREAD_FIELD(curve), About{"unit of the channel",
+                                        "characteristic of a sensor or an actuator: value versus the foreign value in "
+                                        "SI units, plain numbers; constant beyond its ends",
+                                        kAny, 0, "SI unit of the foreign values"});
         field(TREAD_FIELD(scale), About{"-", "factor: sensor gain, steering ratio"});
-        field(TREAD_FIELD(rolling_radius), About{"m", "wheel speed over this is spin", kPositive});
-        field(TREAD_FIELD(offset), About{"unit of the channel", "added at last; a bare number"});
-        field(TREAD_FIELD(zero_over), About{"s", "the mean over this first part is taken out; 0: none", kNonNegative});
-        field(TREAD_FIELD(delay), About{"s", "by how much the foreign channel is late; taken out", Limits{-10, 10}});
-        field(TREAD_FIELD(spikes), About{"", "false: spikes of this channel stay"});
+        field(TREAD_FIELD(rolling_radius), About{"m", "the spin is the wheel speed divided by this", kPositive});
+        field(TREAD_FIELD(offset), About{"unit of the channel", "added last; a plain number"});
+        field(TREAD_FIELD(zero_over),
+              About{"s", "the mean over this initial part is subtracted; 0: none", kNonNegative});
+        field(TREAD_FIELD(delay), About{"s", "delay of the foreign channel, which is removed", Limits{-10, 10}});
+        field(TREAD_FIELD(spikes), About{"", "false: spikes of this channel are kept"});
     }
     static void check(const auto& self, auto&& complain) {
         if (self.channel.empty()) complain("channel", "found no name; write the channel that the column becomes");
@@ -79,12 +79,14 @@ struct ImportTime {
         field(TREAD_FIELD(unit), About{"", "unit of its values; none: what the file says, or s"});
         field(TREAD_FIELD(format), About{"", "seconds (or its unit), or hhmmss: 105317.85 is 10:53:17.85"});
         field(TREAD_FIELD(rate), About{"Hz", "sampling rate of a file without time column", kPositive});
-        field(TREAD_FIELD(begin), About{"s", "what is before is cut off; from the first sample", kNonNegative});
-        field(TREAD_FIELD(end), About{"s", "what is behind is cut off; from the first sample", kPositive});
+        field(TREAD_FIELD(begin),
+              About{"s", "everything before this is cut off; counted from the first sample", kNonNegative});
+        field(TREAD_FIELD(end),
+              About{"s", "everything after this is cut off; counted from the first sample", kPositive});
     }
     static void check(const auto& self, auto&& complain) {
         if (!self.from.empty() && self.rate) complain("rate", "found a rate beside a time column; give one of them");
-        if (self.end && *self.end <= self.begin) complain("end", "found an end that is not behind the begin");
+        if (self.end && *self.end <= self.begin) complain("end", "found an end that is not after the beginning");
     }
 };
 static_assert(describesEveryMember<ImportTime>());
@@ -104,7 +106,7 @@ struct ImportRepairs {
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(max_jump),
-              About{"s", "a longer step of time, or one back, begins another recording", kPositive});
+              About{"s", "a longer time step, or a step back, begins another recording", kPositive});
         field(TREAD_FIELD(at_jump), About{"", "longest recording kept; split: one log each; refuse: a fault"});
         field(TREAD_FIELD(fill_gaps),
               About{"", "values that are missing for no longer than max_jump are interpolated"});
@@ -146,7 +148,7 @@ struct ImportMap {
         field(TREAD_FIELD(source), About{"", "what kind of file this is for, in words"});
         field(TREAD_FIELD(time), About{"", "time base of the file"});
         field(TREAD_FIELD(map), About{"", "channels of the log, each from a column of the file"});
-        field(TREAD_FIELD(constants), About{"", "channels that the file does not have and that did not change"});
+        field(TREAD_FIELD(constants), About{"", "channels that the file lacks and that are constant"});
         field(TREAD_FIELD(repairs), About{"", "what is repaired; each repair is reported"});
     }
 };

@@ -75,7 +75,7 @@ public:
         if (passed_over_ == 0) return;
         table_.notes.push_back(std::to_string(passed_over_) + " variable" + (passed_over_ == 1 ? "" : "s") +
                                " that tread cannot read (objects, tables, cells, complex numbers: " + first_ + ")" +
-                               " were passed over");
+                               (passed_over_ == 1 ? " was" : " were") + " skipped");
     }
 
 private:
@@ -122,7 +122,7 @@ ForeignTable readMat(const std::filesystem::path& path) {
     const std::unique_ptr<mat_t, CloseMat> mat(Mat_Open(file.c_str(), MAT_ACC_RDONLY));
     if (!mat)
         throw LoadError(
-            {{file, 0, 0, "", "is no MATLAB file that can be read, or one of version 7.3 that is cut off"}});
+            {{file, 0, 0, "", "is not a MATLAB file that can be read, or one of version 7.3 that is cut off"}});
 
     Flatten flatten(table);
     std::string last;

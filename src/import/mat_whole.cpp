@@ -54,7 +54,7 @@ std::string version4Fault(std::string_view bytes) {
                             columns = word(bytes, at + 8, big), imaginary = word(bytes, at + 12, big),
                             name = word(bytes, at + 16, big), number = type / 10 % 10;
         if (type > 9999 || number >= kBytes.size() || imaginary > 1 || std::max({rows, columns, name}) > kLargest4) {
-            return "is no MATLAB file that tread can read (neither version 4, 5 nor 7.3)";
+            return "is not a MATLAB file that tread can read (neither version 4, 5 nor 7.3)";
         }
         at += kHeader4;
         const std::size_t left = bytes.size() - at, parts = 1 + imaginary;

@@ -170,7 +170,7 @@ private:
         for (std::size_t i = 0; i < sideways.size(); ++i) sideways[i] -= turn()(i);
         const Values change = derivative(*vy_);
         add("chassis.vy", "chassis.ay",
-            "the derivative of chassis.vy and chassis.ay less chassis.vx times chassis.yaw_rate",
+            "the derivative of chassis.vy and chassis.ay minus chassis.vx times chassis.yaw_rate",
             fit(of(change), sideways, kTurning), false);
     }
 
@@ -190,7 +190,7 @@ private:
         for (std::size_t i = 0; vy_ && yaw_rate_ && i < expected.size(); ++i)
             expected[i] -= (*vy_)[i] * (*yaw_rate_)[i];
         add("chassis.ax", "chassis.vx",
-            vy_ && yaw_rate_ ? "chassis.ax and the derivative of chassis.vx less chassis.vy times chassis.yaw_rate"
+            vy_ && yaw_rate_ ? "chassis.ax and the derivative of chassis.vx minus chassis.vy times chassis.yaw_rate"
                              : "chassis.ax and the derivative of chassis.vx",
             fit(of(expected), *ax_, kTurning, false), true);
         const Values* const pitch = values("chassis.pitch");

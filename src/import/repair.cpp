@@ -73,7 +73,7 @@ void repair(const WholeChannel& channel, const ImportRepairs& repairs, const std
     if (how.delay != 0) {
         values = resample(time, values, shifted(time, how.delay));
         note("delay", values.size(),
-             fmt::format("{:.4g} s {} taken out", std::abs(how.delay), how.delay > 0 ? "late," : "early,"));
+             fmt::format("{:.4g} s {} removed", std::abs(how.delay), how.delay > 0 ? "delay" : "lead"));
     }
 }
 
@@ -92,7 +92,7 @@ void zeroAndOffset(const WholeChannel& channel, const std::vector<double>& time,
         add -= mean;
         changes.push_back(
             {"zero", how.channel, values.size(),
-             fmt::format("{:.4g} {} taken out, the mean of the first {:.4g} s", mean, channel.unit, how.zero_over)});
+             fmt::format("{:.4g} {} subtracted, the mean of the first {:.4g} s", mean, channel.unit, how.zero_over)});
     }
     if (how.offset != 0) {
         changes.push_back(

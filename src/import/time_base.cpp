@@ -108,10 +108,11 @@ void reportSteps(const Stretch& recording, std::vector<Change>& changes) {
         }
     }
     if (gaps > 0) {
-        changes.push_back({"gaps", "", gaps,
-                           fmt::format("{} in time, about {} missing, the longest step {:.4g} s instead of {:.4g} s; "
-                                       "nothing was put in",
-                                       many(gaps, "gap"), many(missing, "sample"), longest, usual)});
+        changes.push_back(
+            {"gaps", "", gaps,
+             fmt::format(
+                 "{} in time, about {} missing, the longest step {:.4g} s instead of {:.4g} s; nothing was inserted",
+                 many(gaps, "gap"), many(missing, "sample"), longest, usual)});
     }
     if (uneven > 0) {
         changes.push_back({"uneven", "", uneven,
@@ -132,7 +133,7 @@ std::vector<double> timeOfRows(const ForeignTable& table, const ImportTime& how,
         std::size_t rows = 0;
         for (const ForeignColumn& column : table.columns) rows = std::max(rows, column.values.size());
         for (std::size_t i = 0; i < rows; ++i) time.push_back(static_cast<double>(i) / *how.rate);
-        changes.push_back({"time", "", rows, fmt::format("time was counted at {:.6g} Hz", *how.rate)});
+        changes.push_back({"time", "", rows, fmt::format("time was generated at {:.6g} Hz", *how.rate)});
         return time;
     }
     const ForeignColumn& column = foreignColumn(table, how.from, "time.from");

@@ -35,7 +35,7 @@ const Section& needed(const std::map<std::string, Section>& sections, const std:
                       const std::string& file) {
     const auto found = sections.find(name);
     if (found != sections.end()) return found->second;
-    const char* why = sections.empty() ? "is no VBOX file: it has no sections" : "has no section";
+    const char* why = sections.empty() ? "is not a VBOX file: it has no sections" : "has no section";
     throw LoadError({{file, 0, 0, "",
                       std::string(why) + ", expected [" + name +
                           "] as in every .vbo file; is it cut off or of another "

@@ -128,7 +128,7 @@ std::vector<Column> readHeader(std::string_view line, int line_number, const std
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const int place = static_cast<int>(cells[i].column);
         if (!cells[i].closed) {
-            problems.push_back({file, line_number, place, "", "quote without its partner in " + shown(cells[i].text)});
+            problems.push_back({file, line_number, place, "", "unclosed quote in " + shown(cells[i].text)});
         } else if (!faults[i].empty()) {
             problems.push_back({file, line_number, place, "", faults[i]});
         }

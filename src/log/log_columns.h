@@ -56,13 +56,12 @@ struct CourseOutput {
     double speed = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(
-            TREAD_FIELD(distance),
-            About{"m",
-                  "way along the path of the course to the point nearest to the centre of gravity; goes on over laps"});
+        field(TREAD_FIELD(distance), About{"m",
+                                           "distance along the path of the course to the point nearest to the centre "
+                                           "of gravity; continues over laps"});
         field(TREAD_FIELD(cross_track_error),
               About{"m", "distance of the centre of gravity from the path, positive to its left"});
-        field(TREAD_FIELD(speed), About{"m/s", "speed that the course wants there; 0: none"});
+        field(TREAD_FIELD(speed), About{"m/s", "target speed of the course there; 0: none"});
     }
 };
 static_assert(describesEveryMember<CourseOutput>());

@@ -48,7 +48,8 @@ double fromRest(const Acceleration& a, double value) {
 MetricTable<Acceleration> table() {
     return {
         {{"time_0_to_100_kmh", "Time from 0 to 100 km/h", "s",
-          "from the throttle pedal to 100 km/h; undefined when the car rolls before", Say{1, "100 km/h after {} s", 1}},
+          "from the throttle pedal to 100 km/h; undefined when the car is already rolling",
+          Say{1, "100 km/h after {} s", 1}},
          [](const Acceleration& a) { return fromRest(a, a.timeTo(100)); }},
         {{"time_0_to_60_kmh", "Time from 0 to 60 km/h", "s", "from the throttle pedal to 60 km/h"},
          [](const Acceleration& a) { return fromRest(a, a.timeTo(60)); }},
@@ -64,9 +65,9 @@ MetricTable<Acceleration> table() {
          }},
         {{"peak_acceleration", "Acceleration, peak", "m/s2", "largest slope of the speed"},
          [](const Acceleration& a) { return a.peak; }},
-        {{"initial_speed", "Initial speed", "m/s", "speed when the throttle pedal goes down"},
+        {{"initial_speed", "Initial speed", "m/s", "speed when the throttle pedal is pressed"},
          [](const Acceleration& a) { return a.initial; }},
-        {{"largest_speed", "Speed, largest", "m/s", "to the end of the log or to the brake"},
+        {{"largest_speed", "Speed, maximum", "m/s", "to the end of the log or to the brake"},
          [](const Acceleration& a) { return a.most; }},
     };
 }
@@ -90,7 +91,7 @@ Acceleration findAcceleration(const Log& log) {
     a.initial = a.v.value.front();
     a.most = highest(a.v, a.onset, end).value;
     if (a.most - a.initial < kLeastGain) {
-        notFound(kName, fmt::format("with full throttle the car gains {:.2g} m/s only, looked for at least {:.2g} m/s",
+        notFound(kName, fmt::format("with full throttle the car gains only {:.2g} m/s, expected at least {:.2g} m/s",
                                     a.most - a.initial, kLeastGain));
     }
     a.peak = highest(derivative(a.v, kSpeedHalfWidth), a.onset, end).value;

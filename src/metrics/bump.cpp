@@ -42,23 +42,23 @@ MetricTable<Bump> table() {
          [](const Bump& b) { return kDegrees * b.pitch_rate; }},
         {{"peak_roll_rate", "Roll rate, peak", "deg/s", "largest magnitude"},
          [](const Bump& b) { return kDegrees * b.roll_rate; }},
-        {{"highest_load", "Wheel load, largest over that before", "-", "largest load of a wheel over its load before"},
+        {{"highest_load", "Wheel load over initial, maximum", "-", "largest load of a wheel over its initial load"},
          [](const Bump& b) { return b.highest_load; }},
-        {{"lowest_load", "Wheel load, smallest over that before", "-", "smallest load of a wheel over its load before",
+        {{"lowest_load", "Wheel load over initial, minimum", "-", "smallest load of a wheel over its initial load",
           Say{2, "lightest wheel carries {} % of its load", 0, 100}},
          [](const Bump& b) { return b.lowest_load; }},
         {{"off_the_road", "Time off the road", "s",
-          fmt::format("time with less than {:.0f} % of that load, of the wheel with the longest", 100 * kOffTheRoad)},
+          fmt::format("longest time for which a wheel carries less than {:.0f} % of that load", 100 * kOffTheRoad)},
          [](const Bump& b) { return b.off_the_road; }},
-        {{"compression", "Suspension compression, largest", "mm",
-          "largest suspension travel upwards from that before, of any wheel"},
+        {{"compression", "Suspension compression, maximum", "mm",
+          "largest upward suspension travel of any wheel from its initial position"},
          [](const Bump& b) { return 1000 * b.compression; }},
-        {{"rebound", "Suspension rebound, largest", "mm", "largest travel downwards"},
+        {{"rebound", "Suspension rebound, maximum", "mm", "largest travel downwards"},
          [](const Bump& b) { return 1000 * b.rebound; }},
         {{"settling_time", "Settling time", "s",
           fmt::format("from the first change of a wheel load to the last vertical acceleration above {:.2g} m/s2",
                       kCalm),
-          Say{3, "calm after {} s", 1}},
+          Say{3, "settles after {} s", 1}},
          [](const Bump& b) { return b.settling; }},
     };
 }
@@ -82,7 +82,7 @@ double findLoads(Bump& bump, const Log& log) {
         const auto [low, high] = range(load);
         const auto [low_at_first, high_at_first] = range(part(load, begin, begin + kBefore));
         if (still <= 0 || std::max(high_at_first - still, still - low_at_first) > kEven * still)
-            notFound(kName, fmt::format("{} is not steady for {:.2g} s first", name, kBefore));
+            notFound(kName, fmt::format("{} is not steady for the first {:.2g} s", name, kBefore));
         if (std::max(high - still, still - low) > kLeast * still) {
             for (double level : {1 - kEven, 1 + kEven})
                 first = std::min(first, firstCrossing(load, level * still, begin).value_or(first));
@@ -113,7 +113,7 @@ void refuseOtherCauses(const Log& log) {
         const TimeSeries slow = averaged(*acceleration, 0.25);
         constexpr double kMost = 1.5;  // m/s2
         if (largestSample(slow) > kMost)
-            notFound(kName, fmt::format("{} reaches {:.2g} m/s2, looked for at most {:.2g} m/s2", name,
+            notFound(kName, fmt::format("{} reaches {:.2g} m/s2, expected at most {:.2g} m/s2", name,
                                         largestSample(slow), kMost));
     }
 }

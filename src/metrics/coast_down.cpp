@@ -80,7 +80,7 @@ struct Coasting {
 
 MetricTable<Coasting> table() {
     return {
-        {{"initial_speed", "Initial speed", "m/s", "speed at the beginning of the coasting"},
+        {{"initial_speed", "Initial speed", "m/s", "speed at the beginning of coasting"},
          [](const Coasting& c) { return c.clean.value.front(); }},
         {{"final_speed", "Final speed", "m/s", "speed at its end"},
          [](const Coasting& c) { return c.clean.value.back(); }},
@@ -95,13 +95,13 @@ MetricTable<Coasting> table() {
           "a2 of the fitted deceleration a0 + a2 v^2"},
          [](const Coasting& c) { return c.resistance.a2; }},
         {{"rolling_resistance", "Rolling resistance coefficient", "-",
-          "a0 / g: rolling resistance coefficient with the drag of the driveline in it",
+          "a0 / g: rolling resistance coefficient, including the drag of the driveline",
           Say{3, "rolling resistance coefficient {}", 4}},
          [](const Coasting& c) { return c.resistance.a0 / kGravity; }},
         {{"drag_area_over_mass", "Drag area over mass", "m2/kg",
-          fmt::format("2 a2 / air density of {:.3f} kg/m3; mass with its rotating parts", kAirDensity)},
+          fmt::format("2 a2 / air density of {:.3f} kg/m3; mass including rotating parts", kAirDensity)},
          [](const Coasting& c) { return 2 * c.resistance.a2 / kAirDensity; }},
-        {{"fit_rms", "Misfit of the deceleration law", "m/s", "speed that the fitted law leaves unexplained"},
+        {{"fit_rms", "Misfit of the deceleration law", "m/s", "rms deviation of the speed from the fitted law"},
          [](const Coasting& c) { return c.resistance.rms; }},
     };
 }
@@ -140,18 +140,17 @@ Coasting findCoastDown(const Log& log) {
     const auto steering = channelIfThere(log, kName, "driver.steering_wheel_angle");
     const Interval found = findCoasting(needed[0], needed[1], needed[2], steering);
     if (found.length() < kShortest) {
-        notFound(kName, fmt::format("the car rolls with both pedals released and straight steering for {:.2g} s only, "
-                                    "looked for at least {:.2g} s",
+        notFound(kName, fmt::format("the car rolls with both pedals released and straight steering for only {:.2g} s, "
+                                    "expected at least {:.2g} s",
                                     found.length(), kShortest));
     }
     const TimeSeries v = part(needed[2], found.from, found.to);
     const TimeSeries clean = cleaned(v, kSpeedHalfWidth);
     const double first = clean.value.front(), last = clean.value.back();
     if (last > (1 - kLeastLoss) * first) {
-        notFound(kName,
-                 fmt::format("the speed goes from {:.3g} to {:.3g} m/s while the car rolls free, looked for a loss of "
-                             "at least {:.0f} %",
-                             first, last, 100 * kLeastLoss));
+        notFound(kName, fmt::format("the speed goes from {:.3g} to {:.3g} m/s while the car rolls free, expected a "
+                                    "loss of at least {:.0f} %",
+                                    first, last, 100 * kLeastLoss));
     }
     return {v, clean, fitResistance(v)};
 }

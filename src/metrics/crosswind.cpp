@@ -28,21 +28,22 @@ struct Crosswind {
 };
 
 MetricTable<Crosswind> table() {
-    const std::string reading = fmt::format("{:.0f} s after the wind has come", kReading);
+    const std::string reading = fmt::format("{:.0f} s after the wind begins", kReading);
     return {
         {{"path_deviation", "Path deviation", "m",
-          "distance from the line before, " + reading + ", positive to where the car is pushed",
+          "distance from the initial line, " + reading + ", positive in the direction in which the wind pushes",
           Say{1, "{} m off its line after 2 s", 2}},
          [](const Crosswind& c) { return c.deviation; }},
         {{"yaw_angle", "Yaw angle", "deg", "change of heading, " + reading + "; negative: the car turns into the wind"},
          [](const Crosswind& c) { return kDegrees * c.yaw; }},
         {{"peak_yaw_rate", "Yaw rate, peak", "deg/s",
-          "largest yaw rate up to then, positive to where the car is pushed", Say{2, "turns at up to {} deg/s", 2}},
+          "largest yaw rate up to then, positive in the direction in which the wind pushes",
+          Say{2, "turns at up to {} deg/s", 2}},
          [](const Crosswind& c) { return kDegrees * c.peak_yaw_rate; }},
         {{"peak_ay", "Lateral acceleration, peak", "m/s2", "largest lateral acceleration up to then",
-          Say{3, "pushed at {} m/s2", 2}},
+          Say{3, "peak lateral acceleration {} m/s2", 2}},
          [](const Crosswind& c) { return c.peak_ay; }},
-        {{"speed", "Speed", "m/s", "when the wind comes"}, [](const Crosswind& c) { return c.speed; }},
+        {{"speed", "Speed", "m/s", "speed when the wind begins"}, [](const Crosswind& c) { return c.speed; }},
     };
 }
 
@@ -59,7 +60,7 @@ Crosswind findCrosswind(const Log& log) {
     const TimeSeries& hand = needed[0];
     if (const double moved = range(hand).width(); moved > kFixed) {
         notFound(kName,
-                 fmt::format("the steering wheel moves by {:.2g} deg, looked for fixed steering", kDegrees * moved));
+                 fmt::format("the steering wheel moves by {:.2g} deg, expected fixed steering", kDegrees * moved));
     }
     const double largest = farthest(ay, ay.begin(), ay.end());
     if (std::abs(largest) < kLeast) {
@@ -67,7 +68,7 @@ Crosswind findCrosswind(const Log& log) {
     }
     const auto onset = firstCrossing(ay, kOnset * largest, ay.begin());
     if (!onset || *onset - ay.begin() < kBefore || std::abs(farthest(ay, ay.begin(), *onset - 0.2)) > kStraight)
-        notFound(kName, fmt::format("the car does not drive straight on for {:.2g} s first", kBefore));
+        notFound(kName, fmt::format("the car does not drive straight ahead for the first {:.2g} s", kBefore));
     const double then = *onset + kReading;
     if (then > ay.end()) notFound(kName, fmt::format("the log ends before {:.0f} s after the wind", kReading));
 

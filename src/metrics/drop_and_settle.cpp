@@ -105,12 +105,12 @@ Drop findDrop(const Log& log) {
     const double fastest =
         *std::max_element(v.value.begin(), v.value.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
     if (std::abs(fastest) > kFastest) {
-        notFound(kName, fmt::format("the car moves at {:.2g} m/s, looked for at most {:.2g} m/s", fastest, kFastest));
+        notFound(kName, fmt::format("the car moves at {:.2g} m/s, expected at most {:.2g} m/s", fastest, kFastest));
     }
     const double rest = mean(z, z.end() - 0.1 * (z.end() - z.begin()), z.end());
     const double drop = z.value.front() - rest;
     if (drop < kLeastDrop) {
-        notFound(kName, fmt::format("the body sinks by {:.1f} mm, looked for at least {:.1f} mm", kMillimetres * drop,
+        notFound(kName, fmt::format("the body sinks by {:.1f} mm, expected at least {:.1f} mm", kMillimetres * drop,
                                     kMillimetres * kLeastDrop));
     }
     const auto turns = turningPoints(z, std::max(kLeastSwing * drop, kSwingNoise * noise(measured)));

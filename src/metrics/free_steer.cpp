@@ -81,9 +81,9 @@ FreeSteer findFreeSteer(const Log& log) {
     const TimeSeries& off = needed[0];
     const auto release = firstCrossing(off, kOff, off.begin());
     if (!release || off.value.back() < kOff || lastCrossing(off, kOff, *release, off.end()).value_or(0) > *release)
-        notFound(kName, "the hands do not leave the wheel once and for all");
+        notFound(kName, "the steering wheel is not released for good");
     if (off.end() - *release < kLeastTime) {
-        notFound(kName, fmt::format("the log ends {:.2g} s after the release, looked for at least {:.2g} s",
+        notFound(kName, fmt::format("the log ends {:.2g} s after the release, expected at least {:.2g} s",
                                     off.end() - *release, kLeastTime));
     }
     const TimeSeries yaw_rate = cleaned(needed[2], kResponseHalfWidth);
@@ -91,9 +91,8 @@ FreeSteer findFreeSteer(const Log& log) {
     FreeSteer found{};
     found.yaw_rate = before(yaw_rate);
     if (std::abs(found.yaw_rate) < kLeastTurn) {
-        notFound(kName,
-                 fmt::format("the car turns at {:.2g} deg/s before the release, looked for at least {:.2g} deg/s",
-                             kDegrees * std::abs(found.yaw_rate), kDegrees * kLeastTurn));
+        notFound(kName, fmt::format("the car turns at {:.2g} deg/s before the release, expected at least {:.2g} deg/s",
+                                    kDegrees * std::abs(found.yaw_rate), kDegrees * kLeastTurn));
     }
     found.speed = before(speed(log, kName));
     found.ay = before(needed[3]);
@@ -109,7 +108,7 @@ FreeSteer findFreeSteer(const Log& log) {
 }  // namespace
 
 Manoeuvre freeSteer() {
-    return {kName, "hands off the wheel in a steady turn: how the car straightens itself (after ISO 17288-1)",
+    return {kName, "hands off the wheel in a steady turn: how the car returns to straight running (after ISO 17288-1)",
             [] { return definitions(table()); },
             [](const Log& log, const KnownCar&) { return values(table(), findFreeSteer(log)); }};
 }

@@ -114,11 +114,12 @@ MetricTable<SteeringResponse> table() {
     add(answerTable(&SteeringResponse::ay, "ay", "lateral acceleration", "m/s2/rad"));
     add({
         {{"speed", "Speed", "m/s", "mean forward speed"}, [](const SteeringResponse& r) { return r.speed; }},
-        {{"largest_ay", "Lateral acceleration, largest", "m/s2", "largest magnitude of the lateral acceleration"},
+        {{"largest_ay", "Lateral acceleration, maximum", "m/s2", "largest magnitude of the lateral acceleration"},
          [](const SteeringResponse& r) { return r.largest_ay; }},
-        {{"lowest_frequency", "Evaluated from", "Hz", "from here the steering has power enough"},
+        {{"lowest_frequency", "Evaluated from", "Hz", "lowest frequency at which the steering has enough power"},
          [](const SteeringResponse& r) { return r.from; }},
-        {{"highest_frequency", "Evaluated to", "Hz", "up to here"}, [](const SteeringResponse& r) { return r.to; }},
+        {{"highest_frequency", "Evaluated to", "Hz", "highest frequency at which the steering has enough power"},
+         [](const SteeringResponse& r) { return r.to; }},
         {{"segments", "Segments", "-",
           fmt::format(
               "1: the whole record, which begins and ends at rest, a parabola of the transfer function fitted over "
@@ -141,27 +142,28 @@ SteeringResponse steeringResponse(const Log& log) {
     const double level = mean(steering, steering.begin(), steering.begin() + kRestTime);
     const double largest = largestSample(increments(steering, level));
     if (largest < kSmallest) {
-        notFound(kName, fmt::format("the steering wheel moves by {:.2g} deg only, looked for at least {:.2g} deg",
+        notFound(kName, fmt::format("the steering wheel moves by only {:.2g} deg, expected at least {:.2g} deg",
                                     kDegrees * largest, kDegrees * kSmallest));
     }
     const bool whole = restsAtBothEnds(steering);
     const std::size_t turns = turningPoints(steering, 0.5 * largest).size();
     if (whole && turns > 1 && turns < kFewestTurns) {
-        notFound(kName, fmt::format("the steering turns back {} times, looked for a pulse (1), or a sweep or random "
-                                    "steering (at least {})",
-                                    turns, kFewestTurns));
+        notFound(
+            kName,
+            fmt::format(
+                "the steering turns back {} times, expected a pulse (1), or a sweep or random steering (at least {})",
+                turns, kFewestTurns));
     }
     if (!whole) {
         if (turns < kFewestTurns) {
-            notFound(kName, fmt::format("the steering turns back {} times and does not end where it began, looked for "
-                                        "a pulse, a sweep or random steering",
+            notFound(kName, fmt::format("the steering turns back {} times and does not end where it began, expected a "
+                                        "pulse, a sweep or random steering",
                                         turns));
         }
         if (steering.end() - steering.begin() < kSegment) {
-            notFound(kName,
-                     fmt::format("the log lasts {:.3g} s, looked for at least {:.3g} s of steering that does not "
-                                 "begin and end at rest",
-                                 steering.end() - steering.begin(), kSegment));
+            notFound(kName, fmt::format("the log lasts {:.3g} s, expected at least {:.3g} s of steering that does not "
+                                        "begin and end at rest",
+                                        steering.end() - steering.begin(), kSegment));
         }
     }
     SteeringResponse found{};
@@ -182,7 +184,7 @@ SteeringResponse steeringResponse(const Log& log) {
     found.from = first->frequency;
     found.to = last->frequency;
     if (found.to < kNarrow * found.from) {
-        notFound(kName, fmt::format("the steering has its power between {:.2g} and {:.2g} Hz, looked for a broad band",
+        notFound(kName, fmt::format("the steering has its power between {:.2g} and {:.2g} Hz, expected a broad band",
                                     found.from, found.to));
     }
     found.yaw_rate.assign(first, last + 1);

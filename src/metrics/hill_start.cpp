@@ -30,7 +30,7 @@ struct HillStart {
 
 MetricTable<HillStart> table() {
     return {
-        {{"roll_back", "Roll-back", "m", "largest way backwards after the brake is released",
+        {{"roll_back", "Roll-back", "m", "largest distance rolled backwards after the brake is released",
           Say{1, "rolls back by {} m", 2}},
          [](const HillStart& h) { return h.roll_back; }},
         {{"roll_back_speed", "Roll-back speed", "m/s", "largest speed backwards"},
@@ -40,7 +40,7 @@ MetricTable<HillStart> table() {
                       kDriving),
           Say{2, "drives off within {} s", 1}},
          [](const HillStart& h) { return h.drives_off; }},
-        {{"held_drift", "Drift on the brake", "mm", "way of the car while the brake held it"},
+        {{"held_drift", "Drift on the brake", "mm", "distance that the car moves while the brake holds it"},
          [](const HillStart& h) { return 1000 * h.held_drift; }},
     };
 }
@@ -50,7 +50,7 @@ HillStart findHillStart(const Log& log) {
     const TimeSeries& brake = needed[0];
     const TimeSeries v = cleaned(needed[2], kHalfWidth);
     const auto release = firstCrossing(brake, kHeld, brake.begin());
-    if (brake.value.front() <= kHeld || !release) notFound(kName, "the brake does not hold the car and then let it go");
+    if (brake.value.front() <= kHeld || !release) notFound(kName, "the brake is not held first and then released");
     const TimeSeries before = part(v, v.begin(), *release);
     for (double speed : before.value) {
         if (std::abs(speed) > kStill) notFound(kName, "the car moves while the brake is on");
@@ -79,7 +79,7 @@ HillStart findHillStart(const Log& log) {
 }  // namespace
 
 Manoeuvre hillStart() {
-    return {kName, "starting on a hill: way backwards, time to drive off", [] { return definitions(table()); },
+    return {kName, "starting on a hill: roll-back distance, time to drive off", [] { return definitions(table()); },
             [](const Log& log, const KnownCar&) { return values(table(), findHillStart(log)); }};
 }
 

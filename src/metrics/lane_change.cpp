@@ -35,31 +35,33 @@ MetricTable<LaneChange> table() {
         {{"clean", "Clean run (1: yes, 0: no)", "-",
           "1 when the car goes through the whole course within its lanes and without touching a cone"},
          [](const LaneChange& c) { return c.clean() ? 1.0 : 0.0; }},
-        {{"entry_speed", "Entry speed", "m/s", "when the centre of gravity passes the beginning of the first lane",
+        {{"entry_speed", "Entry speed", "m/s",
+          "speed when the centre of gravity passes the beginning of the first lane",
           Say{2, "enters at {} km/h", 1, 3.6}},
          [](const LaneChange& c) { return c.entry_speed; }},
         {{"cones_hit", "Cones hit", "-", "cones that the outline of the car touches, seen from above",
           Say{1, "{} cones hit", 0}, "= 0"},
          [](const LaneChange& c) { return c.cones_hit; }},
-        {{"least_clearance", "Clearance to the lanes, least", "m",
+        {{"least_clearance", "Clearance to the lanes, minimum", "m",
           "between the outline of the car and the edges of the lanes; negative: outside",
-          Say{3, "least clearance {} m", 2}},
+          Say{3, "minimum clearance {} m", 2}},
          [](const LaneChange& c) { return c.clearance; }},
-        {{"exit_speed", "Exit speed", "m/s", "when it passes the end of the last lane; undefined when it does not"},
+        {{"exit_speed", "Exit speed", "m/s",
+          "speed when it passes the end of the last lane; undefined when it does not"},
          [](const LaneChange& c) { return c.exit_speed; }},
-        {{"duration", "Duration", "s", "between the two"}, [](const LaneChange& c) { return c.duration; }},
-        {{"largest_ay", "Lateral acceleration, largest", "m/s2",
+        {{"duration", "Duration", "s", "time between entry and exit"}, [](const LaneChange& c) { return c.duration; }},
+        {{"largest_ay", "Lateral acceleration, maximum", "m/s2",
           "largest magnitude of the lateral acceleration on the course"},
          [](const LaneChange& c) { return c.largest_ay; }},
-        {{"largest_yaw_rate", "Yaw rate, largest", "deg/s", "largest magnitude of the yaw rate on the course"},
+        {{"largest_yaw_rate", "Yaw rate, maximum", "deg/s", "largest magnitude of the yaw rate on the course"},
          [](const LaneChange& c) { return kDegrees * c.largest_yaw_rate; }},
-        {{"largest_sideslip", "Sideslip angle, largest", "deg",
+        {{"largest_sideslip", "Sideslip angle, maximum", "deg",
           "largest magnitude of the sideslip angle on the course"},
          [](const LaneChange& c) { return kDegrees * c.largest_sideslip; }},
-        {{"largest_steering", "Steering-wheel angle, largest", "deg",
+        {{"largest_steering", "Steering-wheel angle, maximum", "deg",
           "largest magnitude of the steering-wheel angle on the course"},
          [](const LaneChange& c) { return kDegrees * c.largest_steering; }},
-        {{"largest_steering_rate", "Steering-wheel rate, largest", "deg/s",
+        {{"largest_steering_rate", "Steering-wheel rate, maximum", "deg/s",
           "largest rate of the steering wheel on the course"},
          [](const LaneChange& c) { return kDegrees * c.largest_steering_rate; }},
     };
@@ -96,7 +98,7 @@ double largest(const TimeSeries& series, double from, double to) {
 
 LaneChange findLaneChange(const Log& log, const KnownCar& known) {
     const std::vector<Lane> course = lanes(known.course);
-    if (course.empty()) notFound(kName, "it shows only beside its course; name the scenario with the lanes");
+    if (course.empty()) notFound(kName, "it can be found only with its course; name the scenario with the lanes");
     const auto needed = channels(
         log, kName,
         {"chassis.x", "chassis.y", "chassis.yaw", "driver.steering_wheel_angle", "chassis.yaw_rate", "chassis.ay"});

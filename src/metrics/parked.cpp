@@ -31,10 +31,10 @@ MetricTable<Standing> table() {
         {{"drift", "Drift", "mm/min", "speed of the line fitted to the horizontal position after the first second",
           Say{1, "creeps by {} mm in a minute", 3}},
          [](const Standing& s) { return kMillimetres * kMinute * s.drift; }},
-        {{"largest_excursion", "Excursion, largest", "mm",
+        {{"largest_excursion", "Excursion, maximum", "mm",
           "largest horizontal distance from the position after the first second", Say{2, "moves by at most {} mm", 3}},
          [](const Standing& s) { return kMillimetres * s.excursion; }},
-        {{"largest_speed", "Speed, largest", "m/s", "largest horizontal speed after the first second"},
+        {{"largest_speed", "Speed, maximum", "m/s", "largest horizontal speed after the first second"},
          [](const Standing& s) { return s.fastest; }},
         {{"rotation", "Rotation", "deg/min", "slope of the line fitted to the heading after the first second",
           Say{3, "turns by {} deg in a minute", 4}},
@@ -46,7 +46,7 @@ Standing findStanding(const Log& log) {
     const auto needed = channels(log, kName, {"chassis.x", "chassis.y", "chassis.vx"});
     const double from = needed[0].begin() + kSettling, to = needed[0].end();
     if (to - from < kShortest) {
-        notFound(kName, fmt::format("the log lasts {:.2g} s, looked for at least {:.2g} s", kSettling + to - from,
+        notFound(kName, fmt::format("the log lasts {:.2g} s, expected at least {:.2g} s", kSettling + to - from,
                                     kSettling + kShortest));
     }
     const TimeSeries v = part(speed(log, kName), from, to), x = part(needed[0], from, to),
@@ -54,7 +54,7 @@ Standing findStanding(const Log& log) {
     const double fastest = largestSample(v);
     if (fastest > kFastest) {
         notFound(kName,
-                 fmt::format("the car moves at up to {:.2g} m/s, looked for at most {:.2g} m/s", fastest, kFastest));
+                 fmt::format("the car moves at up to {:.2g} m/s, expected at most {:.2g} m/s", fastest, kFastest));
     }
     Standing found{.drift = std::hypot(fitLine(x.time, x.value).slope, fitLine(y.time, y.value).slope),
                    .excursion = 0,

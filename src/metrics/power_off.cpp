@@ -21,14 +21,13 @@ constexpr double kPedal = 0.02;          // of the brake: less is a resting foot
 // When the foot leaves the throttle for good.
 double releaseOf(const TimeSeries& throttle) {
     const auto off = lastCrossing(throttle, kReleased, throttle.begin(), throttle.end());
-    if (!off || throttle.value.back() > kReleased) notFound(kName, "the throttle is not released and left so");
+    if (!off || throttle.value.back() > kReleased) notFound(kName, "the throttle is not released and kept released");
     if (throttle.end() - *off < kStaysOff)
-        notFound(kName,
-                 fmt::format("the log ends {:.2g} s after the throttle is released, looked for at least {:.2g} s",
-                             throttle.end() - *off, kStaysOff));
+        notFound(kName, fmt::format("the log ends {:.2g} s after the throttle is released, expected at least {:.2g} s",
+                                    throttle.end() - *off, kStaysOff));
     const double before = mean(throttle, *off - 2 * kQuickest, *off - kQuickest);
     if (before < kLeastThrottle)
-        notFound(kName, fmt::format("the throttle is at {:.2g} only before it is released", before));
+        notFound(kName, fmt::format("the throttle is only at {:.2g} before it is released", before));
     return lastCrossing(throttle, 0.5 * (before + kReleased), throttle.begin(), *off).value_or(*off);
 }
 

@@ -34,17 +34,17 @@ struct Ride {
 
 MetricTable<Ride> table() {
     MetricTable<Ride> lines{
-        {{"speed", "Speed, mean", "km/h", "mean speed after the first two seconds, as for all that follows"},
+        {{"speed", "Speed, mean", "km/h", "mean speed after the first two seconds, which all metrics leave out"},
          [](const Ride& r) { return r.speed / kKmh; }},
         {{"vertical_weighted", "Vertical acceleration, weighted (Wk)", "m/s2",
           "root mean square of the vertical acceleration at the centre of gravity, weighted by Wk of ISO 2631-1",
           Say{1, "weighted vertical acceleration {} m/s2", 2}},
          [](const Ride& r) { return r.vertical; }},
         {{"longitudinal_weighted", "Longitudinal acceleration, weighted (Wd)", "m/s2",
-          "that of the longitudinal acceleration, weighted by Wd"},
+          "the same for the longitudinal acceleration, weighted by Wd"},
          [](const Ride& r) { return r.longitudinal; }},
         {{"lateral_weighted", "Lateral acceleration, weighted (Wd)", "m/s2",
-          "that of the lateral acceleration, weighted by Wd"},
+          "the same for the lateral acceleration, weighted by Wd"},
          [](const Ride& r) { return r.lateral; }},
         {{"total_weighted", "Vibration total value", "m/s2",
           "vibration total value: root of the sum of the squares of all three (k = 1)"},
@@ -56,7 +56,7 @@ MetricTable<Ride> table() {
                           "dynamic load coefficient: standard deviation of the wheel load over its mean"},
                          [i](const Ride& r) { return kPercent * r.load_variation[i]; }});
     }
-    lines.push_back({{"lowest_load", "Wheel load, smallest over its mean", "%",
+    lines.push_back({{"lowest_load", "Wheel load over its mean, minimum", "%",
                       "smallest load of any wheel over its mean; 0: the wheel lifts off",
                       Say{2, "lightest wheel carries {} % of its load", 0}},
                      [](const Ride& r) { return kPercent * r.lowest_load; }});
@@ -95,25 +95,25 @@ Ride findRide(const Log& log) {
     const auto needed = channels(log, kName, {"chassis.vx", "chassis.az"});
     const double from = needed[0].begin() + kRideApproach, to = needed[0].end();
     if (to - from < kShortest) {
-        notFound(kName, fmt::format("the log lasts {:.2g} s, looked for at least {:.2g} s", kRideApproach + to - from,
+        notFound(kName, fmt::format("the log lasts {:.2g} s, expected at least {:.2g} s", kRideApproach + to - from,
                                     kRideApproach + kShortest));
     }
     Ride ride{.speed = mean(needed[0], from, to),
               .vertical = weightedRms(part(needed[1], from, to), VibrationWeighting::Wk)};
     if (ride.speed < kSlowest) {
-        notFound(kName, fmt::format("the car drives {:.2g} m/s, looked for at least {:.2g} m/s", ride.speed, kSlowest));
+        notFound(kName,
+                 fmt::format("the car drives at {:.2g} m/s, expected at least {:.2g} m/s", ride.speed, kSlowest));
     }
     if (const auto hand = channelIfThere(log, kName, "driver.steering_wheel_angle")) {
         const double turned = kDegrees * range(part(*hand, from, to)).width();
         if (turned > kMostSteering) {
-            notFound(kName, fmt::format("the steering wheel turns by {:.2g} deg, looked for at most {:.2g} deg", turned,
+            notFound(kName, fmt::format("the steering wheel turns by {:.2g} deg, expected at most {:.2g} deg", turned,
                                         kMostSteering));
         }
     }
     if (ride.vertical < kSmooth) {
-        notFound(kName,
-                 fmt::format("the weighted vertical acceleration is {:.2g} m/s2, looked for at least {:.2g} m/s2",
-                             ride.vertical, kSmooth));
+        notFound(kName, fmt::format("the weighted vertical acceleration is {:.2g} m/s2, expected at least {:.2g} m/s2",
+                                    ride.vertical, kSmooth));
     }
     if (const auto ax = channelIfThere(log, kName, "chassis.ax"))
         ride.longitudinal = weightedRms(part(*ax, from, to), VibrationWeighting::Wd);

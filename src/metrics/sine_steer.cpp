@@ -93,12 +93,12 @@ Sine findSine(const TimeSeries& steering) {
     const double middle = steering.value.front();
     const double amplitude = 0.5 * range(steering).width();
     if (amplitude < kSmallest) {
-        notFound(kName, fmt::format("the steering wheel moves by +-{:.2g} deg only, looked for at least {:.2g} deg",
+        notFound(kName, fmt::format("the steering wheel moves by only +-{:.2g} deg, expected at least {:.2g} deg",
                                     kDegrees * amplitude, kDegrees * kSmallest));
     }
     const auto turns = turningPoints(steering, 0.5 * amplitude);
     if (turns.size() != 2 && turns.size() < 4) {
-        notFound(kName, fmt::format("the steering turns back {} times, looked for one period (2) or at least two (4)",
+        notFound(kName, fmt::format("the steering turns back {} times, expected one period (2) or at least two (4)",
                                     turns.size()));
     }
     const auto [begin, end] = activeTime(steering, middle, kActive * amplitude);
@@ -109,11 +109,11 @@ Sine findSine(const TimeSeries& steering) {
         sine.frequency = (1 - within) / (end - begin);
     } else {
         const auto halves = halfWaves(steering, turns);
-        if (halves.empty()) notFound(kName, "the steering does not swing about one middle");
+        if (halves.empty()) notFound(kName, "the steering does not swing about a constant mean");
         const auto [shortest, longest] = std::minmax_element(halves.begin(), halves.end());
         if (*longest > kLargestUnevenness * *shortest) {
             notFound(kName,
-                     fmt::format("the half-waves of the steering last {:.2g} to {:.2g} s, looked for one frequency",
+                     fmt::format("the half-waves of the steering last {:.2g} to {:.2g} s, expected one frequency",
                                  *shortest, *longest));
         }
         double sum = 0;

@@ -66,26 +66,26 @@ MetricTable<Dwell> table() {
           Say{3, "displaced by {} m (at least 1.83 m)", 2}},
          [](const Dwell& d) { return d.displacement; }},
         {{"responsive", "Responsive (1: yes, 0: no)", "-",
-          fmt::format(
-              "1 when that is at least {:.2f} m; asked of cars up to 3500 kg from five times the angle at 0.3 g on",
-              kLight)},
+          fmt::format("1 when that is at least {:.2f} m; required of vehicles up to 3500 kg at five times the angle at "
+                      "0.3 g and above",
+                      kLight)},
          [flag](const Dwell& d) { return flag(d.displacement >= kLight); }},
         {{"responsive_heavy", "Responsive as a heavy vehicle (1: yes, 0: no)", "-",
-          fmt::format("1 when it is at least {:.2f} m, asked of heavier vehicles", kHeavy)},
+          fmt::format("1 when it is at least {:.2f} m, required of heavier vehicles", kHeavy)},
          [flag](const Dwell& d) { return flag(d.displacement >= kHeavy); }},
         {{"peak_yaw_rate", "Yaw rate, peak", "deg/s",
-          "largest yaw rate from the change of sign of the steering on, in its direction"},
+          "largest yaw rate after the steering changes sign, in its new direction"},
          [](const Dwell& d) { return kDegrees * std::abs(d.peak_yaw_rate); }},
-        {{"largest_sideslip", "Sideslip angle, largest", "deg",
+        {{"largest_sideslip", "Sideslip angle, maximum", "deg",
           "largest magnitude of the sideslip angle; undefined when it is not logged"},
          [](const Dwell& d) { return kDegrees * d.largest_sideslip; }},
-        {{"largest_ay", "Lateral acceleration, largest", "m/s2", "largest magnitude of the lateral acceleration"},
+        {{"largest_ay", "Lateral acceleration, maximum", "m/s2", "largest magnitude of the lateral acceleration"},
          [](const Dwell& d) { return d.largest_ay; }},
         {{"steering_amplitude", "Steering-wheel amplitude", "deg", "mean of the two peaks of the steering-wheel angle"},
          [](const Dwell& d) { return kDegrees * d.amplitude; }},
         {{"frequency", "Steering frequency", "Hz", "of the sine, from its first half-wave"},
          [](const Dwell& d) { return d.frequency; }},
-        {{"dwell", "Dwell", "s", "completion less beginning of steer less the period of the sine"},
+        {{"dwell", "Dwell", "s", "completion of steer minus beginning of steer minus the period of the sine"},
          [](const Dwell& d) { return d.dwell; }},
         {{"speed", "Speed", "m/s", "when the steering begins"}, [](const Dwell& d) { return d.speed; }},
     };
@@ -105,7 +105,7 @@ Dwell findSteering(const TimeSeries& hand) {
     Dwell found{};
     found.amplitude = 0.5 * std::abs(first.value - second.value);
     if (found.amplitude < kSmallest) {
-        notFound(kName, fmt::format("the steering wheel moves by +-{:.2g} deg only, looked for at least {:.2g} deg",
+        notFound(kName, fmt::format("the steering wheel moves by only +-{:.2g} deg, expected at least {:.2g} deg",
                                     kDegrees * found.amplitude, kDegrees * kSmallest));
     }
     if (std::abs(first.value + second.value) > kPeakMisfit * found.amplitude)
@@ -124,7 +124,7 @@ Dwell findSteering(const TimeSeries& hand) {
     found.frequency = 0.5 / (*turned - found.begin);
     found.dwell = found.end - found.begin - 1 / found.frequency;
     if (found.dwell < kShortestDwell) {
-        notFound(kName, fmt::format("the steering waits for {:.2g} s at its second peak, looked for at least {:.2g} s",
+        notFound(kName, fmt::format("the steering dwells for {:.2g} s at its second peak, expected at least {:.2g} s",
                                     found.dwell, kShortestDwell));
     }
     return found;
@@ -161,7 +161,7 @@ Dwell findDwell(const Log& log) {
     const TimeSeries hand = cleaned(needed[0], kSteeringHalfWidth);
     Dwell found = findSteering(hand);
     if (hand.end() < found.end + kSecond) {
-        notFound(kName, fmt::format("the log ends {:.2g} s after completion of steer, looked for {:.2f} s",
+        notFound(kName, fmt::format("the log ends {:.2g} s after completion of steer, expected {:.2f} s",
                                     hand.end() - found.end, kSecond));
     }
     const double side = at(hand, found.begin + 0.25 / found.frequency) > hand.value.front() ? 1 : -1;

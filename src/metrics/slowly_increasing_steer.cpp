@@ -43,11 +43,11 @@ MetricTable<SlowSteer> table() {
           "d steering-wheel angle / d ay, " + range},
          [](const SlowSteer& s) { return kDegrees * kGravity * s.slope; }},
         {{"understeer_gradient", "Understeer gradient", "deg/g",
-          "d road-wheel angle (by the steering ratio) / d ay, less wheelbase / speed^2; undefined when these are not "
+          "d road-wheel angle (by the steering ratio) / d ay, minus wheelbase / speed^2; undefined when these are not "
           "known",
           Say{2, "understeer gradient {} deg/g", 2}},
          [](const SlowSteer& s) { return kDegrees * kGravity * s.understeer; }},
-        {{"largest_ay", "Lateral acceleration, largest", "m/s2", "largest magnitude of the lateral acceleration",
+        {{"largest_ay", "Lateral acceleration, maximum", "m/s2", "largest magnitude of the lateral acceleration",
           Say{3, "up to {} m/s2 of lateral acceleration", 2}},
          [](const SlowSteer& s) { return s.largest_ay; }},
         {{"steering_angle_largest_ay", "Steering-wheel angle at the largest lateral acceleration", "deg",
@@ -81,18 +81,18 @@ SlowSteer findSlowSteer(const Log& log, const KnownCar& car) {
     }
     if (x.size() < kFewest || *std::max_element(x.begin(), x.end()) < kReading) {
         notFound(kName,
-                 fmt::format("the lateral acceleration reaches {:.2g} m/s2, looked for a slow rise through {:.2g} "
-                             "to {:.2g} m/s2",
-                             sign * most.value, kLow, kHigh));
+                 fmt::format(
+                     "the lateral acceleration reaches {:.2g} m/s2, expected a slow rise through {:.2g} to {:.2g} m/s2",
+                     sign * most.value, kLow, kHigh));
     }
     const double rate = fitLine(times, y).slope;
     if (rate <= 0 || rate > kFastest) {
-        notFound(kName, fmt::format("the steering wheel turns at {:.3g} deg/s, looked for up to {:.3g} deg/s",
+        notFound(kName, fmt::format("the steering wheel turns at {:.3g} deg/s, expected up to {:.3g} deg/s",
                                     kDegrees * rate, kDegrees * kFastest));
     }
     const auto [slowest, fastest] = std::minmax_element(speeds.begin(), speeds.end());
     if (*fastest - *slowest > kConstant * *fastest) {
-        notFound(kName, fmt::format("the speed changes from {:.3g} to {:.3g} m/s, looked for a constant one", *fastest,
+        notFound(kName, fmt::format("the speed changes from {:.3g} to {:.3g} m/s, expected a constant one", *fastest,
                                     *slowest));
     }
     double sum = 0;

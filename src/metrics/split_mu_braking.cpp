@@ -35,11 +35,11 @@ MetricTable<SplitMu> table() {
                       kFirst),
           Say{1, "the driver corrects by {} deg in the first 2 s", 0}},
          [](const SplitMu& s) { return kDegrees * s.first; }},
-        {{"largest_steering", "Steering correction, largest", "deg", "the same over the whole stop" + slow},
+        {{"largest_steering", "Steering correction, maximum", "deg", "the same over the whole stop" + slow},
          [](const SplitMu& s) { return kDegrees * s.steering; }},
         {{"initial_speed", "Initial speed", "m/s", "speed when the driver starts to actuate the brake"},
          [](const SplitMu& s) { return s.stop.initial_speed; }},
-        {{"stopping_distance", "Stopping distance", "m", "path from the start of brake actuation to standstill"},
+        {{"stopping_distance", "Stopping distance", "m", "distance from the start of brake actuation to standstill"},
          [](const SplitMu& s) { return s.stop.distance; }},
         {{"mfdd", "Deceleration, mean fully developed", "m/s2",
           "mean fully developed deceleration: (vb^2 - ve^2) / (2 (se - sb)), vb = 0.8 v0, ve = 0.1 v0",
@@ -48,9 +48,9 @@ MetricTable<SplitMu> table() {
         {{"lateral_deviation", "Lateral deviation", "m",
           "largest distance from the line along which the car pointed at brake actuation; left is positive"},
          [](const SplitMu& s) { return s.deviation; }},
-        {{"largest_yaw_rate", "Yaw rate, largest", "deg/s", "largest magnitude of the yaw rate" + slow},
+        {{"largest_yaw_rate", "Yaw rate, maximum", "deg/s", "largest magnitude of the yaw rate" + slow},
          [](const SplitMu& s) { return kDegrees * s.yaw_rate; }},
-        {{"largest_yaw_angle", "Yaw angle, largest", "deg",
+        {{"largest_yaw_angle", "Yaw angle, maximum", "deg",
           "largest turn of the car from its heading at brake actuation" + slow, Say{2, "the car turns by {} deg", 1}},
          [](const SplitMu& s) { return kDegrees * s.yaw; }},
     };
@@ -78,8 +78,8 @@ SplitMu findSplitMu(const Log& log) {
         .yaw_rate = std::max(highest(turning, stop.start, end).value, -lowest(turning, stop.start, end).value),
         .yaw = largestMove(needed[2], stop.start, end)};
     if (std::max(found.steering, found.yaw) < kLeastTurn) {
-        notFound(kName, fmt::format("while braking the steering wheel turns by {:.2g} deg and the car by {:.2g} deg "
-                                    "only, looked for at least {:.2g} deg of one",
+        notFound(kName, fmt::format("while braking the steering wheel turns by {:.2g} deg and the car by only {:.2g} "
+                                    "deg, expected at least {:.2g} deg of one",
                                     kDegrees * found.steering, kDegrees * found.yaw, kDegrees * kLeastTurn));
     }
     return found;

@@ -73,18 +73,18 @@ Circle findCircle(const Log& log) {
         if (!samples.empty()) circle.turns.push_back(samples);
     }
     if (all == 0) {
-        notFound(kName, fmt::format("looked for a turn whose lateral acceleration covers at least {:.1f} m/s2 between "
+        notFound(kName, fmt::format("expected a turn whose lateral acceleration covers at least {:.1f} m/s2 between "
                                     "{:.1f} m/s2 and {:.0f} % of its largest value",
                                     kLeastSpan, kLowestAy, 100 * kHighestShare));
     }
     if (slow < all / 2) {
         notFound(kName,
-                 fmt::format("the steering moves faster than {:.0f} deg/s most of the time, looked for slow changes",
+                 fmt::format("the steering moves faster than {:.0f} deg/s most of the time, expected slow changes",
                              kDegrees * kFastestSteering));
     }
     const auto swings = turningPoints(circle.steering, largestSample(circle.steering)).size();
     if (swings > kMostSwings) {
-        notFound(kName, fmt::format("the steering swings to and fro {} times, looked for slow changes", swings));
+        notFound(kName, fmt::format("the steering swings back and forth {} times, expected slow changes", swings));
     }
     return circle;
 }
@@ -217,7 +217,7 @@ MetricTable<SteadyCircle> table() {
          [](const SteadyCircle& s) { return kPerG * s.roll; }},
         {{"sideslip_gradient", "Sideslip gradient", "deg/g", "d sideslip angle / d ay by the method; " + range},
          [](const SteadyCircle& s) { return kPerG * s.sideslip; }},
-        {{"largest_ay", "Lateral acceleration, largest", "m/s2", "largest magnitude of the lateral acceleration",
+        {{"largest_ay", "Lateral acceleration, maximum", "m/s2", "largest magnitude of the lateral acceleration",
           Say{3, "up to {} m/s2 of lateral acceleration", 2}},
          [](const SteadyCircle& s) { return s.largest_ay; }},
     };

@@ -65,7 +65,7 @@ Step findStep(const TimeSeries& steering) {
     }
     if (std::abs(farthest) < kSmallestStep) {
         notFound(kName,
-                 fmt::format("the steering wheel moves by {:.2g} deg only, looked for a step of at least {:.2g} deg",
+                 fmt::format("the steering wheel moves by only {:.2g} deg, expected a step of at least {:.2g} deg",
                              kDegrees * std::abs(farthest), kDegrees * kSmallestStep));
     }
     const double rough_half = *firstCrossing(steering, start + 0.5 * farthest, steering.begin());
@@ -92,12 +92,12 @@ Step findStep(const TimeSeries& steering) {
     step.rate = 0.8 * step.amplitude / std::max(t90 - t10, 1e-9);
 
     if (t90 - t10 > kSlowestRise) {
-        notFound(kName, fmt::format("the steering takes {:.2g} s from 10 to 90 %, looked for at most {:.2g} s",
-                                    t90 - t10, kSlowestRise));
+        notFound(kName, fmt::format("the steering takes {:.2g} s from 10 to 90 %, expected at most {:.2g} s", t90 - t10,
+                                    kSlowestRise));
     }
     if (hold.to - hold.from < kShortestHold || hold.share < kHoldShare) {
         notFound(kName,
-                 fmt::format("the steering is held for {:.2g} s only, looked for at least {:.2g} s within {:.0f} %",
+                 fmt::format("the steering is held for only {:.2g} s, expected at least {:.2g} s within {:.0f} %",
                              hold.to - hold.from, kShortestHold, 100 * kHoldBand));
     }
     return step;
@@ -178,7 +178,7 @@ MetricTable<StepSteer> responseTable(Response StepSteer::*response, std::string_
 
 MetricTable<StepSteer> table() {
     MetricTable<StepSteer> lines =
-        responseTable(&StepSteer::yaw_rate, "yaw_rate", "yaw rate", {1, "yaw rate answers within {} ms", 0, 1000},
+        responseTable(&StepSteer::yaw_rate, "yaw_rate", "yaw rate", {1, "yaw rate responds within {} ms", 0, 1000},
                       {2, "overshoots by {} %", 0, 100});
     const auto add = [&](const MetricTable<StepSteer>& more) { lines.insert(lines.end(), more.begin(), more.end()); };
     add(responseTable(&StepSteer::ay, "ay", "lateral acceleration", {}, {}));
@@ -188,7 +188,7 @@ MetricTable<StepSteer> table() {
         {{"ay_gain", "Lateral acceleration, gain", "m/s2/rad", "steady lateral acceleration over steering-wheel angle"},
          [](const StepSteer& s) { return s.ay.steady / s.step.amplitude; }},
         {{"steady_sideslip", "Sideslip angle, steady", "deg",
-          "sideslip angle at the end of the hold, as in a left turn"},
+          "sideslip angle at the end of the hold, with the sign of a left turn"},
          [](const StepSteer& s) { return kDegrees * s.sideslip; }},
         {{"tb", "TB value", "s deg", "peak response time of the yaw rate times steady sideslip"},
          [](const StepSteer& s) { return s.yaw_rate.peak_time * (kDegrees * s.sideslip); }},
@@ -199,21 +199,22 @@ MetricTable<StepSteer> table() {
     add({
         {{"speed", "Speed", "m/s", "forward speed when the steering begins"},
          [](const StepSteer& s) { return s.speed; }},
-        {{"steering_amplitude", "Steering-wheel step", "deg", "steering-wheel angle held, less that before"},
+        {{"steering_amplitude", "Steering-wheel step", "deg",
+          "steady-state steering-wheel angle minus the initial angle"},
          [](const StepSteer& s) { return kDegrees * s.step.amplitude; }},
         {{"steering_rate", "Steering-wheel rate", "deg/s", "mean rate from 10 to 90 % of the step"},
          [](const StepSteer& s) { return kDegrees * std::abs(s.step.rate); }},
         {{"steady_ay", "Lateral acceleration, steady", "m/s2",
-          "lateral acceleration at the end of the hold, less that before",
+          "lateral acceleration at the end of the hold minus the initial value",
           Say{3, "settles at {} m/s2 of lateral acceleration", 2}},
          [](const StepSteer& s) { return s.ay.steady; }},
         {{"steady", "Steady state reached (1: yes, 0: no)", "-",
           fmt::format("1 when yaw rate and lateral acceleration change by at most {:.0f} % over the last part of the "
-                      "hold; 0: the steady values are those of a car still changing",
+                      "hold; 0: the car has not settled, so its steady values are not final",
                       100 * kSteadyDrift)},
          [](const StepSteer& s) { return s.steady() ? 1.0 : 0.0; }},
         {{"steady_drift", "Yaw rate, drift over the hold", "-",
-          "change of the yaw rate over the last part of the hold, as a share"},
+          "relative change of the yaw rate over the last part of the hold"},
          [](const StepSteer& s) { return s.yaw_rate.drift; }},
     });
     return lines;
@@ -226,7 +227,7 @@ StepSteer findStepSteer(const Log& log) {
     step.hold_end = pedalChange(log, step);
     if (step.hold_end - step.half < kShortestHold) notFound(kName, "the driver brakes or lifts off during the step");
     const double v = mean(needed[1], step.onset - 0.1, step.onset);
-    if (v < kSlowest) notFound(kName, fmt::format("the car moves at {:.2g} m/s only when it is steered", v));
+    if (v < kSlowest) notFound(kName, fmt::format("the car moves at only {:.2g} m/s when it is steered", v));
     StepSteer found{.step = step,
                     .speed = v,
                     .yaw_rate = respond(needed[2], step, kResponseHalfWidth),
@@ -239,7 +240,7 @@ StepSteer findStepSteer(const Log& log) {
 }  // namespace
 
 Manoeuvre stepSteer() {
-    return {kName, "a quick turn of the wheel, held: response times, overshoot, gains (after ISO 7401)",
+    return {kName, "a quick steering input, then held: response times, overshoot, gains (after ISO 7401)",
             [] { return definitions(table()); },
             [](const Log& log, const KnownCar&) { return values(table(), findStepSteer(log)); }};
 }

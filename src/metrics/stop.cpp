@@ -38,7 +38,7 @@ Stop findStop(const Log& log, std::string_view manoeuvre) {
     stop.start = brakeOnset(brake, manoeuvre);
     stop.initial_speed = at(v, stop.start);
     if (stop.initial_speed < kSlowestStart) {
-        notFound(manoeuvre, fmt::format("the car moves at {:.2g} m/s only when it is braked", stop.initial_speed));
+        notFound(manoeuvre, fmt::format("the car moves at only {:.2g} m/s when it is braked", stop.initial_speed));
     }
     const auto nearly = firstCrossing(v, kNearlyStopped, stop.start);
     if (!nearly) {

@@ -42,10 +42,10 @@ MetricTable<Braking> table() {
     MetricTable<Braking> lines = {
         {{"initial_speed", "Initial speed", "m/s", "speed when the driver starts to actuate the brake"},
          [](const Braking& b) { return b.stop.initial_speed; }},
-        {{"stopping_distance", "Stopping distance", "m", "path from the start of brake actuation to standstill",
+        {{"stopping_distance", "Stopping distance", "m", "distance from the start of brake actuation to standstill",
           Say{1, "stops within {} m", 1}},
          [](const Braking& b) { return b.stop.distance; }},
-        {{"corrected_stopping_distance", "Stopping distance, corrected for speed", "m",
+        {{"corrected_stopping_distance", "Stopping distance, corrected to nominal speed", "m",
           fmt::format("stopping distance times (nominal / initial speed)^2, nominal: the nearest whole {:.0f} km/h",
                       kNominalSteps / kKmh)},
          [](const Braking& b) { return correctedDistance(b.stop); }},
@@ -58,8 +58,8 @@ MetricTable<Braking> table() {
         {{"mean_deceleration", "Deceleration, mean", "m/s2", "initial speed over stopping time"},
          [](const Braking& b) { return b.stop.initial_speed / b.stop.duration(); }},
         {{"peak_deceleration", "Deceleration, peak", "m/s2",
-          "largest deceleration from brake actuation down to 10 % of the initial speed, the end of the mean fully "
-          "developed one; what follows is the jerk of coming to rest"},
+          "largest deceleration from brake actuation down to 10 % of the initial speed, where the mean fully developed "
+          "deceleration ends; without the jerk when the car comes to rest"},
          [](const Braking& b) { return b.peak; }},
         {{"lateral_deviation", "Lateral deviation", "m",
           "largest distance from the line along which the car pointed at brake actuation; left is positive",

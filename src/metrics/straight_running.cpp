@@ -30,22 +30,23 @@ struct StraightRunning {
 
 MetricTable<StraightRunning> table() {
     return {
-        {{"drift", "Drift", "m", "distance from the first line at the end, positive to the left",
+        {{"drift", "Drift", "m", "distance from the initial line at the end, positive to the left",
           Say{1, "drifts by {} m", 2}},
          [](const StraightRunning& s) { return s.drift; }},
         {{"drift_per_100m", "Drift over 100 m", "m",
-          "the same, scaled by the square of the distance to a drive of 100 m"},
+          "the same, scaled to a drive of 100 m with the square of the distance"},
          [](const StraightRunning& s) { return s.drift * std::pow(100 / s.distance, 2); }},
-        {{"distance", "Distance", "m", "along the first line"}, [](const StraightRunning& s) { return s.distance; }},
+        {{"distance", "Distance", "m", "distance along the initial line"},
+         [](const StraightRunning& s) { return s.distance; }},
         {{"yaw_angle", "Yaw angle", "deg", "change of heading"},
          [](const StraightRunning& s) { return kDegrees * s.yaw; }},
         {{"last_yaw_rate", "Yaw rate at the end", "deg/s", fmt::format("mean of the last {:.0f} s", kAtLast)},
          [](const StraightRunning& s) { return kDegrees * s.yaw_rate; }},
         {{"last_ay", "Lateral acceleration at the end", "m/s2",
-          fmt::format("mean lateral acceleration of the last {:.0f} s", kAtLast), Say{2, "{} m/s2 at last", 3}},
+          fmt::format("mean lateral acceleration of the last {:.0f} s", kAtLast), Say{2, "{} m/s2 at the end", 3}},
          [](const StraightRunning& s) { return s.ay; }},
         {{"hand_torque", "Steering-wheel torque", "N m",
-          "of the driver who holds the wheel, mean of that time, positive to the left",
+          "torque of the driver who holds the wheel, mean over the same time, positive to the left",
           Say{3, "{} N m at the steering wheel", 2}},
          [](const StraightRunning& s) { return s.hand_torque; }},
         {{"speed", "Speed, mean", "m/s", "mean"}, [](const StraightRunning& s) { return s.speed; }},
@@ -59,23 +60,23 @@ StraightRunning findStraightRunning(const Log& log) {
     const TimeSeries &hand = needed[0], &x = needed[1], &y = needed[2];
     const double begin = x.begin(), end = x.end(), late = std::max(begin, end - kAtLast);
     if (range(hand).width() > kFixed) {
-        notFound(kName, fmt::format("the steering wheel turns by {:.2g} deg, looked for a fixed one",
+        notFound(kName, fmt::format("the steering wheel turns by {:.2g} deg, expected a fixed one",
                                     kDegrees * range(hand).width()));
     }
     const double speed = mean(needed[6], begin, end);
     if (!(speed > 0) || range(needed[6]).width() > kConstantSpeed * speed)
         notFound(kName,
-                 fmt::format("the speed changes by {:.2g} m/s, looked for a constant one", range(needed[6]).width()));
+                 fmt::format("the speed changes by {:.2g} m/s, expected a constant one", range(needed[6]).width()));
     const double push = std::max(highest(needed[5], begin, end).value, -lowest(needed[5], begin, end).value);
     if (push > kGentle)
-        notFound(kName, fmt::format("the lateral acceleration reaches {:.2g} m/s2, looked for at most {:.2g} m/s2",
-                                    push, kGentle));
+        notFound(kName, fmt::format("the lateral acceleration reaches {:.2g} m/s2, expected at most {:.2g} m/s2", push,
+                                    kGentle));
 
     const double heading = mean(needed[3], begin, begin + kAtFirst);
     const double dx = at(x, end) - at(x, begin), dy = at(y, end) - at(y, begin);
     const double distance = dx * std::cos(heading) + dy * std::sin(heading);
     if (distance < kShortest)
-        notFound(kName, fmt::format("the car drives {:.2g} m, looked for at least {:.2g} m", distance, kShortest));
+        notFound(kName, fmt::format("the car drives {:.2g} m, expected at least {:.2g} m", distance, kShortest));
     const auto torque = channelIfThere(log, kName, "steering.torque");
     return {.drift = dy * std::cos(heading) - dx * std::sin(heading),
             .distance = distance,

@@ -70,13 +70,13 @@ Transition findTransition(const Log& log) {
         if (torque) torques.push_back(sign * torque->value[i]);
     }
     if (times.size() < kFewest || end == ay.end()) {
-        notFound(kName, fmt::format("looked for a slow rise of the lateral acceleration through {:.1f} to {:.1f} m/s2",
+        notFound(kName, fmt::format("expected a slow rise of the lateral acceleration through {:.1f} to {:.1f} m/s2",
                                     kFirstAy, kLastAy));
     }
     Transition found{};
     found.rate = fitLine(times, angles).slope;
     if (found.rate <= 0 || found.rate > kFastestRamp) {
-        notFound(kName, fmt::format("the steering wheel turns at {:.2g} deg/s, looked for at most {:.2g} deg/s",
+        notFound(kName, fmt::format("the steering wheel turns at {:.2g} deg/s, expected at most {:.2g} deg/s",
                                     kDegrees * found.rate, kDegrees * kFastestRamp));
     }
     const Line line = fitLine(angles, accelerations);

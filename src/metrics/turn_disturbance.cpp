@@ -46,15 +46,16 @@ TurnDisturbance turnDisturbance(const Log& log, std::string_view name, double on
     d.steering = mean(needed[3], from, onset);
     const double rate = mean(yaw_rate, from, onset), direction = rate < 0 ? -1 : 1;
     if (d.speed < kSlowest || std::abs(rate) * d.speed < kLeastTurn) {
-        notFound(name, fmt::format("before, the car turns at {:.2g} m/s2 at {:.3g} m/s, looked for a turn of at least "
-                                   "{:.2g} m/s2",
-                                   std::abs(rate) * d.speed, d.speed, kLeastTurn));
+        notFound(name, fmt::format(
+                           "the car first turns at {:.2g} m/s2 at {:.3g} m/s, expected a turn of at least {:.2g} m/s2",
+                           std::abs(rate) * d.speed, d.speed, kLeastTurn));
     }
     const TimeSeries before = part(yaw_rate, from, onset);
     const double drift = std::abs(fitLine(before.time, before.value).slope * kBefore / rate);
     if (onset - yaw_rate.begin() < kBefore || drift > kSteady) {
-        notFound(name, fmt::format("the yaw rate changes by {:.0f} % over {:.2g} s before, looked for a steady turn",
-                                   100 * drift, kBefore));
+        notFound(name,
+                 fmt::format("the yaw rate changes by {:.0f} % over the preceding {:.2g} s, expected a steady turn",
+                             100 * drift, kBefore));
     }
     d.radius = std::abs(d.speed / rate);
 
@@ -83,12 +84,12 @@ MetricTable<TurnDisturbance> turnDisturbanceTable(const std::string& foot, const
                                                   const Say& sideslip) {
     const std::string reading = fmt::format("{:.0f} s after the {}", kReading, foot);
     return {
-        {{"yaw_rate_ratio", "Yaw rate over that of the kept radius", "-",
-          "yaw rate over speed / radius before, " + reading,
-          Say{2, "turns {} times as fast as the circle asks after 1 s", 2}},
+        {{"yaw_rate_ratio", "Yaw rate over that at the initial radius", "-",
+          "yaw rate over speed / initial radius, " + reading,
+          Say{2, "turns {} times as fast as the circle requires after 1 s", 2}},
          [](const TurnDisturbance& d) { return d.yaw_rate_ratio; }},
-        {{"ay_ratio", "Lateral acceleration over that of the kept radius", "-",
-          "lateral acceleration over speed^2 / radius before, " + reading},
+        {{"ay_ratio", "Lateral acceleration over that at the initial radius", "-",
+          "lateral acceleration over speed^2 / initial radius, " + reading},
          [](const TurnDisturbance& d) { return d.ay_ratio; }},
         {{"mean_deceleration", "Deceleration, mean", "m/s2", "loss of speed over time up to " + reading, deceleration},
          [](const TurnDisturbance& d) { return d.deceleration; }},
@@ -102,8 +103,8 @@ MetricTable<TurnDisturbance> turnDisturbanceTable(const std::string& foot, const
         {{"yaw_acceleration", "Yaw acceleration", "deg/s2",
           "mean over the first 0.5 s after the " + foot + ", positive into the turn"},
          [](const TurnDisturbance& d) { return kDegrees * d.yaw_acceleration; }},
-        {{"peak_yaw_rate_ratio", "Yaw rate over that of the kept radius, peak", "-",
-          "largest yaw rate over speed / radius before, to the end of the manoeuvre"},
+        {{"peak_yaw_rate_ratio", "Yaw rate over that at the initial radius, peak", "-",
+          "largest yaw rate over speed / initial radius, to the end of the manoeuvre"},
          [](const TurnDisturbance& d) { return d.peak_yaw_ratio; }},
         {{"speed", "Speed before", "m/s", "mean over the half second before"},
          [](const TurnDisturbance& d) { return d.speed; }},
@@ -112,7 +113,7 @@ MetricTable<TurnDisturbance> turnDisturbanceTable(const std::string& foot, const
         {{"radius", "Radius before", "m", "speed over yaw rate, means over the half second before"},
          [](const TurnDisturbance& d) { return d.radius; }},
         {{"steering_range", "Steering-wheel range", "deg",
-          "by how much the steering wheel moves from then to the end of the manoeuvre"},
+          "range of the steering-wheel angle from then to the end of the manoeuvre"},
          [](const TurnDisturbance& d) { return kDegrees * d.steering_range; }},
     };
 }

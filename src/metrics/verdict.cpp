@@ -30,7 +30,7 @@ std::string unknownMetric(const std::string& name, std::string_view manoeuvre,
     }
     std::vector<std::string_view> names;
     for (const MetricDefinition& definition : known) names.push_back(definition.name);
-    return fmt::format("found {}, which is no metric of {}{}; `tread describe metrics` lists them", quote(name),
+    return fmt::format("found {}, which is not a metric of {}{}; `tread describe metrics` lists them", quote(name),
                        manoeuvre, didYouMean(name, names));
 }
 
@@ -131,7 +131,7 @@ std::string marginInWords(const Verdict& verdict) {
 
 std::string text(const Verdict& verdict) {
     const std::string margin = marginInWords(verdict);
-    return fmt::format("{}{}: {}, wanted {}: {}{}{}", verdict.run.empty() ? "" : "run " + verdict.run + ", ",
+    return fmt::format("{}{}: {}, required {}: {}{}{}", verdict.run.empty() ? "" : "run " + verdict.run + ", ",
                        verdict.metric, valueInWords(verdict), verdict.condition, verdict.met ? "met" : "missed",
                        margin.empty() ? "" : ", ", margin);
 }

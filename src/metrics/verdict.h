@@ -44,7 +44,7 @@ std::vector<Verdict> judge(const Acceptance& acceptance, const std::vector<Metri
 
 bool allMet(const std::vector<Verdict>& verdicts);
 
-// "stopping_distance: 48.9 m, wanted < 40 m: missed, 8.9 m beyond".
+// "stopping_distance: 48.9 m, required < 40 m: missed, 8.9 m beyond".
 std::string text(const Verdict& verdict);
 // "accepted: 3 conditions met", "not accepted: 1 of 3 conditions missed"; empty without conditions.
 std::string answer(const std::vector<Verdict>& verdicts);

@@ -122,7 +122,7 @@ Weave findWeave(const Log& log) {
     const auto turns = turningPoints(hand, amplitude);
     if (turns.size() < kFewestTurns) {
         notFound(kName,
-                 fmt::format("the steering turns back {} times, looked for at least {}", turns.size(), kFewestTurns));
+                 fmt::format("the steering turns back {} times, expected at least {}", turns.size(), kFewestTurns));
     }
     // Whole periods: from one turning point to the last of the same side.
     const std::size_t periods = (turns.size() - 1) / 2;
@@ -130,7 +130,7 @@ Weave findWeave(const Log& log) {
     Weave found{};
     found.frequency = static_cast<double>(periods) / (to - from);
     if (found.frequency > kFastestWeave) {
-        notFound(kName, fmt::format("the steering swings at {:.2g} Hz, looked for at most {:.2g} Hz", found.frequency,
+        notFound(kName, fmt::format("the steering swings at {:.2g} Hz, expected at most {:.2g} Hz", found.frequency,
                                     kFastestWeave));
     }
     found.speed = mean(needed[1], from, to);

@@ -73,7 +73,7 @@ struct Recording {
                     "log of the same drive before the car was changed, if there is one; the gap "
                     "between model and reference is subtracted"});
         field(TREAD_FIELD(reference_later),
-              About{"s", "time by which the same moment of the drive is later in the reference than in the log"});
+              About{"s", "delay of the reference: time by which it lags the log of the same drive"});
         field(TREAD_FIELD(hold_out), About{"", "used only to judge how far the gap shrinks, not to find the cause"});
         field(TREAD_FIELD(road), About{"", "known properties of the road"});
         field(TREAD_FIELD(wind), About{"", "known wind"});
@@ -150,11 +150,10 @@ struct DiagnosisFile {
         field(TREAD_FIELD(step), About{"s", "time step of the replay", {1e-4, 0.01}});
         field(TREAD_FIELD(contradictions),
               About{"", "leave_out: channels that contradict the others as motion of one rigid body are not used"});
-        field(TREAD_FIELD(windows),
-              About{"-",
-                    "number of windows of 20 s that are used of a recording of more than 180 s: those with the largest "
-                    "accelerations; 0: the whole recording",
-                    {0, 1000}});
+        field(TREAD_FIELD(windows), About{"-",
+                                          "number of 20 s windows that are used from a recording of more than 180 s: "
+                                          "those with the largest accelerations; 0: the whole recording",
+                                          {0, 1000}});
     }
 
     static void check(const auto& self, auto&& complain) {

@@ -79,8 +79,7 @@ std::string furtherChannelFault(const std::string& channel) {
     const bool word = !source.empty() && source.find_first_of(".@ ") == std::string_view::npos;
     if (word && observedQuantity(channel)) return {};
     return "found " + quote(channel) +
-           ", expected a channel with a word for its source behind @, such as chassis.yaw_rate@can; the quantity is "
-           "one of " +
+           ", expected a channel with its source after @, such as chassis.yaw_rate@can; the quantity is one of " +
            observedQuantitiesListed();
 }
 

@@ -66,7 +66,7 @@ struct FurtherInstrument {
 
     // Its numbers have the paths of those of any instrument.
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(channel), About{"", "channel with the word for its source behind @: chassis.yaw_rate@can"});
+        field(TREAD_FIELD(channel), About{"", "channel with its source after @: chassis.yaw_rate@can"});
         Instrument::describe(self.instrument, field);
     }
 };
@@ -79,7 +79,7 @@ struct Mounting {
     std::string_view pathName() const { return source; }
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(source), About{"", "word behind @ in its channels, e.g. can"});
+        field(TREAD_FIELD(source), About{"", "source after @ in its channels, e.g. can"});
         InertialUnit::describe(self.unit, field);
     }
 };

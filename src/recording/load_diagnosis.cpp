@@ -72,7 +72,8 @@ void judgeBefore(Faults& faults, const std::vector<Recording>& before) {
     for (std::size_t i = 0; i < before.size(); ++i) {
         if (!before[i].reference.empty())
             faults.add(at("before", i, "reference"),
-                       "found a reference of a drive of the car before the change, expected none: it is one itself");
+                       "found a reference for a drive of the car before the change, expected none: the drive is a "
+                       "reference itself");
         if (before[i].hold_out)
             faults.add(at("before", i, "hold_out"),
                        "found true for a drive of the car before the change, expected false: the car is fitted to it");

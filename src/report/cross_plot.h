@@ -25,7 +25,7 @@ inline constexpr PlotAxis kLongitudinal{"chassis.ax", "longitudinal acceleration
 inline constexpr PlotAxis kLateral{"chassis.ay", "lateral acceleration", "m/s2"};
 inline constexpr PlotAxis kYawRate{"chassis.yaw_rate", "yaw rate", "deg/s"};
 inline constexpr PlotAxis kSideslip{"chassis.sideslip", "sideslip angle", "deg"};
-inline constexpr PlotAxis kCourseDistance{"course.distance", "way along the course", "m"};
+inline constexpr PlotAxis kCourseDistance{"course.distance", "distance along the course", "m"};
 inline constexpr PlotAxis kCrossTrack{"course.cross_track_error", "distance from the path", "m"};
 inline constexpr PlotAxis kRoll{"chassis.roll", "roll angle", "deg"};
 

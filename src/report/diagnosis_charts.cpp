@@ -189,7 +189,8 @@ void addWords(HtmlPage& page, const Diagnosis& diagnosis) {
             "measurement that is outside this range by more than its noise. There is no range for held-out drives.");
     if (diagnosis.compared)
         page.text(
-            "Measured: minus the gap between the nominal car and the reference, the same drive before the change.");
+            "Measured values are shown minus the gap between the nominal car and the reference, the same drive before "
+            "the change.");
     if (!diagnosis.cuts.empty()) page.text("Dashed vertical line: not compared from there on.");
 }
 

@@ -37,7 +37,7 @@ std::string badge(const Diagnosis& d) {
 
 std::string countOfWarnings(std::size_t count) {
     if (count == 0) return {};
-    return fmt::format("{} {} about the data, below under What was left out", count,
+    return fmt::format("{} {} about the data, listed below under What was left out", count,
                        count == 1 ? "warning" : "warnings");
 }
 
@@ -72,7 +72,7 @@ std::string diagnosisReport(const DiagnosisReport& content) {
     page.section("The car within its tolerances");
     addMoved(page, d.nuisance);
     if (d.before.fitted > 0) {
-        page.section("The car before");
+        page.section("The car before the change");
         addCarBefore(page, d.before);
     }
     if (!d.overlays.empty()) {

@@ -47,9 +47,8 @@ void addEffects(HtmlPage& page, const Diagnosis& diagnosis) {
     add("no effect visible in these drives", unknown < 1 ? diagnosis.probability_of_nothing / (1 - unknown) : 0, "0");
     page.table({"Effect", "Probability", "Evidence, nats"}, rows);
     page.text(
-        fmt::format("Beside any of these there may be an unknown cause ({}). It is told only from {:.0f} nats of "
-                    "evidence on, where "
-                    "what remains of the gap shows it.",
+        fmt::format("In addition to any of these, there may be an unknown cause ({}). It is reported only if the "
+                    "unexplained part of the gap gives at least {:.0f} nats of evidence for it.",
                     diagnose::answer::probabilityInWords(unknown), kSettings.clear));
     if (diagnosis.effects.size() > kShown)
         page.text(
@@ -61,7 +60,7 @@ void addRuledOut(HtmlPage& page, const Diagnosis& diagnosis) {
     for (const diagnose::answer::RuledOut& one : diagnosis.ruled_out)
         rows.push_back({{together(one.effects)}, {formatNumber(one.log_evidence, 3), true}, {one.reason}});
     if (rows.empty()) return;
-    page.text("These have evidence, and yet cannot be the answer:");
+    page.text("These have evidence but cannot be the answer:");
     page.table({"Effects", "Evidence, nats", "Why not"}, rows);
 }
 
@@ -77,8 +76,8 @@ void addPairs(HtmlPage& page, const std::vector<ConfusablePair>& all, const char
     }
     if (rows.empty()) return;
     page.text(fmt::format("{}: less than {:.0f} nats between them at typical size{}.", sentence, kSettings.clear,
-                          all.size() > kPairs ? fmt::format("; the {} nearest of {}", kPairs, all.size()) : ""));
-    page.table({"Effect", "Similar effect", "Similarity", "Separation, nats", "Told apart mostly by"}, rows);
+                          all.size() > kPairs ? fmt::format("; the {} most similar of {}", kPairs, all.size()) : ""));
+    page.table({"Effect", "Similar effect", "Similarity", "Separation, nats", "Best distinguished by"}, rows);
 }
 
 }  // namespace
@@ -97,7 +96,7 @@ void addRivals(HtmlPage& page, const Diagnosis& diagnosis) {
     }
     addEffects(page, diagnosis);
     addRuledOut(page, diagnosis);
-    addPairs(page, pairsOfCauses(diagnosis), "Effects that these drives can hardly tell from a named cause");
+    addPairs(page, pairsOfCauses(diagnosis), "Effects that these drives can hardly distinguish from a named cause");
 }
 
 void addNextDrives(HtmlPage& page, const Diagnosis& diagnosis) {
@@ -114,7 +113,7 @@ void addNextDrives(HtmlPage& page, const Diagnosis& diagnosis) {
     std::vector<ConfusablePair> others;
     for (const ConfusablePair& pair : diagnosis.confusable)
         if (!isCause(diagnosis, pair.a) && !isCause(diagnosis, pair.b)) others.push_back(pair);
-    addPairs(page, others, "Other effects that these drives can hardly tell apart");
+    addPairs(page, others, "Other effects that these drives can hardly distinguish");
 }
 
 void addSettings(HtmlPage& page) {

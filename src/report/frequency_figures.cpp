@@ -46,7 +46,7 @@ std::vector<Chart> frequencyFigures(const Log& log) {
     if (found.segments > 1) {
         charts.push_back(figure("Coherence", {"coherence", "-", 0.0, 1.02}, both(coherenceAt, 1)));
     } else {
-        charts.back().note = "From one record, which has no coherence.";
+        charts.back().note = "From a single record, for which coherence is undefined.";
     }
     return charts;
 }

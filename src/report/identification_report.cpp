@@ -112,7 +112,7 @@ void addLevels(HtmlPage& page, const HowFar& how_far) {
     add("Drives used for fitting", how_far.training);
     if (!how_far.in_sample) add("Held-out drives", how_far.held_out);
     page.table({"Drives", "Model", "Gap", "Closed"}, rows);
-    page.text("Closed, of what a model can close: (nominal² - gap²) / (nominal² - noise floor²).");
+    page.text("Closed, as a share of what a model can close: (nominal² - gap²) / (nominal² - noise floor²).");
     if (how_far.in_sample)
         page.text("No drive is held out: the gap is judged in the fitted drives, which is too optimistic.");
 }

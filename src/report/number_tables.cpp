@@ -109,15 +109,15 @@ void addMoved(HtmlPage& page, const std::map<std::string, NuisanceEstimate>& num
         "tolerance is doubtful.",
         moved.size(), numbers.size(), kDoubtful));
     if (fold) page.fold(fmt::format("The {} numbers", rows.size()));
-    page.table({"Number", "Nominal ± tolerance → found", "Moved, in ±", "Path"}, rows, true);
+    page.table({"Number", "Nominal ± tolerance → found", "Change, in ±", "Path"}, rows, true);
     if (fold) page.unfold();
 }
 
 void addCarBefore(HtmlPage& page, const FittedBefore& before) {
     page.text(fmt::format(
-        "Gap in the references, the same drives before the car was changed, as the root of its mean square over that "
-        "of a perfect model: {:.1f} for the nominal car, {:.1f} after the fit. Causes are sought about the fitted car. "
-        "The further it is above 1, the less the sensitivities of the model are those of the car.",
+        "Rms gap in the references (the same drives before the car was changed), relative to that of a perfect model: "
+        "{:.1f} for the nominal car, {:.1f} after the fit. Causes are sought relative to the fitted car. The further "
+        "the gap is above 1, the less the sensitivities of the model match those of the car.",
         before.nominal, before.fitted));
     addMoved(page, before.moved);
 }

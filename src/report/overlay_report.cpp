@@ -52,7 +52,8 @@ void addTable(HtmlPage& page, const std::vector<const ChannelOverlay*>& channels
                         {formatNumber(100 * used(*channel), 3), true, !channel->ok},
                         {out, true}});
     }
-    page.table({"Result", "Channel", "Largest", "RMS", "R²", "Tolerance", "Unit", "Used, %", "First out, s"}, rows);
+    page.table({"Result", "Channel", "Largest", "RMS", "R²", "Tolerance", "Unit", "Used, %", "First exceeded, s"},
+               rows);
     page.text(
         "R²: share of the reference's variance that the candidate explains, 1 - sum of squared differences / sum of "
         "squares about the reference's mean.");
@@ -96,7 +97,7 @@ std::vector<TimeChart> chartsOf(const OverlayReport& content, const ChannelOverl
     std::string name = fmt::format("difference, allowed ±{} (band)", formatNumber(channel.tolerance * shown.scale));
     gap.band = channel.tolerance * shown.scale;
     if (channel.first_time_out) {
-        name += fmt::format(", first out at {} s (dashed)", formatNumber(*channel.first_time_out, 6));
+        name += fmt::format(", first exceeded at {} s (dashed)", formatNumber(*channel.first_time_out, 6));
         gap.marks = overlay.marks = {*channel.first_time_out};
     }
     gap.curves = {{name, difference, shown.scale, colour}};
@@ -109,8 +110,9 @@ void addCurves(HtmlPage& page, const OverlayReport& content, const std::vector<c
     if (channels.empty()) return;
     page.section("Curves, worst first");
     if (channels.size() > kMostDrawn) {
-        page.text(fmt::format("The {} channels that use most of their tolerance, of {}; the table below has all.",
-                              kMostDrawn, channels.size()));
+        page.text(
+            fmt::format("The {} channels, out of {}, that use the most of their tolerance; the table below shows all.",
+                        kMostDrawn, channels.size()));
     }
     const std::size_t drawn = std::min(channels.size(), kMostDrawn);
     for (std::size_t i = 0; i < drawn; ++i) gaps.push_back(differences(*channels[i]));
@@ -128,7 +130,7 @@ std::string overlayReport(const OverlayReport& content) {
     page.warnings(content.warnings);
     page.keyValues({{"Reference", nameAndFile(content.reference_name, content.reference_file)},
                     {"Candidate", nameAndFile(content.candidate_name, content.candidate_file)},
-                    {"Drawn beside", fmt::format("{}", fmt::join(content.other_names, ", "))},
+                    {"Also drawn", fmt::format("{}", fmt::join(content.other_names, ", "))},
                     {"Made by", "tread " + content.version}});
 
     std::vector<std::vector<double>> gaps;  // complete before the charts refer to it

@@ -88,7 +88,7 @@ void addGap(HtmlPage& page, const char* drives, const Decomposition& gap) {
     page.bullets(enlargingInWords(gap));
     addTable(page, gap);
     if (const std::string closed = diagnose::answer::closedInWords(gap); !closed.empty())
-        page.text("Closed, of what a model can close: " + closed + ".");
+        page.text("Closed, as a share of what a model can close: " + closed + ".");
 }
 
 void addSharesTable(HtmlPage& page, const char* of, const Shares& shares) {
@@ -117,21 +117,21 @@ void addForces(HtmlPage& page, const Unexplained& rest) {
         cell.bar = size / most;
         rows.push_back({{capitalised(diagnose::answer::kindOfForceInWords(kind))}, cell});
     }
-    if (!rows.empty()) page.table({"What the model lacks", "Size, in usual sizes"}, rows);
+    if (!rows.empty()) page.table({"What the model lacks", "Size relative to the usual size"}, rows);
 }
 
 }  // namespace
 
 void addParts(HtmlPage& page, const Diagnosis& diagnosis) {
     page.text(
-        "Squared difference between the recordings and the nominal car, each reading in units of what noise and usual "
-        "disturbances cause. A part is what it takes off that square.");
+        "Squared difference between the recordings and the nominal car, each reading in units of the deviation that "
+        "noise and usual disturbances cause. A part is the amount by which it reduces this squared difference.");
     if (diagnosis.training.each.size() > 1)
         page.text(
             "A cause counts with what it explains after all others (last in). Alone it may explain more (first in): "
-            "what several causes explain as well is a part of its own.");
+            "what several causes explain equally well is shown as a separate part.");
     addGap(page, "Drives used for fitting", diagnosis.training);
-    if (diagnosis.held_out.gap > 0) addGap(page, "Drives held out", diagnosis.held_out);
+    if (diagnosis.held_out.gap > 0) addGap(page, "Held-out drives", diagnosis.held_out);
     else page.text("No drive is held out: the parts are judged in the fitted drives, which is too optimistic.");
 }
 
@@ -141,12 +141,11 @@ void addRemainder(HtmlPage& page, const Diagnosis& diagnosis) {
     const std::string compared =
         told ? fmt::format("it is larger than that of an ordinary drive by {:.0f} nats of evidence",
                            rest.beyond_ordinary)
-        : rest.beyond_ordinary > 0.5
-            ? fmt::format(
-                  "{:.0f} nats speak for a larger remainder than in an ordinary drive, too few to tell of an "
-                  "unknown cause",
-                  rest.beyond_ordinary)
-            : "no more than in an ordinary drive";
+        : rest.beyond_ordinary > 0.5 ? fmt::format(
+                                           "{:.0f} nats of evidence support a larger remainder than in an ordinary "
+                                           "drive, too few to report an unknown cause",
+                                           rest.beyond_ordinary)
+                                     : "no more than in an ordinary drive";
     page.text(fmt::format("{} of the gap remains unexplained; {}.",
                           diagnose::answer::percentInWords(diagnosis.training.remainder.share), compared));
     const std::string law = lawInWords(rest.law);

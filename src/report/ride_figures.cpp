@@ -54,7 +54,7 @@ std::optional<Chart> accelerationSpectrum(const Log& log) {
     const Density density = densityOf(*az);
     Chart chart = spectrumChart("Spectrum of the vertical acceleration", {"power spectral density", "(m/s²)²/Hz"});
     Series plain{
-        .name = "as it is", .x = density.frequency, .y = density.power, .colour = Colour::grey, .dashed = true};
+        .name = "unweighted", .x = density.frequency, .y = density.power, .colour = Colour::grey, .dashed = true};
     Series weighted{.name = "weighted by Wk", .x = density.frequency, .y = density.power, .colour = Colour::blue};
     for (std::size_t i = 0; i < weighted.y.size(); ++i) {
         const double weight = vibrationWeight(VibrationWeighting::Wk, weighted.x[i]);

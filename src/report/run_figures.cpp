@@ -77,7 +77,7 @@ std::optional<Chart> pathFigure(const Log& log, const CarShape& car) {
                                 fmt::format("{:g} s", pose.time)});
     }
     if (chart.series.size() > 1)
-        chart.series[1].name = enlarged > 1 ? fmt::format("car, {:g} times its size", enlarged) : "car";
+        chart.series[1].name = enlarged > 1 ? fmt::format("car, enlarged {:g} times", enlarged) : "car";
     return chart;
 }
 

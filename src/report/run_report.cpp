@@ -169,9 +169,9 @@ std::string runReport(const RunReport& content) {
     addCards(page, content.metrics);
     const ChangedName car = splitChanged(content.vehicle);
     page.keyValues({{"Vehicle", car.name},
-                    {"Changed on it", car.changes},
+                    {"Changed settings", car.changes},
                     {"Manoeuvre", splitChanged(content.scenario).name},
-                    {"What it is", content.scenario_description},
+                    {"Description", content.scenario_description},
                     {"Made by", "tread " + content.version}});
     page.links("Files", content.files);
 

@@ -81,8 +81,8 @@ std::string seriesReport(const SeriesReport& content) {
     answerWithVerdict(page, content.answer, content.verdicts);
     const ChangedName car = splitChanged(content.vehicle);
     page.keyValues({{"Vehicle", car.name},
-                    {"Changed on it", car.changes},
-                    {"What it is", content.scenario_description},
+                    {"Changed settings", car.changes},
+                    {"Description", content.scenario_description},
                     {"Varied", content.number},
                     {"Made by", "tread " + content.version}});
     page.links("Files", content.files);
@@ -139,7 +139,7 @@ std::string overviewReport(const Overview& content) {
                 driven && met);
     addSummary(page, content);
     const ChangedName car = splitChanged(content.vehicle);
-    page.keyValues({{"Vehicle", car.name}, {"Changed on it", car.changes}, {"Made by", "tread " + content.version}});
+    page.keyValues({{"Vehicle", car.name}, {"Changed settings", car.changes}, {"Made by", "tread " + content.version}});
     page.section("Manoeuvres");
     std::vector<std::vector<Cell>> rows;
     for (const Overview::Entry& entry : content.entries) {

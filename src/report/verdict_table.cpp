@@ -38,7 +38,7 @@ Card cardOf(const Verdict& verdict) {
     return {.label = titleOf(verdict) + (verdict.run.empty() ? "" : ", run " + verdict.run),
             .value = margin.empty() ? (verdict.met ? "met" : "missed") : number,
             .unit = margin.empty() ? "" : word.substr(1),
-            .note = fmt::format("{}, wanted {}", valueInWords(verdict, 4), verdict.condition),
+            .note = fmt::format("{}, required {}", valueInWords(verdict, 4), verdict.condition),
             .tone = verdict.met ? Tone::good : Tone::bad};
 }
 

@@ -76,7 +76,7 @@ std::vector<SensorFault> sensorFaults(const std::vector<SensorParams>& sensors,
         if (std::find(channels.begin(), channels.end(), sensor.channel) == channels.end()) {
             const std::string suggestion = didYouMean(sensor.channel, channels);
             faults.push_back({i, "channel",
-                              "found " + quote(sensor.channel) + ", which is no channel, expected the name of one" +
+                              "found " + quote(sensor.channel) + ", which is not a channel, expected the name of one" +
                                   (suggestion.empty() ? ";" : suggestion) + " `tread describe log` lists all"});
             continue;
         }

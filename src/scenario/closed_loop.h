@@ -20,14 +20,12 @@ struct HoldSpeed {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(speed),
               About{"m/s", "speed to hold; 0: that at the start of the phase", kNonNegative}.usually(0, 70));
-        field(TREAD_FIELD(proportional),
-              About{"s/m", "throttle over the speed that is missing", kNonNegative}.usually(0, 10));
-        field(TREAD_FIELD(integral),
-              About{"1/m", "throttle over the integral of the speed that is missing", kNonNegative}
-                  .usually(0.0001, 20)
-                  .usually(0, 10));
+        field(TREAD_FIELD(proportional), About{"s/m", "throttle over the speed error", kNonNegative}.usually(0, 10));
+        field(TREAD_FIELD(integral), About{"1/m", "throttle over the integral of the speed error", kNonNegative}
+                                         .usually(0.0001, 20)
+                                         .usually(0, 10));
         field(TREAD_FIELD(brake),
-              About{"-", "brake pedal over the throttle below zero that the controller would like; 0: never brakes",
+              About{"-", "brake pedal over the negative throttle that the controller demands; 0: never brakes",
                     kNonNegative}
                   .usually(0, 20));
         field(TREAD_FIELD(profile),
@@ -50,11 +48,9 @@ struct FollowCourse {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(preview_time),
               About{"s", "how far ahead the driver reads the speed", kNonNegative}.usually(0.01, 10));
-        field(TREAD_FIELD(proportional),
-              About{"s/m", "pedal over the speed that is missing", kNonNegative}.usually(0.001, 20));
-        field(
-            TREAD_FIELD(integral),
-            About{"1/m", "throttle over the integral of the speed that is missing", kNonNegative}.usually(0.0001, 20));
+        field(TREAD_FIELD(proportional), About{"s/m", "pedal over the speed error", kNonNegative}.usually(0.001, 20));
+        field(TREAD_FIELD(integral),
+              About{"1/m", "throttle over the integral of the speed error", kNonNegative}.usually(0.0001, 20));
         field(TREAD_FIELD(acceleration),
               About{"s2/m", "pedal over the acceleration of the course", kNonNegative}.usually(0.001, 5));
         field(TREAD_FIELD(brake),
@@ -138,11 +134,11 @@ struct FollowPath {
         field(TREAD_FIELD(gain),
               About{"-", "steering-wheel angle over the one that the arc needs", kPositive}.usually(0.1, 5));
         field(TREAD_FIELD(lead),
-              About{"-", "share of the curvature that is still missing by which the driver steers more", kNonNegative}
+              About{"-", "share of the remaining curvature error that the driver adds to the steering", kNonNegative}
                   .usually(0, 5));
-        field(TREAD_FIELD(understeer),
-              About{"rad s2/m", "understeer gradient, at the road wheels, that the driver reckons with"}.usually(-0.02,
-                                                                                                                 0.02));
+        field(
+            TREAD_FIELD(understeer),
+            About{"rad s2/m", "understeer gradient, at the road wheels, that the driver assumes"}.usually(-0.02, 0.02));
         field(TREAD_FIELD(delay), About{"s", "dead time between eye and hand", {0, 2}});
         field(TREAD_FIELD(lag), About{"s", "time constant of arms and steering wheel", kNonNegative}.usually(0, 2));
         field(TREAD_FIELD(largest_rate),

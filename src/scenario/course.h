@@ -67,7 +67,7 @@ struct LaneSection {
         field(TREAD_FIELD(cones), About{"-", "cones along each edge, the first and the last at its ends", {2, 1000}});
     }
     static void check(const auto& self, auto&& complain) {
-        if (self.from >= self.to) complain("to", "a lane must end behind its beginning (from < to)");
+        if (self.from >= self.to) complain("to", "a lane must end after its beginning (from < to)");
     }
 };
 static_assert(describesEveryMember<LaneSection>());
@@ -88,7 +88,7 @@ struct LinePoint {
                                        "cross slope of the road, positive with the right side down; read only: the "
                                        "road stays that of the scenario"}
                                      .usually(-1, 1));
-        field(TREAD_FIELD(speed), About{"m/s", "wanted speed; 0: none", kNonNegative}.usually(0.1, 120));
+        field(TREAD_FIELD(speed), About{"m/s", "target speed; 0: none", kNonNegative}.usually(0.1, 120));
     }
 };
 static_assert(describesEveryMember<LinePoint>());
@@ -184,7 +184,7 @@ struct CourseParams {
                 complain("sections", which + " narrower than the car, which cannot go through");
             if (i > 0 && all[i].from == all[i - 1].to &&
                 (all[i].right > all[i - 1].left - self.car.width || all[i].left < all[i - 1].right + self.car.width))
-                complain("sections", which + " beside the end of the one before, expected way to get there");
+                complain("sections", which + " beside the end of the one before, expected a distance to get there");
         }
     }
 };

@@ -111,7 +111,7 @@ private:
         for (std::size_t i = 0; i < cells.size(); ++i) cell(cells[i], columns_[i], point);
         if (problems_.size() != before) return;
         if (!points_.empty() && std::hypot(point.x - points_.back().x, point.y - points_.back().y) == 0)
-            complain(lines_.number(), 1, "found the point of the line before once more; remove one of the two");
+            complain(lines_.number(), 1, "found the same point as in the line before; remove one of the two");
         points_.push_back(point);
         places_.push_back(lines_.number());
     }

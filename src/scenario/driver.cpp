@@ -190,8 +190,8 @@ bool Driver::finished(double time) const {
 std::string Driver::waitsFor() const {
     const bool named = !phase().name.empty();
     return (named ? "phase \"" + phase().name + "\"" : "phases." + std::to_string(phase_)) + " waits for " +
-           wordsOf(phase().until) + "; the car has " + shortNumber(seen_.car.vx) + " m/s and " +
-           shortNumber(std::abs(seen_.car.ay)) + " m/s2 to the side";
+           wordsOf(phase().until) + "; the car moves at " + shortNumber(seen_.car.vx) + " m/s with " +
+           shortNumber(std::abs(seen_.car.ay)) + " m/s2 of lateral acceleration";
 }
 
 }  // namespace tread

@@ -71,7 +71,7 @@ struct Logs {
             points.points.push_back({time[i] - replay.from, within});
         }
         if (points.empty() || points.points.back().x <= 0)
-            return fault(".from", "found " + numberText(replay.from) + " s, which is behind the end of the log");
+            return fault(".from", "found " + numberText(replay.from) + " s, which is after the end of the log");
         return points;
     }
 

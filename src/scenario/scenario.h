@@ -108,7 +108,8 @@ struct Scenario {
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(title), About{"", "what the manoeuvre is, in a few words"});
-        field(TREAD_FIELD(description), About{"", "what it is after, and where its numbers come from"});
+        field(TREAD_FIELD(description),
+              About{"", "the standard or source that it follows, and where its numbers come from"});
         field(TREAD_FIELD(manoeuvre),
               About{"", "whose metrics are computed (see tread describe metrics); empty: none"});
         field(TREAD_FIELD(step), About{"s", "time step of the Bullet world", {1e-5, 0.05}});
@@ -130,7 +131,7 @@ struct Scenario {
         field(TREAD_FIELD(phases), About{"", "what the driver does, one phase after the other"});
         field(TREAD_FIELD(log), About{"", "what is logged"});
         field(TREAD_FIELD(series), About{"", "further runs, when one cannot answer the question"});
-        field(TREAD_FIELD(metrics), About{"", "metrics of your own, beside those of the manoeuvre"});
+        field(TREAD_FIELD(metrics), About{"", "metrics of your own, in addition to those of the manoeuvre"});
         field(TREAD_FIELD(accept),
               About{"",
                     "what the metrics must be, each `name: condition`: \"< 40 m\", \"= 0\", \"30 .. 40 m\", "

@@ -61,7 +61,7 @@ struct SensorParams {
         field(TREAD_FIELD(low_pass),
               About{"1/s", "corner frequency of its second-order Butterworth filter (cycles per second)", kPositive}
                   .usually(0.05, 1e5));
-        field(TREAD_FIELD(delay), About{"s", "by which its reading is late", {0, 10}});
+        field(TREAD_FIELD(delay), About{"s", "delay of its reading", {0, 10}});
         field(TREAD_FIELD(gain), About{"-", "reading over value"}.usually(-5, 5));
         field(TREAD_FIELD(bias), About{"-", "reading at zero, in the SI unit of the channel"}.unjudged());
         field(TREAD_FIELD(noise),

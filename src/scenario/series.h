@@ -21,7 +21,7 @@ struct Tune {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(number), About{"", "path of the number, for example phases.1.steering.ramp.to"});
         field(TREAD_FIELD(metric), About{"", "metric of the manoeuvre"});
-        field(TREAD_FIELD(target), About{"", "wanted value, in the unit of the metric"}.unjudged());
+        field(TREAD_FIELD(target), About{"", "target value, in the unit of the metric"}.unjudged());
         field(TREAD_FIELD(lowest), About{"", "least value to try, with its unit"});
         field(TREAD_FIELD(highest), About{"", "largest value to try, with its unit"});
         field(TREAD_FIELD(tolerance),
@@ -110,7 +110,7 @@ struct SeriesParams {
         field(TREAD_FIELD(scale), About{"", "numbers that are set first from what other scenarios show"});
         field(TREAD_FIELD(tune), About{"", "numbers that are found first, one after the other"});
         field(TREAD_FIELD(vary), About{"", "a number that is varied from run to run"});
-        field(TREAD_FIELD(highest), About{"", "a number whose highest passing value is looked for"});
+        field(TREAD_FIELD(highest), About{"", "a number whose highest passing value is sought"});
     }
     static void check(const auto& self, auto&& complain) {
         if (self.vary && self.highest) complain("highest", "a scenario has either vary or highest");

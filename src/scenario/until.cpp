@@ -37,7 +37,7 @@ std::string wordsOf(const Until& until) {
     say(until.lateral_acceleration_below, "a lateral acceleration below ", "m/s2");
     say(until.sideslip_above, "a sideslip angle above ", "rad");
     say(until.steering_above, "a steering-wheel angle above ", "rad");
-    say(until.distance, "a way of ", "m");
+    say(until.distance, "a distance of ", "m");
     say(until.x_above, "x above ", "m");
     say(until.x_below, "x below ", "m");
     say(until.y_above, "y above ", "m");

@@ -47,9 +47,9 @@ struct Until {
               About{"rad", "magnitude of the sideslip angle rises above this", kPositive}.usually(0.001, 1.6));
         field(TREAD_FIELD(steering_above),
               About{"rad", "magnitude of the steering-wheel angle rises above this", kPositive}.usually(0.001, 20));
-        field(TREAD_FIELD(distance), About{"m", "way since the phase began", kPositive}.usually(0.05, 1e5));
+        field(TREAD_FIELD(distance), About{"m", "distance since the phase began", kPositive}.usually(0.05, 1e5));
         field(TREAD_FIELD(x_above), About{"m", "the car is farther along x than this"}.unjudged());
-        field(TREAD_FIELD(x_below), About{"m", "the car is less far along x than this"}.unjudged());
+        field(TREAD_FIELD(x_below), About{"m", "the car is not as far along x as this"}.unjudged());
         field(TREAD_FIELD(y_above), About{"m", "the car is farther to the left, along y, than this"}.unjudged());
         field(TREAD_FIELD(y_below), About{"m", "the car is farther to the right, along y, than this"}.unjudged());
         field(TREAD_FIELD(after_steering),

@@ -126,7 +126,7 @@ Metric measuredIn(const std::string& file, const std::string& metric, const Meas
         throw;
     } catch (const SimulationError& error) {
         throw SeriesError(
-            fmt::format("{} of {}, which the series needs first, cannot be had: {}", metric, file, error.what()));
+            fmt::format("{} of {}, which the series needs first, cannot be obtained: {}", metric, file, error.what()));
     }
 }
 

@@ -90,7 +90,7 @@ Value orNone(double value, std::string_view why) {
 Value topSpeedValue(const Figures& f) {
     const TopSpeed& top = f.top;
     if (std::isnan(top.speed)) return {kNaN, "full throttle does not overcome the resistance"};
-    const char* const why = top.limit == SpeedLimit::power ? "power meets resistance"
+    const char* const why = top.limit == SpeedLimit::power ? "driving power equals resistance"
                             : top.limit == SpeedLimit::gearing
                                 ? "limited by gearing: engine or motor at its speed limit"
                                 : "the next gear cannot hold it";
@@ -201,7 +201,7 @@ const std::vector<Definition>& definitions() {
           "ride_frequency_rear",
           "ride frequency, rear",
           "Hz",
-          "the same of the rear axle",
+          "the same for the rear axle",
           {"rear.suspension.spring", "rear.suspension.damper", "rear.unsprung_mass", "rear.tyre.parameters.pz1", "mass",
            "front_axle_distance"}},
          [](const Figures& f) -> Value { return {f.ride.body.rear.frequency}; }},
@@ -216,7 +216,7 @@ const std::vector<Definition>& definitions() {
           "heave_frequency",
           "heave of the body",
           "Hz",
-          "|lambda| / 2 pi of body and both axles; the slow mode that moves more up and down than it pitches",
+          "|lambda| / 2 pi of body and both axles; the slow mode with more heave than pitch",
           {"mass", "inertia.pitch", "front.suspension", "rear.suspension", "front_axle_distance"}},
          [](const Figures& f) -> Value { return {f.ride.heave.frequency}; }},
         {{"Ride",
@@ -258,7 +258,7 @@ const std::vector<Definition>& definitions() {
           "wheel_hop_frequency_rear",
           "wheel hop, rear",
           "Hz",
-          "the same of the rear axle",
+          "the same for the rear axle",
           {"rear.unsprung_mass", "rear.tyre.parameters.pz1", "rear.suspension.spring"}},
          [](const Figures& f) -> Value { return {f.ride.wheel.rear.frequency}; }},
         {{"Ride",
@@ -313,7 +313,7 @@ const std::vector<Definition>& definitions() {
           "deg/g",
           "phi / ay of the simulated car at 0.1 g, mean of left and right",
           {"front.suspension", "rear.suspension"}},
-         [](const Figures& f) -> Value { return orNone(kPerG * f.driven.roll, "it does not hold such a turn"); }},
+         [](const Figures& f) -> Value { return orNone(kPerG * f.driven.roll, "the car cannot hold such a turn"); }},
 
         {{"Handling",
           "cornering_stiffness_front",
@@ -363,7 +363,7 @@ const std::vector<Definition>& definitions() {
           "(steering-wheel angle / i - L / R) / ay of the simulated car at 0.1 g, mean of left and right",
           {"front.tyre", "rear.tyre", "front.suspension", "rear.suspension", "steering", "driveline", "aero"}},
          [](const Figures& f) -> Value {
-             if (std::isnan(f.driven.understeer)) return {kNaN, "it does not hold such a turn"};
+             if (std::isnan(f.driven.understeer)) return {kNaN, "the car cannot hold such a turn"};
              return {kPerG * f.driven.understeer, fmt::format("driven at {:.0f} km/h", kKmh * f.turn_speed)};
          }},
         {{"Handling",
@@ -406,7 +406,7 @@ const std::vector<Definition>& definitions() {
          }},
         {{"Handling",
           "yaw_frequency_lagging",
-          "yaw natural frequency with tyres that lag",
+          "yaw natural frequency with tyre relaxation",
           "Hz",
           "|lambda| / 2 pi of the same model with F' = (C alpha - F) v / sigma, sigma = C / cFy of both tyres",
           {"front.tyre.parameters.cFy", "rear.tyre.parameters.cFy", "inertia.yaw", "mass", "wheelbase"}},

@@ -199,7 +199,7 @@ void TirImport::deriveRollingRadius(TyreParams& tyre) {
     } else {
         p.Re = p.Ro - kRollingRadiusLoss * nominal_deflection * tyre.lambda.Fzo;
         warn("Re = " + text(p.Re) +
-             " m, guessed: UNLOADED_RADIUS less a third of the deflection under the nominal load");
+             " m, guessed: UNLOADED_RADIUS minus a third of the deflection under the nominal load");
     }
     if (!(p.Re > 0) || !std::isfinite(p.Re)) {
         complain(nullptr, "Re",
@@ -262,7 +262,7 @@ void TirImport::warnOfLosses() {
         return false;
     };
     approximate("LFZO", true,
-                ": the trail (66) comes out so many times as long as in MF 5.2; lambda.t can make up for it");
+                ": the trail (66) becomes that many times as long as in MF 5.2; lambda.t can compensate for it");
     approximate("LHY", any({"PHY3"}), " also scales the camber part PHY3 here, as in (55)");
     approximate("LVY", any({"PVY3", "PVY4"}), " also scales the camber part PVY3, PVY4 here, as in (56)");
     approximate("LRES", any({"QDZ8", "QDZ9"}), " also scales the camber part QDZ8, QDZ9 here, as in (70)");

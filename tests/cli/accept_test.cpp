@@ -28,7 +28,7 @@ TEST_F(Accept, ConditionsThatAreMetHaveStatusZeroAndAreSaid) {
     const Result result = run({"--junit", scratch.path("j.xml")});
     EXPECT_EQ(result.status, 0) << result.out << result.err;
     EXPECT_NE(firstLine(result.out).find("; accepted: 1 condition met"), std::string::npos) << result.out;
-    EXPECT_NE(result.out.find(", wanted 5 .. 40 m: met, "), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find(", required 5 .. 40 m: met, "), std::string::npos) << result.out;
     const Json json = resultJson();
     ASSERT_EQ(json["verdicts"].size(), 1u);
     EXPECT_EQ(json["verdicts"][0]["met"], true);
@@ -65,7 +65,7 @@ TEST_F(Accept, AFileReplacesTheConditionOfTheSameMetric) {
     const std::string file = scratch.file("accept.yaml", "accept: {stopping_distance: \"< 60 m\"}\n");
     const Result result = run({"--accept", file});
     EXPECT_EQ(result.status, 0) << result.out << result.err;
-    EXPECT_NE(result.out.find("wanted < 60 m: met"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("required < 60 m: met"), std::string::npos) << result.out;
     EXPECT_EQ(result.out.find("< 5 m"), std::string::npos) << result.out;
 }
 
@@ -74,7 +74,7 @@ TEST_F(Accept, AMetricThatCouldNotBeComputedIsAMissAndSaysSo) {
              "accept: {stopping_distance: \"< 500 m\"}\n");
     const Result result = run();
     EXPECT_EQ(result.status, 1) << result.out << result.err;
-    EXPECT_NE(result.out.find("stopping_distance: could not be computed, wanted < 500 m: missed"), std::string::npos)
+    EXPECT_NE(result.out.find("stopping_distance: could not be computed, required < 500 m: missed"), std::string::npos)
         << result.out;
 }
 
@@ -143,7 +143,7 @@ TEST_F(Accept, MetricsOfALogAreJudgedToo) {
     const std::string file = scratch.file("accept.yaml", "accept: {stopping_distance: \"< 5 m\"}\n");
     const Result result = runProgram({"metrics", out("log.csv"), "--accept", file});
     EXPECT_EQ(result.status, 1) << result.err;
-    EXPECT_NE(result.out.find("wanted < 5 m: missed"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("required < 5 m: missed"), std::string::npos) << result.out;
 }
 
 // In a search for the highest value that passes, runs must fail; the condition is on what the search finds.
@@ -157,7 +157,7 @@ TEST_F(Accept, ASearchIsJudgedByWhatItFinds) {
     EXPECT_EQ(judged("highest_start.speed: '>= 70 km/h'").status, 1);
     const Result other = judged("cones_hit: '= 0'");
     EXPECT_EQ(other.status, 2);
-    EXPECT_NE(other.err.find("which is no metric of a search, which has \"highest_start.speed\" alone"),
+    EXPECT_NE(other.err.find("which is not a metric of a search, which has \"highest_start.speed\" alone"),
               std::string::npos)
         << other.err;
 }
@@ -180,7 +180,7 @@ TEST_F(Accept, ShippedLimits) {
     const std::string lanes = kSource + "/scenarios/double_lane_change.yaml";
     const Result clean = runProgram({"run", compact, lanes, "-o", out()});
     EXPECT_EQ(clean.status, 0) << clean.out << clean.err;
-    EXPECT_NE(clean.out.find("cones_hit: 0, wanted = 0: met"), std::string::npos) << clean.out;
+    EXPECT_NE(clean.out.find("cones_hit: 0, required = 0: met"), std::string::npos) << clean.out;
     const Result slippery = runProgram({"run", compact, lanes, "-o", out(), "--set", "scenario.start.speed=110 km/h"});
     EXPECT_EQ(slippery.status, 1) << slippery.out << slippery.err;
 }

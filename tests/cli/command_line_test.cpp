@@ -50,7 +50,7 @@ TEST(CommandLine, EveryOtherMistakeIsOneSentence) {
     };
     EXPECT_EQ(answer({"compare", "a.csv", "b.csv", "--reprt=x.html"}),
               "tread compare: there is no option \"--reprt\"; did you mean \"--report\"? (`tread compare --help` shows "
-              "how it is called)\n");
+              "its usage)\n");
     EXPECT_EQ(answer({"compare", "a.csv", "--jsn", "b.csv"}).find("tread compare: there is no option \"--jsn\"; did "),
               0u);
     EXPECT_EQ(answer({"compare", "a.csv"}).find("tread compare: new is required"), 0u);

@@ -111,9 +111,9 @@ TEST_F(CompareFolders, NothingComparedIsBadInput) {
     };
     const std::string ignored =
         scratch.file("t.yaml", "channels: [{channel: '*', ignore: true}]\nmetrics: [{metric: '*', ignore: true}]\n");
-    EXPECT_NE(refused({"--tolerances", ignored}).find("nothing was compared: of 2 runs"), std::string::npos);
+    EXPECT_NE(refused({"--tolerances", ignored}).find("nothing was compared: none of 2 runs"), std::string::npos);
     std::filesystem::remove_all(scratch.path("new"));
-    EXPECT_NE(refused({}).find("which is no folder"), std::string::npos);
+    EXPECT_NE(refused({}).find("which is not a folder"), std::string::npos);
     std::filesystem::create_directory(scratch.path("new"));
     EXPECT_NE(refused({}).find("The run is only in the reference."), std::string::npos);
     std::filesystem::remove_all(scratch.path("base"));

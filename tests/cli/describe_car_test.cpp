@@ -130,7 +130,7 @@ TEST(DescribeCar, AFileOfAnotherKindIsOneSentence) {
     const std::string scenario = sourceFile("scenarios/steady_circle.yaml");
     EXPECT_EQ(sentence({"describe", scenario}),
               concat({scenario,
-                      ": found a scenario file, expected a vehicle file; `tread run` takes it behind the "
+                      ": found a scenario file, expected a vehicle file; `tread run` takes it after the "
                       "vehicle\n"}));
     EXPECT_TRUE(contains(sentence({"describe", sourceFile("vehicles/tyres/car_205_60R15.yaml")}), "found a tyre file"));
     EXPECT_TRUE(contains(sentence({"describe", "there_is_none.yaml"}), "there_is_none.yaml: found no file"));

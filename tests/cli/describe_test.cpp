@@ -89,7 +89,7 @@ TEST(Describe, FieldHasUnitMeaningLimitsPlausibleRangeDefaultAndTolerance) {
                              {"default", "required"},
                              {"tolerance", 0.1}}));
     const std::string text = describedInLines("vehicle");
-    EXPECT_NE(text.find("damping in compression (usually known within 10 %)"), std::string::npos);
+    EXPECT_NE(text.find("damping in compression (usually known to within 10 %)"), std::string::npos);
     EXPECT_NE(text.find(" plausible "), std::string::npos) << "a column";
     EXPECT_NE(text.find("\nfront: front axle\n"), std::string::npos) << "groups have a headline";
 }

@@ -208,7 +208,7 @@ TEST_F(DiagnoseCommand, ScenarioAsItsVehicleIsOneSentence) {
     const Result result = checked();
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.err, scenario +
-                              ": found a scenario file, expected a vehicle file; `tread run` takes it behind the "
+                              ": found a scenario file, expected a vehicle file; `tread run` takes it after the "
                               "vehicle\n");
 }
 

@@ -27,14 +27,12 @@ TEST_F(Import, WritesALogAndSaysWhatItChanged) {
     const Result result = runProgram({"import", table, "--map", map, "-o", log});
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(result.out, "Imported drive.csv: 3 channels, 501 samples, 5 s, into " + log + "\n");
-    EXPECT_EQ(result.err,
-              "chassis.vx: km/h to m/s\n"
-              "chassis.yaw_rate: deg/s to rad/s\n"
-              "chassis.yaw_rate: sign turned\n"
-              "chassis.ay: g to m/s2\n"
-              "not taken: Steering wheel angle\n"
-              "lacking: no steering: tread run --log and diagnose cannot repeat the steering; map a column to "
-              "driver.steering_wheel_angle; the angle of the road wheels times the steering ratio (scale) will do\n");
+    EXPECT_EQ(
+        result.err,
+        "chassis.vx: km/h to m/s\nchassis.yaw_rate: deg/s to rad/s\nchassis.yaw_rate: sign reversed\nchassis.ay: g "
+        "to m/s2\nnot taken: Steering wheel angle\nlacking: no steering: tread run --log and diagnose cannot "
+        "repeat the steering; map a column to driver.steering_wheel_angle; the angle of the road wheels times "
+        "the steering ratio (scale) can be used instead\n");
     const Log imported = readLog(log);
     EXPECT_NEAR(imported.find("chassis.yaw_rate")->values[100], foreign::yawRate(1), 1e-8);
     EXPECT_EQ(runProgram({"check", log}).status, 0);
@@ -49,7 +47,7 @@ TEST_F(Import, TheSameAsJson) {
     EXPECT_EQ(json["not_taken"], Json({"Steering wheel angle"}));
     ASSERT_EQ(json["changes"].size(), 4u);
     EXPECT_EQ(json["changes"][2],
-              Json({{"kind", "sign"}, {"channel", "chassis.yaw_rate"}, {"count", 501}, {"text", "sign turned"}}));
+              Json({{"kind", "sign"}, {"channel", "chassis.yaw_rate"}, {"count", 501}, {"text", "sign reversed"}}));
     EXPECT_EQ(json["guessed_mapping"], nullptr);
 }
 
@@ -83,7 +81,7 @@ TEST_F(Import, FaultsOfTheMappingStandAtTheirPlaceInIt) {
     const Result result = runProgram({"import", table, "--map", wrong, "-o", log});
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.out, "");
-    EXPECT_EQ(result.err, wrong + ":3:33: map.0.from: found \"Sped\", which is no column of " + table +
+    EXPECT_EQ(result.err, wrong + ":3:33: map.0.from: found \"Sped\", which is not a column of " + table +
                               "; did you mean \"Speed\"?\n" + wrong +
                               ":5:11: map.1.from: found a speed (\"km/h\", the unit of column \"Speed\"), expected an "
                               "acceleration (m/s2); correct the unit or the channel\n");
@@ -161,7 +159,7 @@ TEST_F(Import, AMistypedChannelOrKeyIsAFaultAtItsPlace) {
         return result.err.substr(std::min(result.err.size(), wrong.size()));
     };
     EXPECT_EQ(faultOf("  - {channel: chassis.yawrate, from: Yaw rate}\n"),
-              ":3:15: map.0.channel: found \"chassis.yawrate\", which is no channel of tread; did you mean "
+              ":3:15: map.0.channel: found \"chassis.yawrate\", which is not a channel of tread; did you mean "
               "\"chassis.yaw_rate\"? A channel of your own needs another name, like own.yawrate\n");
     const auto suggests = [&](const std::string& wrong, const std::string& meant) {
         const std::string fault = faultOf("  - {channel: " + wrong + ", from: Yaw rate}\n");

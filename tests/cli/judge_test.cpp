@@ -27,7 +27,8 @@ struct Judge : testing::Test {
 TEST_F(Judge, TheSameCurvesAreAlikeAndInside) {
     const Result score = runProgram({"compare", measured, measured, "--score", "iso18571"});
     EXPECT_EQ(score.status, 0);
-    EXPECT_EQ(firstLine(score.out), "Alike: ISO 18571 score at least 1.000 (chassis.yaw_rate, excellent), 0.8 wanted");
+    EXPECT_EQ(firstLine(score.out),
+              "Good agreement: lowest ISO 18571 score 1.000 (chassis.yaw_rate, excellent), threshold 0.8");
     const Result envelope = runProgram({"compare", measured, measured, "--envelope", "iso19364"});
     EXPECT_EQ(envelope.status, 0);
     EXPECT_EQ(firstLine(envelope.out).find("Inside: "), 0u) << envelope.out;
@@ -44,7 +45,7 @@ TEST_F(Judge, AMeasurementOutsideOrAPoorScoreIsStatusOne) {
 
     const Result both = runProgram({"compare", measured, wrong, "--score", "iso18571", "--envelope", "iso19364"});
     EXPECT_EQ(both.status, 1);
-    EXPECT_NE(both.out.find("Not alike: ISO 18571 score at least"), std::string::npos);
+    EXPECT_NE(both.out.find("Poor agreement: lowest ISO 18571 score"), std::string::npos);
     EXPECT_NE(both.out.find("chassis.ay"), std::string::npos);
 }
 
@@ -71,7 +72,7 @@ TEST_F(Judge, WhatCannotBeJudgedIsStatusTwo) {
 
     const Result name = runProgram({"compare", measured, measured, "--score", "iso1857"});
     EXPECT_EQ(name.status, 2);
-    EXPECT_EQ(name.err, "tread compare: found \"iso1857\" behind --score, expected iso18571 or the name of a file\n");
+    EXPECT_EQ(name.err, "tread compare: found \"iso1857\" after --score, expected iso18571 or the name of a file\n");
     const Result report =
         runProgram({"compare", measured, measured, "--score", "iso18571", "--report", scratch.path("x.html")});
     EXPECT_EQ(report.status, 2);

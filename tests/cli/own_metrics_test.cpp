@@ -145,7 +145,7 @@ TEST_F(OwnMetrics, FaultsAreRefusedAtTheirPlaceWithinTheExpression) {
                   "+\n      max(chassis.vx)", "a speed added to an angle");
     expectRefusal(replaced(kTurn, "rate(chassis.roll)", "rate(chassis.rolll)"), "chassis.rolll",
                   "did you mean \"chassis.roll\"?");
-    expectRefusal(replaced(kTurn, "< 3 m/s2", "< 3"), "< 3\"", "write the unit behind the number");
+    expectRefusal(replaced(kTurn, "< 3 m/s2", "< 3"), "< 3\"", "write the unit after the number");
     EXPECT_FALSE(std::filesystem::exists(out()));
 }
 

@@ -38,7 +38,7 @@ TEST_F(TreadRun, EarlierResultThatCannotBeReplacedIsRefused) {
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err, "tread: cannot remove " + out("log.csv") +
-                              ", which an earlier call has left: Directory not empty; choose another folder with -o\n");
+                              ", left by an earlier call: Directory not empty; choose another folder with -o\n");
 }
 
 TEST_F(TreadRun, LogThatFillsTheDiskKeepsItsWholeRows) {

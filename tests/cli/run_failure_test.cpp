@@ -22,11 +22,11 @@ phases:
     const Result result = run();
     EXPECT_EQ(result.status, 3);
     EXPECT_EQ(result.out, "");
-    EXPECT_EQ(result.err.substr(0, result.err.find("; the car has ")),
+    EXPECT_EQ(result.err.substr(0, result.err.find("; the car moves at ")),
               "tread run: the manoeuvre did not end within 1.5 s: phase \"run up\" waits for a speed above 83.33 m/s");
-    EXPECT_TRUE(
-        result.err.ends_with(" to the side; change the scenario, or raise time_limit; the rows so far are in '" +
-                             out("log.incomplete.csv") + "'\n"))
+    EXPECT_TRUE(result.err.ends_with(
+        " of lateral acceleration; change the scenario, or raise time_limit; the rows so far are in '" +
+        out("log.incomplete.csv") + "'\n"))
         << result.err;
     EXPECT_EQ(results(), kFailedResults);
     EXPECT_NEAR(readLog(out("log.incomplete.csv")).channels[0].values.back(), 1.5, 0.011);

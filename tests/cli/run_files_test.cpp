@@ -66,7 +66,7 @@ TEST_F(TreadRun, TyreFileThatDoesNotExistIsRefused) {
 
 TEST_F(TreadRun, CarThatNamesItselfAsTyreIsRefused) {
     expectCarRefused(carText(kTyre, "tyre: car.yaml"), "car.yaml",
-                     "front.tyre: found \"car.yaml\", which includes itself by way of this file; break the circle");
+                     "front.tyre: found \"car.yaml\", which includes itself through this file; break the cycle");
 }
 
 TEST_F(TreadRun, TyreFileThatNamesItselfIsRefused) {
@@ -172,13 +172,12 @@ TEST_F(TreadRun, ChannelThatDoesNotExistIsRefusedBeforeTheCarDrives) {
     car();
     scenario(text);
     const std::string file = scratch.path("scenario.yaml") + ":";
-    expectRefused(run(),
-                  file + placeOf(text, "chasis.vx") +
-                      ": log.channels.1: found \"chasis.vx\", which fits no channel, expected a name or a pattern "
-                      "with *; did you mean \"chassis.vx\"? `tread describe log` lists all channels\n" +
-                      file + placeOf(text, "wheel.*.lod") +
-                      ": log.channels.2: found \"wheel.*.lod\", which fits no channel, expected a name or a "
-                      "pattern with *; `tread describe log` lists all channels");
+    expectRefused(run(), file + placeOf(text, "chasis.vx") +
+                             ": log.channels.1: found \"chasis.vx\", which matches no channel, expected a name or a "
+                             "pattern with *; did you mean \"chassis.vx\"? `tread describe log` lists all channels\n" +
+                             file + placeOf(text, "wheel.*.lod") +
+                             ": log.channels.2: found \"wheel.*.lod\", which matches no channel, expected a name or a "
+                             "pattern with *; `tread describe log` lists all channels");
 }
 
 TEST_F(TreadRun, CarInPlaceOfTheScenarioIsRefusedInOneSentence) {

@@ -58,7 +58,7 @@ TEST_F(TreadRun, UnknownPathIsAnsweredWithTheRightOne) {
                                                        "\", expected the path of a field; " + answer);
     };
     const std::string of_the_car = "`tread describe vehicle` lists all paths";
-    const std::string of_the_scenario = "`tread describe scenario` lists all paths behind \"scenario.\"";
+    const std::string of_the_scenario = "`tread describe scenario` lists all paths after \"scenario.\"";
     expectAnswer("front.suspension.sprng", "did you mean \"front.suspension.spring\"? " + of_the_car);
     expectAnswer("spring", "did you mean front.suspension.spring or rear.suspension.spring? " + of_the_car);
     expectAnswer("quux", of_the_car);
@@ -96,8 +96,8 @@ TEST_F(TreadRun, BadValueOfASettingIsRefused) {
     expectRefused(run({"--set", "scenario.manoeuvre=turn"}),
                   "--set: scenario.manoeuvre: found the unknown manoeuvre \"turn\", expected " + kManoeuvres);
     expectRefused(run({"--set", "scenario.log.channels=[chassis.vxx]"}),
-                  "--set: scenario.log.channels.0: found \"chassis.vxx\", which fits no channel, expected a name or a "
-                  "pattern with *; did you mean \"chassis.vx\"? `tread describe log` lists all channels");
+                  "--set: scenario.log.channels.0: found \"chassis.vxx\", which matches no channel, expected a name or "
+                  "a pattern with *; did you mean \"chassis.vx\"? `tread describe log` lists all channels");
 }
 
 TEST_F(TreadRun, AllBadSettingsAreToldAtOnce) {

@@ -156,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(
                "stops within # m, mean fully developed deceleration # m/s2, front left wheel locked for # % "
                "of the time"},
         Answer{"step_steer_80",
-               "yaw rate answers within # ms, overshoots by # %, settles at # m/s2 of lateral acceleration"},
+               "yaw rate responds within # ms, overshoots by # %, settles at # m/s2 of lateral acceleration"},
         Answer{"sine_steer", "yaw rate gain # 1/s, yaw rate lags by # deg, lateral acceleration by # deg"},
         Answer{"steady_circle",
                "understeer gradient # deg/g, roll gradient # deg/g, up to # m/s2 of lateral acceleration"},

@@ -264,9 +264,10 @@ TEST(TyrePlot, WritesAPageOfCurvesForEachAxisSystem) {
 TEST(TyreOverview, SaysWhatTheTyreIs) {
     const Result result = runProgram({"tyre", kCarTyre});
     EXPECT_EQ(result.status, 0);
-    EXPECT_EQ(firstLine(result.out),
-              "Tyre car_205_60R15: peak friction 1.21 along and 0.99 across, cornering stiffness 0.803 kN/deg at its "
-              "nominal load of 4000 N");
+    EXPECT_EQ(
+        firstLine(result.out),
+        "Tyre car_205_60R15: peak friction 1.21 longitudinal and 0.99 lateral, cornering stiffness 0.803 kN/deg at its "
+        "nominal load of 4000 N");
     EXPECT_EQ(result.err, "");
 }
 

@@ -34,7 +34,7 @@ inline Log constantly(int steps, double step, const std::map<std::string, double
 inline diagnose::answer::Diagnosis sampleDiagnosis() {
     diagnose::answer::Diagnosis d;
     d.verdict = diagnose::answer::Verdict::explained;
-    d.answer = "Mostly tyre relaxation (p = 0.97); 1 % of the gap remains unexplained (2 % in the drives held out)";
+    d.answer = "Mostly tyre relaxation (p = 0.97); 1 % of the gap remains unexplained (2 % in the held-out drives)";
     d.causes = {"tyre_relaxation"};
     d.effects = {
         {"tyre_relaxation",

@@ -197,7 +197,7 @@ TEST(Course, LanesThatTheCarCannotReachAreFaults) {
     EXPECT_EQ(faultOf("edge: right, at: 1, width_extra: 1", "edge: right, at: 1, width_extra: -0.1"),
               "found lane 2 narrower than the car, which cannot go through");
     EXPECT_EQ(faultOf("from: 25.5", "from: 12"),
-              "found lane 2 beside the end of the one before, expected way to get there");
+              "found lane 2 beside the end of the one before, expected a distance to get there");
     EXPECT_EQ(faultOf("begin: 50", "begin: 1.5"),
               "the first lane begins beside the car or behind it, expected ahead of its front end");
 }

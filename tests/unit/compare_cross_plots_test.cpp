@@ -43,7 +43,7 @@ TEST(CrossPlots, OneMeasurementOutsideFails) {
     EXPECT_FALSE(result.inside);
     EXPECT_EQ(text(result).find("Outside: "), 0u);
     EXPECT_NE(text(result).find("driver.steering_wheel_angle over chassis.ay leave the boundaries"), std::string::npos);
-    EXPECT_EQ(result.notes[0], "ISO 19364 asks for at least 3 measurements of the manoeuvre; here are 2.");
+    EXPECT_EQ(result.notes[0], "ISO 19364 requires at least 3 measurements of the manoeuvre; 2 are given.");
     EXPECT_EQ(json(result)["inside"], false);
     EXPECT_EQ(json(result)["plots"][1]["measurement"], "b.csv");
 }

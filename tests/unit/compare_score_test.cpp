@@ -115,11 +115,11 @@ TEST(ScoreLogs, JudgesTheChosenChannelsOfEveryMeasurement) {
     ASSERT_EQ(same.channels.size(), 2u) << "vx is not among the channels";
     EXPECT_TRUE(same.passed);
     EXPECT_NEAR(same.channels[1].shift, -0.1, 1e-9) << "early against b";
-    EXPECT_EQ(text(same).find("Alike: ISO 18571 score at least 0."), 0u) << text(same);
+    EXPECT_EQ(text(same).find("Good agreement: lowest ISO 18571 score 0."), 0u) << text(same);
 
     const Scores wrong = scoreLogs(measured, logOf(bell(-1)), {});
     EXPECT_FALSE(wrong.passed);
-    EXPECT_EQ(text(wrong).find("Not alike: ISO 18571 score at least"), 0u) << text(wrong);
+    EXPECT_EQ(text(wrong).find("Poor agreement: lowest ISO 18571 score"), 0u) << text(wrong);
     EXPECT_EQ(json(wrong)["channels"][0]["channel"], "chassis.yaw_rate");
 }
 
@@ -128,7 +128,7 @@ TEST(ScoreLogs, SaysWhatItCouldNotScore) {
     other.channels[1].unit = "deg/s";
     const Scores units = scoreLogs({{"a.csv", logOf(bell())}}, other, {});
     EXPECT_FALSE(units.passed);
-    EXPECT_EQ(units.notes.at(0), "chassis.yaw_rate of a.csv was not scored: the simulation has it in deg/s.");
+    EXPECT_EQ(units.notes.at(0), "chassis.yaw_rate of a.csv was not scored: its unit is deg/s in the simulation.");
     Log later = logOf(bell());
     for (double& t : later.channels[0].values) t += 100;
     EXPECT_EQ(scoreLogs({{"a.csv", logOf(bell())}}, later, {}).notes.at(0),

@@ -146,7 +146,7 @@ TEST(CourseFile, EachFaultIsOneSentenceWithItsPlace) {
     expect("x [kg],y\n0,0\n1,1\n", false, 1, 1, "found a mass");
     expect("x,y\n0,0\n", false, 2, 1, "found 1 points, expected at least 2");
     expect("x,y\n0,0\n1,0\n", true, 3, 1, "at least 3 for a closed course");
-    expect("x,y\n0,0\n1,0\n1,0\n2,0\n", false, 4, 1, "once more");
+    expect("x,y\n0,0\n1,0\n1,0\n2,0\n", false, 4, 1, "same point as in the line before");
     expect("x,y\n0,0\n1,nan\n", false, 3, 3, "found \"nan\" in column y, expected a number");
     expect("x,y,width\n0,0,5\n1,0,-5\n", false, 3, 5, "expected at least 0");
     expect("x,y,speed\n0,0,5\n1,0,-5\n", false, 3, 5, "expected at least 0");

@@ -199,10 +199,10 @@ TEST(DataChecks, DelayBetweenChannelsIsMeasured) {
     auto& ay = of(wrong.logs[1], "chassis.ay");
     std::rotate(ay.rbegin(), ay.rbegin() + 20, ay.rend());
     std::fill(ay.begin(), ay.begin() + 20, ay[20]);
-    expectOnly(wrong, "sine, chassis.ay", "is late by 2");  // 200 ms and what sideslip adds, about 20
+    expectOnly(wrong, "sine, chassis.ay", "lags by 2");  // 200 ms and what sideslip adds, about 20
     // With the lateral velocity sideslip is known.
     wrong.logs[1].channels.push_back(withSideslip().channels.at(1));
-    expectOnly(wrong, "sine, chassis.ay", "is late by 20");
+    expectOnly(wrong, "sine, chassis.ay", "lags by 20");
 }
 
 TEST(DataChecks, GapsSpikesStuckHeldAndSaturatedSensorsAreNamed) {

@@ -165,7 +165,7 @@ TEST(DiagnosisFile, DrivesBeforeTheChangeHaveNoReferenceAndAreNotHeldOut) {
     const auto faults = faultsOf([&] { loadDiagnosis(file); });
     ASSERT_EQ(faults.size(), 3u);
     const char* const expected[] = {
-        ":4:29: before.0.reference: found a reference of a drive of the car before the change",
+        ":4:29: before.0.reference: found a reference for a drive of the car before the change",
         ":5:28: before.1.hold_out: found true for a drive of the car before the change", ":6:11: before.2.log: found"};
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NE(faults[i].find(expected[i]), std::string::npos) << faults[i];
 }
@@ -229,7 +229,7 @@ TEST(Recordings, ForeignLogIsReadByNamesAndSaysWhatWasGuessed) {
         return std::any_of(recorded.notes.begin(), recorded.notes.end(),
                            [&](const std::string& note) { return note.find(what) != std::string::npos; });
     };
-    EXPECT_TRUE(says("b: column swa says no unit that tread knows: taken to be in rad"));
+    EXPECT_TRUE(says("b: column swa has no unit that tread knows: assumed to be in rad"));
 }
 
 TEST(Recordings, ShortOrUnreadableOnesAreRefusedTogether) {

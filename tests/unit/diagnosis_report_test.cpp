@@ -54,7 +54,7 @@ TEST(DiagnosisPage, SaysTheAnswerFirstAndWhatItRestsOn) {
                              "-26 %",
                              "front.tyre.parameters.cFy, rear.tyre.parameters.cFy; 90 %: 95100 to 114900 N/m",
                              "Drives used for fitting: the gap is 17 times that of a perfect model",
-                             "Drives held out: the gap is 13 times",
+                             "Held-out drives: the gap is 13 times",
                              "36 % to 50 %",
                              "(held out): yaw rate",
                              "1920 ± 50 → 2010",
@@ -91,10 +91,10 @@ TEST(DiagnosisPage, DrawsTheGapAsABarOfItsParts) {
 
 TEST(DiagnosisPage, SaysOfACauseThatItMakesTheGapLarger) {
     Diagnosis d = shared::sampleDiagnosis();
-    EXPECT_FALSE(contains(page(d), "makes the gap larger"));
+    EXPECT_FALSE(contains(page(d), "increases the gap"));
     d.held_out.causes = d.held_out.each[0].first = d.held_out.each[0].last = {-0.06, -0.1, 0};
     d.held_out.remainder.share = 0.52;
-    EXPECT_TRUE(contains(page(d), "Tyre relaxation makes the gap larger, by 6 % of that of the nominal car."));
+    EXPECT_TRUE(contains(page(d), "Tyre relaxation increases the gap by 6 % of that of the nominal car."));
     double sum = 0;
     for (const double length : lengthsOf(page(d))) sum += length;
     EXPECT_NEAR(sum, 2, 1e-3) << "two bars";
@@ -125,8 +125,9 @@ TEST(DiagnosisPage, TellsOfTheCarBefore) {
 TEST(DiagnosisPage, TellsTheLawThatAForceOfUnknownCauseFollows) {
     Diagnosis d = shared::sampleDiagnosis();
     const char* const said =
-        "a force follows the magnitude of the lateral acceleration: lateral -53.5 N, yaw 102 N m per m/s2 (157 nats)";
-    EXPECT_FALSE(contains(page(d), "a force follows"));
+        "a force that follows the magnitude of the lateral acceleration: lateral -53.5 N, yaw 102 N m per m/s2 (157 "
+        "nats)";
+    EXPECT_FALSE(contains(page(d), "a force that follows"));
     d.unexplained.law = {.follows = "the magnitude of the lateral acceleration",
                          .unit = "m/s2",
                          .coefficients = {{"lateral", -53.5}, {"yaw", 102.4}},
@@ -137,7 +138,7 @@ TEST(DiagnosisPage, TellsTheLawThatAForceOfUnknownCauseFollows) {
     d.effects.clear();
     d.unexplained.law.generalised_force = "yaw";
     EXPECT_TRUE(contains(page(d), std::string("<p>A") + (said + 1)));
-    EXPECT_TRUE(contains(diagnosisText(d), std::string("no effect of the catalogue; ") + said));
+    EXPECT_TRUE(contains(diagnosisText(d), std::string("no effect in the catalogue; ") + said));
 }
 
 TEST(DiagnosisPage, IsMadeOfAnEmptyDiagnosisToo) {
@@ -243,17 +244,17 @@ TEST(DiagnosisPage, NamesWhatElseItCouldBeWholeAndTheJsonEveryEffectOfItOnce) {
 
 TEST(DiagnosisPage, ShowsTheNearestPairsThatCannotBeToldApartAndCountsTheOthers) {
     Diagnosis d = shared::sampleDiagnosis();
-    EXPECT_FALSE(contains(page(d), "nearest of"));
+    EXPECT_FALSE(contains(page(d), "most similar of"));
     const ConfusablePair far{"grip", "camber_thrust", 0.6, 5.9, "sine_sweep"};
     d.confusable.resize(11, far);
-    EXPECT_TRUE(contains(page(d), "the 10 nearest of 11"));
+    EXPECT_TRUE(contains(page(d), "the 10 most similar of 11"));
 }
 
 TEST(DiagnosisPage, SaysWhatIsTakenOffWhereItComparedWithReferences) {
     Diagnosis d = shared::sampleDiagnosis();
-    EXPECT_FALSE(contains(page(d), "Measured: minus the gap"));
+    EXPECT_FALSE(contains(page(d), "Measured values are shown minus the gap"));
     d.compared = true;
-    EXPECT_TRUE(contains(page(d), "Measured: minus the gap between the nominal car and the reference"));
+    EXPECT_TRUE(contains(page(d), "Measured values are shown minus the gap between the nominal car and the reference"));
     EXPECT_TRUE(contains(page(d), "Compared with"));
 }
 
@@ -311,7 +312,7 @@ TEST(DiagnosisReport, AnUnknownCauseThatIsNotToldDoesNotContradictTheAnswer) {
     d.unexplained.beyond_ordinary = 4;
     EXPECT_TRUE(contains(page(d), ">0.600</td>"));
     EXPECT_TRUE(contains(page(d), "there may be an unknown cause (p = 0.80)"));
-    EXPECT_TRUE(contains(page(d), "too few to tell of an unknown cause"));
+    EXPECT_TRUE(contains(page(d), "too few to report an unknown cause"));
     d.verdict = Verdict::unknown;
     EXPECT_TRUE(contains(page(d), "it is larger than that of an ordinary drive by 4 nats"));
 }
@@ -329,17 +330,17 @@ TEST(DiagnosisReport, WhatIsNamedIsNotListedAsNotSeen) {
 TEST(DiagnosisReport, SaysWhatWasRuledOutAndWhy) {
     Diagnosis d = shared::sampleDiagnosis();
     EXPECT_FALSE(contains(page(d), "cannot be the answer"));
-    d.ruled_out = {{{"grip", "dampers"}, 31, "one drive speaks for it and the others against it"}};
-    EXPECT_TRUE(contains(page(d), "These have evidence, and yet cannot be the answer"));
+    d.ruled_out = {{{"grip", "dampers"}, 31, "one drive supports it and the others contradict it"}};
+    EXPECT_TRUE(contains(page(d), "These have evidence but cannot be the answer"));
     EXPECT_TRUE(contains(page(d), "grip and dampers"));
-    EXPECT_TRUE(contains(page(d), "one drive speaks for it and the others against it"));
+    EXPECT_TRUE(contains(page(d), "one drive supports it and the others contradict it"));
 }
 
 TEST(DiagnosisText, IsShortAndInTheOrderOfTheAnswer) {
     Diagnosis d = shared::sampleDiagnosis();
     d.alternatives = {{"steering_delay"}};
     d.ruled_out = {
-        {{"tyre_relaxation", "dampers"}, 31, "one of its effects closes no more of the gap than chance may"}};
+        {{"tyre_relaxation", "dampers"}, 31, "one of its effects closes no more of the gap than chance could"}};
     for (int i = 0; i < 30; ++i) {
         d.expected_evidence["hidden_" + std::to_string(i)] = 1;
         d.cuts.push_back({"drive", 3, 0.4});

@@ -59,7 +59,7 @@ TEST(Headline, NamesTheCausesByTheirSharesAndWhatRemains) {
     EXPECT_EQ(headline(d),
               "Mostly brake gain (p = 0.97), with roll stiffness (p = 0.80); 12 % of the gap remains unexplained");
     d.held_out = twoCauses(0.1, 0.5, 0.3, 0.1);
-    EXPECT_TRUE(headline(d).ends_with("12 % of the gap remains unexplained (30 % in the drives held out)"));
+    EXPECT_TRUE(headline(d).ends_with("12 % of the gap remains unexplained (30 % in the held-out drives)"));
     d.verdict = Verdict::explained;
     d.held_out = {};
     d.training.remainder = part(0.001);
@@ -109,10 +109,10 @@ TEST(Headline, OfAnUnknownCauseSaysWhatRemainsAndWhatIsExplained) {
     d.training.each.clear();
     d.unexplained.law.follows = "ay|ay|", d.unexplained.law.unit = "m2/s4";
     EXPECT_EQ(headline(d),
-              "Mostly unknown: 60 % of the gap remains unexplained; no effect of the catalogue explains it; missing "
+              "Mostly unknown: 60 % of the gap remains unexplained; no effect in the catalogue explains it; missing "
               "force: lateral, it follows ay|ay|");
     d.unexplained.law.unit.clear();
-    EXPECT_TRUE(headline(d).ends_with("missing force: lateral, it is always the same"));
+    EXPECT_TRUE(headline(d).ends_with("missing force: lateral, it is constant"));
 }
 
 TEST(Headline, OfNothingSaysWhatTheGapConsistsOf) {
@@ -175,10 +175,10 @@ TEST(Parts, ThatMakeTheGapLargerAreDrawnAsNothingAndSaid) {
     EXPECT_NEAR(sumOf(parts, &ToldPart::drawn), 1, 1e-12);
     EXPECT_EQ(parts[0].drawn, 0);
     EXPECT_NEAR(parts[4].drawn, 0.7 / 1.3, 1e-12);
-    EXPECT_EQ(enlargingInWords(gap),
-              (std::vector<std::string>{
-                  "Fitting the tolerances alone makes the gap larger, by 20 % of that of the nominal car.",
-                  "Roll stiffness makes the gap larger, by 10 % of that of the nominal car."}));
+    EXPECT_EQ(
+        enlargingInWords(gap),
+        (std::vector<std::string>{"Fitting the tolerances alone increases the gap by 20 % of that of the nominal car.",
+                                  "Roll stiffness increases the gap by 10 % of that of the nominal car."}));
 }
 
 TEST(Parts, WithoutACauseAreTolerancesRemainderAndNoise) {

@@ -273,8 +273,8 @@ TEST(Driver, SaysWhichPhaseWaitsForWhatAndWhatTheCarDoes) {
     Driver driver(scenario, {});
     driver.look(0, at(20.0004, -1.5));
     EXPECT_EQ(driver.waitsFor(),
-              "phase \"run up\" waits for a speed above 50 m/s or a way of 2000 m; the car has 20 m/s and 1.5 m/s2 to "
-              "the side");
+              "phase \"run up\" waits for a speed above 50 m/s or a distance of 2000 m; the car moves at 20 m/s with "
+              "1.5 m/s2 of lateral acceleration");
 }
 
 TEST(Driver, PhaseWithoutNameIsNamedByItsPath) {
@@ -282,7 +282,8 @@ TEST(Driver, PhaseWithoutNameIsNamedByItsPath) {
     Driver driver(scenario, {});
     driver.look(0, at(20));
     driver.inputAt(1.5);
-    EXPECT_EQ(driver.waitsFor(), "phases.1 waits for a speed below 1 m/s; the car has 20 m/s and 0 m/s2 to the side");
+    EXPECT_EQ(driver.waitsFor(),
+              "phases.1 waits for a speed below 1 m/s; the car moves at 20 m/s with 0 m/s2 of lateral acceleration");
 }
 
 // ---- Scenario files ----

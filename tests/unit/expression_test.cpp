@@ -129,10 +129,10 @@ TEST(Expression, FaultsSayWhereAndWhat) {
     expect("maxx(chassis.roll)", 0, "did you mean \"max\"?", "rad");
     expect("1 + ", 4, "the end of the expression");
     expect("(1 + 2", 0, "not closed");
-    expect("1 2", 2, "behind a complete expression");
+    expect("1 2", 2, "after a complete expression");
     expect("3 knots", 2, "unknown unit");
     expect("max(chassis.vx) + max(chassis.roll)", 16, "an angle added to a speed", "m/s");
-    expect("max(chassis.vx) > 5", 16, "write the unit behind the number");
+    expect("max(chassis.vx) > 5", 16, "write the unit after the number");
     expect("max(chassis.vx)", 0, "found a speed, but the metric states the unit \"deg\"", "deg");
     expect("max(chassis.roll)", 0, "found an angle", "-");
     expect("chassis.vx", 0, "found values over time, expected one number", "m/s");

@@ -460,7 +460,7 @@ TEST(OverlayReport, CurvesComeFirstAndAPoorFitIsSaid) {
     const std::string page = overlayReport(content);
     EXPECT_LT(page.find("<h2>Curves, worst first</h2>"), page.find("<h2>Channels</h2>"));
     EXPECT_NE(page.find("<td class=\"number \">no fit</td>"), std::string::npos);
-    EXPECT_NE(page.find("no fit: the mean of the reference is nearer"), std::string::npos);
+    EXPECT_NE(page.find("no fit: the mean of the reference is closer"), std::string::npos);
     EXPECT_NE(page.find("<dd>compact (out/a/log.csv)</dd>"), std::string::npos);
     EXPECT_NE(page.find("<dd>sedan (out/b/log.csv)</dd>"), std::string::npos);
     EXPECT_EQ(chartsOf(page)[0]["curves"][1]["name"], "sedan");
@@ -520,7 +520,7 @@ TEST(RunReport, MarginsOfVerdictsAreLarge) {
     const std::string page = runReport(content);
     EXPECT_NE(
         page.find("<span>Stopping distance</span><b class=\"good\">✓ 3.8 m<small> to spare</small></b><em>36.2 m, "
-                  "wanted &lt; 40 m</em>"),
+                  "required &lt; 40 m</em>"),
         std::string::npos);
     EXPECT_NE(page.find("<span>Cones hit</span><b class=\"bad\">✗ missed<small> </small></b>"), std::string::npos);
 }

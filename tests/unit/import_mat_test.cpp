@@ -130,7 +130,7 @@ TEST_F(Mat, WhatIsNoNumberIsPassedOverAndSaid) {
     ASSERT_EQ(table.columns.size(), 1u);
     ASSERT_EQ(table.notes.size(), 1u);
     EXPECT_EQ(table.notes[0],
-              "1 variable that tread cannot read (objects, tables, cells, complex numbers: cell) were passed over");
+              "1 variable that tread cannot read (objects, tables, cells, complex numbers: cell) was skipped");
 }
 
 TEST_F(Mat, FaultsNameTheFileOrTheVariable) {
@@ -140,7 +140,7 @@ TEST_F(Mat, FaultsNameTheFileOrTheVariable) {
               file + ": is cut off within its variable number 1: 15 bytes are missing");
     rewrite("hello, this is no MATLAB file at all");
     EXPECT_EQ(faultsOf([&] { readForeignTable(file_); }),
-              file + ": is no MATLAB file that tread can read (neither version 4, 5 nor 7.3)");
+              file + ": is not a MATLAB file that tread can read (neither version 4, 5 nor 7.3)");
     std::size_t dims[2] = {1, 5};
     char words[] = "hello";
     write({Mat_VarCreate("words", MAT_C_CHAR, MAT_T_UINT8, 2, dims, words, 0)});

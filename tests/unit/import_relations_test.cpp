@@ -88,7 +88,7 @@ TEST(BodyRelations, WithoutAMajorityBothAreNamed) {
     const OddOnes odd = oddOnes(bodyRelations(log));
     EXPECT_TRUE(odd.turned.empty());
     EXPECT_EQ(odd.either.size(), 2u);
-    EXPECT_NE(said(log).find("one of chassis.ay and chassis.yaw_rate has the wrong sign, and no further channel tells"),
+    EXPECT_NE(said(log).find("one of chassis.ay and chassis.yaw_rate has the wrong sign, and no other channel shows"),
               std::string::npos)
         << said(log);
 }

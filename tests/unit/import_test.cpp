@@ -181,7 +181,7 @@ TEST(Import, FaultsOfTheMappingComeAllAtOnceWithTheirPath) {
                                  "  - {channel: chassis.ay, from: Lateral acceleration, unit: furlong}\n"));
     });
     EXPECT_EQ(faults,
-              "map.0.from: found \"Sped\", which is no column of x.csv; did you mean \"Speed\"?\n"
+              "map.0.from: found \"Sped\", which is not a column of x.csv; did you mean \"Speed\"?\n"
               "map.1.from: found a speed (\"km/h\", the unit of column \"Speed\"), expected an angular speed (rad/s); "
               "correct the unit or the channel\n"
               "map.2.unit: found the unknown unit \"furlong\"; write another unit of the same kind, or leave it out");
@@ -201,7 +201,7 @@ TEST(Import, FaultsOfTheMappingComeAllAtOnceWithTheirPath) {
 TEST(Import, AColumnThatSaysNoUnitMustGetOneOrIsKeptAsAPureNumber) {
     const ForeignTable table = parseForeignCsv("t,a,b\n0,1,2\n1,2,3\n", "x.csv");
     EXPECT_EQ(faultsOf([&] { importLog(table, mapOf("time: {from: t}\nmap: [{channel: chassis.ay, from: a}]\n")); }),
-              "map.0.from: column \"a\" of x.csv says no unit, expected one like m/s2; add a line unit");
+              "map.0.from: column \"a\" of x.csv has no unit, expected one like m/s2; add a line unit");
     const Log log = importLog(table, mapOf("time: {from: t}\nmap: [{channel: own.b, from: b}]\n")).logs[0];
     EXPECT_EQ(log.find("own.b")->unit, "-");
 }
@@ -238,7 +238,7 @@ TEST(ImportGuess, FindsChannelsByNameAndUnit) {
     const auto said = [&](const std::string& words) {
         return std::any_of(guesses.begin(), guesses.end(), [&](const std::string& g) { return g.find(words) == 0; });
     };
-    EXPECT_TRUE(said("column vx says no unit that tread knows: taken to be in m/s"));
+    EXPECT_TRUE(said("column vx has no unit that tread knows: assumed to be in m/s"));
     EXPECT_TRUE(said("column brake_bar could be driver.brake, but is in bar: left out"));
     EXPECT_TRUE(said("column w_fl_kmh is a speed: with rolling_radius"));
 }

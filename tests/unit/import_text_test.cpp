@@ -110,7 +110,7 @@ TEST(Vbo, HasNamesUnitsAndRows) {
 TEST(Vbo, TruncatedOrForeignFilesAreRefusedInOneSentence) {
     const std::string whole = foreign::vbo(foreign::times(3));
     const auto faults = [](const std::string& text) { return faultsOf([&] { parseVbo(text, "x.vbo"); }); };
-    EXPECT_EQ(faults("hello\n").find("x.vbo: is no VBOX file: it has no sections, expected [header]"), 0u);
+    EXPECT_EQ(faults("hello\n").find("x.vbo: is not a VBOX file: it has no sections, expected [header]"), 0u);
     EXPECT_EQ(faults(whole.substr(0, whole.find("[data]"))).find("x.vbo: has no section, expected [data]"), 0u);
     EXPECT_EQ(faults(whole.substr(0, whole.find("[data]") + 8)), "x.vbo:21:1: the section [data] has no rows");
     EXPECT_EQ(faults("[header]\n\n[data]\n1 2\n"), "x.vbo:1:1: the section [header] names no channel");

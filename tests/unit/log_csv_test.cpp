@@ -222,8 +222,8 @@ TEST_F(LogCsv, HeaderFaultsNameTheColumn) {
     EXPECT_EQ(onlyFault("time [s],\n0,1\n"), "1:10: column 2 has no name, expected `name [unit]`");
     EXPECT_EQ(onlyFault("a [m],time [s]\n0,1\n"), "1:1: the first column is 'a [m]', expected `time [s]`");
     EXPECT_EQ(onlyFault("time [ms]\n0\n"), "1:1: the first column is 'time [ms]', expected `time [s]`");
-    EXPECT_EQ(onlyFault("time [s],\"a [m]\n0,1\n"), "1:10: quote without its partner in 'a [m]'");
-    EXPECT_EQ(onlyFault("time [s],\"a\" [m]\n0,1\n"), "1:10: quote without its partner in 'a[m]'");
+    EXPECT_EQ(onlyFault("time [s],\"a [m]\n0,1\n"), "1:10: unclosed quote in 'a [m]'");
+    EXPECT_EQ(onlyFault("time [s],\"a\" [m]\n0,1\n"), "1:10: unclosed quote in 'a[m]'");
 }
 
 TEST_F(LogCsv, TheTimeMustBeFiniteAndIncrease) {

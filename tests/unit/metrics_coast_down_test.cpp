@@ -73,7 +73,7 @@ TEST(CoastDown, OnlyTheTimeWithReleasedPedalsIsUsed) {
 
 TEST(CoastDown, WhatIsNoCoastDownIsRefusedWithTheReason) {
     EXPECT_NE(errorOf(coastLog(100, 60, constant(30)), "coast_down").find("goes from 30 to 30 m/s"), std::string::npos);
-    EXPECT_NE(errorOf(coastLog(100, 2, bothAt), "coast_down").find("for 2 s only"), std::string::npos);
+    EXPECT_NE(errorOf(coastLog(100, 2, bothAt), "coast_down").find("for only 2 s"), std::string::npos);
 }
 
 }  // namespace

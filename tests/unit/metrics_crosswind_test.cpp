@@ -51,7 +51,7 @@ TEST(Crosswind, ReadsPathAndHeadingTwoSecondsAfterTheWind) {
 TEST(Crosswind, SteeringAndCalmAirAreRefused) {
     Log log = logOf(100, 1);
     sample::channel(log, "driver.steering_wheel_angle").values.back() = 0.2;
-    EXPECT_NE(errorOf(log, "crosswind").find("looked for fixed steering"), std::string::npos);
+    EXPECT_NE(errorOf(log, "crosswind").find("expected fixed steering"), std::string::npos);
     log = logOf(100, 1);
     for (double& value : sample::channel(log, "chassis.ay").values) value = 0;
     EXPECT_NE(errorOf(log, "crosswind").find("stays below"), std::string::npos);

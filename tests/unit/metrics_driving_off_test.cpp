@@ -50,7 +50,7 @@ TEST(Acceleration, HalfThrottleAndACarThatStaysAreRefused) {
     EXPECT_NE(errorOf(log, "acceleration").find("never opened fully"), std::string::npos);
     log = fullThrottle(100);
     for (double& value : sample::channel(log, "chassis.vx").values) value = 0;
-    EXPECT_NE(errorOf(log, "acceleration").find("gains 0 m/s only"), std::string::npos);
+    EXPECT_NE(errorOf(log, "acceleration").find("gains only 0 m/s"), std::string::npos);
 }
 
 // Released at 2 s, the car rolls back at 1.2 m/s2 for half a second, then is driven forwards at 2 m/s2: back by

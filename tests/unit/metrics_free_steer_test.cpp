@@ -65,7 +65,7 @@ TEST(FreeSteer, ACarThatGoesOnTurningHasNoSettlingTime) {
 TEST(FreeSteer, HandsThatStayAndStraightAheadAreRefused) {
     Log log = logOf(100, 1, [](double t) { return std::exp(-t); });
     for (double& value : sample::channel(log, "driver.hands_off").values) value = 0;
-    EXPECT_NE(errorOf(log, "free_steer").find("do not leave the wheel"), std::string::npos);
+    EXPECT_NE(errorOf(log, "free_steer").find("is not released for good"), std::string::npos);
     log = logOf(100, 1, [](double) { return 0; });
     for (double& value : sample::channel(log, "chassis.yaw_rate").values) value = 0;
     EXPECT_NE(errorOf(log, "free_steer").find("before the release"), std::string::npos);

@@ -115,13 +115,13 @@ TEST(FrequencyResponse, WhatTheSteeringDoesNotAskHasNoAnswer) {
 
 TEST(FrequencyResponse, ASineAStepAndNothingAreNoBroadBand) {
     const shared::SingleTrack car;
-    EXPECT_NE(errorOf(car.drive([](double) { return 0; }, 30, 50), "frequency_response").find("moves by 0 deg only"),
+    EXPECT_NE(errorOf(car.drive([](double) { return 0; }, 30, 50), "frequency_response").find("moves by only 0 deg"),
               std::string::npos);
     EXPECT_NE(errorOf(car.drive([](double t) { return t < 1 ? 0 : 0.5; }, 30, 50), "frequency_response")
                   .find("does not end where it began"),
               std::string::npos);
     EXPECT_NE(errorOf(car.drive(signalFrom(Sine<Angle>{0.3, 0.5}, 0), 60, 50), "frequency_response")
-                  .find("looked for a broad band"),
+                  .find("expected a broad band"),
               std::string::npos);
 }
 

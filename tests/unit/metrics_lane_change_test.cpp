@@ -83,7 +83,7 @@ TEST(LaneChange, ACarThatDoesNotArriveIsNotClean) {
 }
 
 TEST(LaneChange, WithoutACourseItDoesNotShow) {
-    EXPECT_NE(sample::errorOf(logOf(change), "lane_change").find("shows only beside its course"), std::string::npos);
+    EXPECT_NE(sample::errorOf(logOf(change), "lane_change").find("found only with its course"), std::string::npos);
 }
 
 }  // namespace

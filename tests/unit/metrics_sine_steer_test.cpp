@@ -114,9 +114,9 @@ TEST(SineSteer, WhatIsNoSineIsRefusedWithTheReason) {
         for (std::size_t i = 0; i < log.samples(); ++i) log.channels[1].values[i] = angle(log.channels[0].values[i]);
         return errorOf(log, "sine_steer");
     };
-    EXPECT_NE(steered(constant(0.1)).find("looked for at least 1.1 deg"), std::string::npos);
+    EXPECT_NE(steered(constant(0.1)).find("expected at least 1.1 deg"), std::string::npos);
     const auto sweep = [](double t) { return 0.4 * std::sin(0.8 * t * t); };
-    EXPECT_NE(steered(sweep).find("looked for one frequency"), std::string::npos) << steered(sweep);
+    EXPECT_NE(steered(sweep).find("expected one frequency"), std::string::npos) << steered(sweep);
     const auto steps = [](double t) { return t < 2 ? 0.0 : t < 4 ? 0.4 : t < 6 ? -0.4 : 0.0; };
     EXPECT_NE(steered(steps).find("departs from a sine"), std::string::npos) << steered(steps);
     // Sine with dwell: 0.7 Hz, 0.5 s dwell at three quarters of the period.

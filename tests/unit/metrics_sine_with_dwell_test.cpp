@@ -94,11 +94,11 @@ TEST(SineWithDwell, WithoutDwellOrWithoutTheTimeAfterItIsRefused) {
     Log log = logOf(100, 2, 0.8);
     auto& values = sample::channel(log, "driver.steering_wheel_angle").values;
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = sine(log.channels[0].values[i]);
-    EXPECT_NE(errorOf(log, "sine_with_dwell").find("waits for"), std::string::npos);
+    EXPECT_NE(errorOf(log, "sine_with_dwell").find("dwells for"), std::string::npos);
 
     Log cut = logOf(100, 2, 0.8);
     for (Channel& channel : cut.channels) channel.values.resize(static_cast<std::size_t>(100 * (kEnd + 1.5)));
-    EXPECT_NE(errorOf(cut, "sine_with_dwell").find("after completion of steer, looked for 1.75 s"), std::string::npos);
+    EXPECT_NE(errorOf(cut, "sine_with_dwell").find("after completion of steer, expected 1.75 s"), std::string::npos);
 }
 
 }  // namespace

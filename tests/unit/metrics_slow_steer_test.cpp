@@ -56,7 +56,7 @@ TEST(SlowlyIncreasingSteer, UndersteerIsThatOfTheSingleTrackModel) {
     EXPECT_NEAR(valueOf(found, "understeer_gradient"), car.understeer() * kGravity / kDegree,
                 0.01 * car.understeer() * kGravity / kDegree);
     EXPECT_NE(errorOf(car.drive([](double t) { return t < 1 ? 0 : 2 * (t - 1); }, 4, 100), "slowly_increasing_steer")
-                  .find("looked for up to"),
+                  .find("expected up to"),
               std::string::npos);
 }
 

@@ -76,7 +76,7 @@ TEST(SplitMuBraking, StraightOnOrInATurnItIsRefused) {
     Log log = logOf(100, 1);
     for (const char* name : {"driver.steering_wheel_angle", "chassis.yaw"})
         for (double& angle : sample::channel(log, name).values) angle = 0;
-    EXPECT_NE(errorOf(log, "split_mu_braking").find("looked for at least 2 deg"), std::string::npos);
+    EXPECT_NE(errorOf(log, "split_mu_braking").find("expected at least 2 deg"), std::string::npos);
     log = logOf(100, 1);
     for (double& rate : sample::channel(log, "chassis.yaw_rate").values) rate += 0.2;
     EXPECT_NE(errorOf(log, "split_mu_braking").find("is in a turn"), std::string::npos);

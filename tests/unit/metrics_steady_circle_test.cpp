@@ -139,12 +139,12 @@ TEST(SteadyCircle, AQuickReleaseAtTheEndIsLeftOut) {
 
 TEST(SteadyCircle, WhatIsNoSteadyCircleIsRefusedWithTheReason) {
     const Log straight = circleLog(100, 60, [](double) { return Turn{0, 20}; });
-    EXPECT_NE(errorOf(straight, "steady_circle").find("looked for a turn"), std::string::npos);
+    EXPECT_NE(errorOf(straight, "steady_circle").find("expected a turn"), std::string::npos);
     const Log quick = circleLog(100, 10, [](double t) { return Turn{5 * std::exp(-8 * (t - 5) * (t - 5)), 20}; });
-    EXPECT_NE(errorOf(quick, "steady_circle").find("looked for slow changes"), std::string::npos)
+    EXPECT_NE(errorOf(quick, "steady_circle").find("expected slow changes"), std::string::npos)
         << errorOf(quick, "steady_circle");
     const Log weave = circleLog(100, 60, [](double t) { return Turn{3 * std::sin(0.2 * 2 * 3.14 * t), 20}; });
-    EXPECT_NE(errorOf(weave, "steady_circle").find("swings to and fro"), std::string::npos)
+    EXPECT_NE(errorOf(weave, "steady_circle").find("swings back and forth"), std::string::npos)
         << errorOf(weave, "steady_circle");
 }
 

@@ -162,9 +162,8 @@ TEST(StepSteer, MeasurementNoiseMovesTheMetricsLittle) {
 TEST(StepSteer, WhatIsNoStepIsRefusedWithTheReason) {
     Log log = stepLog(100);
     for (double& angle : channel(log, "driver.steering_wheel_angle").values) angle = 0.01;
-    EXPECT_EQ(
-        errorOf(log, "step_steer"),
-        "no step_steer in this log: the steering wheel moves by 0 deg only, looked for a step of at least 1.1 deg");
+    EXPECT_EQ(errorOf(log, "step_steer"),
+              "no step_steer in this log: the steering wheel moves by only 0 deg, expected a step of at least 1.1 deg");
     Log ramp = stepLog(100);
     for (std::size_t i = 0; i < ramp.samples(); ++i) ramp.channels[1].values[i] = 0.1 * ramp.channels[0].values[i];
     EXPECT_NE(errorOf(ramp, "step_steer").find("from 10 to 90 %"), std::string::npos) << errorOf(ramp, "step_steer");

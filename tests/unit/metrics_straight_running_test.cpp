@@ -53,10 +53,10 @@ TEST(StraightRunning, TorqueIsUndefinedWhenItIsNotLogged) {
 TEST(StraightRunning, SteeringAndBrakingAreRefused) {
     Log log = logOf(1);
     sample::channel(log, "driver.steering_wheel_angle").values.back() = 0.2;
-    EXPECT_NE(errorOf(log, "straight_running").find("looked for a fixed one"), std::string::npos);
+    EXPECT_NE(errorOf(log, "straight_running").find("expected a fixed one"), std::string::npos);
     log = logOf(1);
     sample::channel(log, "chassis.vx").values.back() = 10;
-    EXPECT_NE(errorOf(log, "straight_running").find("looked for a constant one"), std::string::npos);
+    EXPECT_NE(errorOf(log, "straight_running").find("expected a constant one"), std::string::npos);
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ TEST(BrakingInTurn, PathDeviationIsMeasuredFromTheCircle) {
 TEST(BrakingInTurn, NoTurnAndNoBrakeAreRefused) {
     Log log = logOf({}, 100, true);
     for (double& value : sample::channel(log, "chassis.yaw_rate").values) value = 0;
-    EXPECT_NE(errorOf(log, "braking_in_turn").find("looked for a turn"), std::string::npos);
+    EXPECT_NE(errorOf(log, "braking_in_turn").find("expected a turn"), std::string::npos);
     EXPECT_NE(errorOf(logOf({}, 100, false), "braking_in_turn").find("never applied"), std::string::npos);
 }
 

@@ -67,21 +67,22 @@ Verdict verdictOn(const Metric& metric, const std::string& condition) {
 
 TEST(Verdicts, AreSaidInTheUnitOfTheirConditionWithTheirMargin) {
     const Metric ratio{"ratio", 0.123, "-", ""}, way{"way", 48.9, "m", ""}, speed{"speed", 25, "m/s", ""};
-    EXPECT_EQ(text(verdictOn(ratio, "<= 35 %")), "ratio: 12.3 %, wanted <= 35 %: met, 22.7 % to spare");
-    EXPECT_EQ(text(verdictOn(way, "< 40 m")), "way: 48.9 m, wanted < 40 m: missed, 8.9 m beyond");
-    EXPECT_EQ(text(verdictOn(way, ">= 40 m")), "way: 48.9 m, wanted >= 40 m: met, 8.9 m to spare");
-    EXPECT_EQ(text(verdictOn(way, "< 40")), "way: 48.9 m, wanted < 40: missed, 8.9 m beyond");
-    EXPECT_EQ(text(verdictOn(speed, "80 .. 100 km/h")), "speed: 90 km/h, wanted 80 .. 100 km/h: met, 10 km/h to spare");
+    EXPECT_EQ(text(verdictOn(ratio, "<= 35 %")), "ratio: 12.3 %, required <= 35 %: met, 22.7 % to spare");
+    EXPECT_EQ(text(verdictOn(way, "< 40 m")), "way: 48.9 m, required < 40 m: missed, 8.9 m beyond");
+    EXPECT_EQ(text(verdictOn(way, ">= 40 m")), "way: 48.9 m, required >= 40 m: met, 8.9 m to spare");
+    EXPECT_EQ(text(verdictOn(way, "< 40")), "way: 48.9 m, required < 40: missed, 8.9 m beyond");
+    EXPECT_EQ(text(verdictOn(speed, "80 .. 100 km/h")),
+              "speed: 90 km/h, required 80 .. 100 km/h: met, 10 km/h to spare");
     EXPECT_EQ(text(verdictOn(speed, "88 km/h +- 5 %")),
-              "speed: 90 km/h, wanted 88 km/h +- 5 %: met, 2.4 km/h to spare");
+              "speed: 90 km/h, required 88 km/h +- 5 %: met, 2.4 km/h to spare");
     EXPECT_NEAR(*verdictOn(speed, "< 108 km/h").margin, 5, 1e-12) << "in the unit of the metric";
 }
 
 TEST(Verdicts, HaveNoMarginWhereThereIsNone) {
     const Metric cones{"cones", 0, "-", ""}, undefined{"cones", std::nan(""), "-", ""};
-    EXPECT_EQ(text(verdictOn(cones, "= 0")), "cones: 0, wanted = 0: met");
+    EXPECT_EQ(text(verdictOn(cones, "= 0")), "cones: 0, required = 0: met");
     EXPECT_FALSE(verdictOn(cones, "= 0").margin);
-    EXPECT_EQ(text(verdictOn(undefined, "< 2")), "cones: could not be computed, wanted < 2: missed");
+    EXPECT_EQ(text(verdictOn(undefined, "< 2")), "cones: could not be computed, required < 2: missed");
 }
 
 }  // namespace

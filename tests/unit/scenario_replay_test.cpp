@@ -61,7 +61,7 @@ TEST_F(ScenarioReplay, ChannelOfAnotherUnitIsAFault) {
 
 TEST_F(ScenarioReplay, BeginningBehindTheEndOfTheLogIsAFault) {
     EXPECT_NE(faultOf("brake: {replay: {file: drive.csv, channel: driver.brake, from: 3}}")
-                  .find("replay.from: found 3 s, which is behind the end of the log"),
+                  .find("replay.from: found 3 s, which is after the end of the log"),
               std::string::npos);
 }
 

@@ -131,10 +131,9 @@ TEST(Units, WrongDimensionNamesBoth) {
 }
 
 TEST(Units, UnitsThatCanBeReadInTwoWaysAreRefused) {
-    EXPECT_EQ(
-        faultOf("1 J/kg K", "J/(kg K)"),
-        "found the unit \"J/kg K\", which can be read in two ways, expected J/(kg K); put what is below the line in "
-        "parentheses, a/(b c)");
+    EXPECT_EQ(faultOf("1 J/kg K", "J/(kg K)"),
+              "found the unit \"J/kg K\", which can be read in two ways, expected J/(kg K); put the denominator in "
+              "parentheses, a/(b c)");
     EXPECT_EQ(value("2 m/s/s", "m/s2"), 2);
     for (const std::string_view text : {"1 m^", "1 m10", "1 m^-", "1 (m", "1 m)", "1 m//s", "1 m/", "1 /m", "1 ()"}) {
         EXPECT_FALSE(faultOf(text, "m").empty());

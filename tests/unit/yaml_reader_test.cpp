@@ -400,7 +400,7 @@ TEST(YamlReader, SyntaxErrorsHaveTheirPlace) {
 
 // yaml-cpp 0.7 itself takes the rest of the file for the text.
 TEST(YamlReader, QuoteThatIsNeverClosedIsAnError) {
-    const std::string fault = "found no end of the quoted text that begins behind this place; close the quotation mark";
+    const std::string fault = "found no end of the quoted text that begins after this place; close the quotation mark";
     EXPECT_EQ(faults("gears: 3\nname: \"a\n"), (Texts{"car.yaml:2:1: " + fault}));
     EXPECT_EQ(faults("gears: 3\nname: 'a\nmass: 3\n\n"), (Texts{"car.yaml:2:1: " + fault}));
     EXPECT_EQ(faults("gears: 3\nname: \"a"), (Texts{"car.yaml:2:1: " + fault}));
@@ -563,8 +563,8 @@ TEST_F(YamlFiles, CircleOfIncludesIsNoticed) {
     write("a.yaml", "tyre: {radius: 1}\nspares: [b.yaml]\n");
     write("b.yaml", "tyre: {radius: 1}\nspares:\n  - tyres/../a.yaml\n");
     EXPECT_EQ(faultsOf(path("a.yaml")),
-              (Texts{path("b.yaml") + ":3:5: spares.0.spares.0: found \"tyres/../a.yaml\", which includes "
-                                      "itself by way of this file; break the circle"}));
+              (Texts{path("b.yaml") + ":3:5: spares.0.spares.0: found \"tyres/../a.yaml\", which includes itself "
+                                      "through this file; break the cycle"}));
     write("self.yaml", "tyre: {radius: 1}\nspares: [self.yaml]\n");
     EXPECT_EQ(faultsOf(path("self.yaml")).size(), 1u);
 }

@@ -48,7 +48,7 @@ void addRun(CLI::App& app, RunOptions& o) {
     addFile(app, "--log", o.log, "log of the drive that the scenario repeats (CSV)");
     addFolder(app, "-o,--output", o.output, "folder for log, metrics and report (default: out/<scenario>, or out)");
     addSettings(app, o.settings, "path=value, for example front.suspension.spring=\"25 kN/m\" or scenario.step=0.002");
-    addFile(app, "--accept", o.accept, "conditions on metrics (YAML), beside those of the scenario");
+    addFile(app, "--accept", o.accept, "conditions on metrics (YAML), in addition to those of the scenario");
     addFile(app, "--metrics", o.metrics, "metrics of your own (YAML), in addition to those of the scenario");
     addFile(app, "--junit", o.junit, "write the verdicts as JUnit XML to this file");
     app.add_flag("--strict", o.strict, "treat an implausible number as an error (exit code 2), not a warning");
@@ -60,14 +60,14 @@ void addCompare(CLI::App& app, CompareOptions& o) {
     addFile(app, "new", o.candidate, "log to judge (CSV), or folder of runs")->required();
     addFile(app, "--tolerances", o.tolerances, "tolerances per channel and metric (YAML)");
     addFile(app, "--report", o.report,
-            "write an overlay report (HTML) with a replay of all cars; of folders a summary");
+            "write an overlay report (HTML) with a replay of all cars; for folders, a summary");
     addFile(app, "--envelope", o.envelope,
             "iso19364: do measurements (reference) lie within the boundaries around a simulation (new)? Or a file");
-    addFile(app, "--score", o.score, "iso18571: how alike are the curves? Or a file");
+    addFile(app, "--score", o.score, "iso18571: how well do the curves agree? Or a file");
     addFile(app, "--repeat", o.repeats,
             "further log: another measurement for --envelope and --score, drawn but not judged in --report");
-    addFile(app, "--junit", o.junit, "of folders: write the verdicts as JUnit XML to this file");
-    app.add_flag("--update", o.update, "of folders: after the comparison, copy the new runs over the reference");
+    addFile(app, "--junit", o.junit, "for folders: write the verdicts as JUnit XML to this file");
+    app.add_flag("--update", o.update, "for folders: after the comparison, copy the new runs over the reference");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
@@ -104,7 +104,7 @@ void addTyre(CLI::App& app, TyreOptions& o) {
     app.add_option("--interpolate", o.interpolate, "motion between samples: hold or linear")
         ->check(CLI::IsMember({"hold", "linear"}));
     app.add_flag("--standstill", o.standstill,
-                 "with the standstill extension that the car uses (default: the paper alone)");
+                 "with the standstill extension that the car uses (default: the model of the paper alone)");
     addSettings(app, o.settings, "path=value, for example lambda.mux=0.8");
     app.add_flag("--json", o.json, "print the result as JSON");
 }
@@ -140,7 +140,7 @@ void addIdentify(CLI::App& app, IdentifyRequest& o) {
 void addDescribe(CLI::App& app, DescribeOptions& o) {
     addName(app, "what", o.what, "whose fields; or a vehicle file: its data sheet", describableNames(false))
         ->required();
-    app.add_option("path", o.path, "of one field, for example phases.0: this field and what it contains");
+    app.add_option("path", o.path, "path of one field, for example phases.0: only this field and what it contains");
     addFile(app, "--report", o.report, "page of the data sheet to write (HTML)");
     addSettings(app, o.settings, "path=value, for example load.mass=200: the car of the data sheet");
     app.add_flag("--json", o.json, "print the result as JSON");
@@ -213,16 +213,16 @@ void addGuides(CLI::App& app) {
 }  // namespace
 
 void addCommands(CLI::App& app, int& status) {
-    app.add_flag_callback("-q,--quiet", beQuiet, "no answers in words, no warnings, no progress: only errors");
-    app.add_flag_callback("--wait", waitForFolders, "wait for a folder into which another call writes");
+    app.add_flag_callback("-q,--quiet", beQuiet, "print errors only: no answers, warnings or progress");
+    app.add_flag_callback("--wait", waitForFolders, "wait while another call of tread writes into the same folder");
     addCommand(app, "run",
                "drive a manoeuvre and write log, metrics and report; status 1 when a metric is not accepted", addRun,
                run, status);
     addCommand(app, "compare", "compare two logs, or two folders of runs; status 1 when they differ", addCompare,
                compare, status);
-    addCommand(app, "metrics", "the standards' metrics of a log", addMetrics, metrics, status);
-    addCommand(app, "import", "make a log of a VBOX, MATLAB or text file, a tyre of a .tir file", addImport, import,
-               status);
+    addCommand(app, "metrics", "compute the metrics of the standards from a log", addMetrics, metrics, status);
+    addCommand(app, "import", "convert a VBOX, MATLAB or text file into a log, or a .tir file into a tyre file",
+               addImport, import, status);
     addCommand(app, "tyre", "forces of a tyre at given points, transients, curves", addTyre, tyre, status);
     addCommand(
         app, "diagnose",

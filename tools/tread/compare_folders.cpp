@@ -231,7 +231,7 @@ void expectOptionsOfFolders(const CompareOptions& options) {
         refuse("found --envelope, --score or --repeat beside a folder, expected two logs; name the logs");
     const auto expectFolder = [&](const std::string& folder) {
         if (std::filesystem::is_directory(folder)) return;
-        refuse("found " + folder + ", which is no folder, expected two logs or two folders of runs");
+        refuse("found " + folder + ", which is not a folder, expected two logs or two folders of runs");
     };
     expectFolder(options.candidate);
     const bool first_baseline = options.update && !std::filesystem::exists(options.reference);
@@ -253,8 +253,8 @@ int compareFolders(const CompareOptions& options) {
               runs.empty() ? fmt::format("nothing was compared: found no run in {} and {}, expected folders "
                                          "that `tread run` has written",
                                          options.reference, options.candidate)
-                           : fmt::format("nothing was compared: of {} runs ({}, ...) none could be. {}", runs.size(),
-                                         runs.front().name, runs.front().problem)}});
+                           : fmt::format("nothing was compared: none of {} runs ({}, ...) could be compared. {}",
+                                         runs.size(), runs.front().name, runs.front().problem)}});
     }
     const bool same = std::all_of(runs.begin(), runs.end(), [](const auto& run) { return run.same(); });
     const std::string answer = answerOf(runs);

@@ -78,7 +78,7 @@ std::vector<ReferenceRow> metricRows() {
 // "; can be taken for: mass, fuel".
 std::string alikeText(const Effect& effect) {
     std::string text;
-    for (const std::string& other : effect.alike) text += (text.empty() ? "; can be taken for: " : ", ") + other;
+    for (const std::string& other : effect.alike) text += (text.empty() ? "; can be mistaken for: " : ", ") + other;
     return text;
 }
 
@@ -194,7 +194,7 @@ const std::vector<Describable>& describables() {
          [] { return jsonSchema<TyreParams>("Tyre", "tyre.schema.json"); }, readTyreFile},
         {"scenario", "a manoeuvre", topOf<Scenario>, referenceTable<Scenario>,
          [] { return jsonSchema<Scenario>("Manoeuvre", "scenario.schema.json"); }, readScenarioFile},
-        {"accept", "what the metrics of a run must be", topOf<AcceptFile>, referenceTable<AcceptFile>,
+        {"accept", "conditions on the metrics of a run", topOf<AcceptFile>, referenceTable<AcceptFile>,
          [] { return jsonSchema<AcceptFile>("Accept", "accept.schema.json"); }, readAcceptFile},
         {"own_metrics", "metrics of your own", topOf<OwnMetricsFile>, referenceTable<OwnMetricsFile>,
          [] { return jsonSchema<OwnMetricsFile>("OwnMetrics", "own_metrics.schema.json"); }, readOwnMetricsFile},
@@ -204,9 +204,10 @@ const std::vector<Describable>& describables() {
          [] { return jsonSchema<ImportMap>("Import", "import.schema.json"); }, readDescribed<ImportMap>},
         {"tolerances", "how far two logs may differ", topOf<Tolerances>, referenceTable<Tolerances>,
          [] { return jsonSchema<Tolerances>("Tolerances", "tolerances.schema.json"); }, readDescribed<Tolerances>},
-        {"envelope", "how far measurements may lie off a simulation", topOf<CrossPlots>, referenceTable<CrossPlots>,
-         [] { return jsonSchema<CrossPlots>("Envelope", "envelope.schema.json"); }, readDescribed<CrossPlots>},
-        {"score", "how the likeness of curves is rated", topOf<ScoreParams>, referenceTable<ScoreParams>,
+        {"envelope", "how far measurements may deviate from a simulation", topOf<CrossPlots>,
+         referenceTable<CrossPlots>, [] { return jsonSchema<CrossPlots>("Envelope", "envelope.schema.json"); },
+         readDescribed<CrossPlots>},
+        {"score", "how the agreement of curves is rated", topOf<ScoreParams>, referenceTable<ScoreParams>,
          [] { return jsonSchema<ScoreParams>("Score", "score.schema.json"); }, readDescribed<ScoreParams>},
         {"diagnosis", "input of a diagnosis: car, recordings, tolerances", topOf<DiagnosisFile>,
          referenceTable<DiagnosisFile>, [] { return jsonSchema<DiagnosisFile>("Diagnosis", "diagnosis.schema.json"); },

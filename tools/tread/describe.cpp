@@ -28,7 +28,7 @@ std::string_view groupOf(const ReferenceRow& row) {
 constexpr std::size_t kCells = 6;
 std::array<std::string, kCells> cellsOf(const ReferenceRow& row) {
     std::string meaning = row.meaning;
-    if (row.tolerance > 0) meaning += fmt::format(" (usually known within {:.3g} %)", 100 * row.tolerance);
+    if (row.tolerance > 0) meaning += fmt::format(" (usually known to within {:.3g} %)", 100 * row.tolerance);
     return {row.path, row.unit, row.default_text, row.limits, row.plausible, meaning};
 }
 
@@ -144,7 +144,7 @@ bool looksLikeFile(const std::string& what) {
 [[noreturn]] void rejectForName(const DescribeOptions& options) {
     throw LoadError(
         {{options.report.empty() ? "--set" : "--report", 0, 0, "",
-          fmt::format("found with the word {}, expected only with a vehicle file, whose data sheet it is for",
+          fmt::format("found with the word {}, expected only with a vehicle file: it applies to the data sheet",
                       quote(options.what))}});
 }
 
@@ -156,7 +156,7 @@ int describe(const DescribeOptions& options) {
     if (!named && looksLikeFile(options.what)) {
         if (options.path.empty()) return describeCar(options);
         throw LoadError({{"tread describe", 0, 0, "",
-                          fmt::format("found {} behind a file, expected a path only behind a name such as vehicle",
+                          fmt::format("found {} after a file, expected a path only after a name such as vehicle",
                                       quote(options.path))}});
     }
     if (!options.report.empty() || !options.settings.empty()) rejectForName(options);

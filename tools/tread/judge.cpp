@@ -26,7 +26,7 @@ T parameters(const std::string& given, std::string_view standard, const char* op
     if (given == standard) return {};
     if (!std::filesystem::exists(given)) {
         throw LoadError({{"", 0, 0, "",
-                          std::string("tread compare: found ") + quote(given) + " behind " + option + ", expected " +
+                          std::string("tread compare: found ") + quote(given) + " after " + option + ", expected " +
                               std::string(standard) + " or the name of a file"}});
     }
     return readYaml<T>(given);

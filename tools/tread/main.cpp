@@ -65,7 +65,7 @@ int refuse(const CLI::App& app, const CLI::ParseError& error) {
     std::string fault = unknownOption(command, remaining);
     if (fault.empty() && !remaining.empty()) fault = "unexpected argument " + quote(remaining.front());
     if (fault.empty()) fault = error.what();
-    std::fprintf(stderr, "%s: %s (`%s --help` shows how it is called)\n", name.c_str(), fault.c_str(), name.c_str());
+    std::fprintf(stderr, "%s: %s (`%s --help` shows its usage)\n", name.c_str(), fault.c_str(), name.c_str());
     return kBadInput;
 }
 

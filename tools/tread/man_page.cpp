@@ -44,9 +44,8 @@ constexpr std::string_view kStatus =
     ".TP\n3\nthe simulation failed\n";
 
 constexpr std::string_view kEnvironment =
-    ".SH ENVIRONMENT\n"
-    ".TP\n\\fBNO_COLOR\\fR\nno colours on a terminal\n"
-    ".TP\n\\fBCOLUMNS\\fR\ncolumns of a line where there is no terminal (default: 100)\n";
+    ".SH ENVIRONMENT\n.TP\n\\fBNO_COLOR\\fR\nno colours on a terminal\n.TP\n\\fBCOLUMNS\\fR\nline width when the "
+    "output is not a terminal (default: 100)\n";
 
 }  // namespace
 

@@ -62,8 +62,8 @@ OutputFolder::OutputFolder(const Path& folder) : folder_(folder) {
     }
     try {
         writeFile(folder / kIncomplete,
-                  "A call of tread writes into this folder, or was killed while it did: its files may be missing or of "
-                  "another run.\n");
+                  "A call of tread is writing into this folder, or was killed while doing so: files may be missing or "
+                  "from another run.\n");
     } catch (...) {
         if (held_ >= 0) close(held_);
         throw;
@@ -78,9 +78,8 @@ void OutputFolder::remove(const std::string& name) const {
     std::error_code error;
     std::filesystem::remove(folder_ / name, error);
     if (error) {
-        throw FileError(
-            fmt::format("cannot remove {}, which an earlier call has left: {}; choose another folder with -o",
-                        (folder_ / name).string(), error.message()));
+        throw FileError(fmt::format("cannot remove {}, left by an earlier call: {}; choose another folder with -o",
+                                    (folder_ / name).string(), error.message()));
     }
 }
 

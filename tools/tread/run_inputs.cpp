@@ -39,7 +39,7 @@ struct Settable {
 };
 
 std::string listingOf(std::string_view path) {
-    if (path.starts_with("scenario")) return "`tread describe scenario` lists all paths behind \"scenario.\"";
+    if (path.starts_with("scenario")) return "`tread describe scenario` lists all paths after \"scenario.\"";
     return "`tread describe vehicle` lists all paths";
 }
 
@@ -67,7 +67,7 @@ std::vector<Fault> unknownNames(const Scenario& scenario, const std::string& fil
         for (const MetricDefinition& definition : metricsOf(scenario)) names.push_back(definition.name);
         if (names.empty() || metric.empty() || std::find(names.begin(), names.end(), metric) != names.end()) return;
         const std::vector<std::string_view> views(names.begin(), names.end());
-        faults.push_back({path, "found " + quote(metric) + ", which is no metric of " +
+        faults.push_back({path, "found " + quote(metric) + ", which is not a metric of " +
                                     (name.empty() ? "the scenario" : name) + didYouMean(metric, views) +
                                     "; `tread describe metrics` lists them"});
     };
@@ -92,7 +92,8 @@ std::vector<Fault> unknownNames(const Scenario& scenario, const std::string& fil
         if (std::any_of(known.begin(), known.end(), fits)) continue;
         const std::string suggestion = didYouMean(pattern, known);
         faults.push_back({"log.channels." + std::to_string(i),
-                          "found " + quote(pattern) + ", which fits no channel, expected a name or a pattern with *" +
+                          "found " + quote(pattern) +
+                              ", which matches no channel, expected a name or a pattern with *" +
                               (suggestion.empty() ? ";" : suggestion) + " `tread describe log` lists all channels"});
     }
     for (Problem& fault : faultsOfOwnMetrics(scenario, loggedChannels(scenario), file))

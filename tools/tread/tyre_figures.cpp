@@ -97,7 +97,8 @@ Series ellipse(const TyreView& view, const std::vector<Point>& points) {
 }
 
 Chart frictionEllipse(const TyreView& view) {
-    Chart chart{.title = "Friction ellipse: held slip angle", .x = forceAxis("Fx"), .y = forceAxis("Fy"), .series = {}};
+    Chart chart{
+        .title = "Friction ellipse at constant slip angle", .x = forceAxis("Fx"), .y = forceAxis("Fy"), .series = {}};
     chart.equal_aspect = true;
     chart.height = 480;
     chart.note = "Each line: slip swept from locked (-100 %) to spinning (+100 %) at one slip angle.";
@@ -133,13 +134,14 @@ std::vector<Chart> pureSlipFigures(const TyreView& view) {
 
 std::vector<Chart> combinedSlipFigures(const TyreView& view) {
     const double load = nominalLoad(view);
-    Chart braking{.title = "Longitudinal force, held slip angle", .x = slipAxis(), .y = forceAxis("Fx"), .series = {}};
+    Chart braking{
+        .title = "Longitudinal force at constant slip angle", .x = slipAxis(), .y = forceAxis("Fx"), .series = {}};
     for (const double angle : {0.0, 2.0, 4.0, 8.0, 12.0}) {
         braking.series.push_back(curve(fmt::format("{:g} deg", angle), -kWidestSlip, kWidestSlip, [&](double slip) {
             return longitudinal(view, {load, slip, angle});
         }));
     }
-    Chart cornering{.title = "Lateral force, held slip", .x = angleAxis(), .y = forceAxis("Fy"), .series = {}};
+    Chart cornering{.title = "Lateral force at constant slip", .x = angleAxis(), .y = forceAxis("Fy"), .series = {}};
     for (const double slip : {0.0, -5.0, -10.0, -20.0, -40.0}) {
         cornering.series.push_back(curve(fmt::format("{:g} %", slip), -kWidestAngle, kWidestAngle, [&](double angle) {
             return lateral(view, {load, slip, angle});
@@ -150,7 +152,7 @@ std::vector<Chart> combinedSlipFigures(const TyreView& view) {
 
 std::vector<Chart> aligningTorqueFigures(const TyreView& view) {
     const double load = nominalLoad(view);
-    Chart braking{.title = "Aligning torque, held slip", .x = angleAxis(), .y = {"Mz", "N m"}, .series = {}};
+    Chart braking{.title = "Aligning torque at constant slip", .x = angleAxis(), .y = {"Mz", "N m"}, .series = {}};
     for (const double slip : {0.0, -2.0, -5.0, -10.0, -20.0}) {
         braking.series.push_back(curve(fmt::format("{:g} %", slip), -kWidestAngle, kWidestAngle, [&](double angle) {
             return aligning(view, {load, slip, angle});
@@ -178,15 +180,15 @@ std::vector<Chart> loadFigures(const TyreView& view) {
     Chart slip{.title = "Slip stiffness", .x = load_axis, .y = {"Kx", "kN/%", 0}, .series = {}};
     slip.series = {overLoad("", [](const TyreSteadyState& s) { return s.Kx * kPercent / 1000; })};
     Chart friction{.title = "Peak friction", .x = load_axis, .y = {"μ", "-", 0}, .series = {}};
-    friction.series = {overLoad("along, μx", [](const TyreSteadyState& s) { return s.mux; }),
-                       overLoad("across, μy", [](const TyreSteadyState& s) { return s.muy; })};
+    friction.series = {overLoad("longitudinal, μx", [](const TyreSteadyState& s) { return s.mux; }),
+                       overLoad("lateral, μy", [](const TyreSteadyState& s) { return s.muy; })};
     return {cornering, slip, friction};
 }
 
 std::vector<Chart> camberFigures(const TyreView& view) {
     const double load = nominalLoad(view);
-    Chart force{.title = "Lateral force, held camber", .x = angleAxis(), .y = forceAxis("Fy"), .series = {}};
-    Chart torque{.title = "Aligning torque, held camber", .x = angleAxis(), .y = {"Mz", "N m"}, .series = {}};
+    Chart force{.title = "Lateral force at constant camber", .x = angleAxis(), .y = forceAxis("Fy"), .series = {}};
+    Chart torque{.title = "Aligning torque at constant camber", .x = angleAxis(), .y = {"Mz", "N m"}, .series = {}};
     for (const double camber : {-kWidestCamber, -kWidestCamber / 2, 0.0, kWidestCamber / 2, kWidestCamber}) {
         const std::string name = fmt::format("{:g} deg", camber);
         const auto point = [&](double angle) { return Point{load, 0, angle, camber}; };

@@ -40,15 +40,15 @@ std::vector<TyreFact> tyreFacts(const TyreParams& tyre) {
             {"unloaded_radius", "unloaded radius", p.Ro, "m", "mm", 1000},
             {"rolling_radius", "effective rolling radius", p.Re, "m", "mm", 1000},
             {"radial_stiffness", "radial stiffness", p.pz1 * tyre.lambda.Cz, "N/m", "N/mm", 1e-3},
-            {"longitudinal_friction", "peak friction along", free.mux, "-", "-"},
+            {"longitudinal_friction", "peak longitudinal friction", free.mux, "-", "-"},
             {"longitudinal_peak_slip", "slip at that peak", peak_kappa, "-", "%", 100},
-            {"lateral_friction", "peak friction across", free.muy, "-", "-"},
+            {"lateral_friction", "peak lateral friction", free.muy, "-", "-"},
             {"lateral_peak_slip_angle", "slip angle at that peak", std::atan(peak_alpha), "rad", "deg", 1 / kPerDegree},
             {"slip_stiffness", "slip stiffness", free.Kx, "N", "kN/%", 1e-5},
             {"cornering_stiffness", "cornering stiffness", free.Ky, "N/rad", "kN/deg", 1e-3 * kPerDegree},
             {"pneumatic_trail", "pneumatic trail at zero slip", free.t, "m", "mm", 1000},
-            {"longitudinal_relaxation_length", "relaxation length along", free.Kx / p.cFx, "m", "m"},
-            {"lateral_relaxation_length", "relaxation length across", free.Ky / p.cFy, "m", "m"}};
+            {"longitudinal_relaxation_length", "longitudinal relaxation length", free.Kx / p.cFx, "m", "m"},
+            {"lateral_relaxation_length", "lateral relaxation length", free.Ky / p.cFy, "m", "m"}};
 }
 
 std::string tyreName(const TyreParams& tyre) {
@@ -67,8 +67,7 @@ std::string overviewText(const TyreParams& tyre, const std::vector<TyreFact>& fa
         return std::string();
     };
     std::string text = fmt::format(
-        "Tyre {}: peak friction {} along and {} across, cornering stiffness {} at its "
-        "nominal load of {}\n",
+        "Tyre {}: peak friction {} longitudinal and {} lateral, cornering stiffness {} at its nominal load of {}\n",
         tyreName(tyre), fact("longitudinal_friction"), fact("lateral_friction"), fact("cornering_stiffness"),
         fact("nominal_load"));
     for (const TyreFact& each : facts) {

@@ -125,7 +125,7 @@ std::string tyrePage(const TyreView& view, std::size_t& charts) {
     section("Influence of load", "Stiffnesses at zero slip, and the peak of each force over the load.",
             loadFigures(view));
     section("Influence of camber",
-            "A positive camber leans the top of the wheel to the right. Load " + load + " where no other is given.",
+            "A positive camber leans the top of the wheel to the right. Load " + load + " unless stated otherwise.",
             camberFigures(view));
     section("Step responses",
             "Of the contact-patch mass on its carcass, at the nominal load of " + load +

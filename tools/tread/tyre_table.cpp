@@ -85,7 +85,7 @@ private:
     }
 
     void readHeaderCell(const HeaderCell& cell, std::vector<bool>& seen) {
-        if (!cell.closed) return complain(cell.column, "", "quote without its partner in " + quote(cell.text));
+        if (!cell.closed) return complain(cell.column, "", "unclosed quote in " + quote(cell.text));
         const NameAndUnit given = takeApart(cell.text);
         const std::string_view name = given.name;
         const auto known =

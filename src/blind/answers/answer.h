@@ -37,7 +37,7 @@ struct CaseAnswer {
         field(TREAD_FIELD(program), About{"", "program that gave the answer, by the hashes of its sources"});
         field(TREAD_FIELD(compared), About{"", "every recording was compared with its reference"});
         field(TREAD_FIELD(verdict), About{"", "verdict of the diagnosis"});
-        field(TREAD_FIELD(causes), About{"", "effects that it blames jointly"});
+        field(TREAD_FIELD(causes), About{"", "effects that it names jointly as causes"});
         field(TREAD_FIELD(alternatives), About{"", "sets of effects that it names as possible instead of the causes"});
         field(TREAD_FIELD(credible_set),
               About{"", "set of effects, none and unknown that holds 90 % of the probability"});

@@ -138,7 +138,7 @@ ScoreTable calibrationTable(const BlindScore& score) {
         .header = {"from", "to", "claims", "stated, mean", "right", "right"},
         .rows = {},
         .words = 0,
-        .note = fmt::format("Expected calibration error {:.3f} (asked: at most 0.05).", score.calibration_error)};
+        .note = fmt::format("Expected calibration error {:.3f} (required: at most 0.05).", score.calibration_error)};
     for (const ReliabilityBin& bin : score.reliability) {
         if (bin.claims == 0) continue;
         table.rows.push_back({.cells = {fmt::format("{:.1f}", bin.from), fmt::format("{:.1f}", bin.to),

@@ -46,7 +46,7 @@ struct RankedEffect {
         field(TREAD_FIELD(probability), About{"-", "probability that it is one of the causes"});
         field(TREAD_FIELD(log_evidence), About{"nat", "log evidence relative to that of no effect"});
         field(TREAD_FIELD(parameters), About{"", "estimates by path"});
-        field(TREAD_FIELD(against), About{"", "why the effect alone is no answer although it has evidence"});
+        field(TREAD_FIELD(against), About{"", "why the effect alone is not the answer although it has evidence"});
     }
 };
 static_assert(describesEveryMember<RankedEffect>());

@@ -66,9 +66,9 @@ std::string gapOf(const Diagnosis& d) {
     if (!(gap.gap > 0)) return {};
     std::vector<std::string> lines{fmt::format(
         "{} times that of a perfect model{}: {}", shortNumber(gap.gap, 3),
-        d.compared ? ", beside that of the same drives before the car was changed" : "", partsInWords(gap))};
+        d.compared ? ", compared with that of the same drives before the car was changed" : "", partsInWords(gap))};
     if (d.held_out.gap > 0)
-        lines.push_back(fmt::format("in the drives held out, {} times: {}", shortNumber(d.held_out.gap, 3),
+        lines.push_back(fmt::format("in the held-out drives, {} times: {}", shortNumber(d.held_out.gap, 3),
                                     partsInWords(d.held_out)));
     else lines.emplace_back("no drive is held out: judged in-sample, in the fitted drives, which is too optimistic");
     if (const std::string closed = closedInWords(d.held_out.gap > 0 ? d.held_out : gap); !closed.empty())
@@ -103,7 +103,7 @@ std::string whichOf(const Diagnosis& d) {
     }
     if (!lines.empty()) return paragraph("WHICH", lines);
     const std::string law = lawInWords(d.unexplained.law);
-    return paragraph("WHICH", {"no effect of the catalogue" + (law.empty() ? "" : "; " + law)});
+    return paragraph("WHICH", {"no effect in the catalogue" + (law.empty() ? "" : "; " + law)});
 }
 
 // "mass 1362 (+0.8 sd), inertia.yaw 2010 (+1.8 sd), and 3 others"
@@ -134,7 +134,7 @@ std::string remainsOf(const Diagnosis& d) {
     std::string text = percentInWords(d.training.remainder.share) + " of the gap";
     const auto large = largeForces(d.unexplained);
     for (std::size_t i = 0; i < std::min(large.size(), kMostListed); ++i)
-        text += fmt::format("; {}: {:.1f} usual sizes", kindOfForceInWords(large[i].second), large[i].first);
+        text += fmt::format("; {}: {:.1f} times the usual size", kindOfForceInWords(large[i].second), large[i].first);
     if (large.empty()) text += "; no force is larger than in an ordinary drive";
     const std::string law = d.causes.empty() ? "" : lawInWords(d.unexplained.law);
     return paragraph("REMAINS", {law.empty() ? text : text + "; " + law});

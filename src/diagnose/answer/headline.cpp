@@ -48,7 +48,7 @@ std::string remainder(const Diagnosis& d) {
     const double share = d.training.remainder.share, held_out = d.held_out.remainder.share;
     std::string text = (share > 0 ? percentInWords(share) + " of the gap" : "nothing") + " remains unexplained";
     if (isDecomposed(d.held_out) && (share > 0 || held_out > 0))
-        text += fmt::format(" ({} in the drives held out)", percentInWords(held_out));
+        text += fmt::format(" ({} in the held-out drives)", percentInWords(held_out));
     return text;
 }
 
@@ -85,7 +85,7 @@ std::string doubtOfTolerances(const Diagnosis& d) {
 std::string ofUnknown(const Diagnosis& d) {
     const std::string rest = remainder(d);
     std::string text = "Mostly unknown" + (rest.empty() ? "" : ": " + rest);
-    if (d.causes.empty()) text += "; no effect of the catalogue explains it";
+    if (d.causes.empty()) text += "; no effect in the catalogue explains it";
     else text += fmt::format("; {} {}", ranked(d, causesInOrder(d)), effectOf(d.training.causes));
     if (!d.unexplained.generalised_force.empty())
         text += fmt::format("; missing force: {}", d.unexplained.generalised_force);

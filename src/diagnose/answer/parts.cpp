@@ -118,7 +118,7 @@ std::vector<std::string> enlargingInWords(const Decomposition& gap) {
     for (const ToldPart& part : toldParts(gap)) {
         if (part.share > -kWorthTelling) continue;
         sentences.push_back(fmt::format(
-            "{} makes the gap larger, by {:.0f} % of that of the nominal car.",
+            "{} increases the gap by {:.0f} % of that of the nominal car.",
             part.kind == PartKind::tolerances ? "Fitting the tolerances alone" : capitalised(partInWords(part)),
             -100 * part.share));
     }

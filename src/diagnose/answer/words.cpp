@@ -161,7 +161,7 @@ std::string probabilityInWords(double p) {
 
 std::string followsInWords(const ForceLaw& law) {
     if (law.follows.empty()) return {};
-    return law.unit.empty() ? "is always the same" : "follows " + law.follows;
+    return law.unit.empty() ? "is constant" : "follows " + law.follows;
 }
 
 std::string lawInWords(const ForceLaw& law) {
@@ -171,7 +171,7 @@ std::string lawInWords(const ForceLaw& law) {
         const bool moment = kind == "yaw" || kind == "roll";
         forces += fmt::format("{}{} {:.3g} {}", forces.empty() ? "" : ", ", kind, value, moment ? "N m" : "N");
     }
-    return fmt::format("a force {}: {}{} ({:.0f} nats)", followsInWords(law), forces,
+    return fmt::format("a force that {}: {}{} ({:.0f} nats)", followsInWords(law), forces,
                        law.unit.empty() ? "" : " per " + law.unit, law.gain);
 }
 

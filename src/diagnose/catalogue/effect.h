@@ -80,10 +80,9 @@ struct Effect {
         field(TREAD_FIELD(source), About{"", "source of the typical sizes"});
         field(TREAD_FIELD(knobs), About{"", "free parameters, each with a change of its own"});
         field(TREAD_FIELD(alike), About{"", "names of effects that can imitate this one in many drives"});
-        field(
-            TREAD_FIELD(at_limit),
-            About{"",
-                  "it decides when the car slides: it is tried before a drive is cut where car and model slide apart"});
+        field(TREAD_FIELD(at_limit), About{"",
+                                           "it determines when the car slides: it is tried before a drive is cut where "
+                                           "the motions of car and model diverge"});
     }
 
     static void check(const auto& self, auto&& complain) {

@@ -15,7 +15,7 @@ namespace {
 using enum Scale;
 
 constexpr std::string_view kOtherTyre = "guess: from a worn winter tyre to a semi-slick, and water or gravel";
-constexpr std::string_view kMeasured = "guess: no estimate of such a number errs more";
+constexpr std::string_view kMeasured = "guess: no estimate of such a number is off by more";
 
 // The first pattern that fits holds.
 constexpr PlausibleRange kRanges[] = {
@@ -89,8 +89,8 @@ constexpr PlausibleRange kRanges[] = {
     {"steering.ratio", 0.6, 1.6, itself, "other racks for the same car"},
     {"steering.column_compliance", 0, 0.15, one, "9 deg/(N m): loose at once"},
     {"steering.rack_compliance", 0, 5, itself, kMeasured},
-    {"steering.delay", 0, 0.5, one, "slower, nobody could drive"},
-    {"steering.lag", 0, 0.5, one, "slower, nobody could drive"},
+    {"steering.delay", 0, 0.5, one, "with a slower one, nobody could drive"},
+    {"steering.lag", 0, 0.5, one, "with a slower one, nobody could drive"},
     {"steering.play", 0, 0.6, one, "three times what inspections allow"},
     {"steering.ackermann", -1, 2, one, "from racing cars to more than full"},
     {"steering.caster_trail", -0.03, 0.03, wheelbase, "caster angles up to 12 deg"},
@@ -119,9 +119,9 @@ constexpr PlausibleRange kRanges[] = {
     {"aero.drag_area", 0, 3, one, "from none to a van"},
     {"aero.*_lift_area", -3, 1.5, one, "from racing wings to a van"},
     {"aero.air_density", 0.6, 1.2, itself, "from 4000 m above to arctic cold"},
-    {"wind.x", -15, 15, one, "near gale: nobody measures then"},
-    {"wind.y", -15, 15, one, "near gale: nobody measures then"},
-    {"wind.speed", 0, 15, one, "near gale: nobody measures then"},
+    {"wind.x", -15, 15, one, "near gale: too strong for measurements"},
+    {"wind.y", -15, 15, one, "near gale: too strong for measurements"},
+    {"wind.speed", 0, 15, one, "near gale: too strong for measurements"},
     {"road.grade", -0.1, 0.1, one, "a steep public road"},
     {"road.bank", -0.1, 0.1, one, "a banked public road"},
     {"road.friction", 0.1, 1.6, itself, "from ice to the best dry asphalt"},

@@ -145,7 +145,7 @@ bool contradicted(const Calibration& car, const Candidate& model, const Search& 
     });
 }
 
-constexpr const char* kAtItsEnd = "a number stands at the end of its plausible range";
+constexpr const char* kAtItsEnd = "a number is at the end of its plausible range";
 
 // Why a model cannot be the answer, as far as its fit tells; empty when it can: its numbers are plausible, it predicts
 // the drives that are left out, its effects have the same values in all drives, and those held out do not speak against
@@ -156,8 +156,8 @@ std::string reasonInTheFit(const Calibration& car, const Candidate& model, const
     if (model.effects.empty()) return {};
     if (implausible(car.problem, model.fit)) return kAtItsEnd;
     if (predicted(car, model.fit, none).fails()) return "it does not predict drives that are left out of the fit";
-    if (contradicted(car, model, found)) return "one drive speaks for it and the others against it";
-    if (held_out.speakAgainst(model.fit.at, none.at)) return "it does not shrink the gap of the drives held out";
+    if (contradicted(car, model, found)) return "one drive supports it and the others contradict it";
+    if (held_out.speakAgainst(model.fit.at, none.at)) return "it does not reduce the gap of the held-out drives";
     return {};
 }
 
@@ -166,7 +166,7 @@ std::string reasonInTheFit(const Calibration& car, const Candidate& model, const
 std::string reasonInTheGap(const Calibration& car, const Candidate& model, const Closeness& closeness,
                            LeftOut& left_out) {
     if (model.effects.empty()) return {};
-    if (closesByChance(car, closeness)) return "one of its effects closes no more of the gap than chance may";
+    if (closesByChance(car, closeness)) return "one of its effects closes no more of the gap than chance could";
     if (left_out.enlarges(model)) return "it enlarges the gap of drives that it is not fitted to";
     return {};
 }

@@ -87,7 +87,7 @@ std::vector<MetricDefinition> definitions(const std::vector<OwnMetric>& metrics)
     std::vector<MetricDefinition> out;
     for (const OwnMetric& metric : metrics) {
         out.push_back(
-            {metric.name, metric.unit, metric.definition.empty() ? metric.value.text : metric.definition, {}});
+            {metric.name, {}, metric.unit, metric.definition.empty() ? metric.value.text : metric.definition});
     }
     return out;
 }

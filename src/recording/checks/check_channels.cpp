@@ -71,13 +71,13 @@ void checkRuns(const LogChecks& checks, const Channel& channel) {
     if (mayRest(channel)) return;
     if (*lowest == *highest) {
         checks.warn(channel.name, fmt::format("is constant at {:.4g} {}", *lowest, channel.unit),
-                    "A stuck or disconnected sensor is taken for a car that does not move",
+                    "A stuck or disconnected sensor is mistaken for a car that does not move",
                     "Leave the channel out (channels), or repair the recording");
     } else if (seconds > kStuckShare * checks.time().back() && seconds > 0.5) {
         checks.warn(channel.name,
                     fmt::format("stays at {:.4g} {} for {:.2f} s, starting at {:.2f} s", values[runs.begin],
                                 channel.unit, seconds, at),
-                    "A sensor that is temporarily stuck is taken for a car that does not move",
+                    "A sensor that is temporarily stuck is mistaken for a car that does not move",
                     "Choose a window without this period, or leave the channel out");
     } else if (const double value = values[runs.begin];
                value != 0 && (value == *lowest || value == *highest) && seconds > kSaturated) {
@@ -137,7 +137,7 @@ void checkSize(const LogChecks& checks, const Channel& channel) {
     checks.warn(channel.name,
                 fmt::format("reaches {:.3g}, more than {:.3g}{}, as if it were in {}", most, known->value,
                             channel.unit == "-" ? "" : " " + channel.unit, known->like),
-                "A wrong unit or scale factor is taken for a difference of the car",
+                "A wrong unit or scale factor is mistaken for a difference between car and model",
                 "Check the unit of the channel (channels, import)");
 }
 

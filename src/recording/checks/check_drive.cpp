@@ -60,7 +60,7 @@ void checkScale(const LogChecks& checks) {
         fmt::format("over yaw rate gives turns of {:.2g} m radius, which a car with a wheelbase of {:.3g} m cannot "
                     "drive without spinning",
                     *radius, wheelbase),
-        "The log is of a car of another scale, or one of the two has another unit",
+        "The log is from a car of a different scale, or one of the two has a different unit",
         "Name the file of the car that was driven, and check the units of speed and yaw rate");
 }
 
@@ -83,7 +83,7 @@ void checkCommands(const LogChecks& checks) {
     const double jump = steer ? largestJump(checks, *steer) : 0;
     if (jump < kJump) return;
     checks.warn("driver.steering_wheel_angle",
-                fmt::format("jumps within one sample ({:.0f} rad/s), as a command does and no measured motion", jump),
+                fmt::format("jumps within one sample ({:.0f} rad/s), as a command does, but no measured motion", jump),
                 "Lag and delay of the actuator are then part of the gap",
                 "Record the measured angle, or expect steering_delay among the causes");
 }
@@ -124,7 +124,7 @@ bool standsStill(const LogChecks& checks) {
     const bool still = below(vx, kStanding) && below(measuredAs(checks.log, "chassis.yaw_rate"), kTurning);
     if (still)
         checks.warn("", "the car stands still in the whole recording",
-                    "It shows only noise and zeros of the instruments",
+                    "It shows only noise and zero offsets of the instruments",
                     "Use it to state noise (channels) and bias (instruments), and remove it from the recordings");
     return still;
 }
@@ -139,7 +139,7 @@ void checkSameCar(const LogChecks& reference, const LogChecks& after) {
     const auto differs = [&](const std::optional<double>& a, const std::optional<double>& b, const char* what) {
         if (!a || !b || !(*a * *b > 0) || std::abs(std::log(*b / *a)) < std::log(kOtherCar)) return;
         reference.warn("", fmt::format("{} is {:.2g} times that of the recording itself", what, *a / *b),
-                       "If the reference is of another car, the gap that is subtracted is not that of this model",
+                       "If the reference is from another car, the gap that is subtracted is not that of this model",
                        "Use a reference of the same car, recorded with the same instruments");
     };
     differs(before.steering, now.steering, "the yaw rate per speed and steering-wheel angle");

@@ -94,7 +94,7 @@ void checkSize(const LogChecks& checks, const Pair& pair, const Related& found) 
     const std::string look = lookOf(factor);
     if (look.empty() ? !(off(factor) && off(gentle)) : look != lookOf(gentle) && !off(gentle)) return;
     checks.warn(pair.channel, fmt::format("is {:.3g} times {}{}", factor, pair.says, look),
-                "A wrong unit or scale factor is taken for a difference of the car",
+                "A wrong unit or scale factor is mistaken for a difference between car and model",
                 "Check the units of both signals (channels, import)");
 }
 
@@ -119,7 +119,7 @@ void checkSigns(const LogChecks& checks, const std::vector<Pair>& pairs, const s
         checks.warn(channel,
                     fmt::format("has the opposite sign of {} (correlation {:.2f})", partner, found[i].all.correlation),
                     "A channel with the wrong sign cannot be compared with the model",
-                    either ? fmt::format("Reverse the sign of {} or of {} on import: no other channel tells which is "
+                    either ? fmt::format("Reverse the sign of {} or of {} on import: no other channel shows which is "
                                          "wrong. ISO 8855, x forward, y left, z up",
                                          pair.channel, pair.other)
                            : "Reverse the sign on import: ISO 8855, x forward, y left, z up");
@@ -223,13 +223,13 @@ void checkRigidBody(const LogChecks& checks) {
         if (wrong_unit) continue;
         if (one.contradicts) {
             checks.warn(one.channel, toText(one),
-                        "No body can move like this, so that at least one of the channels is wrong",
+                        "No rigid body can move like this, so at least one of the channels is wrong",
                         fmt::format("Check {}, which is the least certain of them", oddChannel(all)));
         } else if (!one.errors.empty()) {
             const InstrumentError& error = one.errors.front();
             const bool delay = error.kind == InstrumentError::Kind::delay;
-            checks.warn(one.channel, toText(one), "Such an error looks like a difference of the car",
-                        fmt::format("If it is one of the instrument, state it (instruments{})",
+            checks.warn(one.channel, toText(one), "Such an error looks like a difference between car and model",
+                        fmt::format("If the instrument causes it, state it (instruments{})",
                                     delay ? fmt::format(", {} delay: {:.3f}", error.channel, error.size) : ""));
         }
     }

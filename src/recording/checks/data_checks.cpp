@@ -168,7 +168,7 @@ void checkTheSet(std::vector<DataWarning>& found, const DiagnosisFile& file, con
              "Add other manoeuvres");
     if (references > 0 && references < file.recordings.size())
         warn("only some of the recordings have a reference",
-             "Without a reference, a model error that existed before is taken for a change of the car",
+             "Without a reference, a model error that existed before is mistaken for a change of the car",
              "Give every recording a reference, or remove those without one");
     if (training == file.recordings.size())
         warn("no recording is held out", "The gap is then judged in the fitted drives, which is too optimistic",

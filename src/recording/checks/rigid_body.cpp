@@ -369,7 +369,7 @@ private:
         const Channel *vx = measuredAs(log_, "chassis.vx"), *r = measuredAs(log_, "chassis.yaw_rate"),
                       *vy = across_ ? &*across_ : nullptr;
         if (!vx) return std::nullopt;
-        Claim made = vy && r ? claim(ax, fmt::format("the rate of {} less {} times {}", vx->name, vy->name, r->name),
+        Claim made = vy && r ? claim(ax, fmt::format("the rate of {} minus {} times {}", vx->name, vy->name, r->name),
                                      {vx, vy, r})
                              : claim(ax, fmt::format("the rate of {}", vx->name), {vx});
         made.expected = rate(*vx);
@@ -421,19 +421,19 @@ std::string errorText(const InstrumentError& error, const Agreement& said) {
     const std::string whose = error.channel == said.channel ? "it" : error.channel;
     switch (error.kind) {
         case Kind::delay:
-            return fmt::format("{} is {} by {:.0f} ms", whose, error.size > 0 ? "late" : "early",
+            return fmt::format("{} {} by {:.0f} ms", whose, error.size > 0 ? "lags" : "leads",
                                1000 * std::abs(error.size));
         case Kind::gain: {
             std::string text = fmt::format("{} is {:.3g} times as large", whose, 1 + error.size);
             // Gravity through the roll angle adds to the reading in proportion to ay.
             if (quantityOf(error.channel) == "chassis.ay" && error.size > 0)
-                text += fmt::format(" (gravity through a body roll of {:.1f} deg per g does that)",
+                text += fmt::format(" (as gravity does at a body roll of {:.1f} deg per g)",
                                     error.size * 180 / std::numbers::pi);
             return text;
         }
         case Kind::bias:
             return fmt::format("{} reads {:.2g} {} too {}", whose, std::abs(error.size), said.unit,
-                               error.size > 0 ? "much" : "little");
+                               error.size > 0 ? "high" : "low");
         case Kind::place:
             return fmt::format("{} is measured {:.2g} m further {}", whose, std::abs(error.size),
                                error.size > 0 ? "forward" : "back");
@@ -504,7 +504,7 @@ std::vector<std::string> leaveOutContradictions(const DiagnosisFile& file, Recor
         if (worst == odd.end() || 2 * worst->second < shown[worst->first]) return sentences;
         sentences.push_back(
             fmt::format("{} is left out: it contradicts the other channels in {} of {} recordings. Set contradictions: "
-                        "keep to use it all the same.",
+                        "keep to use it anyway.",
                         worst->first, worst->second, shown[worst->first]));
         for (std::vector<Log>* logs : {&recorded.logs, &recorded.references, &recorded.before}) {
             for (Log& log : *logs)

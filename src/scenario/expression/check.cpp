@@ -107,7 +107,7 @@ private:
         if (isZero(left) || isZero(right) || fits(left.dimension, right.dimension)) return true;
         const bool bare = right.operation == Operation::number && right.dimension == kPure;
         return fail(term, concat({"found ", kindOf(right.dimension), " ", what, " ", kindOf(left.dimension),
-                                  bare ? "; write the unit behind the number" : "; correct one of the two"}));
+                                  bare ? "; write the unit after the number" : "; correct one of the two"}));
     }
 
     bool power(Term& term) {
@@ -143,7 +143,7 @@ private:
             const std::string list =
                 parameter ? "; `tread describe vehicle` and `tread describe scenario` list the parameters"
                           : "; `tread describe log` lists the channels";
-            return fail(term, concat({"found ", quote(term.name), ", which is no ",
+            return fail(term, concat({"found ", quote(term.name), ", which is not a ",
                                       parameter ? "parameter of the run" : "channel", meant.empty() ? list : meant}));
         }
         std::string why;
@@ -157,7 +157,7 @@ private:
             std::vector<std::string_view> names;
             for (const FunctionAbout& one : functions()) names.push_back(one.name);
             const std::string meant = didYouMean(term.name, names);
-            return fail(term, concat({"found ", quote(term.name + "("), ", which is no function",
+            return fail(term, concat({"found ", quote(term.name + "("), ", which is not a function",
                                       meant.empty() ? "; `tread describe expressions` lists them" : meant}));
         }
         const std::size_t count = term.terms.size();
@@ -247,7 +247,7 @@ private:
         if (std::find(phases.begin(), phases.end(), which.name) != phases.end()) return true;
         std::vector<std::string_view> names(phases.begin(), phases.end());
         std::erase(names, "");
-        return fail(which, concat({"found ", quote(which.name), ", which is no phase of the scenario",
+        return fail(which, concat({"found ", quote(which.name), ", which is not a phase of the scenario",
                                    didYouMean(which.name, names), names.empty() ? "; give its number" : ""}));
     }
 

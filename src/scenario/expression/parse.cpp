@@ -30,7 +30,7 @@ public:
         skipBlanks();
         if (term && at_ < text_.size()) {
             return fail(at_, concat({"found ", quote(text_.substr(at_), 20),
-                                     " behind a complete expression, expected +, -, *, /, a comparison, and, or"}));
+                                     " after a complete expression, expected +, -, *, /, a comparison, and, or"}));
         }
         return term;
     }
@@ -153,7 +153,8 @@ private:
         std::string_view digits_only = text_.substr(at, end - at);
         const auto number = takeNumber(digits_only);
         if (!number || !digits_only.empty())
-            return fail(at, concat({"found ", quote(text_.substr(at, end - at)), ", which is no number; correct it"}));
+            return fail(at,
+                        concat({"found ", quote(text_.substr(at, end - at)), ", which is not a number; correct it"}));
         at_ = end;
         Term term{.operation = Operation::number, .at = at, .number = *number};
         skipBlanks();
