@@ -39,7 +39,7 @@ MetricTable<Driven> table() {
           "end; undefined without the scenario and when none is complete",
           Say{1, "a lap takes {} s", 2}},
          [](const Driven& d) { return d.lap_time; }},
-        {{"largest_cross_track_error", "Cross-track error, largest", "m",
+        {{"largest_cross_track_error", "Cross-track error, maximum", "m",
           "largest distance of the centre of gravity from the path of the course",
           Say{2, "at most {} m off its path", 2}},
          [](const Driven& d) { return d.largest_error; }},

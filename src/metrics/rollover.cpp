@@ -134,7 +134,7 @@ Rollover findRollover(const Log& log, bool fishhook) {
     found.amplitude = std::max(left.value, -right.value);
     const double less = std::min(left.value, -right.value);
     if (found.amplitude < kLargeAngle) {
-        notFound(name, fmt::format("the steering wheel turns to {:.3g} deg at most, looked for {:.3g} deg or more",
+        notFound(name, fmt::format("the steering wheel turns to {:.3g} deg at most, expected {:.3g} deg or more",
                                    kDegrees * found.amplitude, kDegrees * kLargeAngle));
     }
     if (fishhook != (less >= kAlike * found.amplitude)) {
@@ -143,7 +143,7 @@ Rollover findRollover(const Log& log, bool fishhook) {
     }
     const double rate = fastest(hand), least = fishhook ? kFishhookRate : kJTurnRate;
     if (rate < least) {
-        notFound(name, fmt::format("the steering wheel turns at {:.3g} deg/s at most, looked for {:.3g} deg/s or more",
+        notFound(name, fmt::format("the steering wheel turns at {:.3g} deg/s at most, expected {:.3g} deg/s or more",
                                    kDegrees * rate, kDegrees * least));
     }
     // A fishhook begins with the side that comes first, a J-turn has only one.
@@ -162,8 +162,8 @@ Rollover findRollover(const Log& log, bool fishhook) {
     }
     // A log that ends before is that of a car which tipped over.
     if (held_to < turned.end() && held_to - held_from < kHeld) {
-        notFound(name, fmt::format("the last angle is held for {:.2g} s, looked for {} s or more", held_to - held_from,
-                                   kHeld));
+        notFound(name,
+                 fmt::format("the last angle is held for {:.2g} s, expected {} s or more", held_to - held_from, kHeld));
     }
     found.entry_speed = at(speed(log, name), found.begin);
     found.roll = largest(needed[1]);
