@@ -21,9 +21,8 @@ struct HoldSpeed {
         field(TREAD_FIELD(speed),
               About{"m/s", "speed to hold; 0: that at the start of the phase", kNonNegative}.usually(0, 70));
         field(TREAD_FIELD(proportional), About{"s/m", "throttle over the speed error", kNonNegative}.usually(0, 10));
-        field(TREAD_FIELD(integral), About{"1/m", "throttle over the integral of the speed error", kNonNegative}
-                                         .usually(0.0001, 20)
-                                         .usually(0, 10));
+        field(TREAD_FIELD(integral),
+              About{"1/m", "throttle over the integral of the speed error", kNonNegative}.usually(0, 10));
         field(TREAD_FIELD(brake),
               About{"-", "brake pedal over the negative throttle that the controller demands; 0: never brakes",
                     kNonNegative}
