@@ -108,7 +108,11 @@ file(COPY ${CMAKE_CURRENT_LIST_DIR}/consumer DESTINATION ${place})
 file(GLOB_RECURSE pc_file "${prefix}/tread.pc")
 cmake_path(GET pc_file PARENT_PATH pc_folder)
 set(ENV{PKG_CONFIG_PATH} ${pc_folder})
-must_run(${CMAKE_COMMAND} -S ${place}/consumer -B ${place}/build -G Ninja -DTREAD_FROM=${STEP} -DCMAKE_BUILD_TYPE=Release
+set(build_type Release)
+if(STEP STREQUAL source)
+    set(build_type "")  # all of the library is built again: whether that works does not depend on optimisation
+endif()
+must_run(${CMAKE_COMMAND} -S ${place}/consumer -B ${place}/build -G Ninja -DTREAD_FROM=${STEP} -DCMAKE_BUILD_TYPE=${build_type}
     -DCMAKE_PREFIX_PATH=${prefix} -DTREAD_PREFIX=${prefix} -DTREAD_SOURCE=${SOURCE}
     -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
     -DTREAD_LINKER=${LINKER})
