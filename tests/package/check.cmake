@@ -110,7 +110,8 @@ cmake_path(GET pc_file PARENT_PATH pc_folder)
 set(ENV{PKG_CONFIG_PATH} ${pc_folder})
 set(build_type Release)
 if(STEP STREQUAL source)
-    set(build_type "")  # all of the library is built again: whether that works does not depend on optimisation
+    set(build_type Debug)  # all of the library is built again: whether that works does not depend on optimisation
+    list(APPEND FLAGS -g0)
 endif()
 must_run(${CMAKE_COMMAND} -S ${place}/consumer -B ${place}/build -G Ninja -DTREAD_FROM=${STEP} -DCMAKE_BUILD_TYPE=${build_type}
     -DCMAKE_PREFIX_PATH=${prefix} -DTREAD_PREFIX=${prefix} -DTREAD_SOURCE=${SOURCE}
