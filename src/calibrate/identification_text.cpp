@@ -135,8 +135,11 @@ Json identificationJson(const Identification& found) {
                              {"at_bound", one.at_bound},
                              {"determined", one.determined}};
     }
+    Json paths = Json::array();  // a reader may sort the keys of `numbers`
+    for (const FittedNumber& one : found.numbers) paths.push_back(one.path);
     const Json gap = diagnosisJson(found.gap);
     return {{"answer", found.answer},
+            {"paths", paths},
             {"numbers", numbers},
             {"correlation", found.correlation},
             {"condition", found.condition},

@@ -136,8 +136,9 @@ Driven driveInto(const RunRecord& record, const Path& folder, const Tell& tell) 
     }
 }
 
-std::vector<Metric> measure(const VehicleParams& vehicle, const Scenario& scenario) {
-    Log log;
+std::vector<Metric> measure(const VehicleParams& vehicle, const Scenario& scenario, Log* kept) {
+    Log own;
+    Log& log = kept ? *kept : own;
     Recorder recorder = recorderInto(log);
     recorder.stop = [](double) { return stopped_by != 0; };
     simulate(vehicle, scenario, recorder);
@@ -147,6 +148,10 @@ std::vector<Metric> measure(const VehicleParams& vehicle, const Scenario& scenar
 void listenToSignals() {
     std::signal(SIGINT, stopRun);
     std::signal(SIGTERM, stopRun);
+}
+
+bool stopAsked() {
+    return stopped_by != 0;
 }
 
 int stoppedStatus() {
