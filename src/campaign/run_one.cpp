@@ -20,7 +20,11 @@ Outcome outcomeOf(const Subject& subject, const Measure& measure, Log* log) {
                 tuned(std::move(scenario), [&](const Scenario& one) { return measure(subject.vehicle, one, nullptr); });
         }
         Outcome outcome;
-        outcome.metrics = measure(subject.vehicle, scenario, log);
+        try {
+            outcome.metrics = measure(subject.vehicle, scenario, log);
+        } catch (const MetricError&) {
+            if (!scenario.manoeuvre.empty()) throw;  // without a manoeuvre the run is driven for its log
+        }
         outcome.verdicts = judge(scenario.accept, outcome.metrics);
         if (!allMet(outcome.verdicts)) outcome.status = Status::rejected;
         return outcome;

@@ -56,8 +56,7 @@ TEST(CampaignSobol, IntegratesBetterThanChance) {
         double sum = 0;
         for (std::uint32_t i = 0; i < 4096; ++i) {
             double product = 1;
-            for (std::size_t d = first; d < first + 10; ++d)
-                product *= 1 + (sobolPoint(i, d) * 0x1p-32 - 0.5) * 0.5;
+            for (std::size_t d = first; d < first + 10; ++d) product *= 1 + (sobolPoint(i, d) * 0x1p-32 - 0.5) * 0.5;
             sum += product;
         }
         EXPECT_NEAR(sum / 4096, 1, 0.002) << first;
@@ -297,7 +296,7 @@ TEST(CampaignPlan, FaultsAreNamed) {
     file.factors = {listOf("mass", {"-5 kg"})};
     expectFault(file, "mass becomes -5, expected a value above 0");
     file.factors = {listOf("mass", {"5 m"})};
-    expectFault(file, "a mass");
+    expectFault(file, "expected kg; correct the unit");
     file.factors = {uniformOf("load.mass", "5", "5")};
     expectFault(file, "expected from < to");
     file.factors = {uniformOf("brakes.anti_lock.enabled", "0", "1")};

@@ -144,6 +144,11 @@ Plan readFile(const std::string& file, const std::vector<std::string>& settings)
         faults.collect([&] {
             Scenario scenario = readScenario(name);
             expectOneRun(scenario, "scenarios." + std::to_string(i), faults);
+            if (scenario.manoeuvre.empty() && !inputs.campaign.logs) {
+                faults.complain("scenarios." + std::to_string(i),
+                                "found a scenario without a manoeuvre, whose runs have no metrics; expected one with a "
+                                "manoeuvre, or logs: true");
+            }
             apply(inputs.campaign.settings, scenario, file);
             inputs.scenarios.push_back({nameOf(name), withReplaysRead(std::move(scenario))});
         });
