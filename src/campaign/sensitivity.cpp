@@ -64,25 +64,21 @@ Estimates estimates(std::span<const double> values, std::size_t factors, std::sp
     return found;
 }
 
-// Classes of the factor: one number for each sample. Few values are classes of their own.
-std::vector<std::size_t> classesOf(std::span<const double> factor, std::size_t& classes) {
-    std::vector<std::size_t> order(factor.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return factor[a] < factor[b]; });
-    std::size_t different = order.empty() ? 0 : 1;
-    for (std::size_t i = 1; i < order.size(); ++i) different += factor[order[i]] != factor[order[i - 1]];
-    std::vector<std::size_t> of(factor.size());
-    if (different <= kMostClasses) {
-        classes = different;
-        for (std::size_t i = 0, c = 0; i < order.size(); ++i) {
-            if (i > 0 && factor[order[i]] != factor[order[i - 1]]) ++c;
-            of[order[i]] = c;
-        }
-        return of;
+// Classes of the factor: one number for each sample. Equal values are of one class.
+std::vector<std::size_t> classesOf(std::span<const double> factor, Values values, std::size_t& classes) {
+    std::vector<double> different(factor.begin(), factor.end());
+    std::sort(different.begin(), different.end());
+    different.erase(std::unique(different.begin(), different.end()), different.end());
+    const std::size_t n = different.size();
+    constexpr std::size_t kInClass = 5;
+    const std::size_t most = std::min(n, kMostClasses);
+    classes = values == Values::listed ? most : std::min(most, std::max<std::size_t>(2, n / kInClass));
+    std::vector<std::size_t> of;
+    of.reserve(factor.size());
+    for (const double value : factor) {
+        const auto rank = std::lower_bound(different.begin(), different.end(), value) - different.begin();
+        of.push_back(static_cast<std::size_t>(rank) * classes / n);
     }
-    // At least five samples in each on the average, for a mean that says something.
-    classes = std::clamp<std::size_t>(factor.size() / 5, 2, kMostClasses);
-    for (std::size_t i = 0; i < order.size(); ++i) of[order[i]] = i * classes / order.size();
     return of;
 }
 
@@ -160,11 +156,11 @@ std::vector<SobolIndices> sobolIndices(std::span<const double> values, std::size
     return found;
 }
 
-Share mainEffect(std::span<const double> factor, std::span<const double> metric) {
+Share mainEffect(std::span<const double> factor, std::span<const double> metric, Values values) {
     const Pairs pairs = finite(factor, metric);
     if (pairs.metric.size() < 3) return {kNan, kNan, kNan};
     std::size_t count = 0;
-    const std::vector<std::size_t> classes = classesOf(pairs.factor, count);
+    const std::vector<std::size_t> classes = classesOf(pairs.factor, values, count);
     std::vector<std::size_t> samples(pairs.metric.size());
     std::iota(samples.begin(), samples.end(), 0u);
     const double value = effect(pairs.metric, classes, count, samples);
@@ -177,12 +173,12 @@ Share mainEffect(std::span<const double> factor, std::span<const double> metric)
     return around(value, std::move(resampled), scale);
 }
 
-ClassMeans classMeans(std::span<const double> factor, std::span<const double> metric) {
+ClassMeans classMeans(std::span<const double> factor, std::span<const double> metric, Values values) {
     const Pairs pairs = finite(factor, metric);
     ClassMeans means;
     if (pairs.metric.empty()) return means;
     std::size_t count = 0;
-    const std::vector<std::size_t> classes = classesOf(pairs.factor, count);
+    const std::vector<std::size_t> classes = classesOf(pairs.factor, values, count);
     std::vector<double> size(count);
     means.factor.assign(count, 0);
     means.metric.assign(count, 0);

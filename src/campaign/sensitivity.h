@@ -27,13 +27,17 @@ struct SobolIndices {
 // left out.
 std::vector<SobolIndices> sobolIndices(std::span<const double> values, std::size_t factors);
 
-// Main effect of a factor: at most twenty classes of equal size, or one for each of its values when it has few.
-Share mainEffect(std::span<const double> factor, std::span<const double> metric);
+// What becomes a class of a factor: each of its listed values; or neighbours among values that were drawn, at least
+// five in each class, so that factors drawn together are told apart.
+enum class Values { listed, drawn };
+
+// Main effect of a factor, from at most twenty classes.
+Share mainEffect(std::span<const double> factor, std::span<const double> metric, Values values);
 
 // Mean of the metric in each of these classes over the mean of the factor there, for a chart.
 struct ClassMeans {
     std::vector<double> factor, metric;
 };
-ClassMeans classMeans(std::span<const double> factor, std::span<const double> metric);
+ClassMeans classMeans(std::span<const double> factor, std::span<const double> metric, Values values);
 
 }  // namespace tread::campaign

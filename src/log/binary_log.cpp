@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kHead = "tread log 1\nrows ";
 constexpr std::string_view kMagic = "\x28\xB5\x2F\xFD";
-constexpr unsigned long long kLargest = 8ull << 30;  // bytes; a hostile frame could claim any size
+constexpr unsigned long long kLargest = 1ull << 30;  // bytes; a hostile frame could claim any size
 
 std::uint64_t littleEndian(std::uint64_t bits) {
     if constexpr (std::endian::native == std::endian::little) return bits;

@@ -136,9 +136,9 @@ TEST_F(TreadCampaign, DatabaseHasViewsAndDefinitions) {
 TEST_F(TreadCampaign, KilledAtAnyMomentItGoesOnToTheSameBytes) {
     ASSERT_EQ(drive("whole").status, 0);
     const char* const asked = std::getenv("TREAD_KILLS");
-    const int wanted = asked ? std::atoi(asked) : 24;
+    const int wanted = asked ? std::atoi(asked) : 20;
     std::mt19937 random(7);
-    std::uniform_int_distribution<int> delay(0, 400);  // ms
+    std::uniform_int_distribution<int> delay(0, 300);  // ms
     int finished = 0;
     std::string name = "killed0";
     for (int kills = 0; kills < wanted;) {
@@ -283,6 +283,8 @@ TEST_F(TreadCampaign, FaultsHaveTheirPlace) {
     expectFault(drive("out", {"--run", "60"}), "--run: found 60, expected a run from 0 to 59");
     expectFault(runProgram({"campaign", scratch.folder()}), "found no inputs.yaml, expected the folder of a campaign");
     expectFault(runProgram({"campaign"}), "found no campaign, expected a file");
+    expectFault(runProgram({"campaign", scratch.path("campaign.yaml"), "-o", "/proc/stops"}),
+                "cannot create the folder /proc/stops: ");
     EXPECT_FALSE(fs::exists(folder("out")));
 }
 
@@ -362,6 +364,53 @@ TEST_F(TreadCampaign, SlurmScriptsAreWrittenAndSubmitted) {
     EXPECT_FALSE(isDone("out"));
     EXPECT_EQ(std::system(("sh " + join + " > /dev/null").c_str()), 0);
     ASSERT_EQ(drive("local").status, 0);
+    EXPECT_EQ(bytesOf("out"), bytesOf("local"));
+}
+
+// A real cluster of two nodes on this machine.
+class Cluster {
+public:
+    explicit Cluster(const Scratch& scratch) : folder_(scratch.path("slurm")) {
+        fs::create_directories(folder_);
+        fs::permissions(scratch.folder(), fs::perms(0755));  // its daemon of authentication is another user
+        const int port = 20000 + getpid() % 20000;  // three ports, others' tests may run beside this one
+        runs = std::system((kScript + "start " + folder_ + " " + std::to_string(port)).c_str()) == 0;
+        setenv("SLURM_CONF", (folder_ + "/slurm.conf").c_str(), 1);
+    }
+    ~Cluster() {
+        if (std::system((kScript + "stop " + folder_).c_str()) != 0) ADD_FAILURE() << "the cluster did not stop";
+        unsetenv("SLURM_CONF");
+    }
+    bool runs = false;
+
+private:
+    const std::string kScript = "bash " + sourceFile("tests/cli/slurm_one_machine.sh") + " ";
+    std::string folder_;
+};
+
+// One task is killed, one is begun anew; the merge job ends with the bytes of local threads.
+TEST_F(TreadCampaign, SlurmTasksMayDie) {
+    for (const char* daemon : {"/usr/sbin/slurmctld", "/usr/sbin/slurmd", "/usr/sbin/munged", "/usr/bin/sbatch"})
+        if (!fs::exists(daemon)) GTEST_SKIP() << "Slurm is not installed here: there is no " << daemon;
+    if (geteuid() != 0) GTEST_SKIP() << "a cluster on one machine needs root";
+    const Cluster cluster(scratch);
+    if (!cluster.runs) GTEST_SKIP() << "Slurm does not start on this machine";
+    const Names size{"--set", "samples=150"};
+    Names slurm{"campaign", "slurm", scratch.path("campaign.yaml"), "-o", folder("out"), "--tasks", "2",
+                "--submit", "--json"};
+    slurm.insert(slurm.end(), size.begin(), size.end());
+    const Result result = runProgram(slurm);
+    ASSERT_EQ(result.status, 0) << result.err;
+    const std::string job = nlohmann::json::parse(result.out)["array_job"];
+    const auto wait = [](const auto& reached) {
+        for (int i = 0; i < 600 && !reached(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        return reached();
+    };
+    ASSERT_TRUE(wait([&] { return pieces("out") >= 10; }));
+    EXPECT_EQ(std::system(("scancel --signal=KILL --full " + job + "_1").c_str()), 0);
+    EXPECT_EQ(std::system(("scontrol requeue " + job + "_2 2> /dev/null").c_str()), 0);
+    ASSERT_TRUE(wait([&] { return isDone("out"); })) << contentOf(folder("out") + "/slurm/merge.log");
+    ASSERT_EQ(drive("local", size).status, 0);
     EXPECT_EQ(bytesOf("out"), bytesOf("local"));
 }
 

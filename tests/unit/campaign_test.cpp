@@ -394,15 +394,28 @@ TEST(CampaignSensitivity, MainEffectsOfIshigami) {
         values.push_back(ishigami(factors[0][i], factors[1][i], factors[2][i]));
     }
     for (std::size_t d = 0; d < 3; ++d) {
-        const Share share = mainEffect(factors[d], values);
+        const Share share = mainEffect(factors[d], values, Values::drawn);
         EXPECT_NEAR(share.value, kFirst[d], 0.03) << d;
         EXPECT_LT(share.low, share.high);
     }
 }
 
+// The same twenty samples in each of ten cars: each factor has as many values as there are samples.
+TEST(CampaignSensitivity, FactorsDrawnTogetherAreToldApart) {
+    const Draws draws(Sampling::latin_hypercube, 4, 20, 2);
+    std::vector<double> cause, bystander, values;
+    for (std::size_t i = 0; i < 200; ++i) {
+        cause.push_back(draws.at(i % 20, 0));
+        bystander.push_back(draws.at(i % 20, 1));
+        values.push_back(cause.back());
+    }
+    EXPECT_GT(mainEffect(cause, values, Values::drawn).value, 0.9);
+    EXPECT_LT(mainEffect(bystander, values, Values::drawn).value, 0.4);
+}
+
 TEST(CampaignSensitivity, WhatDoesNotVaryHasNoShares) {
     const std::vector<double> same(50, 0.1), factor(50, 1);
-    EXPECT_TRUE(std::isnan(mainEffect(factor, same).value));
+    EXPECT_TRUE(std::isnan(mainEffect(factor, same, Values::listed).value));
     EXPECT_TRUE(std::isnan(sobolIndices(same, 3).front().total.value));
 }
 

@@ -71,6 +71,21 @@ std::vector<MetricHere> metricsOf(const Plan& plan, std::size_t scenario) {
     return all;
 }
 
+// Worth a figure: more than two values, and a spread that is not lost in the digits that a chart shows.
+bool spreads(const std::vector<double>& values) {
+    constexpr double kVisible = 1e-3;   // of the largest value
+    constexpr double kRounding = 1e-6;  // in the units of metrics: m, s, deg, m/s2
+    double low = kInfinity, high = -kInfinity;
+    bool between = false;
+    for (const double value : values) {
+        if (!std::isfinite(value)) continue;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    for (const double value : values) between = between || (value > low && value < high);
+    return between && high - low > std::max(kRounding, kVisible * std::max(std::abs(low), std::abs(high)));
+}
+
 bool varies(const std::vector<double>& values) {
     double first = kNan;
     for (const double value : values) {
@@ -156,6 +171,7 @@ struct FactorHere {
     std::string unit;
     std::vector<double> values;
     std::vector<std::string> words;  // of a factor whose values are words, or of the vehicle: by value
+    campaign::Values kind = campaign::Values::listed;
 };
 
 std::vector<double> indicesOf(const std::vector<std::string>& texts, std::vector<std::string>& words) {
@@ -178,7 +194,7 @@ std::vector<FactorHere> factorsOf(const Plan& plan, const DatabaseReader& data, 
     const std::vector<std::string> names = columnNames(plan);
     std::vector<FactorHere> all;
     if (plan.inputs.vehicles.size() > 1) {
-        FactorHere vehicle{"vehicle", "", "-", {}, {}};
+        FactorHere vehicle{"vehicle", "", "-", {}, {}, campaign::Values::listed};
         vehicle.values = indicesOf(data.texts("vehicle", condition), vehicle.words);
         all.push_back(std::move(vehicle));
     }
@@ -189,6 +205,7 @@ std::vector<FactorHere> factorsOf(const Plan& plan, const DatabaseReader& data, 
                         variable.unit,
                         {},
                         {}};
+        here.kind = variable.drawn ? campaign::Values::drawn : campaign::Values::listed;
         if (variable.words) here.values = indicesOf(data.texts(here.column, condition), here.words);
         else here.values = data.numbers(here.column, condition);
         if (varies(here.values)) all.push_back(std::move(here));
@@ -217,7 +234,7 @@ std::string axisUnit(const std::string& unit, double& scale) {
 Chart scatter(const FactorHere& factor, const MetricHere& metric, const std::vector<double>& values) {
     double scale = 1;
     Chart chart;
-    chart.title = metric.about->name + " over " + factor.name;
+    chart.title = metric.about->name;
     chart.x = {factor.name, axisUnit(factor.unit, scale)};
     chart.y = {metric.about->name, metric.about->unit};
     Series points;
@@ -232,7 +249,7 @@ Chart scatter(const FactorHere& factor, const MetricHere& metric, const std::vec
         points.y.push_back(values[i]);
     }
     chart.series.push_back(std::move(points));
-    campaign::ClassMeans means = campaign::classMeans(factor.values, values);
+    campaign::ClassMeans means = campaign::classMeans(factor.values, values, factor.kind);
     Series mean;
     mean.name = "mean";
     for (const double x : means.factor) mean.x.push_back(x * scale);
@@ -246,6 +263,7 @@ Chart scatter(const FactorHere& factor, const MetricHere& metric, const std::vec
     return chart;
 }
 
+// The rows of a design for Sobol indices share values: their main effects order the charts, but are not shown.
 void addEffects(HtmlPage& page, const Plan& plan, const DatabaseReader& data, std::size_t scenario,
                 const std::vector<MetricHere>& metrics) {
     const std::vector<FactorHere> factors = factorsOf(plan, data, scenario);
@@ -260,7 +278,7 @@ void addEffects(HtmlPage& page, const Plan& plan, const DatabaseReader& data, st
         const std::vector<double> values = data.numbers(metric.column, condition);
         std::vector<std::pair<double, std::size_t>> order;
         for (std::size_t i = 0; i < factors.size(); ++i) {
-            const Share share = mainEffect(factors[i].values, values);
+            const Share share = mainEffect(factors[i].values, values, factors[i].kind);
             rows[i].push_back(cellOf(share));
             order.emplace_back(std::isfinite(share.value) ? -share.value : 1, i);
         }
@@ -269,10 +287,13 @@ void addEffects(HtmlPage& page, const Plan& plan, const DatabaseReader& data, st
             if (order[i].first < -0.02) charts.push_back(scatter(factors[order[i].second], metric, values));
         }
     }
-    page.text(
-        "Main effects: the share of the variance of a metric that the mean over classes of a factor shows, with its "
-        "95 % confidence interval. What is missing to 1 is interaction of factors, and curvature within classes.");
-    page.table(header, rows);
+    if (plan.inputs.campaign.sampling != Sampling::sobol_indices) {
+        page.text(
+            "Main effects: the share of the variance of a metric that the mean over classes of a factor shows, with "
+            "its "
+            "95 % confidence interval. What is missing to 1 is interaction of factors, and curvature within classes.");
+        page.table(header, rows);
+    }
     page.figures(charts);
 }
 
@@ -440,8 +461,10 @@ std::string campaignPage(const Plan& plan, const Path& folder, const Tally& tall
         const std::string& name = plan.inputs.scenarios[s].name;
         std::vector<MetricHere> metrics = metricsOf(plan, s);
         collectWorst(worst, plan, data, s, metrics);
-        std::erase_if(metrics,
-                      [&](const MetricHere& one) { return !varies(data.numbers(one.column, where("", name))); });
+        std::erase_if(metrics, [&](const MetricHere& one) {
+            const std::vector<double> values = data.numbers(one.column, where("", name));
+            return one.wanted ? !varies(values) : !spreads(values);
+        });
         if (metrics.size() > kDrawnMetrics) metrics.resize(kDrawnMetrics);
         if (metrics.empty()) continue;
         page.section(plan.inputs.scenarios[s].scenario.title.empty() ? name : plan.inputs.scenarios[s].scenario.title);
