@@ -50,7 +50,7 @@ struct Variable {
     When when = {};
 
     static constexpr std::size_t kNoGroup = static_cast<std::size_t>(-1);
-    std::string column() const { return path + (relative ? " [of nominal]" : " [" + unit + "]"); }
+    std::string column() const { return path + (relative ? " [of nominal]" : " [" + (unit.empty() ? "-" : unit) + "]"); }
 };
 
 // Numbers that are drawn together: value = mean + root times a standard normal vector.

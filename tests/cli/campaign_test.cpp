@@ -264,6 +264,16 @@ TEST_F(TreadCampaign, FactorThatChangesNothingIsSaid) {
     EXPECT_FALSE(fs::exists(folder("out")));
 }
 
+TEST_F(TreadCampaign, DiskThatIsTooSmallIsSaidBefore) {
+    constexpr std::uintmax_t kAtLeast = 300'000'000'000;  // bytes of a table of 10^9 runs: 300 a run in any case
+    if (fs::space(scratch.folder()).available > kAtLeast) GTEST_SKIP() << "this disk is not too small";
+    const Result result =
+        drive("out", {"--dry-run", "--set", "sampling=sobol", "--set", "samples=100000000", "--set",
+                      "factors.1.list=[0, 1, 2, 3, 4, 5, 6, 7, 8, 9]", "--set", "runs_per_piece=100000"});
+    expectFault(result, "out: the campaign needs ");
+    EXPECT_NE(result.err.find(" are free; choose another folder with -o"), std::string::npos) << result.err;
+}
+
 TEST_F(TreadCampaign, FaultsHaveTheirPlace) {
     const std::string text = replaced(kCampaign, "path: load.mass", "path: load.mas");
     campaign(text);
@@ -373,7 +383,7 @@ public:
     explicit Cluster(const Scratch& scratch) : folder_(scratch.path("slurm")) {
         fs::create_directories(folder_);
         fs::permissions(scratch.folder(), fs::perms(0755));  // its daemon of authentication is another user
-        const int port = 20000 + getpid() % 20000;  // three ports, others' tests may run beside this one
+        const int port = 20000 + getpid() % 20000;           // three ports, others' tests may run beside this one
         runs = std::system((kScript + "start " + folder_ + " " + std::to_string(port)).c_str()) == 0;
         setenv("SLURM_CONF", (folder_ + "/slurm.conf").c_str(), 1);
     }

@@ -19,6 +19,7 @@
 #include "campaign/sensitivity.h"
 #include "places/places.h"
 #include "scenario/load.h"
+#include "shared/scratch.h"
 #include "tread/load.h"
 #include "tread/problem.h"
 
@@ -120,6 +121,21 @@ TEST(CampaignCorrelated, WhatIsNoCovarianceIsNamed) {
     EXPECT_NE(faultOfCovariance({{1, 0.9, -0.9}, {0.9, 1, 0.9}, {-0.9, 0.9, 1}}).find("contradict each other"),
               std::string::npos);
     EXPECT_EQ(faultOfCovariance({{1, 1}, {1, 1}}), "") << "numbers that are the same one";
+}
+
+TEST(CampaignCorrelated, IdentifiedNumbersHaveTheirErrorsAndCorrelation) {
+    const Scratch scratch;
+    Correlated group;
+    group.identified = scratch.file("identify.json",
+                                    R"({"paths": ["mass", "load.x"], "correlation": [[1, 0.5], [0.5, 1]],
+            "numbers": {"load.x": {"value": 0.2, "sd": 0.1}, "mass": {"value": 1400, "sd": 20}}})");
+    const JointNormal joint = jointNormal(group);
+    EXPECT_EQ(joint.paths, (std::vector<std::string>{"mass", "load.x"}));
+    EXPECT_EQ(joint.mean, (std::vector<double>{1400, 0.2}));
+    EXPECT_DOUBLE_EQ(joint.covariance[0][0], 400);
+    EXPECT_DOUBLE_EQ(joint.covariance[0][1], 1);
+    group.identified = scratch.file("other.json", "{}");
+    EXPECT_THROW(jointNormal(group), LoadError);
 }
 
 // ---- Plans ----
