@@ -146,6 +146,8 @@ Json identificationJson(const Identification& found) {
                              {"at_bound", one.at_bound},
                              {"determined", one.determined}};
     }
+    Json paths = Json::array();  // a reader may sort the keys of `numbers`
+    for (const FittedNumber& one : found.numbers) paths.push_back(one.path);
     const Json gap = diagnosisJson(found.gap);
     const GapLevels& levels = judged(found.gap.how_far);
     const auto closed = [&](double after) {
@@ -153,6 +155,7 @@ Json identificationJson(const Identification& found) {
         return std::isfinite(share) ? Json(share) : Json(nullptr);
     };
     return {{"answer", found.answer},
+            {"paths", paths},
             {"numbers", numbers},
             {"correlation", found.correlation},
             {"condition", found.condition},

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "base/text_file.h"
+#include "log/binary_log.h"
 #include "log/csv.h"
 #include "log/csv_header.h"
 #include "log/csv_lines.h"
@@ -130,7 +131,8 @@ std::string readBytes(const std::filesystem::path& path) {
 }
 
 Log readLog(const std::filesystem::path& path) {
-    return parseLog(readBytes(path), path.string());
+    const std::string bytes = readBytes(path);
+    return isBinaryLog(bytes) ? parseBinaryLog(bytes, path.string()) : parseLog(bytes, path.string());
 }
 
 }  // namespace tread

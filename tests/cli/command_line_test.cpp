@@ -32,11 +32,11 @@ TEST(CommandLine, MistypedCommandIsAnsweredWithASuggestionAndTheList) {
     const Result result = runProgram({"runn", "a.yaml"});
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.out, "");
-    EXPECT_EQ(
-        result.err,
-        "tread: there is no command \"runn\", only run, compare, metrics, import, tyre, diagnose, identify, blind, "
-        "describe, check, schema, man or completions; did "
-        "you mean \"run\"?\n");
+    EXPECT_EQ(result.err,
+              "tread: there is no command \"runn\", only run, compare, metrics, import, tyre, diagnose, identify, "
+              "blind, campaign, log, "
+              "describe, check, schema, man or completions; did "
+              "you mean \"run\"?\n");
     EXPECT_EQ(runProgram({"frobnicate"}).err.find("did you mean"), std::string::npos) << "nothing is near";
 }
 

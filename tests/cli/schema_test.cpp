@@ -33,6 +33,7 @@ TEST(SchemaCommand, ShippedSchemasAreFresh) {
     expectFresh("scenario", "scenarios/scenario.schema.json");
     expectFresh("import", "tools/import/import.schema.json");
     expectFresh("diagnosis", "scenarios/diagnose/diagnosis.schema.json");
+    expectFresh("campaign", "scenarios/campaigns/campaign.schema.json");
     expectFresh("own_effects", "scenarios/diagnose/own_effects.schema.json");
 }
 

@@ -70,6 +70,8 @@ inline const std::vector<Library> kLibraries{
     {"OpenGL, GLFW and stb", {"epoxy/", "GLFW/", "stb/"}, {"tools"}},
     {"matio", {"matio.h"}, {"import"}},
     {"OpenSSL", {"openssl/"}, {"store"}},
+    {"SQLite", {"sqlite3.h"}, {"campaign"}},
+    {"Zstandard", {"zstd.h"}, {"log"}},
 };
 
 inline bool contains(const std::vector<std::string>& list, const std::string& value) {

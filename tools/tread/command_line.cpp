@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/number_text.h"
+#include "campaign.h"
 #include "command_guide.h"
 #include "commands.h"
 #include "describable.h"
@@ -189,13 +190,57 @@ void addBlindScore(CLI::App& app, BlindScoreOptions& o) {
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
+void addCampaign(CLI::App& app, CampaignOptions& o) {
+    addFile(app, "file", o.file, "campaign (YAML), or the folder of its results to go on with");
+    addFolder(app, "-o,--output", o.output,
+              "folder for the results (default: out/<campaign>); a second call goes on where the first stopped");
+    addSettings(app, o.settings, "path=value in the campaign's file, for example samples=20");
+    app.add_option("--threads", o.threads, "threads (default: one per core)")->check(CLI::Range(0, 1000));
+    app.add_flag("--dry-run", o.dry_run, "only tell how many runs, how long and how much disk");
+    app.add_option("--shard", o.shard, "i/N: only this part of the runs, with i from 1 to N");
+    app.add_option("--run", o.run, "this run alone, with its log and page");
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addCampaignMerge(CLI::App& app, CampaignMergeOptions& o) {
+    addFolder(app, "folders", o.folders, "folders with parts of one campaign")->required();
+    addFolder(app, "-o,--output", o.output, "folder for the result (default: the first of them)");
+    app.add_flag("--partial", o.partial, "also when runs are missing: the table then lacks them");
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addCampaignStatus(CLI::App& app, CampaignStatusOptions& o) {
+    addFolder(app, "folder", o.folder, "folder of the results")->required();
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addCampaignSlurm(CLI::App& app, CampaignSlurmOptions& o) {
+    addFile(app, "file", o.file, "campaign (YAML), or the folder of its results to go on with")->required();
+    addFolder(app, "-o,--output", o.output, "folder for the results, on a file system that all nodes share");
+    addSettings(app, o.settings, "path=value in the campaign's file");
+    app.add_option("--tasks", o.tasks, "tasks of the array (default: so many that each takes some minutes)")
+        ->check(CLI::Range(1, 100000));
+    app.add_option("--cpus", o.cpus, "cores of a task (default: 1)")->check(CLI::Range(1, 1000));
+    app.add_option("--partition", o.partition, "partition (default: that of the cluster)");
+    app.add_option("--time", o.time, "time limit of a task, as sbatch reads it (default: that of the cluster)");
+    app.add_flag("--submit", o.submit, "submit the jobs; otherwise only their scripts are written");
+    app.add_flag("--json", o.json, "print the result as JSON");
+}
+
+void addLog(CLI::App& app, LogOptions& o) {
+    addFile(app, "log", o.log, "log of a run of a campaign (.tlog), or any log")->required();
+    addFile(app, "-o,--output", o.output, "log to write (CSV; default: beside it)");
+}
+
 template <class Options>
 void addCommand(CLI::App& app, const std::string& name, const std::string& meaning,
                 void (*add_options)(CLI::App&, Options&), int (*run_command)(const Options&), int& status) {
     CLI::App* const command = app.add_subcommand(name, meaning);
     const auto options = std::make_shared<Options>();
     add_options(*command, *options);
-    command->callback([=, &status] { status = run_command(*options); });
+    command->callback([=, &status] {
+        if (command->get_subcommands().empty()) status = run_command(*options);  // else that one has run
+    });
     command->fallthrough();  // --quiet may stand behind the command
 }
 
@@ -238,6 +283,18 @@ void addCommands(CLI::App& app, int& status) {
                status);
     addCommand(*blind, "score", "diagnose the cases, open the key and score the answers", addBlindScore, blindScore,
                status);
+    addCommand(app, "campaign",
+               "drive thousands of runs on all cores: cars x scenarios x factors, into one table; goes on after any "
+               "interruption",
+               addCampaign, campaign, status);
+    CLI::App* const campaigns = app.get_subcommand("campaign");
+    addCommand(*campaigns, "merge", "join the parts of a campaign into one result", addCampaignMerge, campaignMerge,
+               status);
+    addCommand(*campaigns, "status", "what is done, failed, running and missing; status 1 while runs are missing",
+               addCampaignStatus, campaignStatus, status);
+    addCommand(*campaigns, "slurm", "write, or submit, a Slurm array of tasks and the job that joins them",
+               addCampaignSlurm, campaignSlurm, status);
+    addCommand(app, "log", "convert the log of a run of a campaign to CSV", addLog, convertLog, status);
     addCommand(app, "describe", "all fields with units, meaning, limits and defaults; or the data sheet of a car",
                addDescribe, describe, status);
     addCommand(app, "check",

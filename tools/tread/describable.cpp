@@ -7,6 +7,7 @@
 #include "base/number_text.h"
 #include "base/read_yaml.h"
 #include "base/schema.h"
+#include "campaign_inputs.h"
 #include "compare/cross_plots.h"
 #include "compare/score.h"
 #include "compare/tolerances.h"
@@ -212,6 +213,9 @@ const std::vector<Describable>& describables() {
         {"diagnosis", "input of a diagnosis: car, recordings, tolerances", topOf<DiagnosisFile>,
          referenceTable<DiagnosisFile>, [] { return jsonSchema<DiagnosisFile>("Diagnosis", "diagnosis.schema.json"); },
          readDiagnosisFile},
+        {"campaign", "many runs: cars, scenarios, what differs between them", topOf<campaign::CampaignFile>,
+         referenceTable<campaign::CampaignFile>,
+         [] { return jsonSchema<campaign::CampaignFile>("Campaign", "campaign.schema.json"); }, readCampaignFile},
         {"own_effects", "additional effects for a diagnosis", topOf<OwnEffects>, referenceTable<OwnEffects>,
          [] { return jsonSchema<OwnEffects>("Effects", "own_effects.schema.json"); }, readOwnEffectsFile},
         {"effects", "possible causes of a gap between model and car", effectFields, effectRows},

@@ -138,8 +138,9 @@ Driven driveInto(const RunRecord& record, const Path& folder, const Tell& tell) 
     }
 }
 
-std::vector<Metric> measure(const VehicleParams& vehicle, const Scenario& scenario) {
-    Log log;
+std::vector<Metric> measure(const VehicleParams& vehicle, const Scenario& scenario, Log* kept) {
+    Log own;
+    Log& log = kept ? *kept : own;
     Recorder recorder = recorderInto(log);
     recorder.stop = [](double) { return stopped_by != 0; };
     simulate(vehicle, scenario, recorder);
@@ -154,6 +155,10 @@ void listenToSignals() {
     std::signal(SIGINT, stopRun);
     std::signal(SIGTERM, stopRun);
     std::signal(SIGHUP, stopRun);
+}
+
+bool stopAsked() {
+    return stopped_by != 0;
 }
 
 int stoppedStatus() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "commands.h"
+#include "log/log.h"
 #include "metrics/metric.h"
 #include "metrics/verdict.h"
 #include "output_folder.h"
@@ -32,11 +33,12 @@ void removeEarlierRun(const OutputFolder& output);
 // Throws SimulationError, which says what became of the rows so far; FileError.
 Driven driveInto(const RunRecord& record, const Path& folder, const Tell& tell);
 
-// The metrics of a run that leaves nothing behind. Throws SimulationError, MetricError.
-std::vector<Metric> measure(const VehicleParams& vehicle, const Scenario& scenario);
+// The metrics of a run that leaves nothing behind but its log, when one is given. Throws SimulationError, MetricError.
+std::vector<Metric> measure(const VehicleParams& vehicle, const Scenario& scenario, Log* log = nullptr);
 
 // The first Ctrl-C, or the end of the terminal, ends a run in order, the second the program.
 void listenToSignals();
+bool stopAsked();
 // Exit status of a program that was stopped so.
 int stoppedStatus();
 

@@ -1,0 +1,487 @@
+#include "campaign_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "campaign/database.h"
+#include "campaign/sensitivity.h"
+#include "campaign_begin.h"
+#include "report/html.h"
+#include "report/text.h"
+#include "scenario/condition.h"
+
+namespace tread::program {
+namespace {
+
+using campaign::DatabaseReader;
+using campaign::mainEffect;
+using campaign::Plan;
+using campaign::Sampling;
+using campaign::Share;
+using campaign::sobolIndices;
+using campaign::sqlText;
+using campaign::Status;
+using campaign::Tally;
+using campaign::Variable;
+
+constexpr std::size_t kDrawnMetrics = 4;  // of a scenario: with a distribution, and in the table of effects
+constexpr std::size_t kDrawnFactors = 4;  // of a metric
+constexpr std::size_t kMostScenarios = 4, kMostVehicles = 6;  // with figures of their own
+constexpr std::size_t kMostPoints = 1200;                     // of a scatter plot
+constexpr std::size_t kMostBars = 40;
+constexpr std::size_t kWorst = 10, kMostMessages = 20;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+// A metric of one scenario, with its conditions there.
+struct MetricHere {
+    const MetricDefinition* about;
+    std::string column;
+    std::optional<Interval> wanted;
+    std::string condition;
+};
+
+std::optional<Interval> intervalFor(const std::string& condition, const std::string& unit) {
+    std::string fault;
+    const auto parsed = parseCondition(condition, fault);
+    return parsed ? intervalOf(*parsed, unit, fault) : std::nullopt;
+}
+
+// Those with conditions first, then what says most.
+std::vector<MetricHere> metricsOf(const Plan& plan, std::size_t scenario) {
+    std::vector<MetricHere> all;
+    for (const std::size_t i : plan.metrics_of_scenario[scenario]) {
+        const MetricDefinition& about = plan.metrics[i];
+        MetricHere here{&about, about.name + " [" + about.unit + "]", {}, {}};
+        for (const AcceptLine& line : plan.inputs.scenarios[scenario].scenario.accept.lines) {
+            if (line.metric != about.name) continue;
+            here.wanted = intervalFor(line.condition, about.unit);
+            here.condition = line.condition;
+        }
+        all.push_back(std::move(here));
+    }
+    const auto rank = [](const MetricHere& one) {
+        return one.wanted ? -1000 : one.about->say.rank > 0 ? one.about->say.rank - 100 : 0;
+    };
+    std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    return all;
+}
+
+// Worth a figure: more than two values, and a spread that is not lost in the digits that a chart shows.
+bool spreads(const std::vector<double>& values) {
+    constexpr double kVisible = 1e-3;   // of the largest value
+    constexpr double kRounding = 1e-6;  // in the units of metrics: m, s, deg, m/s2
+    double low = kInfinity, high = -kInfinity;
+    bool between = false;
+    for (const double value : values) {
+        if (!std::isfinite(value)) continue;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    for (const double value : values) between = between || (value > low && value < high);
+    return between && high - low > std::max(kRounding, kVisible * std::max(std::abs(low), std::abs(high)));
+}
+
+bool varies(const std::vector<double>& values) {
+    double first = kNan;
+    for (const double value : values) {
+        if (!std::isfinite(value)) continue;
+        if (std::isnan(first)) first = value;
+        if (value != first) return true;
+    }
+    return false;
+}
+
+std::string where(const std::string& vehicle, const std::string& scenario) {
+    std::string condition = "scenario = " + sqlText(scenario);
+    if (!vehicle.empty()) condition += " AND vehicle = " + sqlText(vehicle);
+    return condition;
+}
+
+// ---- Distributions ----
+
+Chart histogram(const Plan& plan, const DatabaseReader& data, std::size_t scenario, const MetricHere& metric) {
+    const std::string& name = plan.inputs.scenarios[scenario].name;
+    Chart chart;
+    chart.title = metric.about->name;
+    chart.x = {metric.about->name, metric.about->unit};
+    chart.y = {"runs", "-", 0.0};
+    std::vector<std::vector<double>> sets;
+    double low = kInfinity, high = -kInfinity;
+    std::size_t most = 0;
+    for (std::size_t v = 0; v < std::min(kMostVehicles, plan.inputs.vehicles.size()); ++v) {
+        std::vector<double> values = data.numbers(metric.column, where(plan.inputs.vehicles[v].name, name));
+        std::erase_if(values, [](double value) { return !std::isfinite(value); });
+        for (const double value : values) {
+            low = std::min(low, value);
+            high = std::max(high, value);
+        }
+        most = std::max(most, values.size());
+        sets.push_back(std::move(values));
+    }
+    if (!(low <= high)) return chart;
+    // About the square root of the number of runs, as is usual for a histogram.
+    const auto bars =
+        std::clamp<std::size_t>(static_cast<std::size_t>(std::sqrt(static_cast<double>(most))), 5, kMostBars);
+    const double width = high > low ? (high - low) / static_cast<double>(bars) : std::max(1e-9, std::abs(low) * 1e-3);
+    double tallest = 0;
+    for (std::size_t v = 0; v < sets.size(); ++v) {
+        std::vector<double> heights(bars);
+        for (const double value : sets[v])
+            heights[std::min(bars - 1, static_cast<std::size_t>((value - low) / width))] += 1;
+        Series series;
+        series.name = plan.inputs.vehicles.size() > 1 ? plan.inputs.vehicles[v].name : "";
+        for (std::size_t i = 0; i < bars; ++i) {
+            const double left = low + width * static_cast<double>(i);
+            if (i == 0) series.x.push_back(left), series.y.push_back(0);
+            series.x.insert(series.x.end(), {left, left + width});
+            series.y.insert(series.y.end(), {heights[i], heights[i]});
+            tallest = std::max(tallest, heights[i]);
+        }
+        series.x.push_back(low + width * static_cast<double>(bars));
+        series.y.push_back(0);
+        chart.series.push_back(std::move(series));
+    }
+    if (metric.wanted) {
+        bool named = false;
+        for (const double limit : {metric.wanted->lowest, metric.wanted->highest}) {
+            if (!std::isfinite(limit) || (named && metric.wanted->lowest == metric.wanted->highest)) continue;
+            Series line;
+            line.name = named ? "" : "wanted " + metric.condition;
+            line.x = {limit, limit};
+            line.y = {0, tallest};
+            line.colour = Colour::vermillion;
+            line.dashed = true;
+            chart.series.push_back(std::move(line));
+            named = true;
+        }
+    }
+    return chart;
+}
+
+// ---- Effects of the factors ----
+
+struct FactorHere {
+    std::string name;    // as shown
+    std::string column;  // of the table; empty: the vehicle
+    std::string unit;
+    std::vector<double> values;
+    std::vector<std::string> words;  // of a factor whose values are words, or of the vehicle: by value
+    campaign::Values kind = campaign::Values::listed;
+};
+
+std::vector<double> indicesOf(const std::vector<std::string>& texts, std::vector<std::string>& words) {
+    std::map<std::string, double> known;
+    std::vector<double> values;
+    for (const std::string& text : texts) {
+        if (text.empty()) {
+            values.push_back(kNan);
+            continue;
+        }
+        const auto [place, is_new] = known.emplace(text, static_cast<double>(words.size()));
+        if (is_new) words.push_back(text);
+        values.push_back(place->second);
+    }
+    return values;
+}
+
+std::vector<FactorHere> factorsOf(const Plan& plan, const DatabaseReader& data, std::size_t scenario) {
+    const std::string condition = where("", plan.inputs.scenarios[scenario].name);
+    const std::vector<std::string> names = columnNames(plan);
+    std::vector<FactorHere> all;
+    if (plan.inputs.vehicles.size() > 1) {
+        FactorHere vehicle{"vehicle", "", "-", {}, {}, campaign::Values::listed};
+        vehicle.values = indicesOf(data.texts("vehicle", condition), vehicle.words);
+        all.push_back(std::move(vehicle));
+    }
+    for (std::size_t i = 0; i < plan.variables.size(); ++i) {
+        const Variable& variable = plan.variables[i];
+        FactorHere here{variable.path + (variable.relative ? " (of nominal)" : ""),
+                        names[campaign::kFixedColumns + i],
+                        variable.unit,
+                        {},
+                        {}};
+        here.kind = variable.drawn ? campaign::Values::drawn : campaign::Values::listed;
+        if (variable.words) here.values = indicesOf(data.texts(here.column, condition), here.words);
+        else here.values = data.numbers(here.column, condition);
+        if (varies(here.values)) all.push_back(std::move(here));
+    }
+    return all;
+}
+
+std::string shareText(const Share& share) {
+    if (!std::isfinite(share.value)) return "–";
+    if (!std::isfinite(share.low)) return fmt::format("{:.2f}", share.value);
+    return fmt::format("{:.2f} [{:.2f}, {:.2f}]", share.value, share.low, share.high);
+}
+
+tread::Cell cellOf(const Share& share) {
+    return {.text = shareText(share),
+            .number = true,
+            .heat = std::isfinite(share.value) ? 0.6 * std::clamp(share.value, 0.0, 1.0) : 0};
+}
+
+std::string axisUnit(const std::string& unit, double& scale) {
+    const DisplayUnit shown = displayUnit(unit);
+    scale = shown.scale;
+    return shown.unit;
+}
+
+Chart scatter(const FactorHere& factor, const MetricHere& metric, const std::vector<double>& values) {
+    double scale = 1;
+    Chart chart;
+    chart.title = metric.about->name;
+    chart.x = {factor.name, axisUnit(factor.unit, scale)};
+    chart.y = {metric.about->name, metric.about->unit};
+    Series points;
+    points.line = false;
+    points.markers = true;
+    points.colour = Colour::sky;
+    points.width = 1;
+    const std::size_t step = std::max<std::size_t>(1, values.size() / kMostPoints);
+    for (std::size_t i = 0; i < values.size(); i += step) {
+        if (!std::isfinite(factor.values[i]) || !std::isfinite(values[i])) continue;
+        points.x.push_back(factor.values[i] * scale);
+        points.y.push_back(values[i]);
+    }
+    chart.series.push_back(std::move(points));
+    campaign::ClassMeans means = campaign::classMeans(factor.values, values, factor.kind);
+    Series mean;
+    mean.name = "mean";
+    for (const double x : means.factor) mean.x.push_back(x * scale);
+    mean.y = std::move(means.metric);
+    mean.colour = Colour::vermillion;
+    mean.markers = factor.words.empty() ? false : true;
+    mean.line = factor.words.empty();
+    chart.series.push_back(std::move(mean));
+    for (std::size_t i = 0; i < factor.words.size(); ++i)
+        chart.note += fmt::format("{}{}: {}", i > 0 ? ", " : "", i, factor.words[i]);
+    return chart;
+}
+
+// The rows of a design for Sobol indices share values: their main effects order the charts, but are not shown.
+void addEffects(HtmlPage& page, const Plan& plan, const DatabaseReader& data, std::size_t scenario,
+                const std::vector<MetricHere>& metrics) {
+    const std::vector<FactorHere> factors = factorsOf(plan, data, scenario);
+    if (factors.empty() || metrics.empty()) return;
+    const std::string condition = where("", plan.inputs.scenarios[scenario].name);
+    std::vector<std::string> header{"Factor"};
+    std::vector<std::vector<tread::Cell>> rows;
+    for (const FactorHere& factor : factors) rows.push_back({{.text = factor.name}});
+    std::vector<Chart> charts;
+    for (const MetricHere& metric : metrics) {
+        header.push_back(metric.about->name);
+        const std::vector<double> values = data.numbers(metric.column, condition);
+        std::vector<std::pair<double, std::size_t>> order;
+        for (std::size_t i = 0; i < factors.size(); ++i) {
+            const Share share = mainEffect(factors[i].values, values, factors[i].kind);
+            rows[i].push_back(cellOf(share));
+            order.emplace_back(std::isfinite(share.value) ? -share.value : 1, i);
+        }
+        std::stable_sort(order.begin(), order.end());
+        for (std::size_t i = 0; i < std::min(kDrawnFactors, order.size()); ++i) {
+            if (order[i].first < -0.02) charts.push_back(scatter(factors[order[i].second], metric, values));
+        }
+    }
+    if (plan.inputs.campaign.sampling != Sampling::sobol_indices) {
+        page.text(
+            "Main effects: the share of the variance of a metric that the mean over classes of a factor shows, with "
+            "its "
+            "95 % confidence interval. What is missing to 1 is interaction of factors, and curvature within classes.");
+        page.table(header, rows);
+    }
+    page.figures(charts);
+}
+
+void addSobol(HtmlPage& page, const Plan& plan, const DatabaseReader& data, const campaign::Cell& cell,
+              const std::vector<MetricHere>& metrics) {
+    if (cell.drawn.empty()) return;
+    const auto repetitions = static_cast<std::uint64_t>(plan.inputs.campaign.repetitions);
+    const std::string condition =
+        fmt::format("run >= {} AND run < {} AND repetition = 0", cell.first, cell.first + cell.samples * repetitions);
+    std::vector<std::string> header{"Factor"};
+    std::vector<std::vector<tread::Cell>> rows;
+    for (const std::size_t i : cell.drawn) rows.push_back({{.text = plan.variables[i].path}});
+    for (const MetricHere& metric : metrics) {
+        header.push_back(metric.about->name + ", first");
+        header.push_back("total");
+        const auto indices = sobolIndices(data.numbers(metric.column, condition), cell.drawn.size());
+        for (std::size_t i = 0; i < indices.size(); ++i) {
+            rows[i].push_back(cellOf(indices[i].first));
+            rows[i].push_back(cellOf(indices[i].total));
+        }
+    }
+    page.text(fmt::format(
+        "Sobol indices of {} in {}{}: the first-order index is the share of the variance that the factor "
+        "causes alone, the total index with all its interactions; 95 % confidence intervals.",
+        plan.vehicleOf(cell), plan.scenarioOf(cell), cell.points > 1 ? ", at the first of the listed values" : ""));
+    page.table(header, rows);
+}
+
+// ---- Worst runs and failures ----
+
+struct Bad {
+    double excess;  // beyond the condition, in standard deviations of the metric
+    std::uint64_t run;
+    std::string vehicle, scenario, metric, value, condition;
+};
+
+void collectWorst(std::vector<Bad>& all, const Plan& plan, const DatabaseReader& data, std::size_t scenario,
+                  const std::vector<MetricHere>& metrics) {
+    const std::string& name = plan.inputs.scenarios[scenario].name;
+    const std::vector<double> runs = data.numbers("run", where("", name));
+    const std::vector<std::string> vehicles = data.texts("vehicle", where("", name));
+    for (const MetricHere& metric : metrics) {
+        if (!metric.wanted) continue;
+        const std::vector<double> values = data.numbers(metric.column, where("", name));
+        double sum = 0, squares = 0, n = 0;
+        for (const double value : values) {
+            if (!std::isfinite(value)) continue;
+            sum += value;
+            squares += value * value;
+            n += 1;
+        }
+        const double variance = n > 1 ? (squares - sum * sum / n) / (n - 1) : 0;
+        const double sd = variance > 0 ? std::sqrt(variance) : 1;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (!std::isfinite(values[i])) continue;
+            const double excess = std::max(metric.wanted->lowest - values[i], values[i] - metric.wanted->highest) / sd;
+            all.push_back({excess, static_cast<std::uint64_t>(runs[i]), vehicles[i], name, metric.about->name,
+                           withUnit(formatNumber(values[i], 4), metric.about->unit), metric.condition});
+        }
+        const auto worse = [](const Bad& a, const Bad& b) {
+            return a.excess != b.excess ? a.excess > b.excess : a.run < b.run;
+        };
+        const std::size_t keep = std::min(kWorst, all.size());
+        std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(keep), all.end(), worse);
+        all.resize(keep);
+    }
+}
+
+void addWorst(HtmlPage& page, const std::vector<Bad>& all, const Path& folder) {
+    if (all.empty()) return;
+    page.section("Worst runs");
+    page.text(
+        "The runs farthest beyond, or nearest to, a condition. The command drives a run again, with log and page.");
+    std::vector<std::vector<tread::Cell>> rows;
+    for (const Bad& bad : all) {
+        rows.push_back({{.text = std::to_string(bad.run), .number = true},
+                        {.text = bad.vehicle},
+                        {.text = bad.scenario},
+                        {.text = bad.metric},
+                        {.text = bad.value, .number = true, .alarm = bad.excess > 0},
+                        {.text = bad.condition},
+                        {.text = fmt::format("tread campaign {} --run {}", folder.string(), bad.run)}});
+    }
+    page.table({"Run", "Vehicle", "Scenario", "Metric", "Value", "Wanted", "Command"}, rows);
+}
+
+// The message with # for every number: runs that fail alike fail at different moments.
+std::string alike(const std::string& message) {
+    std::string out;
+    for (const char c : message) {
+        const bool part = (c >= '0' && c <= '9') || (c == '.' && !out.empty() && out.back() == '#');
+        if (!part) out += c;
+        else if (out.empty() || out.back() != '#') out += '#';
+    }
+    return out;
+}
+
+void addFailures(HtmlPage& page, const DatabaseReader& data, const Path& folder) {
+    const std::string condition = "status NOT IN ('ok', 'rejected')";
+    const std::vector<std::string> messages = data.texts("message", condition),
+                                   states = data.texts("status", condition);
+    if (messages.empty()) return;
+    const std::vector<double> runs = data.numbers("run", condition);
+    struct Kind {
+        std::size_t count = 0;
+        std::size_t first = 0;
+    };
+    std::map<std::string, Kind> kinds;
+    for (std::size_t i = 0; i < messages.size(); ++i) {
+        Kind& kind = kinds[states[i] + ": " + alike(messages[i])];
+        if (kind.count++ == 0) kind.first = i;
+    }
+    std::vector<Kind> order;
+    for (const auto& [text, kind] : kinds) order.push_back(kind);
+    std::stable_sort(order.begin(), order.end(), [](const Kind& a, const Kind& b) { return a.count > b.count; });
+    page.section("Failures");
+    std::vector<std::vector<tread::Cell>> rows;
+    for (std::size_t i = 0; i < std::min(kMostMessages, order.size()); ++i) {
+        const Kind& kind = order[i];
+        rows.push_back({{.text = std::to_string(kind.count), .number = true, .alarm = true},
+                        {.text = states[kind.first]},
+                        {.text = fmt::format("tread campaign {} --run {:.0f}", folder.string(), runs[kind.first])},
+                        {.text = messages[kind.first]}});
+    }
+    page.table({"Runs", "Status", "First of them", "Message of the first"}, rows, true);
+    if (order.size() > kMostMessages)
+        page.text(fmt::format("{} more kinds of messages.", order.size() - kMostMessages));
+}
+
+}  // namespace
+
+std::string campaignPage(const Plan& plan, const Path& folder, const Tally& tally) {
+    const DatabaseReader data(folder / "results.sqlite");
+    const campaign::CampaignFile& file = plan.inputs.campaign;
+    HtmlPage page(file.title);
+    const bool judged = std::any_of(plan.inputs.scenarios.begin(), plan.inputs.scenarios.end(),
+                                    [](const auto& one) { return !one.scenario.accept.empty(); });
+    const std::uint64_t ok = tally.count(Status::ok);
+    const double percent = tally.runs > 0 ? 100.0 * static_cast<double>(ok) / static_cast<double>(tally.runs) : 0;
+    page.answer(judged ? fmt::format("{} of {} accepted ({:.3g} %)", ok, count(tally.runs, "run"), percent)
+                       : fmt::format("{}, {} without failure", count(tally.runs, "run"), tally.runs - tally.failed()),
+                tally.missing > 0 ? "incomplete" : "", false);
+    std::vector<Card> cards{{"runs", std::to_string(tally.runs), ""}};
+    if (judged) cards.push_back({"not accepted", std::to_string(tally.count(Status::rejected)), ""});
+    cards.push_back({"failed", std::to_string(tally.failed()), ""});
+    if (tally.missing > 0) cards.push_back({"missing", std::to_string(tally.missing), ""});
+    page.cards(cards);
+    std::string vehicles, scenarios, factors;
+    for (const auto& one : plan.inputs.vehicles) vehicles += (vehicles.empty() ? "" : ", ") + one.name;
+    for (const auto& one : plan.inputs.scenarios) scenarios += (scenarios.empty() ? "" : ", ") + one.name;
+    for (const Variable& variable : plan.variables) factors += (factors.empty() ? "" : ", ") + variable.path;
+    page.keyValues({{"What it is", file.description},
+                    {"Vehicles", vehicles},
+                    {"Scenarios", scenarios},
+                    {"Factors", factors},
+                    {"Sampling", plan.dimensions > 0
+                                     ? fmt::format("{}, {}, seed {}",
+                                                   enumNames(file.sampling)[static_cast<std::size_t>(file.sampling)],
+                                                   count(static_cast<std::uint64_t>(file.samples), "sample"), file.seed)
+                                     : ""},
+                    {"Table", "results.csv, results.sqlite"},
+                    {"Made by", "tread " + plan.inputs.tread_version}});
+    std::vector<Bad> worst;
+    for (std::size_t s = 0; s < std::min(kMostScenarios, plan.inputs.scenarios.size()); ++s) {
+        const std::string& name = plan.inputs.scenarios[s].name;
+        std::vector<MetricHere> metrics = metricsOf(plan, s);
+        collectWorst(worst, plan, data, s, metrics);
+        std::erase_if(metrics, [&](const MetricHere& one) {
+            const std::vector<double> values = data.numbers(one.column, where("", name));
+            return one.wanted ? !varies(values) : !spreads(values);
+        });
+        if (metrics.size() > kDrawnMetrics) metrics.resize(kDrawnMetrics);
+        if (metrics.empty()) continue;
+        page.section(plan.inputs.scenarios[s].scenario.title.empty() ? name : plan.inputs.scenarios[s].scenario.title);
+        std::vector<Chart> charts;
+        for (const MetricHere& metric : metrics) charts.push_back(histogram(plan, data, s, metric));
+        page.figures(charts);
+        if (file.sampling == Sampling::sobol_indices && tally.missing == 0) {
+            std::size_t shown = 0;
+            for (const campaign::Cell& cell : plan.cells) {
+                if (cell.scenario == s && shown++ < kMostVehicles) addSobol(page, plan, data, cell, metrics);
+            }
+        }
+        addEffects(page, plan, data, s, metrics);
+    }
+    addWorst(page, worst, folder);
+    addFailures(page, data, folder);
+    return page.finish();
+}
+
+}  // namespace tread::program
