@@ -102,6 +102,30 @@ std::string where(const std::string& vehicle, const std::string& scenario) {
     return condition;
 }
 
+// Without what does not vary; beyond the conditions and what says most, that first which varies most.
+std::vector<MetricHere> worthShowing(const DatabaseReader& data, const std::string& scenario,
+                                     std::vector<MetricHere> metrics) {
+    std::vector<std::pair<double, MetricHere>> kept;
+    for (MetricHere& one : metrics) {
+        const std::vector<double> values = data.numbers(one.column, where("", scenario));
+        if (one.wanted ? !varies(values) : !spreads(values)) continue;
+        double sum = 0, squares = 0, n = 0;
+        for (const double value : values) {
+            if (!std::isfinite(value)) continue;
+            sum += value;
+            squares += value * value;
+            n += 1;
+        }
+        const double relative = sum != 0 ? squares * n / (sum * sum) : kInfinity;  // 1 + (sd / mean)^2
+        const bool first = one.wanted || one.about->say.rank > 0;
+        kept.emplace_back(first ? -kInfinity : -relative, std::move(one));
+    }
+    std::stable_sort(kept.begin(), kept.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    metrics.clear();
+    for (auto& [order, one] : kept) metrics.push_back(std::move(one));
+    return metrics;
+}
+
 // ---- Distributions ----
 
 Chart histogram(const Plan& plan, const DatabaseReader& data, std::size_t scenario, const MetricHere& metric) {
@@ -284,7 +308,8 @@ void addEffects(HtmlPage& page, const Plan& plan, const DatabaseReader& data, st
         }
         std::stable_sort(order.begin(), order.end());
         for (std::size_t i = 0; i < std::min(kDrawnFactors, order.size()); ++i) {
-            if (order[i].first < -0.02) charts.push_back(scatter(factors[order[i].second], metric, values));
+            if (order[i].first < -0.02 && spreads(values))
+                charts.push_back(scatter(factors[order[i].second], metric, values));
         }
     }
     if (plan.inputs.campaign.sampling != Sampling::sobol_indices) {
@@ -461,10 +486,7 @@ std::string campaignPage(const Plan& plan, const Path& folder, const Tally& tall
         const std::string& name = plan.inputs.scenarios[s].name;
         std::vector<MetricHere> metrics = metricsOf(plan, s);
         collectWorst(worst, plan, data, s, metrics);
-        std::erase_if(metrics, [&](const MetricHere& one) {
-            const std::vector<double> values = data.numbers(one.column, where("", name));
-            return one.wanted ? !varies(values) : !spreads(values);
-        });
+        metrics = worthShowing(data, name, std::move(metrics));
         if (metrics.size() > kDrawnMetrics) metrics.resize(kDrawnMetrics);
         if (metrics.empty()) continue;
         page.section(plan.inputs.scenarios[s].scenario.title.empty() ? name : plan.inputs.scenarios[s].scenario.title);
