@@ -239,8 +239,9 @@ std::vector<FactorHere> factorsOf(const Plan& plan, const DatabaseReader& data, 
 
 std::string shareText(const Share& share) {
     if (!std::isfinite(share.value)) return "–";
-    if (!std::isfinite(share.low)) return fmt::format("{:.2f}", share.value);
-    return fmt::format("{:.2f} [{:.2f}, {:.2f}]", share.value, share.low, share.high);
+    const auto rounded = [](double value) { return std::round(100 * value) / 100 + 0.0; };  // no "-0.00"
+    if (!std::isfinite(share.low)) return fmt::format("{:.2f}", rounded(share.value));
+    return fmt::format("{:.2f} [{:.2f}, {:.2f}]", rounded(share.value), rounded(share.low), rounded(share.high));
 }
 
 tread::Cell cellOf(const Share& share) {
