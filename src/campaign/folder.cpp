@@ -177,7 +177,7 @@ void openFolder(const Path& folder, const Plan& plan) {
                           "found the results of another campaign: " + firstDifference(before, plan.identity) +
                               "; choose another folder with -o, or remove this one"}});
     }
-    if (!piecesPresent(folder, plan).empty() && std::filesystem::exists(folder / "results.csv")) {
+    if (std::filesystem::exists(folder / "results.csv")) {
         throw LoadError({{folder.string(), 0, 0, "",
                           "found results without inputs.yaml, expected an empty folder; choose another with -o"}});
     }

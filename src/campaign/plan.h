@@ -9,24 +9,12 @@
 
 #include "campaign/draws.h"
 #include "campaign/inputs.h"
+#include "campaign/subject.h"
 #include "metrics/metric.h"
-#include "tread/describe.h"
 
 namespace tread::campaign {
 
 using RunNumber = std::uint64_t;  // from 0
-
-// The fields that a factor can name: those of the car under their own names, those of the scenario under "scenario.".
-struct Subject {
-    VehicleParams vehicle;
-    Scenario scenario;
-
-    static constexpr void describe(auto& self, auto&& field) {
-        VehicleParams::describe(self.vehicle, field);
-        field(TREAD_FIELD(scenario), About{"", "scenario"});
-    }
-    static void check(const auto& self, auto&& complain) { VehicleParams::check(self.vehicle, complain); }
-};
 
 // A field that differs from run to run.
 struct Variable {
@@ -50,7 +38,9 @@ struct Variable {
     When when = {};
 
     static constexpr std::size_t kNoGroup = static_cast<std::size_t>(-1);
-    std::string column() const { return path + (relative ? " [of nominal]" : " [" + (unit.empty() ? "-" : unit) + "]"); }
+    std::string column() const {
+        return path + (relative ? " [of nominal]" : " [" + (unit.empty() ? "-" : unit) + "]");
+    }
 };
 
 // Numbers that are drawn together: value = mean + root times a standard normal vector.
