@@ -15,7 +15,7 @@ std::vector<std::string> printedCommands() {
     std::istringstream lines(contentOf(sourceFile("README.md")));
     for (std::string line; std::getline(lines, line);) {
         const bool is_long = line.find(" --all ") != std::string::npos || line.find("tread diagnose") == 0 ||
-                             line.find("tread blind") == 0;
+                             line.find("tread blind") == 0 || line.find("tread campaign") == 0;
         if (line.rfind("tread ", 0) == 0 && !is_long) commands.push_back(line);
     }
     return commands;
