@@ -149,11 +149,12 @@ TEST_F(TreadRun, ScenarioWithoutPhasesIsRefused) {
 }
 
 TEST_F(TreadRun, PhaseWithoutEndIsRefused) {
-    expectScenarioRefused(replaced(kScenario, "    until: {duration: 0.2 s}\n", ""), "name: straight",
-                          "phases.0.until.duration: found no condition, expected at least one (duration, time, "
-                          "speed_below, speed_above, lateral_acceleration_above, lateral_acceleration_below, "
-                          "sideslip_above, steering_above, distance, x_above, x_below, y_above, y_below, "
-                          "yaw_rate_zero or drive_end), or the phase would never end");
+    expectScenarioRefused(
+        replaced(kScenario, "    until: {duration: 0.2 s}\n", ""), "name: straight",
+        "phases.0.until.duration: found no condition, expected at least one (duration, time, "
+        "speed_below, speed_above, lateral_acceleration_above, lateral_acceleration_below, "
+        "sideslip_above, steering_above, distance, x_above, x_below, y_above, y_below, after_steering, laps, when, "
+        "yaw_rate_zero or drive_end), or the phase would never end");
 }
 
 TEST_F(TreadRun, UnitThatDoesNotFitTheScenarioIsRefused) {

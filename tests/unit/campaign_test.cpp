@@ -156,7 +156,7 @@ Plan planWith(const CampaignFile& file) {
     campaign.vehicles = all.campaign.vehicles;
     campaign.scenarios = all.campaign.scenarios;
     all.campaign = campaign;
-    return planOf(all, {{{"response", "s", ""}}}, "campaign.yaml");
+    return planOf(all, {{{"response", "Response time", "s", ""}}}, "campaign.yaml");
 }
 
 std::string faultOfPlan(const CampaignFile& file) {

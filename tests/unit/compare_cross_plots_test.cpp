@@ -42,7 +42,8 @@ TEST(CrossPlots, OneMeasurementOutsideFails) {
     const CrossPlotResult result = judgeCrossPlots(circle(0), measured, {});
     EXPECT_FALSE(result.inside);
     EXPECT_EQ(text(result).find("Outside: "), 0u);
-    EXPECT_NE(text(result).find("driver.steering_wheel_angle over chassis.ay leave the boundaries"), std::string::npos);
+    EXPECT_NE(text(result).find("driver.steering_wheel_angle over chassis.ay lie outside the boundaries"),
+              std::string::npos);
     EXPECT_EQ(result.notes[0], "ISO 19364 requires at least 3 measurements of the manoeuvre; 2 are given.");
     EXPECT_EQ(json(result)["inside"], false);
     EXPECT_EQ(json(result)["plots"][1]["measurement"], "b.csv");

@@ -186,7 +186,7 @@ Plan readCampaign(const std::string& file, const std::vector<std::string>& setti
     return std::filesystem::is_directory(file) ? readFolder(file, settings) : readFile(file, settings);
 }
 
-std::vector<std::string> readCampaignFile(const Path& file) {
+FileReading readCampaignFile(const Path& file) {
     readFile(file.string(), {});
     return {};
 }

@@ -6,6 +6,7 @@
 
 #include "campaign/plan.h"
 #include "commands.h"
+#include "describable.h"
 
 namespace tread::program {
 
@@ -14,7 +15,7 @@ namespace tread::program {
 campaign::Plan readCampaign(const std::string& file, const std::vector<std::string>& settings = {});
 
 // Faults of a campaign's file and of what it names; for `tread check`.
-std::vector<std::string> readCampaignFile(const Path& file);
+FileReading readCampaignFile(const Path& file);
 
 // Whether runs of this program may stand beside those that the folder has. Throws LoadError when not.
 void expectSameProgram(const campaign::Plan& plan, const std::string& folder);
