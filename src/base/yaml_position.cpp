@@ -49,13 +49,9 @@ std::optional<WrittenValue> writtenValue(const std::string& file, std::string_vi
 }
 
 TextPosition positionOfValue(const std::string& file, std::string_view path) {
-    std::string fault;
-    std::vector<Problem> problems;
-    const auto text = readTextFile(file, fault);
-    const auto document = text ? parseYaml(*text, file, problems) : std::nullopt;
-    const YamlNode* node = document ? &document->root() : nullptr;
-    while (node && !path.empty()) node = childOf(*document, *node, takeName(path));
-    return node ? TextPosition{node->line, node->column} : TextPosition{0, 0};
+    constexpr int kThisFileOnly = 0;
+    const auto value = written(file, path, kThisFileOnly);
+    return value ? value->at : TextPosition{0, 0};
 }
 
 }  // namespace tread

@@ -85,6 +85,11 @@ TEST_F(TreadRun, KilledCallLeavesAMarkThatComparisonsSee) {
     EXPECT_NE((compared.out + compared.err).find("is incomplete: its run was killed or has not ended"),
               std::string::npos)
         << compared.out << compared.err;
+    const Result updated = runProgram({"compare", scratch.path("baseline"), out(""), "--update"});
+    EXPECT_EQ(updated.status, 2);
+    EXPECT_NE(updated.err.find("is incomplete, expected a whole run for the baseline"), std::string::npos)
+        << updated.err;
+    EXPECT_FALSE(std::filesystem::exists(scratch.path("baseline")));
     EXPECT_EQ(runProgram(words({})).status, 0);
     EXPECT_FALSE(std::filesystem::exists(out("INCOMPLETE")));
     EXPECT_EQ(runProgram({"compare", out(""), out("")}).status, 0);

@@ -47,6 +47,16 @@ std::map<std::string, Path> runsIn(const Path& root) {
     return runs;
 }
 
+// What becomes a baseline is whole. Throws LoadError.
+void expectComplete(const std::map<std::string, Path>& runs) {
+    for (const auto& [name, folder] : runs) {
+        if (!isIncomplete(folder)) continue;
+        throw LoadError({{folder.string(), 0, 0, "",
+                          "is incomplete, expected a whole run for the baseline: its run was killed or has not ended; "
+                          "run it again"}});
+    }
+}
+
 // Throws LoadError. None without the file.
 std::vector<MetricValue> metricsIn(const Path& folder) {
     const Path file = folder / "metrics.json";
@@ -245,6 +255,7 @@ int compareFolders(const CompareOptions& options) {
     std::map<std::string, Path> reference;
     if (std::filesystem::exists(options.reference)) reference = runsIn(options.reference);
     const std::map<std::string, Path> candidate = runsIn(options.candidate);
+    if (options.update) expectComplete(candidate);
     const std::vector<ComparedRun> runs = FolderComparison(options).compare(reference, candidate);
     const auto compared = std::count_if(runs.begin(), runs.end(), [](const auto& run) { return run.compared(); });
     if (compared == 0 && !(options.update && !candidate.empty())) {
