@@ -50,9 +50,9 @@ public:
         const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
         const unsigned threads = options_.threads > 0 ? static_cast<unsigned>(options_.threads) : cores;
         {
-            std::vector<std::jthread> helpers;
-            for (unsigned i = 1; i < threads; ++i) helpers.emplace_back([this] { labour(); });
-            labour();
+            std::vector<std::jthread> threads_beside;
+            for (unsigned i = 1; i < threads; ++i) threads_beside.emplace_back([this] { driveRuns(); });
+            driveRuns();
         }
         if (failure_) std::rethrow_exception(failure_);
         const std::vector<bool> present = piecesPresent(folder_, plan_);
@@ -177,7 +177,7 @@ private:
         options_.progress(done_, all_);
     }
 
-    void labour() {
+    void driveRuns() {
         try {
             while (const auto task = next()) compute(*task);
         } catch (const Interrupted&) {
