@@ -85,6 +85,10 @@ std::string limitsText(const Limits& limits) {
     return text;
 }
 
+std::string counted(std::size_t number, std::string_view what) {
+    return std::to_string(number) + " " + std::string(what) + (number == 1 ? "" : "s");
+}
+
 std::string quote(std::string_view text, std::size_t longest) {
     std::string out = "\"";
     std::size_t length = std::min(text.size(), longest);

@@ -24,6 +24,9 @@ std::optional<double> takeNumber(std::string_view& text);
 // "at least 0", "above 0 and below 2", "from 0 to 1"; empty when every number is allowed.
 std::string limitsText(const Limits& limits);
 
+// "1 run", "3 runs"; `what` is the word for one of them.
+std::string counted(std::size_t number, std::string_view what);
+
 // Text for a message: in quotes, control characters replaced, cut when long.
 std::string quote(std::string_view text, std::size_t longest = 60);
 

@@ -22,7 +22,7 @@ const YamlNode* childOf(const YamlDocument& document, const YamlNode& parent, st
     return nullptr;
 }
 
-constexpr int kMostFiles = 8;  // that name one another: a car, an axle, a tyre; ends a circle
+constexpr int kLongestChain = 8;  // that name one another: a car, an axle, a tyre; ends a circle
 
 std::optional<WrittenValue> written(const std::string& file, std::string_view path, int files_left) {
     std::string fault;
@@ -45,7 +45,7 @@ std::optional<WrittenValue> written(const std::string& file, std::string_view pa
 }  // namespace
 
 std::optional<WrittenValue> writtenValue(const std::string& file, std::string_view path) {
-    return written(file, path, kMostFiles);
+    return written(file, path, kLongestChain);
 }
 
 TextPosition positionOfValue(const std::string& file, std::string_view path) {

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/number_text.h"
+#include "metrics/channels.h"
 
 namespace tread::campaign {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // Row of the design for a dimension: with Sobol indices, rows come in blocks of A, B, and A with one column of B.
 double drawn(const Plan& plan, const Cell& cell, std::uint64_t sample, std::size_t dimension) {
@@ -62,7 +60,7 @@ PlannedRun plannedRun(const Plan& plan, RunNumber number) {
     run.repetition = take(static_cast<std::uint64_t>(plan.inputs.campaign.repetitions));
     run.sample = take(cell.samples);
     run.point = rest;
-    run.values.assign(plan.variables.size(), kNan);
+    run.values.assign(plan.variables.size(), kUndefined);
     for (std::size_t i = cell.listed.size(); i-- > 0;) {
         const Variable& variable = plan.variables[cell.listed[i]];
         run.values[cell.listed[i]] = variable.numbers[take(variable.numbers.size())];

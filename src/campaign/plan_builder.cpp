@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "base/did_you_mean.h"
@@ -13,6 +12,7 @@
 #include "base/yaml_session.h"
 #include "campaign/correlated.h"
 #include "campaign/plan.h"
+#include "metrics/channels.h"
 #include "scenario/load.h"
 #include "store/sha256.h"
 #include "tread/problem.h"
@@ -20,7 +20,6 @@
 namespace tread::campaign {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kMostRuns = 1e9;
 constexpr double kRealTimeFactor = 350;  // of a run with steps of 1 ms on one core, as tests/README.md reports it
 constexpr double kPieceSeconds = 60;     // of work at most lost when a machine dies
@@ -102,7 +101,7 @@ private:
         std::string fault;
         const auto value = toSi(text, variable.unit, fault);
         if (!value) complain(path, fault);
-        return value.value_or(kNan);
+        return value.value_or(kUndefined);
     }
 
     // Every car and scenario to which the variable applies must have its fields. False when one has not.

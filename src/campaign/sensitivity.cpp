@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "base/random.h"
+#include "metrics/channels.h"
 
 namespace tread::campaign {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kResamples = 200;
 constexpr std::size_t kMostResampled = 20'000;  // of more samples, the interval of so many is scaled
 constexpr std::size_t kMostClasses = 20;
@@ -21,7 +20,7 @@ constexpr double kTail = 0.025;  // on each side of the interval
 // Around the estimate, from what resampling gives.
 Share around(double value, std::vector<double> resampled, double scale) {
     std::erase_if(resampled, [](double v) { return !std::isfinite(v); });
-    if (!std::isfinite(value) || resampled.size() < 10) return {value, kNan, kNan};
+    if (!std::isfinite(value) || resampled.size() < 10) return {value, kUndefined, kUndefined};
     std::sort(resampled.begin(), resampled.end());
     const auto at = [&](double share) {
         return resampled[static_cast<std::size_t>(std::lround(share * static_cast<double>(resampled.size() - 1)))];
@@ -47,7 +46,7 @@ Estimates estimates(std::span<const double> values, std::size_t factors, std::sp
         }
     }
     const double mean = sum / (2 * n), variance = squares / (2 * n) - mean * mean;
-    Estimates found{std::vector<double>(factors, kNan), std::vector<double>(factors, kNan)};
+    Estimates found{std::vector<double>(factors, kUndefined), std::vector<double>(factors, kUndefined)};
     // A metric that does not vary has no shares of variance.
     if (!(variance > 1e-24 * (centre * centre + squares / (2 * n)))) return found;
     for (std::size_t i = 0; i < factors; ++i) {
@@ -102,7 +101,7 @@ double effect(std::span<const double> metric, std::span<const std::size_t> class
         between += sum[c] * sum[c] / size[c];
         filled += 1;
     }
-    if (!(all > 1e-24 * n * (centre * centre + squares / n)) || n <= filled) return kNan;
+    if (!(all > 1e-24 * n * (centre * centre + squares / n)) || n <= filled) return kUndefined;
     const double within = (all - between) / (n - filled);
     return (between - (filled - 1) * within) / all;
 }
@@ -135,7 +134,8 @@ std::vector<SobolIndices> sobolIndices(std::span<const double> values, std::size
         const auto row = values.subspan(block * width, width);
         if (std::all_of(row.begin(), row.end(), [](double v) { return std::isfinite(v); })) whole.push_back(block);
     }
-    std::vector<SobolIndices> found(factors, {{kNan, kNan, kNan}, {kNan, kNan, kNan}});
+    std::vector<SobolIndices> found(factors,
+                                    {{kUndefined, kUndefined, kUndefined}, {kUndefined, kUndefined, kUndefined}});
     if (whole.size() < 2) return found;
     const Estimates all = estimates(values, factors, whole);
     const std::size_t size = std::min(whole.size(), kMostResampled);
@@ -158,7 +158,7 @@ std::vector<SobolIndices> sobolIndices(std::span<const double> values, std::size
 
 Share mainEffect(std::span<const double> factor, std::span<const double> metric, Values values) {
     const Pairs pairs = finite(factor, metric);
-    if (pairs.metric.size() < 3) return {kNan, kNan, kNan};
+    if (pairs.metric.size() < 3) return {kUndefined, kUndefined, kUndefined};
     std::size_t count = 0;
     const std::vector<std::size_t> classes = classesOf(pairs.factor, values, count);
     std::vector<std::size_t> samples(pairs.metric.size());

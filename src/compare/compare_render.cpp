@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/number_text.h"
 #include "compare/compare.h"
 
 namespace tread {
@@ -40,10 +41,6 @@ std::string fewOf(const std::vector<std::string>& names) {
     return commaSeparated({names.begin(), names.begin() + kMost}) + fmt::format(" and {} more", names.size() - kMost);
 }
 
-std::string count(std::size_t number, std::string_view what) {
-    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
-}
-
 // The unit behind a number in a sentence; nothing for a pure number.
 std::string behind(const std::string& unit) {
     return unit.empty() || unit == "-" ? "" : " " + unit;
@@ -59,7 +56,7 @@ std::string shareOfPeak(const ChannelComparison& channel) {
 
 std::string answer(const Comparison& comparison) {
     if (!comparison.nothing.empty()) return "Nothing compared: " + comparison.nothing;
-    const std::string channels = count(comparison.channels.size(), "channel");
+    const std::string channels = counted(comparison.channels.size(), "channel");
     if (comparison.same) {
         const auto worst = worstFirst(comparison);
         if (worst.front()->largest == 0) return fmt::format("Same, to the last digit: {}", channels);
@@ -71,7 +68,7 @@ std::string answer(const Comparison& comparison) {
                            first->first->candidate, first->first->reference, behind(first->unit));
     }
     if (!comparison.missing.empty()) {
-        return fmt::format("Different: {} missing ({})", count(comparison.missing.size(), "channel"),
+        return fmt::format("Different: {} missing ({})", counted(comparison.missing.size(), "channel"),
                            commaSeparated(comparison.missing));
     }
     return "Different: " + comparison.faults.front();

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/median.h"
+#include "base/number_text.h"
 #include "import/spikes.h"
 #include "import/time_base.h"
 #include "import/vehicle_reach.h"
@@ -15,10 +16,6 @@ namespace tread {
 namespace {
 
 constexpr double kAverageBelow = 1 / 1.5;  // of the file's rate: a lower rate of the log is had by averaging
-
-std::string many(std::size_t count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 std::size_t runsIn(const std::vector<std::size_t>& samples) {
     std::size_t runs = 0;
@@ -61,7 +58,7 @@ void repair(const WholeChannel& channel, const ImportRepairs& repairs, const std
                 std::isfinite(values[first]) ? fmt::format("about {:.4g} {}", values[first], channel.unit) : "nan";
             note("spikes", replaced.size(),
                  fmt::format("{} in {} replaced (the first at {:.6g} s: {:.4g} instead of {}): {}",
-                             many(replaced.size(), "sample"), many(runsIn(replaced), "spike"), time[first],
+                             counted(replaced.size(), "sample"), counted(runsIn(replaced), "spike"), time[first],
                              before[first], instead, criterionText(fastest, channel.unit)));
         }
     }

@@ -7,6 +7,7 @@
 
 #include "base/did_you_mean.h"
 #include "base/median.h"
+#include "base/number_text.h"
 #include "import/columns.h"
 #include "import/foreign_text.h"
 
@@ -89,10 +90,6 @@ private:
     double last_ = 0;
 };
 
-std::string many(std::size_t count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 void reportSteps(const Stretch& recording, std::vector<Change>& changes) {
     const double usual = medianStep(recording.time);
     std::size_t gaps = 0, uneven = 0, missing = 0;
@@ -112,12 +109,12 @@ void reportSteps(const Stretch& recording, std::vector<Change>& changes) {
             {"gaps", "", gaps,
              fmt::format(
                  "{} in time, about {} missing, the longest step {:.4g} s instead of {:.4g} s; nothing was inserted",
-                 many(gaps, "gap"), many(missing, "sample"), longest, usual)});
+                 counted(gaps, "gap"), counted(missing, "sample"), longest, usual)});
     }
     if (uneven > 0) {
         changes.push_back({"uneven", "", uneven,
                            fmt::format("{} of time differ by more than 20 % from the usual {:.4g} s; kept",
-                                       many(uneven, "step"), usual)});
+                                       counted(uneven, "step"), usual)});
     }
 }
 
@@ -166,21 +163,21 @@ std::vector<Stretch> recordingsOf(const std::vector<double>& time, const Foreign
     }
     if (sorter.without_time > 0) {
         changes.push_back(
-            {"without_time", "", sorter.without_time, many(sorter.without_time, "row") + " without a time dropped"});
+            {"without_time", "", sorter.without_time, counted(sorter.without_time, "row") + " without a time dropped"});
     }
     if (sorter.duplicates > 0) {
         changes.push_back({"duplicates", "", sorter.duplicates,
                            fmt::format("{} with a repeated time stamp dropped (the first at {})",
-                                       many(sorter.duplicates, "row"), sorter.first_duplicate)});
+                                       counted(sorter.duplicates, "row"), sorter.first_duplicate)});
     }
     if (sorter.backwards > 0) {
         changes.push_back({"backwards", "", sorter.backwards,
                            fmt::format("{} with an earlier time than the one before dropped (the first at {})",
-                                       many(sorter.backwards, "row"), sorter.first_backwards)});
+                                       counted(sorter.backwards, "row"), sorter.first_backwards)});
     }
     if (sorter.wild > 0) {
         changes.push_back({"wild_time", "", sorter.wild,
-                           many(sorter.wild, "row") + " with a time that does not fit its neighbours dropped"});
+                           counted(sorter.wild, "row") + " with a time that does not fit its neighbours dropped"});
     }
     if (recordings.size() > 1) {
         if (repairs.at_jump == AtJump::refuse) {
@@ -202,7 +199,7 @@ std::vector<Stretch> recordingsOf(const std::vector<double>& time, const Foreign
             changes.push_back(
                 {"jump", "", rows - longest.rows.size(),
                  fmt::format("{}; {} cut off, the longest recording kept ({:.4g} s from {:.6g} s)", where,
-                             many(rows - longest.rows.size(), "row"), longest.duration(), longest.begin)});
+                             counted(rows - longest.rows.size(), "row"), longest.duration(), longest.begin)});
             recordings = {longest};
         }
     }

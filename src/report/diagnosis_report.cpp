@@ -15,21 +15,21 @@ namespace {
 
 using diagnose::answer::Diagnosis;
 using diagnose::answer::isAnswered;
-using diagnose::answer::Verdict;
+using DiagnosisVerdict = diagnose::answer::Verdict;
 
 std::string badge(const Diagnosis& d) {
     switch (d.verdict) {
-        case Verdict::explained:
+        case DiagnosisVerdict::explained:
             return "explained";
-        case Verdict::nothing:
+        case DiagnosisVerdict::nothing:
             return "nothing found";
-        case Verdict::ambiguous:
+        case DiagnosisVerdict::ambiguous:
             return "ambiguous";
-        case Verdict::unknown:
+        case DiagnosisVerdict::unknown:
             return d.causes.empty() ? "cause unknown" : "mostly unknown";
-        case Verdict::not_testable:
+        case DiagnosisVerdict::not_testable:
             return "not testable";
-        case Verdict::partly_explained:
+        case DiagnosisVerdict::partly_explained:
             return "partly explained";
     }
     return {};

@@ -23,7 +23,7 @@ using diagnose::answer::roundedPercent;
 using diagnose::answer::Shares;
 using diagnose::answer::ToldPart;
 using diagnose::answer::Unexplained;
-using diagnose::answer::Verdict;
+using DiagnosisVerdict = diagnose::answer::Verdict;
 
 // Empty where there is none: a single drive does not tell how much drives differ.
 std::string intervalOf(const Part& part) {
@@ -137,7 +137,8 @@ void addParts(HtmlPage& page, const Diagnosis& diagnosis) {
 
 void addRemainder(HtmlPage& page, const Diagnosis& diagnosis) {
     const Unexplained& rest = diagnosis.unexplained;
-    const bool told = diagnosis.verdict == Verdict::unknown || diagnosis.verdict == Verdict::partly_explained;
+    const bool told =
+        diagnosis.verdict == DiagnosisVerdict::unknown || diagnosis.verdict == DiagnosisVerdict::partly_explained;
     const std::string compared =
         told ? fmt::format("it is larger than that of an ordinary drive by {:.0f} nats of evidence",
                            rest.beyond_ordinary)

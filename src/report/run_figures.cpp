@@ -23,7 +23,7 @@ std::vector<Pose> fewPoses(const Log& log, double apart) {
     const std::vector<double>& time = log.channels.front().values;
     const std::vector<double>&x = log.find("chassis.x")->values, &y = log.find("chassis.y")->values;
     const std::vector<double>& yaw = log.find("chassis.yaw")->values;
-    const Range duration{time.front(), time.back()};
+    const AxisRange duration{time.front(), time.back()};
     std::vector<Pose> poses;
     for (const double moment : ticks(duration, niceStep(duration.span(), 6))) {
         const auto at =

@@ -48,17 +48,17 @@ std::vector<Limit> limitsOf(const Metric& metric, const std::vector<Verdict>& ve
 }
 
 // One metric of all runs, in the order of the varied number.
-struct Curve {
+struct MetricCurve {
     std::vector<double> x, y;  // as shown
     std::vector<bool> passed;
 };
 
-Curve curveOf(const SeriesReport& content, std::size_t metric, double scale_x, double scale_y) {
+MetricCurve curveOf(const SeriesReport& content, std::size_t metric, double scale_x, double scale_y) {
     std::vector<std::size_t> order(content.runs.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return content.runs[a].value < content.runs[b].value; });
-    Curve curve;
+    MetricCurve curve;
     for (const std::size_t i : order) {
         const SeriesReport::Run& run = content.runs[i];
         if (run.metrics.size() <= metric || !std::isfinite(run.metrics[metric].value)) continue;
@@ -70,7 +70,7 @@ Curve curveOf(const SeriesReport& content, std::size_t metric, double scale_x, d
 }
 
 // A flag, or what hardly changes, makes no curve.
-bool isWorthDrawing(const Metric& metric, const Curve& curve, bool limited) {
+bool isWorthDrawing(const Metric& metric, const MetricCurve& curve, bool limited) {
     if (curve.x.size() < 2) return false;
     if (limited) return true;
     const auto isFlag = [](double value) { return value == 0 || value == 1; };
@@ -80,7 +80,7 @@ bool isWorthDrawing(const Metric& metric, const Curve& curve, bool limited) {
     return *high - *low > kHardly * std::max(std::abs(*low), std::abs(*high));
 }
 
-Series pointsOf(const Curve& curve, bool passed) {
+Series pointsOf(const MetricCurve& curve, bool passed) {
     Series points{.name = passed ? "passed" : "not passed",
                   .x = {},
                   .y = {},
@@ -101,7 +101,8 @@ Series straight(std::string name, std::vector<double> x, std::vector<double> y, 
     return line;
 }
 
-Chart chartOf(const SeriesReport& content, const Metric& metric, const Curve& curve, const std::vector<Limit>& limits) {
+Chart chartOf(const SeriesReport& content, const Metric& metric, const MetricCurve& curve,
+              const std::vector<Limit>& limits) {
     const DisplayUnit varied = displayUnit(content.unit), shown = displayUnit(metric);
     Chart chart{.title = titleOf(metric),
                 .x = {variedInWords(content.number), varied.unit},
@@ -150,7 +151,7 @@ std::vector<Chart> seriesFigures(const SeriesReport& content) {
     const double scale_x = displayUnit(content.unit).scale;
     for (const std::size_t i : order) {
         if (charts.size() == kMostCharts) break;
-        const Curve curve = curveOf(content, i, scale_x, displayUnit(metrics[i]).scale);
+        const MetricCurve curve = curveOf(content, i, scale_x, displayUnit(metrics[i]).scale);
         const std::vector<Limit> limits = limitsOf(metrics[i], content.verdicts);
         if (isWorthDrawing(metrics[i], curve, !limits.empty()))
             charts.push_back(chartOf(content, metrics[i], curve, limits));

@@ -48,7 +48,7 @@ Look lookOf(const Series& series, std::size_t index) {
 // Where everything goes: the plot rectangle in pixels and the values at its edges.
 struct Layout {
     double left = 0, top = 0, width = 0, height = 0, total_height = 0;
-    Range x{0, 1}, y{0, 1};
+    AxisRange x{0, 1}, y{0, 1};
     double step_x = 1, step_y = 1;
     std::vector<std::vector<std::size_t>> legend;  // rows of indices of series
 
@@ -57,9 +57,9 @@ struct Layout {
 };
 
 // Smallest and largest value of the points that are drawn, a little room around; never empty.
-Range rangeOf(const Chart& chart, std::vector<double> Series::*values, double ChartLabel::*label_value,
-              const ChartAxis& axis) {
-    Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+AxisRange rangeOf(const Chart& chart, std::vector<double> Series::*values, double ChartLabel::*label_value,
+                  const ChartAxis& axis) {
+    AxisRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const Series& series : chart.series) {
         for (std::size_t i = 0; i < series.x.size(); ++i) {
             if (!std::isfinite(series.x[i]) || !std::isfinite(series.y[i])) continue;
@@ -105,7 +105,7 @@ void equaliseAspect(Layout& layout) {
     layout.height = std::clamp(layout.width * layout.y.span() / layout.x.span(),
                                std::min(kFlattest * layout.width, layout.height), layout.height);
     const double per_pixel = std::max(layout.x.span() / layout.width, layout.y.span() / layout.height);
-    const auto widen = [per_pixel](Range& range, double pixels) {
+    const auto widen = [per_pixel](AxisRange& range, double pixels) {
         const double more = (per_pixel * pixels - range.span()) / 2;
         range = {range.lowest - more, range.highest + more};
     };

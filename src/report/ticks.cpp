@@ -23,7 +23,7 @@ double niceStep(double span, int most) {
     return 10 * decade;
 }
 
-std::vector<double> ticks(Range range, double step) {
+std::vector<double> ticks(AxisRange range, double step) {
     std::vector<double> out;
     const double first = std::ceil(range.lowest / step - kRounding);
     const double last = std::floor(range.highest / step + kRounding);

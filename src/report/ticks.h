@@ -6,7 +6,7 @@
 
 namespace tread {
 
-struct Range {
+struct AxisRange {
     double lowest;
     double highest;
 
@@ -17,7 +17,7 @@ struct Range {
 double niceStep(double span, int most);
 
 // The multiples of the step inside the range.
-std::vector<double> ticks(Range range, double step);
+std::vector<double> ticks(AxisRange range, double step);
 
 // A tick with as many decimals as its step needs.
 std::string tickLabel(double value, double step);

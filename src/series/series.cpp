@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 #include "base/did_you_mean.h"
 #include "base/number_text.h"
 #include "base/numbers.h"
 #include "base/setting.h"
+#include "metrics/channels.h"
 #include "metrics/metrics.h"
 #include "run/simulate.h"
 #include "scenario/load.h"
@@ -19,7 +19,6 @@ namespace tread {
 namespace {
 
 constexpr int kMostTries = 25;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 Number numberAt(Scenario& scenario, const std::string& path) {
     std::vector<Number> all = numbers(scenario);
@@ -69,7 +68,8 @@ Scenario tunedBy(const Tune& tune, const Scenario& scenario, const Measure& meas
     double low = tune.lowest.empty() ? -kInfinity : valueOf(scenario, tune.number, tune.lowest);
     double high = tune.highest.empty() ? kInfinity : valueOf(scenario, tune.number, tune.highest);
     double value = std::clamp(*numberAt(copy, tune.number).value, low, high);
-    double before = kNan, missing_before = kNan, low_missing = kNan, high_missing = kNan, reached = kNan;
+    double before = kUndefined, missing_before = kUndefined, low_missing = kUndefined, high_missing = kUndefined,
+           reached = kUndefined;
     for (int i = 0; i < kMostTries; ++i) {
         const Scenario trial = with(scenario, tune.number, value);
         reached = metricOf(measure(trial), tune.metric).value;
@@ -170,7 +170,7 @@ Scenario tuned(Scenario scenario, const Measure& measure) {
 }
 
 SeriesResult series(const Scenario& scenario, const Measure& measure, const Measure& run) {
-    SeriesResult found{"", "", {}, kNan};
+    SeriesResult found{"", "", {}, kUndefined};
     Scenario copy = scenario;
     const auto add = [&](double value, const std::string& pass) {
         found.runs.push_back(runWith(scenario, found.number, value, pass, run));

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "metrics/channels.h"
 #include "road/plane.h"
 #include "tread/equilibrium.h"
 
 namespace tread::sheet {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kStep = 0.001;   // s
 constexpr double kTurning = 1;    // s, in which the steering wheel is turned
 constexpr double kSettling = 3;   // s, after that
@@ -50,7 +49,7 @@ Turn turn(const Vehicle& vehicle, const Equilibrium& start, double speed, double
         drive.step(next);
     }
     const auto& c = drive.output().chassis;
-    if (!(std::abs(c.yaw_rate - before) < kSteady * std::abs(c.yaw_rate))) return {kNaN, kNaN, kNaN};
+    if (!(std::abs(c.yaw_rate - before) < kSteady * std::abs(c.yaw_rate))) return {kUndefined, kUndefined, kUndefined};
     return {c.ay, c.yaw_rate / c.vx, c.roll};
 }
 
@@ -63,7 +62,7 @@ DrivenTurn drivenTurn(const VehicleParams& params, double speed, double road_whe
     const Vehicle vehicle = prepare(car);
     const PlaneRoad road;
     const Equilibrium start = equilibrium(vehicle, {road}, {.speed = speed});
-    if (start.throttle > 1) return {kNaN, kNaN};
+    if (start.throttle > 1) return {kUndefined, kUndefined};
     const Turn left = turn(vehicle, start, speed, ratio * road_wheel_angle);
     const Turn right = turn(vehicle, start, speed, -ratio * road_wheel_angle);
     const double ay = left.ay - right.ay;

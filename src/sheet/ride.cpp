@@ -5,17 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <numbers>
 #include <vector>
 
+#include "metrics/channels.h"
 #include "vehicle/tyre_load.h"
 
 namespace tread::sheet {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr Mode kNone{kNaN, kNaN};
+constexpr Mode kNone{kUndefined, kUndefined};
 
 // M q'' + C q' + K q = 0
 struct Oscillator {
@@ -45,7 +44,7 @@ std::vector<ShapedMode> modesOf(const Oscillator& o) {
         return std::abs(solver.eigenvalues()(a)) < std::abs(solver.eigenvalues()(b));
     });
     std::vector<ShapedMode> modes;
-    double real = kNaN;
+    double real = kUndefined;
     for (const Eigen::Index i : order) {
         const std::complex<double> value = solver.eigenvalues()(i);
         double size = std::abs(value), loss = -value.real();
@@ -56,7 +55,7 @@ std::vector<ShapedMode> modesOf(const Oscillator& o) {
             }
             size = std::sqrt(real * value.real());
             loss = -0.5 * (real + value.real());
-            real = kNaN;
+            real = kUndefined;
         }
         modes.push_back(
             {{size / (2 * std::numbers::pi), loss / size}, solver.eigenvectors().col(i).head(n).cwiseAbs()});
@@ -69,7 +68,7 @@ struct Axle {
     double spring, damping, tyre, tyre_damping, unsprung;
 };
 
-Axle axleOf(const AtRest& rest, std::size_t axle) {
+Axle axleAt(const AtRest& rest, std::size_t axle) {
     Axle sum{};
     for (std::size_t i = 2 * axle; i < 2 * axle + 2; ++i) {
         const TyreParams& tyre = rest.tyre[i];
@@ -94,7 +93,7 @@ void add(Oscillator& o, const Axle& axle, Eigen::Index wheel, const Eigen::Vecto
 
 // Coordinates: body, wheels.
 std::vector<ShapedMode> quarterCar(const AtRest& rest, std::size_t axle) {
-    const Axle a = axleOf(rest, axle);
+    const Axle a = axleAt(rest, axle);
     Oscillator o(2);
     o.mass(0, 0) = rest.axleLoad(axle) / kStandardGravity - a.unsprung;
     add(o, a, 1, Eigen::Vector2d(1, 0));
@@ -108,7 +107,7 @@ std::vector<ShapedMode> halfCar(const AtRest& rest) {
     o.mass(0, 0) = rest.car().mass;
     o.mass(1, 1) = rest.car().inertia.pitch;
     for (std::size_t axle = 0; axle < kAxles; ++axle) {
-        const Axle a = axleOf(rest, axle);
+        const Axle a = axleAt(rest, axle);
         Eigen::Vector4d body(1, axle == 0 ? -rest.car().front_axle_distance : rest.rearDistance(), 0, 0);
         add(o, a, static_cast<Eigen::Index>(2 + axle), body);
         o.mass -= a.unsprung * body * body.transpose();

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <variant>
 
+#include "metrics/channels.h"
 #include "sheet/braking.h"
 #include "sheet/driven_turn.h"
 #include "sheet/ride.h"
@@ -16,7 +16,6 @@
 namespace tread::sheet {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kPercent = 100;
 constexpr double kKmh = 3.6;
 constexpr double kDegrees = 180 / std::numbers::pi;
@@ -89,7 +88,7 @@ Value orNone(double value, std::string_view why) {
 
 Value topSpeedValue(const Figures& f) {
     const TopSpeed& top = f.top;
-    if (std::isnan(top.speed)) return {kNaN, "full throttle does not overcome the resistance"};
+    if (std::isnan(top.speed)) return {kUndefined, "full throttle does not overcome the resistance"};
     const char* const why = top.limit == SpeedLimit::power ? "driving power equals resistance"
                             : top.limit == SpeedLimit::gearing
                                 ? "limited by gearing: engine or motor at its speed limit"
@@ -363,7 +362,7 @@ const std::vector<Definition>& definitions() {
           "(steering-wheel angle / i - L / R) / ay of the simulated car at 0.1 g, mean of left and right",
           {"front.tyre", "rear.tyre", "front.suspension", "rear.suspension", "steering", "driveline", "aero"}},
          [](const Figures& f) -> Value {
-             if (std::isnan(f.driven.understeer)) return {kNaN, "the car cannot hold such a turn"};
+             if (std::isnan(f.driven.understeer)) return {kUndefined, "the car cannot hold such a turn"};
              return {kPerG * f.driven.understeer, fmt::format("driven at {:.0f} km/h", kKmh * f.turn_speed)};
          }},
         {{"Handling",

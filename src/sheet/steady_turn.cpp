@@ -4,15 +4,14 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <numbers>
 
+#include "metrics/channels.h"
 #include "vehicle/tyre_load.h"
 
 namespace tread::sheet {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSpeed = 20;         // m/s, at which the tyres' formulas are asked; they hardly depend on it
 constexpr double kSmallAngle = 1e-4;  // rad
 constexpr double kSmallTurn = 0.1;    // m/s2
@@ -191,7 +190,7 @@ YawMode yawModeWithLag(const AtRest& rest, const SingleTrack& track, double spee
         system(force, 1) = -track.stiffness[axle] / length * arm[axle];
         system(force, force) = -speed / length;
     }
-    YawMode slowest{kNaN, kNaN};
+    YawMode slowest{kUndefined, kUndefined};
     const Eigen::Vector4cd modes = Eigen::EigenSolver<Eigen::Matrix4d>(system, false).eigenvalues();
     for (const std::complex<double>& value : modes) {
         const double size = std::abs(value), frequency = size / (2 * std::numbers::pi);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "metrics/channels.h"
 #include "vehicle/driveline/coupling.h"
 #include "vehicle/driveline/gearbox.h"
 #include "vehicle/tyre_load.h"
@@ -11,7 +12,6 @@
 namespace tread::sheet {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int kBisections = 50;
 constexpr int kSpeeds = 400;        // between standstill and the speed limit of a gear
 constexpr double kAtLimit = 0.995;  // of the speed limit of engine or motor
@@ -140,7 +140,7 @@ TopSpeed topSpeed(const AtRest& rest) {
         const bool last = gear == gears(gearbox);
         const double fastest = speedAt(rest, gear, last ? limit : std::min(up, limit));
         const double settled = settledSpeed(rest, gear, std::min(speed, fastest), fastest);
-        if (settled == 0) return {kNaN, gear, SpeedLimit::power, kNaN};
+        if (settled == 0) return {kUndefined, gear, SpeedLimit::power, kUndefined};
         const double turns = rollingAt(rest, settled).spin * ratioOf(rest, gear);
         if (gear > 1 && turns < down) return reached(speed, gear - 1, SpeedLimit::shift);
         if (last || up >= limit || settled < kAtLimit * fastest)

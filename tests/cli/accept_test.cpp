@@ -109,6 +109,12 @@ TEST_F(Accept, TheFileIsCheckedAsWell) {
     const Result fine = runProgram({"check", scratch.file("b.yaml", "accept: {stopping_distance: \"< 40 m\"}\n")});
     EXPECT_EQ(fine.status, 0) << fine.out;
     EXPECT_NE(fine.out.find("b.yaml: accept, fine"), std::string::npos) << fine.out;
+    const Result own = runProgram({"check", scratch.file("c.yaml", "accept:\n  jerk_of_the_neck: \"< 4\"\n")});
+    EXPECT_EQ(own.status, 0) << own.out << own.err;
+    EXPECT_NE(own.err.find("c.yaml: note: line 2: no manoeuvre has a metric \"jerk_of_the_neck\"; a scenario or a file "
+                           "given with --metrics must define it"),
+              std::string::npos)
+        << own.err;
 }
 
 TEST_F(Accept, OfAFolderEachScenarioTakesWhatItHas) {

@@ -116,6 +116,14 @@ TEST_F(TreadRun, CarThatIsFlungAwayFailsAndKeepsTheLogSoFar) {
     }
 }
 
+TEST_F(TreadRun, AFailedRunOfASeriesNamesSuspects) {
+    car(carText("roll: 480 kg m2", "roll: 1e-9"));
+    scenario(kScenario + "series: {vary: {number: start.speed, values: [40 km/h, 60 km/h]}}\n");
+    const Result result = run();
+    EXPECT_NE(contentOf(out("metrics.json")).find("; suspect: "), std::string::npos) << result.out << result.err;
+    EXPECT_NE(contentOf(out("metrics.json")).find(": inertia.roll: found 1e-9 kg m2"), std::string::npos);
+}
+
 TEST_F(TreadRun, CarThatBreaksDownWhileItSettlesFailsAndNamesThreeSuspects) {
     const std::string text = replaced(carText("roll: 480 kg m2", "roll: 1e-9"), "drag_area: 0.66 m2", "drag_area: 66");
     car(text);

@@ -30,6 +30,19 @@ std::vector<MetricDefinition> allMetrics() {
     return all;
 }
 
+// Whether a name is that of no manoeuvre's metric, nor nearly so: then it can be a metric of the user's own.
+bool mayBeOwn(const std::string& metric) {
+    const std::vector<MetricDefinition> known = allMetrics();
+    std::vector<std::string_view> names;
+    for (const MetricDefinition& about : known) names.push_back(about.name);
+    return !metric.starts_with("highest_") && !has(known, metric) && !closest(metric, names);
+}
+
+std::string ownMetricNote(const AcceptLine& line) {
+    return "line " + std::to_string(line.line) + ": no manoeuvre has a metric " + quote(line.metric) +
+           "; a scenario or a file given with --metrics must define it";
+}
+
 // A line whose unit fits the metric of one manoeuvre is fine, however many manoeuvres have a metric of that name.
 std::vector<AcceptFault> faultsInAnyManoeuvre(const Acceptance& acceptance) {
     std::vector<AcceptFault> faults;
@@ -123,15 +136,21 @@ void expectAllUsed(const std::string& name, const std::vector<NamedScenario>& sc
     throwIfAny(std::move(problems));
 }
 
-void checkAcceptFile(const std::string& name) {
+std::vector<std::string> checkAcceptFile(const std::string& name) {
     const AcceptFile file = readYaml<AcceptFile>(name);
     std::vector<Problem> problems;
-    const auto check = [&](const Acceptance& acceptance) {
+    std::vector<std::string> notes;
+    const auto check = [&](Acceptance acceptance) {
+        for (const AcceptLine& line : acceptance.lines) {
+            if (mayBeOwn(line.metric)) notes.push_back(ownMetricNote(line));
+        }
+        std::erase_if(acceptance.lines, [](const AcceptLine& line) { return mayBeOwn(line.metric); });
         for (const AcceptFault& fault : faultsInAnyManoeuvre(acceptance)) problems.push_back(problemAt(name, fault));
     };
     check(file.accept);
     for (const ScenarioAcceptance& own : file.accept_of) check(own.accept);
     throwIfAny(std::move(problems));
+    return notes;
 }
 
 Tone toneOf(const std::vector<Verdict>& verdicts) {

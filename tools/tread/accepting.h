@@ -36,8 +36,10 @@ struct NamedScenario {
 // that could not be read.
 void expectAllUsed(const std::string& file, const std::vector<NamedScenario>& scenarios);
 
-// A file of conditions on the metrics of any manoeuvre. Throws LoadError.
-void checkAcceptFile(const std::string& file);
+// A file of conditions on the metrics of any manoeuvre. Returns notes on the names that no manoeuvre has: metrics of
+// the user's own, if a scenario or a file of metrics defines them. Throws LoadError, also for a name that is nearly one
+// of a manoeuvre.
+std::vector<std::string> checkAcceptFile(const std::string& file);
 
 // Of an answer with these verdicts.
 Tone toneOf(const std::vector<Verdict>& verdicts);

@@ -55,9 +55,10 @@ unsigned threadsOf(int asked) {
 
 // "1000 runs: in 2 vehicles, 1 scenario, 64 pieces of up to 16 runs".
 std::string sizeText(const Plan& plan) {
-    return fmt::format("{}: {} in {}, {} of up to {}", count(plan.runs, "run"),
-                       count(plan.inputs.vehicles.size(), "vehicle"), count(plan.inputs.scenarios.size(), "scenario"),
-                       count(plan.pieces(), "piece"), count(plan.runs_per_piece, "run"));
+    return fmt::format("{}: {} in {}, {} of up to {}", counted(plan.runs, "run"),
+                       counted(plan.inputs.vehicles.size(), "vehicle"),
+                       counted(plan.inputs.scenarios.size(), "scenario"), counted(plan.pieces(), "piece"),
+                       counted(plan.runs_per_piece, "run"));
 }
 
 int dryRun(const Plan& plan, const Path& folder, const CampaignOptions& options) {
@@ -65,8 +66,8 @@ int dryRun(const Plan& plan, const Path& folder, const CampaignOptions& options)
     const double seconds = found.seconds_per_run * static_cast<double>(plan.runs);
     const unsigned threads = threadsOf(options.threads);
     const std::uint64_t bytes = bytesNeeded(plan, found.bytes_of_log);
-    const std::string answer = fmt::format("{}; about {} on {}, {} of disk", count(plan.runs, "run"),
-                                           timeText(seconds / threads), count(threads, "thread"), bytesText(bytes));
+    const std::string answer = fmt::format("{}; about {} on {}, {} of disk", counted(plan.runs, "run"),
+                                           timeText(seconds / threads), counted(threads, "thread"), bytesText(bytes));
     if (options.json) {
         printJson({{"answer", answer},
                    {"runs", plan.runs},
@@ -93,7 +94,7 @@ int oneRun(const Plan& plan, const Path& folder, std::uint64_t number, const Cam
     const Path target = folder / "runs" / std::to_string(number);
     listenToSignals();
     try {
-        const Driven driven = driveScenario(record, target, [](double) {});
+        const Driven driven = driveScenario(record, target, {}, [](double) {});
         if (options.json) printJson(driven.json);
         else
             say(fmt::format("run {}: {}\nReport: {}\n", number, driven.answer,
@@ -109,7 +110,7 @@ int oneRun(const Plan& plan, const Path& folder, std::uint64_t number, const Cam
 }
 
 std::string outcomeText(const Tally& tally) {
-    std::string text = count(tally.runs, "run");
+    std::string text = counted(tally.runs, "run");
     const auto add = [&](Status status, std::string_view words) {
         if (tally.count(status) > 0) text += fmt::format(", {} {}", tally.count(status), words);
     };
@@ -139,7 +140,7 @@ int finish(const Plan& plan, const std::vector<Path>& folders, const Path& targe
     if (!whole && !partial) {
         const std::string answer =
             fmt::format("{} of {} missing: `tread campaign {}` computes them, --partial leaves them out",
-                        count(found.missing, "run"), plan.runs, target.string());
+                        counted(found.missing, "run"), plan.runs, target.string());
         if (json) printJson({{"answer", answer}, {"result", jsonOfTally(found)}});
         else say(answer + "\n", Tone::bad);
         return kNo;
@@ -161,9 +162,9 @@ int finish(const Plan& plan, const std::vector<Path>& folders, const Path& targe
 int unfinished(const campaign::Worked& worked, const Path& folder, const CampaignOptions& options) {
     const std::string answer =
         options.shard.empty()
-            ? fmt::format("interrupted after {}; the same call goes on", count(worked.runs, "run"))
+            ? fmt::format("interrupted after {}; the same call goes on", counted(worked.runs, "run"))
             : fmt::format("part {} is done, {} by this call; `tread campaign merge {}` joins the parts", options.shard,
-                          count(worked.runs, "run"), folder.string());
+                          counted(worked.runs, "run"), folder.string());
     if (worked.stopped) {
         fmt::print(stderr, "tread campaign: {}\n", answer);
         return stoppedStatus();
@@ -228,8 +229,8 @@ int campaignStatus(const CampaignStatusOptions& options) {
                             ? std::nan("")
                             : found.seconds / static_cast<double>(found.runs) * static_cast<double>(found.missing);
     for (const std::string& piece : found.damaged) warn(piece);
-    std::string answer = found.missing == 0 ? fmt::format("all {} done", count(plan.runs, "run"))
-                                            : fmt::format("{} of {} done", found.runs, count(plan.runs, "run"));
+    std::string answer = found.missing == 0 ? fmt::format("all {} done", counted(plan.runs, "run"))
+                                            : fmt::format("{} of {} done", found.runs, counted(plan.runs, "run"));
     if (found.failed() > 0) answer += fmt::format(", {} failed", found.failed());
     if (found.missing > 0 && !std::isnan(left)) answer += fmt::format(", about {} left on one core", timeText(left));
     if (options.json) {
@@ -238,7 +239,7 @@ int campaignStatus(const CampaignStatusOptions& options) {
         json["seconds_left_on_one_core"] = std::isnan(left) ? nlohmann::json(nullptr) : nlohmann::json(left);
         printJson(json);
     } else {
-        say(fmt::format("{}\n  {}\n  {} running\n", answer, outcomeText(found), count(running, "piece")));
+        say(fmt::format("{}\n  {}\n  {} running\n", answer, outcomeText(found), counted(running, "piece")));
     }
     return found.missing == 0 ? kYes : kNo;
 }

@@ -47,10 +47,6 @@ void beginCampaign(const campaign::Plan& plan, const Path& folder, bool may_prob
     if (may_probe && std::find(present.begin(), present.end(), true) == present.end()) probed(plan, folder);
 }
 
-std::string count(std::uint64_t number, std::string_view what) {
-    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
-}
-
 std::string timeText(double seconds) {
     if (seconds < 100) return fmt::format("{:.2g} s", seconds);
     if (seconds < 6000) return fmt::format("{:.0f} min", seconds / 60);

@@ -18,7 +18,6 @@ campaign::Probe probed(const campaign::Plan& plan, const Path& folder);
 void beginCampaign(const campaign::Plan& plan, const Path& folder, bool may_probe);
 
 std::uint64_t spaceAt(Path folder);  // free bytes where the folder is, or will be
-std::string count(std::uint64_t number, std::string_view what);
 std::string timeText(double seconds);
 std::string bytesText(std::uint64_t bytes);
 

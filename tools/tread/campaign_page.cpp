@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/number_text.h"
 #include "campaign/database.h"
 #include "campaign_begin.h"
 #include "campaign_figures.h"
@@ -140,8 +141,8 @@ std::string campaignPage(const Plan& plan, const Path& folder, const Tally& tall
                                     [](const auto& one) { return !one.scenario.accept.empty(); });
     const std::uint64_t ok = tally.count(Status::ok);
     const double percent = tally.runs > 0 ? 100.0 * static_cast<double>(ok) / static_cast<double>(tally.runs) : 0;
-    page.answer(judged ? fmt::format("{} of {} accepted ({:.3g} %)", ok, count(tally.runs, "run"), percent)
-                       : fmt::format("{}, {} without failure", count(tally.runs, "run"), tally.runs - tally.failed()),
+    page.answer(judged ? fmt::format("{} of {} accepted ({:.3g} %)", ok, counted(tally.runs, "run"), percent)
+                       : fmt::format("{}, {} without failure", counted(tally.runs, "run"), tally.runs - tally.failed()),
                 tally.missing > 0 ? "incomplete" : "", false);
     std::vector<Card> cards{{"runs", std::to_string(tally.runs), ""}};
     if (judged) cards.push_back({"not accepted", std::to_string(tally.count(Status::rejected)), ""});
@@ -152,17 +153,18 @@ std::string campaignPage(const Plan& plan, const Path& folder, const Tally& tall
     for (const auto& one : plan.inputs.vehicles) vehicles += (vehicles.empty() ? "" : ", ") + one.name;
     for (const auto& one : plan.inputs.scenarios) scenarios += (scenarios.empty() ? "" : ", ") + one.name;
     for (const Variable& variable : plan.variables) factors += (factors.empty() ? "" : ", ") + variable.path;
-    page.keyValues({{"What it is", file.description},
-                    {"Vehicles", vehicles},
-                    {"Scenarios", scenarios},
-                    {"Factors", factors},
-                    {"Sampling", plan.dimensions > 0
-                                     ? fmt::format("{}, {}, seed {}",
-                                                   enumNames(file.sampling)[static_cast<std::size_t>(file.sampling)],
-                                                   count(static_cast<std::uint64_t>(file.samples), "sample"), file.seed)
-                                     : ""},
-                    {"Table", "results.csv, results.sqlite"},
-                    {"Made by", "tread " + plan.inputs.tread_version}});
+    page.keyValues(
+        {{"What it is", file.description},
+         {"Vehicles", vehicles},
+         {"Scenarios", scenarios},
+         {"Factors", factors},
+         {"Sampling",
+          plan.dimensions > 0
+              ? fmt::format("{}, {}, seed {}", enumNames(file.sampling)[static_cast<std::size_t>(file.sampling)],
+                            counted(static_cast<std::uint64_t>(file.samples), "sample"), file.seed)
+              : ""},
+         {"Table", "results.csv, results.sqlite"},
+         {"Made by", "tread " + plan.inputs.tread_version}});
     std::vector<Bad> worst;
     for (std::size_t s = 0; s < std::min(kMostScenarios, plan.inputs.scenarios.size()); ++s) {
         const std::string& name = plan.inputs.scenarios[s].name;

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "base/number_text.h"
 #include "base/trimmed.h"
 #include "campaign.h"
 #include "campaign/folder.h"
@@ -106,8 +107,8 @@ int campaignSlurm(const CampaignSlurmOptions& options) {
         join_job = submitted(join, "--dependency=afterany:" + array_job);
     }
     const std::string answer = options.submit ? fmt::format("submitted {} in job {}, the merge in job {}",
-                                                            count(tasks, "task"), array_job, join_job)
-                                              : fmt::format("scripts for {} written", count(tasks, "task"));
+                                                            counted(tasks, "task"), array_job, join_job)
+                                              : fmt::format("scripts for {} written", counted(tasks, "task"));
     if (options.json) {
         printJson({{"answer", answer},
                    {"tasks", tasks},
@@ -118,7 +119,7 @@ int campaignSlurm(const CampaignSlurmOptions& options) {
                    {"array_script", array.string()},
                    {"merge_script", join.string()}});
     } else {
-        say(fmt::format("{}\n  {}, about {} a task\n  {}\n", answer, count(plan.runs, "run"),
+        say(fmt::format("{}\n  {}, about {} a task\n  {}\n", answer, counted(plan.runs, "run"),
                         timeText(seconds / static_cast<double>(tasks) / options.cpus),
                         options.submit ? "`tread campaign status " + folder.string() + "` tells how far they are"
                                        : fmt::format("job=$(sbatch --parsable {}) && sbatch "

@@ -94,10 +94,6 @@ CheckedFile checkFile(const std::string& name) {
     return checked;
 }
 
-std::string count(std::size_t number, std::string_view what) {
-    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
-}
-
 // All faults, or all warnings; one of a file that several others include is listed once.
 std::vector<Problem> allOf(const std::vector<CheckedFile>& files, std::vector<Problem> CheckedFile::*list) {
     std::vector<Problem> faults;
@@ -114,11 +110,11 @@ std::vector<Problem> allOf(const std::vector<CheckedFile>& files, std::vector<Pr
 
 std::string answer(std::size_t faults, std::size_t warnings, std::size_t faulty, std::size_t files) {
     if (faults == 0) {
-        const std::string words = fmt::format("{} {} fine", count(files, "file"), files == 1 ? "is" : "are");
-        return warnings == 0 ? words : fmt::format("{}, with {}", words, count(warnings, "warning"));
+        const std::string words = fmt::format("{} {} fine", counted(files, "file"), files == 1 ? "is" : "are");
+        return warnings == 0 ? words : fmt::format("{}, with {}", words, counted(warnings, "warning"));
     }
-    if (files == 1) return fmt::format("{} in 1 file", count(faults, "fault"));
-    return fmt::format("{} in {} of {}", count(faults, "fault"), faulty, count(files, "file"));
+    if (files == 1) return fmt::format("{} in 1 file", counted(faults, "fault"));
+    return fmt::format("{} in {} of {}", counted(faults, "fault"), faulty, counted(files, "file"));
 }
 
 std::string text(const std::vector<CheckedFile>& files, const std::vector<Problem>& faults,

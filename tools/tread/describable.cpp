@@ -175,8 +175,7 @@ std::vector<ReferenceRow> expressionRows() {
 }
 
 FileReading readAcceptFile(const Path& file) {
-    checkAcceptFile(file.string());
-    return {};
+    return {.notes = checkAcceptFile(file.string())};
 }
 
 template <class T>

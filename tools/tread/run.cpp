@@ -63,7 +63,7 @@ int run(const RunOptions& options) {
     try {
         const double longest = longestDuration(record.scenario);
         Progress progress(longest, "s");
-        Driven driven = driveScenario(record, folder, [&](double share) { progress.at(share * longest); });
+        Driven driven = driveScenario(record, folder, implausible, [&](double share) { progress.at(share * longest); });
         for (const Problem& warning : implausible) driven.json["warnings"].push_back(toText(warning));
         show(driven, options, folder);
         writeJUnit(options, junitCases(name, driven.verdicts));

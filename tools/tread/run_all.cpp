@@ -98,7 +98,7 @@ Outcome drive(const Planned& plan, const Path& out, const TellShare& tell) {
     if (!plan.fault.empty()) return failed(name, name, plan.fault);
     const std::string& title = plan.record.scenario.title;
     try {
-        Driven driven = driveScenario(plan.record, out / name, tell);
+        Driven driven = driveScenario(plan.record, out / name, plan.implausible, tell);
         return {{name, title, driven.answer, std::move(driven.metrics), driven.warnings, name + "/report.html", true,
                  driven.verdicts},
                 {{"scenario", name}, {"result", std::move(driven.json)}}};

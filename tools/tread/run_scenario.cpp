@@ -7,12 +7,13 @@
 
 namespace tread::program {
 
-Driven driveScenario(const RunRecord& record, const Path& folder, const TellShare& tell) {
+Driven driveScenario(const RunRecord& record, const Path& folder, const std::vector<Problem>& implausible,
+                     const TellShare& tell) {
     const RunRecord ready = tunedRecord(record);
     const double longest = longestDuration(ready.scenario);
     const Tell tell_time = [&](double time) { tell(std::min(1.0, time / longest)); };
     const bool several = ready.scenario.series.vary || ready.scenario.series.highest;
-    return several ? driveSeries(ready, folder, tell_time) : driveInto(ready, folder, tell_time);
+    return several ? driveSeries(ready, folder, implausible, tell_time) : driveInto(ready, folder, tell_time);
 }
 
 }  // namespace tread::program

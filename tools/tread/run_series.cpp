@@ -11,6 +11,7 @@
 #include "base/write_yaml.h"
 #include "metrics/metrics.h"
 #include "output.h"
+#include "plausibility.h"
 #include "report/series_report.h"
 #include "report/text.h"
 #include "series/series.h"
@@ -91,6 +92,18 @@ std::vector<Verdict> verdictsOf(const Scenario& scenario, const SeriesResult& se
     return all;
 }
 
+// One run of the series; when it fails, its message names suspects.
+Driven driveNaming(const std::vector<Problem>& implausible, const RunRecord& record, const Path& folder,
+                   const Tell& tell) {
+    try {
+        return driveInto(record, folder, tell);
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const SimulationError& error) {
+        throw SimulationError(withSuspects(error, implausible), error.time, error.suspect);
+    }
+}
+
 }  // namespace
 
 RunRecord tunedRecord(RunRecord record) {
@@ -102,7 +115,8 @@ RunRecord tunedRecord(RunRecord record) {
     return record;
 }
 
-Driven driveSeries(const RunRecord& record, const Path& folder, const Tell& tell) {
+Driven driveSeries(const RunRecord& record, const Path& folder, const std::vector<Problem>& implausible,
+                   const Tell& tell) {
     const OutputFolder output(folder);
     removeEarlierRun(output);
     writeFile(folder / "run.yaml", writeYaml(record));
@@ -113,7 +127,7 @@ Driven driveSeries(const RunRecord& record, const Path& folder, const Tell& tell
             RunRecord one = record;
             one.scenario = scenario;
             if (record.scenario.series.highest) one.scenario.accept = {};  // on the highest value, which no run knows
-            const Driven driven = driveInto(one, folder / folderOf(count++), tell);
+            const Driven driven = driveNaming(implausible, one, folder / folderOf(count++), tell);
             if (!driven.no_metrics.empty()) throw MetricError(driven.no_metrics);
             return driven.metrics;
         });

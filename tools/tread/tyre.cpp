@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/number_text.h"
 #include "base/setting.h"
 #include "commands.h"
 #include "kind_of_file.h"
@@ -37,10 +38,6 @@ void rejectOptionsThatDoNotFit(const TyreOptions& options) {
     }
     if (!transient && options.standstill) complain("--standstill", "expected only with --transient");
     if (!problems.empty()) throw LoadError(std::move(problems));
-}
-
-std::string counted(std::size_t count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 // Answer of the command as text and as JSON.

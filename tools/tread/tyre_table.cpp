@@ -155,10 +155,6 @@ private:
         }
     }
 
-    static std::string counted(std::size_t count, std::string_view what) {
-        return concat({std::to_string(count), " ", what, count == 1 ? "" : "s"});
-    }
-
     void readCell(std::string_view cell, std::size_t place, std::size_t column) {
         const ColumnKind& kind = kinds_[table_.columns[column].kind];
         std::string_view text = trimmed(cell);

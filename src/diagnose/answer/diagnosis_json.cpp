@@ -19,7 +19,7 @@ Json levelsOf(const GapLevels& levels) {
             {"floor", levels.floor}};
 }
 
-Json whereOf(const WhereItLies& where) {
+Json whereJson(const WhereItLies& where) {
     return {{"channels", where.channels},     {"recordings", where.recordings},
             {"phases", where.phases},         {"bands", where.bands},
             {"regimes", where.regimes},       {"generalised_force", where.generalised_force},
@@ -87,7 +87,7 @@ Json diagnosisJson(const Diagnosis& d) {
         {"ruled_out", jsonOf(d.ruled_out)},
         {"probability_of_nothing", d.probability_of_nothing},
         {"probability_of_unknown", d.probability_of_unknown},
-        {"where", whereOf(d.where)},
+        {"where", whereJson(d.where)},
         {"training", jsonOf(d.training)},
         {"held_out", jsonOf(d.held_out)},
         {"parts", {{"training", partsJson(d.training)}, {"held_out", partsJson(d.held_out)}}},

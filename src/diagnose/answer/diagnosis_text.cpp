@@ -15,11 +15,11 @@ namespace {
 
 constexpr double kWorthNaming = 0.05;  // share of the gap, or probability of an effect
 constexpr double kLarger = 0.005;      // share of the gap: a part that is less than zero by more makes it larger
-constexpr double kMostly = 0.5;        // share of side forces in the missing force from which the axle is named
+constexpr double kMostlySide = 0.5;    // share of side forces in the missing force from which the axle is named
 constexpr std::size_t kMostListed = 3, kMostHidden = 8;  // entries of a list that are printed
 
 // Lines below one headline.
-std::string paragraph(const char* headline, const std::vector<std::string>& lines) {
+std::string listed(const char* headline, const std::vector<std::string>& lines) {
     std::string text;
     for (std::size_t i = 0; i < lines.size(); ++i) text += fmt::format("{:<10}{}\n", i == 0 ? headline : "", lines[i]);
     return text;
@@ -46,7 +46,7 @@ std::string axleOf(const WhereItLies& where) {
         return found == shares.end() ? 0.0 : found->second;
     };
     const double side = share(where.generalised_force, "lateral") + share(where.generalised_force, "yaw");
-    if (side < kMostly) return {};
+    if (side < kMostlySide) return {};
     const double front = share(where.axle_force, "front");
     return fmt::format("; {} axle side force {:.0f} %", front >= 0.5 ? "front" : "rear",
                        100 * std::max(front, 1 - front));
@@ -73,14 +73,14 @@ std::string gapOf(const Diagnosis& d) {
     else lines.emplace_back("no drive is held out: judged in-sample, in the fitted drives, which is too optimistic");
     if (const std::string closed = closedInWords(d.held_out.gap > 0 ? d.held_out : gap); !closed.empty())
         lines.push_back(fmt::format("closed{}: {}", d.held_out.gap > 0 ? " there" : "", closed));
-    return paragraph("GAP", lines);
+    return listed("GAP", lines);
 }
 
 std::string whereOf(const WhereItLies& where) {
     const std::string gap = where.channels.empty() ? "no single channel exceeds the usual disturbances"
                                                    : fmt::format("{} of the gap; {}; {}", largest(where.channels, true),
                                                                  largest(where.phases), largest(where.bands));
-    return paragraph("WHERE", {fmt::format("{}; force: {}{}", gap, largest(where.generalised_force), axleOf(where))});
+    return listed("WHERE", {fmt::format("{}; force: {}{}", gap, largest(where.generalised_force), axleOf(where))});
 }
 
 // "front, rear: lateral carcass stiffness 141800 -> 105000 +- 6000 N/m (-26 %)"
@@ -101,9 +101,9 @@ std::string whichOf(const Diagnosis& d) {
         lines.push_back(fmt::format("{} ({}): {}", effect->name, probabilityInWords(effect->probability),
                                     fmt::join(changes, "; ")));
     }
-    if (!lines.empty()) return paragraph("WHICH", lines);
+    if (!lines.empty()) return listed("WHICH", lines);
     const std::string law = lawInWords(d.unexplained.law);
-    return paragraph("WHICH", {"no effect in the catalogue" + (law.empty() ? "" : "; " + law)});
+    return listed("WHICH", {"no effect in the catalogue" + (law.empty() ? "" : "; " + law)});
 }
 
 // "mass 1362 (+0.8 sd), inertia.yaw 2010 (+1.8 sd), and 3 others"
@@ -126,7 +126,7 @@ std::string movedOf(const Diagnosis& d) {
     if (d.before.fitted > 0)
         lines.push_back(fmt::format("the car before: gap in the references {:.1f} -> {:.1f} of the floor; {}",
                                     d.before.nominal, d.before.fitted, movedInWords(d.before.moved)));
-    return paragraph("MOVED", lines);
+    return listed("MOVED", lines);
 }
 
 std::string remainsOf(const Diagnosis& d) {
@@ -137,7 +137,7 @@ std::string remainsOf(const Diagnosis& d) {
         text += fmt::format("; {}: {:.1f} times the usual size", kindOfForceInWords(large[i].second), large[i].first);
     if (large.empty()) text += "; no force is larger than in an ordinary drive";
     const std::string law = d.causes.empty() ? "" : lawInWords(d.unexplained.law);
-    return paragraph("REMAINS", {law.empty() ? text : text + "; " + law});
+    return listed("REMAINS", {law.empty() ? text : text + "; " + law});
 }
 
 std::string rivalsOf(const Diagnosis& d) {
@@ -152,7 +152,7 @@ std::string rivalsOf(const Diagnosis& d) {
         lines.push_back(fmt::format("{} and {} are hard to tell apart; mostly {} does", effectInWords(pair.a),
                                     effectInWords(pair.b), pair.manoeuvre));
     lines.resize(std::min(lines.size(), kMostListed));
-    return paragraph("RIVALS", lines);
+    return listed("RIVALS", lines);
 }
 
 std::string ruledOutOf(const Diagnosis& d) {
@@ -160,7 +160,7 @@ std::string ruledOutOf(const Diagnosis& d) {
     for (std::size_t i = 0; i < std::min(d.ruled_out.size(), kMostListed); ++i)
         lines.push_back(fmt::format("{} ({:.0f} nats): {}", together(d.ruled_out[i].effects),
                                     d.ruled_out[i].log_evidence, d.ruled_out[i].reason));
-    return paragraph("RULED OUT", lines);
+    return listed("RULED OUT", lines);
 }
 
 std::string leftOutOf(const Diagnosis& d) {
@@ -173,7 +173,7 @@ std::string leftOutOf(const Diagnosis& d) {
         lines.resize(kMostListed);
         lines.back() += fmt::format(", and parts of {} other drive{}", others, others == 1 ? "" : "s");
     }
-    return paragraph("LEFT OUT", lines);
+    return listed("LEFT OUT", lines);
 }
 
 std::string nextOf(const Diagnosis& d) {
@@ -181,7 +181,7 @@ std::string nextOf(const Diagnosis& d) {
     for (std::size_t i = 0; i < std::min(d.next.size(), kMostListed); ++i)
         lines.push_back(fmt::format("{} would separate {} by {:.0f} nats", d.next[i].scenario,
                                     separatesInWords(d.next[i]), d.next[i].nats));
-    return paragraph("NEXT", lines);
+    return listed("NEXT", lines);
 }
 
 std::string hiddenOf(const Diagnosis& d) {
@@ -189,9 +189,9 @@ std::string hiddenOf(const Diagnosis& d) {
     if (hidden.empty()) return {};
     const std::size_t all = hidden.size();
     hidden.resize(std::min(all, kMostHidden));
-    return paragraph("NOT SEEN", {fmt::format("{} of {} effects, excited too weakly in these drives: {}{}", all,
-                                              d.expected_evidence.size(), fmt::join(hidden, ", "),
-                                              all > kMostHidden ? ", ..." : "")});
+    return listed("NOT SEEN",
+                  {fmt::format("{} of {} effects, excited too weakly in these drives: {}{}", all,
+                               d.expected_evidence.size(), fmt::join(hidden, ", "), all > kMostHidden ? ", ..." : "")});
 }
 
 }  // namespace

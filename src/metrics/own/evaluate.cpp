@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
+#include "metrics/channels.h"
 #include "metrics/series.h"
 #include "metrics/smoothing.h"
 #include "scenario/expression/functions.h"
@@ -14,7 +14,6 @@
 namespace tread {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 // A time within which a condition is met.
 struct Spell {
     double from, to;  // s
@@ -25,7 +24,7 @@ using Spells = std::vector<Spell>;  // in their order, apart from each other
 struct Value {
     std::vector<double> samples = {};
     Spells spells = {};
-    double number = kNan;
+    double number = kUndefined;
     bool over_time = false;
 
     double at(std::size_t i) const { return over_time ? samples[i] : number; }
@@ -133,7 +132,7 @@ private:
 
     Spells compared(Operation operation, const Value& a, const Value& b) const {
         Spells found;
-        double before = kNan;
+        double before = kUndefined;
         bool was_met = false;
         for (std::size_t i = 0; i < time_.size(); ++i) {
             const double now = margin(operation, a.at(i), b.at(i));
@@ -189,14 +188,14 @@ private:
     }
 
     double valueAt(const Value& of, double time) const {
-        if (!(time >= time_.front() && time <= time_.back())) return kNan;
+        if (!(time >= time_.front() && time <= time_.back())) return kUndefined;
         return tread::at(series(of), time);
     }
 
     Value rate(const Value& of) const {
         if (!of.over_time) return Value{.number = 0};
         const std::size_t n = time_.size();
-        Value out{.samples = std::vector<double>(n, kNan), .over_time = true};
+        Value out{.samples = std::vector<double>(n, kUndefined), .over_time = true};
         if (n < 2) return out;
         for (std::size_t i = 0; i < n; ++i) {
             const std::size_t before = i == 0 ? 0 : i - 1, after = i + 1 == n ? i : i + 1;
@@ -245,7 +244,7 @@ private:
         if (function == Function::duration) return sum;
         if (function == Function::longest) return longest;
         if (function == Function::count) return static_cast<double>(spells.size());
-        return spells.empty() ? kNan : spells.front().from;
+        return spells.empty() ? kUndefined : spells.front().from;
     }
 
     double phaseTime(const Term& term, bool start) const {
@@ -254,18 +253,18 @@ private:
         double number = which.number;
         if (which.operation == Operation::words) {
             const auto named = std::find(phases_.begin(), phases_.end(), which.name);
-            if (named == phases_.end()) return kNan;
+            if (named == phases_.end()) return kUndefined;
             number = static_cast<double>(named - phases_.begin()) + 1;
         }
         const Channel *phase = log_.find("manoeuvre.phase"), *began = log_.find("manoeuvre.phase_start");
-        if (!phase || !began) return kNan;
+        if (!phase || !began) return kUndefined;
         const auto first = [&](auto fits) -> std::optional<std::size_t> {
             const auto at = std::find_if(phase->values.begin(), phase->values.end(), fits);
             if (at == phase->values.end()) return {};
             return at - phase->values.begin();
         };
         const auto here = first([&](double p) { return p == number; });
-        if (!here) return kNan;
+        if (!here) return kUndefined;
         if (start) return std::max(began->values[*here], time_.front());
         const auto next = first([&](double p) { return p > number; });
         return next ? began->values[*next] : time_.back();
@@ -281,9 +280,9 @@ private:
 
 double evaluate(const Term& term, const Log& log, const std::vector<RunParameter>& parameters,
                 const std::vector<std::string>& phases) {
-    if (log.samples() == 0) return kNan;
+    if (log.samples() == 0) return kUndefined;
     const Value found = Evaluator(log, parameters, phases).value(term);
-    if (found.over_time) return kNan;
+    if (found.over_time) return kUndefined;
     return found.number;
 }
 

@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "base/concat.h"
 #include "base/number_text.h"
 #include "base/numbers.h"
 #include "base/reference_table.h"
+#include "metrics/channels.h"
 #include "metrics/own/evaluate.h"
 #include "scenario/expression/parse.h"
 
 namespace tread {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 template <class Described>
 void add(std::vector<RunParameter>& parameters, Described object, const std::string& prefix) {
@@ -47,7 +45,7 @@ std::vector<RunParameter> parametersOf(const VehicleParams& vehicle, const Scena
 std::vector<RunParameter> parametersOf(const Scenario& scenario) {
     std::vector<RunParameter> parameters;
     for (const ReferenceRow& row : referenceTable<VehicleParams>()) {
-        if (!row.unit.empty()) parameters.push_back({"vehicle." + row.path, row.unit, kNan});
+        if (!row.unit.empty()) parameters.push_back({"vehicle." + row.path, row.unit, kUndefined});
     }
     add(parameters, scenario, "scenario");
     return parameters;
@@ -105,7 +103,7 @@ std::vector<Metric> ownMetrics(const std::vector<OwnMetric>& metrics, const Log&
         ExpressionFault fault;
         std::optional<Term> term = parseExpression(metrics[i].value.text, fault);
         const bool fits = term && checkMetric(*term, metrics[i].unit, known, fault);
-        const double si = fits ? evaluate(*term, log, parameters, known.phases) : kNan;
+        const double si = fits ? evaluate(*term, log, parameters, known.phases) : kUndefined;
         out.push_back({about[i].name, inUnit(si, about[i].unit), about[i].unit, about[i].definition, {}});
     }
     return out;
