@@ -15,6 +15,8 @@
 #include "campaign/database.h"
 #include "campaign/piece.h"
 #include "log/csv.h"
+#include "store/claims.h"
+#include "store/durable_file.h"
 
 namespace tread::campaign {
 namespace {
@@ -137,7 +139,7 @@ Tally merge(const Plan& plan, const std::vector<Path>& folders, const Path& targ
     database.finish();
     timings.finish();
     table.finish();
-    removeLeftovers(target);
+    removeAllLeftovers(target);
     return found;
 }
 

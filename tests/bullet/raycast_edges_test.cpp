@@ -18,9 +18,9 @@ using namespace scene;
 using Height = std::function<double(double x, double z)>;
 
 // A surface over a grid, 8 m wide and 40 m long, as a mesh or as a height field.
-class Ground {
+class Surface {
 public:
-    Ground(const Height& height, double grid, bool as_mesh) : across_(int(8 / grid) + 1), along_(int(40 / grid) + 1) {
+    Surface(const Height& height, double grid, bool as_mesh) : across_(int(8 / grid) + 1), along_(int(40 / grid) + 1) {
         const auto at = [&](int i, int j) {
             const double x = grid * (i - 0.5 * (across_ - 1)), z = grid * (j - 0.5 * (along_ - 1));
             return vector(x, height(x, z), z);
@@ -54,7 +54,7 @@ struct Ride {
 };
 
 // Two seconds at 8 m/s and 1 kHz along the surface.
-Ride ride(Ground& surface, double edge_angle, const std::function<Vector3(double x, double z)>& normal_at) {
+Ride ride(Surface& surface, double edge_angle, const std::function<Vector3(double x, double z)>& normal_at) {
     Car<RaycastVehicle> car(surface.world,
                             {.height = 0.56, .place = btTransform(btQuaternion::getIdentity(), vector(0.3, 0, -12))});
     car.vehicle->setEdgeAngle(edge_angle);
@@ -101,7 +101,7 @@ Vector3 normalOfBumps(double x, double z) {
 TEST(RaycastVehicleEdges, OfAFineMeshAreRoundedToTheSurfaceThatItStandsFor) {
     for (bool as_mesh : {true, false}) {
         SCOPED_TRACE(as_mesh ? "mesh" : "height field");
-        Ground faceted(bumps, 0.1, as_mesh), rounded(bumps, 0.1, as_mesh);
+        Surface faceted(bumps, 0.1, as_mesh), rounded(bumps, 0.1, as_mesh);
         const Ride plain = ride(faceted, 0, normalOfBumps), smooth = ride(rounded, 0.45, normalOfBumps);
         // The analytic normal turns by at most the curvature times the way of a step.
         const double turns = 2 * kBump * kWave * kWave * 8 * 0.001;
@@ -117,7 +117,7 @@ TEST(RaycastVehicleEdges, OfTwoLargeTrianglesTurnTheNormalGradually) {
     const double slope = std::tan(0.07);
     const auto roof = [&](double, double z) { return -slope * std::abs(z + 2); };
     const auto normal = [&](double, double z) { return Vector3(0, 1, z < -2 ? -slope : slope).normalized(); };
-    Ground faceted(roof, 2, true), rounded(roof, 2, true);
+    Surface faceted(roof, 2, true), rounded(roof, 2, true);
     const Ride plain = ride(faceted, 0, normal), smooth = ride(rounded, 0.45, normal);
     EXPECT_NEAR(plain.normal_jump, 0.14, 0.001);
     // Over twice a third of the wheel's radius, at 8 mm a step; parabolas are twice as steep as a straight line.
@@ -129,14 +129,14 @@ TEST(RaycastVehicleEdges, OfAKerbStayAsTheyAre) {
     // 10 cm up over 5 cm: 63 degrees.
     const auto kerb = [](double, double z) { return std::clamp(2 * (z + 2), 0.0, 0.1); };
     const auto any = [](double, double) { return Vector3(0, 1, 0); };
-    Ground plain(kerb, 0.05, true), rounded(kerb, 0.05, true);
+    Surface plain(kerb, 0.05, true), rounded(kerb, 0.05, true);
     const Ride sharp = ride(plain, 0, any), same = ride(rounded, 0.45, any);
     EXPECT_NEAR(same.normal_jump, sharp.normal_jump, 1e-3);
     EXPECT_GT(same.normal_jump, 0.9);
 }
 
 TEST(RaycastVehicleEdges, OfAFlatMeshAreNotFelt) {
-    Ground flat([](double, double) { return 0.0; }, 0.5, true);
+    Surface flat([](double, double) { return 0.0; }, 0.5, true);
     const Ride seen = ride(flat, 0.45, [](double, double) { return Vector3(0, 1, 0); });
     EXPECT_LT(seen.normal_error, sizeof(btScalar) == sizeof(double) ? 1e-12 : 1e-6);
 }

@@ -12,7 +12,7 @@ namespace {
 
 using namespace scene;
 
-constexpr double kRoverMass = 1500;  // kg
+constexpr double kMass = 1500;  // kg
 
 // A car in a world of its own gravity, whose lengths are so many times a car's.
 struct Planet {
@@ -33,8 +33,8 @@ public:
         world.addPlane();
         btVector3 inertia;
         shape_.setLocalScaling(vector(l, l, l));
-        shape_.calculateLocalInertia(scalar(kRoverMass), inertia);
-        chassis = std::make_unique<btRigidBody>(scalar(kRoverMass), nullptr, &shape_, inertia);
+        shape_.calculateLocalInertia(scalar(kMass), inertia);
+        chassis = std::make_unique<btRigidBody>(scalar(kMass), nullptr, &shape_, inertia);
         chassis->setWorldTransform(btTransform(btQuaternion::getIdentity(), vector(0, (0.6 - kSag) * l, 0)));
         chassis->setActivationState(DISABLE_DEACTIVATION);
         world.dynamics.addRigidBody(chassis.get());
@@ -66,7 +66,7 @@ public:
     double brakes(double gravity) {
         chassis->setLinearVelocity(chassis->getLinearVelocity() + vector(0, 0, 20 * planet_.speed()));
         run(world, 0.3 * planet_.time(), 60);
-        for (int i = 0; i < 4; ++i) vehicle->setBrake(scalar(2 * kRoverMass * gravity / 60), i);
+        for (int i = 0; i < 4; ++i) vehicle->setBrake(scalar(2 * kMass * gravity / 60), i);
         run(world, 0.5 * planet_.time(), 60);
         for (int i = 0; i < 4; ++i) EXPECT_NEAR(vehicle->telemetry(i).spin, 0, 1e-6);
         const double before = chassis->getLinearVelocity().z();
@@ -147,9 +147,9 @@ TEST(RaycastVehicleGravity, OfNoneIsThatOfTheEarth) {
     rover.chassis->setGravity(vector(0, 0, 0));
     rover.chassis->setLinearVelocity(vector(0, 0, 20));
     const double before = rover.chassis->getLinearVelocity().z();
-    for (int i = 0; i < 4; ++i) rover.vehicle->setBrake(scalar(2 * kRoverMass * kGravity / 60), i);
+    for (int i = 0; i < 4; ++i) rover.vehicle->setBrake(scalar(2 * kMass * kGravity / 60), i);
     for (int step = 0; step < 60; ++step) {
-        rover.chassis->applyCentralForce(vector(0, -kRoverMass * kGravity, 0));
+        rover.chassis->applyCentralForce(vector(0, -kMass * kGravity, 0));
         run(rover.world, 1.0 / 60, 60);
     }
     EXPECT_NEAR(rover.vehicle->telemetry(0).spin, 0, 1e-6);

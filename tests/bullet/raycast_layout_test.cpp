@@ -11,7 +11,7 @@ namespace {
 
 using namespace scene;
 
-constexpr double kLayoutMass = 1500;
+constexpr double kMass = 1500;
 
 TEST(RaycastVehicleLayout, TwelveAndThreeWheelsStandAndDrive) {
     for (int wheels : {3, 5, 6, 8, 10, 12}) {
@@ -19,8 +19,8 @@ TEST(RaycastVehicleLayout, TwelveAndThreeWheelsStandAndDrive) {
         world.addPlane();
         btBoxShape shape(vector(1, 0.3, 3));
         btVector3 inertia;
-        shape.calculateLocalInertia(scalar(kLayoutMass), inertia);
-        btRigidBody chassis(scalar(kLayoutMass), nullptr, &shape, inertia);
+        shape.calculateLocalInertia(scalar(kMass), inertia);
+        btRigidBody chassis(scalar(kMass), nullptr, &shape, inertia);
         chassis.setWorldTransform(btTransform(btQuaternion::getIdentity(), vector(0, 0.6, 0)));
         world.dynamics.addRigidBody(&chassis);
         btRaycastVehicle::btVehicleTuning tuning;
@@ -38,12 +38,12 @@ TEST(RaycastVehicleLayout, TwelveAndThreeWheelsStandAndDrive) {
             vehicle.applyEngineForce(scalar(3000.0 / wheels), i);
         }
         run(world, 3, 60);
-        const double expected = 0.5 * (3000 - 0.01 * kLayoutMass * kGravity) / kLayoutMass * 9;
+        const double expected = 0.5 * (3000 - 0.01 * kMass * kGravity) / kMass * 9;
         EXPECT_NEAR(chassis.getCenterOfMassPosition().z(), expected, 0.15 * expected) << wheels << " wheels";
         EXPECT_NEAR(chassis.getCenterOfMassPosition().x(), 0, 0.01) << wheels << " wheels";
         double load = 0;
         for (int i = 0; i < wheels; ++i) load += vehicle.telemetry(i).load;
-        EXPECT_NEAR(load, kLayoutMass * kGravity, 0.02 * kLayoutMass * kGravity) << wheels << " wheels";
+        EXPECT_NEAR(load, kMass * kGravity, 0.02 * kMass * kGravity) << wheels << " wheels";
         world.dynamics.removeVehicle(&vehicle);
         world.dynamics.removeRigidBody(&chassis);
     }
@@ -64,8 +64,8 @@ TEST(RaycastVehicleLayout, DrivesForwardWhicheverAxesTheGameHas) {
             btVector3 half = scalar(0.25) * u + scalar(2) * f + scalar(0.8) * r;
             btBoxShape shape(half.absolute());
             btVector3 inertia;
-            shape.calculateLocalInertia(scalar(kLayoutMass), inertia);
-            btRigidBody chassis(scalar(kLayoutMass), nullptr, &shape, inertia);
+            shape.calculateLocalInertia(scalar(kMass), inertia);
+            btRigidBody chassis(scalar(kMass), nullptr, &shape, inertia);
             chassis.setWorldTransform(btTransform(btQuaternion::getIdentity(), scalar(0.54) * u));
             world.dynamics.addRigidBody(&chassis);
             btRaycastVehicle::btVehicleTuning tuning;
@@ -114,8 +114,8 @@ TEST(RaycastVehicleLayout, UsersRaycasterIsAskedForTheStockRayAndNeverTakenForAB
     World world;
     btBoxShape shape(vector(0.8, 0.25, 2));
     btVector3 inertia;
-    shape.calculateLocalInertia(scalar(kLayoutMass), inertia);
-    btRigidBody chassis(scalar(kLayoutMass), nullptr, &shape, inertia);
+    shape.calculateLocalInertia(scalar(kMass), inertia);
+    btRigidBody chassis(scalar(kMass), nullptr, &shape, inertia);
     chassis.setWorldTransform(btTransform(btQuaternion::getIdentity(), vector(0, 1.54, 0)));
     world.dynamics.addRigidBody(&chassis);
     btRaycastVehicle::btVehicleTuning tuning;

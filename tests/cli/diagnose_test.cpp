@@ -247,6 +247,45 @@ TEST_F(DiagnoseCommand, NeverBlamesWhatShortStraightDrivesCannotShow) {
         EXPECT_TRUE(std::filesystem::exists(scratch.path("out/") + name)) << name;
 }
 
+TEST_F(DiagnoseCommand, AllDiagnosesOfAFolderInPartsGiveOneTable) {
+    std::filesystem::create_directories(scratch.path("cars/first"));
+    std::filesystem::create_directories(scratch.path("cars/second"));
+    recorded("cars/first/a.csv", slalom(1.5));
+    const std::string text = "vehicle: " + sourceFile("vehicles/compact.yaml") +
+                             "\nrecordings:\n  - {log: a.csv, speed: followed}\neffects: [steering_delay]\n";
+    scratch.file("cars/first/diagnosis.yaml", text);
+    scratch.file("cars/second/diagnosis.yaml", text);  // whose log is missing
+    const auto part = [&](const std::string& shard) {
+        return runProgram({"diagnose", "--all", scratch.path("cars"), "-o", scratch.path("out"), "--shard", shard});
+    };
+    const Result first = part("1/2");
+    EXPECT_EQ(first.status, 0) << first.err;
+    EXPECT_NE(first.out.find("part 1/2 is done"), std::string::npos) << first.out;
+    EXPECT_FALSE(std::filesystem::exists(scratch.path("out/diagnoses.csv")));
+    const auto written = std::filesystem::last_write_time(scratch.path("out/first/diagnosis.json"));
+
+    const Result all = part("2/2");
+    EXPECT_EQ(all.status, 3) << all.err;
+    EXPECT_NE(all.out.find(" of 2 diagnoses answered, 1 failed"), std::string::npos) << all.out;
+    const std::string table = contentOf(scratch.path("out/diagnoses.csv"));
+    EXPECT_TRUE(table.starts_with("name,inputs,failure,answered,verdict,answer,causes,closed [-],remaining [-]\nfirst,"))
+        << table;
+    EXPECT_NE(table.find("\nsecond,"), std::string::npos) << table;
+    EXPECT_NE(table.find("a.csv"), std::string::npos) << table;
+    EXPECT_NE(contentOf(scratch.path("out/index.html")).find("first/report.html"), std::string::npos);
+    EXPECT_EQ(std::filesystem::last_write_time(scratch.path("out/first/diagnosis.json")), written);
+
+    // The same table again, and only what has changed is diagnosed anew.
+    EXPECT_EQ(runProgram({"diagnose", "--all", scratch.path("cars"), "-o", scratch.path("out")}).status, 3);
+    EXPECT_EQ(contentOf(scratch.path("out/diagnoses.csv")), table);
+    EXPECT_EQ(std::filesystem::last_write_time(scratch.path("out/first/diagnosis.json")), written);
+}
+
+TEST_F(DiagnoseCommand, AllOfAFolderWithoutDiagnosesIsRefused) {
+    expectRefused(runProgram({"diagnose", "--all", scratch.folder(), "-o", scratch.path("out")}),
+                  "found no folder with a diagnosis.yaml in this folder");
+}
+
 TEST_F(DiagnoseCommand, IdentifyRefusesAPathThatDoesNotExistWithAHint) {
     recorded("a.csv", slalom());
     diagnosis();

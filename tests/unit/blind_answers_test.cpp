@@ -21,11 +21,11 @@ namespace tread {
 namespace {
 
 using blind::answers::addObtainedClosure;
+using blind::answers::answerCases;
 using blind::answers::answerOf;
 using blind::answers::answerText;
 using blind::answers::askedOf;
 using blind::answers::CaseAnswer;
-using blind::answers::collectAnswers;
 using blind::answers::References;
 using blind::drives::caseDrives;
 using blind::drives::Drive;
@@ -64,6 +64,12 @@ SealedKey made(const Scratch& scratch, int cases) {
     return makeCases(order, reference::compact(), kEffects, scratch.path("cases"));
 }
 
+std::vector<CaseAnswer> answersOf(const Scratch& scratch, const blind::answers::Diagnoser& diagnose,
+                                  const WorkOptions& options = {.threads = 1}) {
+    EXPECT_TRUE(answerCases(scratch.path("cases"), scratch.path("answers"), diagnose, 1, options));
+    return blind::answers::keptAnswers(scratch.path("cases"), scratch.path("answers"));
+}
+
 Diagnosis blamed(const std::string& cause) {
     Diagnosis diagnosis;
     diagnosis.verdict = Verdict::explained;
@@ -85,29 +91,45 @@ TEST(BlindAnswers, EveryCaseIsDiagnosedOnceAlsoWhenItGoesOn) {
         ++asked;
         return blamed("heavier");
     };
-    const auto first = collectAnswers(scratch.path("cases"), scratch.path("answers"), diagnose, {.jobs = 2});
+    const auto first = answersOf(scratch, diagnose, {.threads = 2});
     EXPECT_EQ(asked, 3);
     std::filesystem::remove_all(scratch.path("answers/case_002"));
-    const auto second = collectAnswers(scratch.path("cases"), scratch.path("answers"), diagnose);
+    const auto second = answersOf(scratch, diagnose);
     EXPECT_EQ(asked, 4);
     ASSERT_EQ(first.size(), 3u);
     for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(answerText(first[i]), answerText(second[i]));
     EXPECT_EQ(first[1].name, "case_002");
 }
 
+TEST(BlindAnswers, ShardsAnswerTheirCasesAndTheLastOneHasAll) {
+    const Scratch scratch;
+    made(scratch, 3);
+    std::atomic<int> asked = 0;
+    const auto diagnose = [&](const std::filesystem::path&, int) {
+        ++asked;
+        return blamed("heavier");
+    };
+    const auto part = [&](std::uint64_t which) {
+        return answerCases(scratch.path("cases"), scratch.path("answers"), diagnose, 1, {.shard = {which, 2}});
+    };
+    EXPECT_FALSE(part(0));
+    EXPECT_EQ(asked, 2);
+    EXPECT_TRUE(part(1));
+    EXPECT_EQ(asked, 3);
+}
+
 TEST(BlindAnswers, CaseThatCannotBeDiagnosedSaysWhy) {
     const Scratch scratch;
     made(scratch, 1);
     const auto answers =
-        collectAnswers(scratch.path("cases"), scratch.path("answers"),
-                       [](const auto&, int) -> Diagnosis { throw std::runtime_error("no steering angle"); });
+        answersOf(scratch, [](const auto&, int) -> Diagnosis { throw std::runtime_error("no steering angle"); });
     ASSERT_EQ(answers.size(), 1u);
     EXPECT_EQ(answers[0].failure, "no steering angle");
 }
 
 TEST(BlindAnswers, FolderWithoutCasesIsAFault) {
     const Scratch scratch;
-    EXPECT_THROW(collectAnswers(scratch.folder(), scratch.path("answers"), {}), LoadError);
+    EXPECT_THROW(answerCases(scratch.folder(), scratch.path("answers"), {}, 1, {}), LoadError);
 }
 
 TEST(BlindAnswers, ClosureObtainedIsLookedUpInTheCarThatWasDriven) {
@@ -130,7 +152,7 @@ TEST(BlindAnswers, ClosureObtainedIsLookedUpInTheCarThatWasDriven) {
         }
         return diagnosis;
     };
-    auto answers = collectAnswers(scratch.path("cases"), scratch.path("answers"), diagnose);
+    auto answers = answersOf(scratch, diagnose);
     EXPECT_EQ(answers[0].program, programHash());
     EXPECT_TRUE(std::isnan(answers[0].closure_obtained));
     addObtainedClosure(answers, key, scratch.path("cases"), scratch.path("answers"), kEffects);
@@ -197,7 +219,8 @@ TEST(BlindReport, SaysWhatNoCaseCanAnswerInsteadOfZeros) {
     BlindReport report;
     report.score = score(keyOf(key), {});
     const std::string page = blindReport(report);
-    for (const char* word : {"No case for: ", "one effect: ranked first", "no such case", "1 of 1 cases have no answer"})
+    for (const char* word :
+         {"No case for: ", "one effect: ranked first", "no such case", "1 of 1 cases have no answer"})
         EXPECT_NE(page.find(word), std::string::npos) << word;
 }
 

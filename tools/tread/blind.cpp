@@ -10,10 +10,13 @@
 #include "blind/score/score.h"
 #include "commands.h"
 #include "diagnose/catalogue/effect.h"
+#include "drive.h"
 #include "kind_of_file.h"
 #include "log/csv.h"
 #include "output.h"
+#include "refuse.h"
 #include "report/blind_report.h"
+#include "shared_work.h"
 #include "store/sha256.h"
 #include "terminal.h"
 #include "tread/load.h"
@@ -22,10 +25,10 @@ namespace tread::program {
 namespace {
 
 using blind::answers::addObtainedClosure;
+using blind::answers::answerCases;
 using blind::answers::CaseAnswer;
-using blind::answers::collectAnswers;
-using blind::answers::CollectOptions;
 using blind::answers::diagnosedCase;
+using blind::answers::keptAnswers;
 using blind::answers::References;
 using blind::drives::driveSetNamed;
 using blind::key::caseKindNamed;
@@ -40,10 +43,6 @@ using blind::score::scoreJson;
 using blind::score::scoreText;
 using blind::world::worldNamed;
 using diagnose::catalogue::effectCatalogue;
-
-[[noreturn]] void refuse(const std::string& file, const std::string& text) {
-    throw LoadError({{file, 0, 0, "", text}});
-}
 
 std::string withoutSlash(std::string folder) {
     while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
@@ -100,13 +99,23 @@ int blindScore(const BlindScoreOptions& options) {
     const Path output = options.no_references ? Path(options.output) / "without_references" : Path(options.output);
     const Path answers_folder = output / "answers";
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    CollectOptions judging;
-    judging.jobs = options.jobs > 0 ? options.jobs : cores;
-    judging.threads = std::max(1, cores / judging.jobs);
-    Progress progress(0, "cases");
-    judging.progress = [&](int done, int total) { progress.at(done, total); };
+    const int jobs = options.jobs > 0 ? options.jobs : cores;
     const auto diagnose = [&](const Path& file, int threads) { return diagnosedCase(file, references, threads); };
-    std::vector<CaseAnswer> answers = collectAnswers(options.cases, answers_folder, diagnose, judging);
+    listenToSignals();
+    {
+        Progress progress(0, "cases");
+        const WorkOptions work = workOptions(jobs, options.shard, progress);
+        if (!answerCases(options.cases, answers_folder, diagnose, std::max(1, cores / jobs), work)) {
+            if (stopAsked()) {
+                note("tread blind score: interrupted; the same call goes on");
+                return stoppedStatus();
+            }
+            say(fmt::format("part {} is answered; the call that finds all cases answered opens the key\n",
+                            options.shard));
+            return kYes;
+        }
+    }
+    std::vector<CaseAnswer> answers = keptAnswers(options.cases, answers_folder);
 
     const SealedKey key = parseKey(sealed, options.key);
     addObtainedClosure(answers, key, options.cases, answers_folder, effectCatalogue());

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -18,8 +17,11 @@
 #include "drive.h"
 #include "log/csv.h"
 #include "output.h"
+#include "refuse.h"
 #include "run/simulate.h"
 #include "run_scenario.h"
+#include "shared_work.h"
+#include "store/claims.h"
 #include "terminal.h"
 #include "tread/problem.h"
 
@@ -28,26 +30,8 @@ namespace {
 
 using campaign::Plan;
 using campaign::Probe;
-using campaign::Shard;
 using campaign::Status;
 using campaign::Tally;
-
-[[noreturn]] void refuse(const std::string& option, const std::string& text) {
-    throw LoadError({{option, 0, 0, "", text}});
-}
-
-// "2/8": the second of eight parts.
-Shard shardOf(const std::string& text) {
-    if (text.empty()) return {};
-    std::uint64_t part = 0, of = 0;
-    const char* const end = text.data() + text.size();
-    const auto slash = std::from_chars(text.data(), end, part);
-    if (slash.ec == std::errc{} && slash.ptr != end && *slash.ptr == '/') {
-        const auto last = std::from_chars(slash.ptr + 1, end, of);
-        if (last.ec == std::errc{} && last.ptr == end && part >= 1 && part <= of) return {part - 1, of};
-    }
-    refuse("--shard", "found " + quote(text) + ", expected i/N with i from 1 to N, for example 2/8");
-}
 
 unsigned threadsOf(int asked) {
     return asked > 0 ? static_cast<unsigned>(asked) : std::max(1u, std::thread::hardware_concurrency());
@@ -191,15 +175,8 @@ int campaign(const CampaignOptions& options) {
         return unfinished({.runs = 0, .stopped = true}, folder, options);
     }
     Progress progress(static_cast<double>(plan.runs), "runs");
-    campaign::Work work;
-    work.threads = options.threads;
-    work.shard = shard;
-    work.stop = stopAsked;
-    work.warn = [](const std::string& text) { warn(text); };
-    work.progress = [&](std::uint64_t done, std::uint64_t of) {
-        progress.at(static_cast<double>(done), static_cast<double>(of));
-    };
-    const campaign::Worked worked = campaign::work(plan, folder, measure, work);
+    const campaign::Worked worked =
+        campaign::work(plan, folder, measure, workOptions(options.threads, options.shard, progress));
     if (worked.stopped || !worked.complete) return unfinished(worked, folder, options);
     return finish(plan, {folder}, folder, false, options.json);
 }
@@ -224,7 +201,7 @@ int campaignMerge(const CampaignMergeOptions& options) {
 int campaignStatus(const CampaignStatusOptions& options) {
     const Plan plan = readCampaign(options.folder);
     const Tally found = tally(plan, {options.folder});
-    const std::size_t running = campaign::claimed(options.folder, plan.pieces()).size();
+    const std::size_t running = claimed(options.folder, plan.pieces()).size();
     const double left = found.runs == 0
                             ? std::nan("")
                             : found.seconds / static_cast<double>(found.runs) * static_cast<double>(found.missing);

@@ -25,7 +25,7 @@ using campaign::sqlText;
 using campaign::Variable;
 
 constexpr std::size_t kDrawnFactors = 4;   // of a metric
-constexpr std::size_t kMostVehicles = 6;   // in one figure
+constexpr std::size_t kMostInAFigure = 6;  // in one figure
 constexpr std::size_t kMostPoints = 1200;  // of a scatter plot
 constexpr std::size_t kMostBars = 40;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -126,7 +126,7 @@ Chart histogram(const Plan& plan, const DatabaseReader& data, std::size_t scenar
     std::vector<std::vector<double>> sets;
     double low = kInfinity, high = -kInfinity;
     std::size_t most = 0;
-    for (std::size_t v = 0; v < std::min(kMostVehicles, plan.inputs.vehicles.size()); ++v) {
+    for (std::size_t v = 0; v < std::min(kMostInAFigure, plan.inputs.vehicles.size()); ++v) {
         std::vector<double> values = data.numbers(metric.column, where(plan.inputs.vehicles[v].name, name));
         std::erase_if(values, [](double value) { return !std::isfinite(value); });
         for (const double value : values) {

@@ -110,6 +110,10 @@ void addTyre(CLI::App& app, TyreOptions& o) {
     app.add_flag("--json", o.json, "print the result as JSON");
 }
 
+void addShard(CLI::App& app, std::string& shard, const std::string& what) {
+    app.add_option("--shard", shard, "i/N: only this part of the " + what + ", with i from 1 to N");
+}
+
 void addDiagnose(CLI::App& app, DiagnoseRequest& o) {
     addFile(app, "file", o.file, "diagnosis.yaml: nominal car, recordings, tolerances");
     app.add_flag("--check", o.check,
@@ -119,6 +123,10 @@ void addDiagnose(CLI::App& app, DiagnoseRequest& o) {
     addFile(app, "--vehicle", o.vehicle,
             "nominal car (YAML): for --init, or instead of the vehicle and vehicle_settings of the file");
     addFolder(app, "--data", o.data, "folder of the logs (default: folder of the file)");
+    addFolder(app, "--all", o.all,
+              "diagnose every diagnosis.yaml in the folders of this folder; one table over all; an interrupted call "
+              "goes on");
+    addShard(app, o.shard, "diagnoses of --all");
     addFolder(app, "-o,--output", o.output, "folder for results and simulated drives (default: out)");
     app.add_option("--threads", o.threads, "threads (default: one per core)")->check(CLI::Range(0, 1000));
     app.add_flag("--json", o.json, "print the result as JSON");
@@ -184,6 +192,7 @@ void addBlindScore(CLI::App& app, BlindScoreOptions& o) {
               "folder for answers, score.json and report.html; an interrupted run is resumed")
         ->required();
     app.add_option("--jobs", o.jobs, "number of cases in parallel (default: one per core)")->check(CLI::Range(1, 256));
+    addShard(app, o.shard, "cases");
     app.add_flag("--no-references", o.no_references,
                  "diagnose the cases without their references; results are written to without_references in "
                  "the output folder");
@@ -197,7 +206,7 @@ void addCampaign(CLI::App& app, CampaignOptions& o) {
     addSettings(app, o.settings, "path=value in the campaign's file, for example samples=20");
     app.add_option("--threads", o.threads, "threads (default: one per core)")->check(CLI::Range(0, 1000));
     app.add_flag("--dry-run", o.dry_run, "only tell how many runs, how long and how much disk");
-    app.add_option("--shard", o.shard, "i/N: only this part of the runs, with i from 1 to N");
+    addShard(app, o.shard, "runs");
     app.add_option("--run", o.run, "this run alone, with its log and page");
     app.add_flag("--json", o.json, "print the result as JSON");
 }

@@ -88,6 +88,8 @@ struct DiagnoseRequest {
     std::string output;   // folder
     std::string init;     // folder of logs for which a first diagnosis.yaml is written; empty: none
     std::string vehicle;  // that it names; without init: nominal car in place of the file's
+    std::string all;      // folder of folders with a diagnosis.yaml each; empty: one diagnosis
+    std::string shard;    // "i/N": only this part of all; empty: all
     int threads = 0;      // 0: one per core
     bool check = false;   // the data and what they could show, no diagnosis
     bool strict = false;  // an implausible number is a fault
@@ -147,7 +149,8 @@ struct BlindScoreOptions {
     std::string cases;  // folder
     std::string key;    // file
     std::string output;
-    int jobs = 0;  // cases at a time; 0: one per core
+    int jobs = 0;       // cases at a time; 0: one per core
+    std::string shard;  // "i/N": only this part of the cases; empty: all
     bool no_references = false;
     bool json = false;
 };

@@ -8,6 +8,7 @@
 #include "diagnose/answer/words.h"
 #include "diagnose/diagnose.h"
 #include "diagnose/options.h"
+#include "diagnose_all.h"
 #include "diagnose_check.h"
 #include "output.h"
 #include "output_folder.h"
@@ -26,39 +27,24 @@ using diagnose::answer::diagnosisText;
 using diagnose::answer::isAnswered;
 using diagnose::answer::vehicleWithEffectYaml;
 
+Diagnosis diagnosisOf(const DiagnosisInputs& inputs, const tread::diagnose::Options& options) {
+    try {
+        return tread::diagnose::diagnosisOf(inputs.nominal, inputs.file, inputs.recorded, inputs.effects, options);
+    } catch (const SimulationError& error) {
+        throw SimulationError(withSuspects(error, inputs.implausible), error.time, error.suspect);
+    }
+}
+
 }  // namespace
 
-int diagnose(const DiagnoseRequest& request) {
-    if (!request.init.empty()) return initDiagnosis(request.init, request.vehicle);
-    if (request.file.empty())
-        throw LoadError({{"tread diagnose", 0, 0, "", "found no file, expected a diagnosis.yaml or --init FOLDER"}});
-    const DiagnosisInputs inputs = readDiagnosisInputs(request.file, request.data, request.vehicle);
-    warnOfImplausible(inputs.implausible, request.strict);
-    const Path out = request.output.empty() ? Path("out") : Path(request.output);
-    tread::diagnose::Options options;
-    options.threads = request.threads;
-    options.cache = out / "cache";
-    if (request.check) return checkData(inputs, options, request.json);
-    warnOf(inputs.warnings);
+Diagnosis diagnoseInto(const DiagnosisInputs& inputs, const Path& out, tread::diagnose::Options options) {
     const OutputFolder output(out);
-
-    Diagnosis diagnosis;
-    {
-        Progress bar(100, "%");
-        options.possible_next = shippedDrives();
-        options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
-        try {
-            diagnosis =
-                tread::diagnose::diagnosisOf(inputs.nominal, inputs.file, inputs.recorded, inputs.effects, options);
-        } catch (const SimulationError& error) {
-            throw SimulationError(withSuspects(error, inputs.implausible), error.time, error.suspect);
-        }
-    }
-    warnOf(diagnosis.data_warnings);
+    options.cache = out / "cache";
+    options.possible_next = shippedDrives();
+    Diagnosis diagnosis = diagnosisOf(inputs, options);
     diagnosis.data_warnings.insert(diagnosis.data_warnings.begin(), inputs.warnings.begin(), inputs.warnings.end());
 
-    const nlohmann::json json = diagnosisJson(diagnosis);
-    writeFile(out / "diagnosis.json", jsonText(json));
+    writeFile(out / "diagnosis.json", jsonText(diagnosisJson(diagnosis)));
     writeStages(diagnosis.overlays, out / "logs");
     writeFile(out / "vehicle_with_effect.yaml", vehicleWithEffectYaml(inputs.nominal, diagnosis));
     const std::string& car = inputs.nominal.vehicle.name;
@@ -66,8 +52,35 @@ int diagnose(const DiagnoseRequest& request) {
               diagnosisReport(
                   {.title = "Diagnosis of " + car, .vehicle = car, .version = TREAD_VERSION, .diagnosis = diagnosis}));
     output.complete();
+    return diagnosis;
+}
+
+int diagnose(const DiagnoseRequest& request) {
+    if (!request.init.empty()) return initDiagnosis(request.init, request.vehicle);
+    if (!request.all.empty()) return diagnoseAll(request);
+    if (request.file.empty()) {
+        throw LoadError(
+            {{"tread diagnose", 0, 0, "", "found no file, expected a diagnosis.yaml, --all FOLDER or --init FOLDER"}});
+    }
+    const DiagnosisInputs inputs = readDiagnosisInputs(request.file, request.data, request.vehicle);
+    warnOfImplausible(inputs.implausible, request.strict);
+    tread::diagnose::Options options;
+    options.threads = request.threads;
+    const Path out = request.output.empty() ? Path("out") : Path(request.output);
+    if (request.check) {
+        options.cache = out / "cache";
+        return checkData(inputs, options, request.json);
+    }
+    warnOf(inputs.warnings);
+    Diagnosis diagnosis;
+    {
+        Progress bar(100, "%");
+        options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
+        diagnosis = diagnoseInto(inputs, out, options);
+    }
+    warnOf(diagnosis.data_warnings);
     const bool answered = isAnswered(diagnosis);
-    if (request.json) printJson(json);
+    if (request.json) printJson(diagnosisJson(diagnosis));
     else say(diagnosisText(diagnosis), answered ? Tone::good : Tone::bad);
     return answered ? kYes : kNo;
 }

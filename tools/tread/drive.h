@@ -21,7 +21,7 @@ struct Driven {
     std::vector<Verdict> verdicts;
     std::vector<std::string> warnings;
     std::string no_metrics;  // why the manoeuvre has none; empty: it has, or there is no manoeuvre
-    nlohmann::json json;  // what metrics.json holds
+    nlohmann::json json;     // what metrics.json holds
 };
 
 // Told the time in the run, s.

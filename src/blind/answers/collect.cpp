@@ -1,16 +1,13 @@
 #include "blind/answers/collect.h"
 
 #include <algorithm>
-#include <atomic>
-#include <fstream>
-#include <mutex>
-#include <thread>
 
 #include "blind/detectability/detectable_effects.h"
 #include "blind/make/make_cases.h"
 #include "diagnose/answer/diagnosis.h"
 #include "diagnose/catalogue/effect.h"
 #include "log/csv.h"
+#include "store/durable_file.h"
 #include "tread/load.h"
 
 namespace tread::blind::answers {
@@ -60,7 +57,7 @@ fs::path driveFile(const fs::path& answers, const std::string& name, const std::
     return answers / name / (recording + "." + kind + ".csv");
 }
 
-// The answer is written last and renamed into place: an existing answer is complete.
+// The answer is written last and in one step: an existing answer is complete.
 void keep(const fs::path& answers, const CaseAnswer& answer, const std::vector<Overlay>& overlays) {
     fs::create_directories(answers / answer.name);
     for (const Overlay& overlay : overlays) {
@@ -68,18 +65,11 @@ void keep(const fs::path& answers, const CaseAnswer& answer, const std::vector<O
         writeLog(driveFile(answers, answer.name, overlay.recording, "nominal"), overlay.nominal);
         writeLog(driveFile(answers, answer.name, overlay.recording, "extended"), overlay.extended);
     }
-    const fs::path file = answerFile(answers, answer.name), part = file.string() + ".part";
-    std::ofstream out(part, std::ios::binary);
-    out << answerText(answer);
-    out.close();
-    if (!out) throw FileError("cannot write " + part.string());
-    fs::rename(part, file);
+    writeDurably(answerFile(answers, answer.name), answerText(answer));
 }
 
-CaseAnswer answered(const fs::path& cases, const fs::path& answers, const std::string& name, const Diagnoser& diagnose,
-                    int threads) {
-    const fs::path file = answerFile(answers, name);
-    if (fs::exists(file)) return parseAnswer(readBytes(file), file.string());
+void answerCase(const fs::path& cases, const fs::path& answers, const std::string& name, const Diagnoser& diagnose,
+                int threads) {
     CaseAnswer answer;
     std::vector<Overlay> overlays;
     try {
@@ -92,7 +82,6 @@ CaseAnswer answered(const fs::path& cases, const fs::path& answers, const std::s
         answer.failure = error.what();
     }
     keep(answers, answer, overlays);
-    return answer;
 }
 
 // Held-out drives of a case without disturbance and noise, from the same initial speed.
@@ -125,33 +114,31 @@ std::vector<Overlay> keptOverlays(const fs::path& answers, const std::string& na
 
 }  // namespace
 
-std::vector<CaseAnswer> collectAnswers(const fs::path& cases, const fs::path& answers, const Diagnoser& diagnose,
-                                       const CollectOptions& options) {
+bool answerCases(const fs::path& cases, const fs::path& answers, const Diagnoser& diagnose, int threads,
+                 const WorkOptions& options) {
     const std::vector<std::string> names = caseNames(cases);
-    std::vector<CaseAnswer> found(names.size());
-    std::atomic<std::size_t> next = 0;
-    std::mutex mutex;
-    int done = 0;
-    std::exception_ptr failure;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < names.size(); i = next++) {
-            try {
-                found[i] = answered(cases, answers, names[i], diagnose, options.threads);
-            } catch (...) {
-                const std::lock_guard lock(mutex);
-                failure = std::current_exception();
-                next = names.size();
-                return;
-            }
-            const std::lock_guard lock(mutex);
-            options.progress(++done, static_cast<int>(names.size()));
-        }
-    };
-    std::vector<std::jthread> workers;
-    for (int i = 1; i < options.jobs; ++i) workers.emplace_back(work);
-    work();
-    workers.clear();
-    if (failure) std::rethrow_exception(failure);
+    fs::create_directories(answers);
+    const auto isAnswered = [&](std::uint64_t i) { return fs::exists(answerFile(answers, names[i])); };
+    const Pieces pieces{.count = names.size(),
+                        .isDone = [&](std::uint64_t i, std::string&) { return isAnswered(i); },
+                        .compute =
+                            [&](std::uint64_t i, std::uint64_t) {
+                                answerCase(cases, answers, names[i], diagnose, threads);
+                                return true;
+                            }};
+    workTogether(pieces, answers, options);
+    for (std::uint64_t i = 0; i < names.size(); ++i) {
+        if (!isAnswered(i)) return false;
+    }
+    return true;
+}
+
+std::vector<CaseAnswer> keptAnswers(const fs::path& cases, const fs::path& answers) {
+    std::vector<CaseAnswer> found;
+    for (const std::string& name : caseNames(cases)) {
+        const fs::path file = answerFile(answers, name);
+        found.push_back(parseAnswer(readBytes(file), file.string()));
+    }
     return found;
 }
 

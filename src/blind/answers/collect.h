@@ -10,23 +10,22 @@
 #include "blind/key/key.h"
 #include "diagnose/answer/diagnosis.h"
 #include "diagnose/catalogue/effect.h"
+#include "store/shared_work.h"
 
 namespace tread::blind::answers {
 
 // Diagnoses a diagnosis.yaml.
 using Diagnoser = std::function<diagnose::answer::Diagnosis(const std::filesystem::path& file, int threads)>;
 
-struct CollectOptions {
-    int jobs = 1;     // cases in parallel
-    int threads = 1;  // per case
-    std::function<void(int done, int of)> progress = [](int, int) {};
-};
+// Has the cases in the folder `cases` diagnosed, each on `threads` threads; several processes may share the work
+// (store/shared_work.h). Each answer is kept in its own folder below `answers`, together with the simulated held-out
+// drives, and stays if it exists: an interrupted check resumes. A case that cannot be diagnosed has a `failure`.
+// Returns whether all cases are answered, not only those of the shard. Throws LoadError when there is no case.
+bool answerCases(const std::filesystem::path& cases, const std::filesystem::path& answers, const Diagnoser& diagnose,
+                 int threads, const WorkOptions& options);
 
-// Answers to all cases in the folder `cases`, sorted by name. Each is kept in its own folder below `answers`, together
-// with the simulated held-out drives, and is read from there if it exists: an interrupted check resumes. A case that
-// cannot be diagnosed has a `failure`. Throws LoadError when there is no case.
-std::vector<CaseAnswer> collectAnswers(const std::filesystem::path& cases, const std::filesystem::path& answers,
-                                       const Diagnoser& diagnose, const CollectOptions& options = {});
+// The answers to all cases in the folder, sorted by name. Throws FileError when one is missing.
+std::vector<CaseAnswer> keptAnswers(const std::filesystem::path& cases, const std::filesystem::path& answers);
 
 // Computes `closure_obtained`: draws the cars of the key again and drives them without noise. Left NaN where catalogue
 // or nominal car have changed since the key was made, and where another simulator drove the cars.
