@@ -8,7 +8,10 @@
 //     const double yaw_rate = fleet.output(0).chassis.yaw_rate;
 //
 // Each car does, bit for bit, what `advance` of vehicle.h does with it alone, whatever the other cars are and however
-// many threads there are. Cars of one structure are quickest: several of them are then computed in one go.
+// many threads there are. Several cars are computed at once, each in a lane of the processor's vectors, whatever their
+// gearboxes, brakes, inputs and roads are. Left alone are cars with curves in place of spring or damper rates, with
+// longitudinal compliance, ply-steer or conicity, or tyres that change with temperature, and those that are driven by a
+// commanded force.
 #pragma once
 
 #include <cstddef>
@@ -26,6 +29,7 @@ namespace tread {
 struct CarFleetSettings {
     double step = 0.001;  // s, above 0 and at most 0.002
     int threads = 1;      // that compute, the caller's included; 0: one per core
+    int lanes = 8;        // cars that a thread computes at once, at most; the processor has 8, 4 or 1
     Vector3 gravity_W{0, 0, -kStandardGravity};
     Vector3 wind_W{0, 0, 0};  // m/s, velocity of the air
 };
@@ -88,6 +92,7 @@ public:
 
 private:
     struct TREAD_INTERNAL Implementation;
+    TREAD_INTERNAL void begin();
     std::unique_ptr<Implementation> self_;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vehicle/tyre_conditions.h"
+
 namespace tread {
 namespace {
 
@@ -31,11 +33,7 @@ bool feelsWarmth(const TyreTemperatureParams& params) {
 }
 
 double advanceWarming(double warming, const TyreTemperatureParams& params, double slip_power, double speed, double dt) {
-    if (params.heat_capacity == 0) return warming;
-    // Trapezoidal rule: heat lost with the mean temperature of the step.
-    const double loss = params.cooling + params.cooling_by_speed * std::abs(speed);
-    const double over_air = params.start + warming - params.air;
-    return warming + dt * (params.slip_share * slip_power - loss * over_air) / (params.heat_capacity + 0.5 * dt * loss);
+    return warmed(warming, params, slip_power, speed, dt);
 }
 
 TyreWarmth warmth(const TyreTemperatureParams& params, double warming) {
