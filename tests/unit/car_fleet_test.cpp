@@ -3,12 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
+#include <string>
 
 #include "shared/equipped_car.h"
 #include "shared/vehicles.h"
+#include "tread/load.h"
+#include "tread/road_surface.h"
 
 namespace tread {
 namespace {
@@ -97,6 +101,131 @@ TEST(CarFleet, EachCarDoesWhatItDoesAloneForAnyNumberOfCarsAndThreads) {
         }
         for (std::size_t i = 0; i < count; ++i) expectSame(fleet, i, cars[i], "held inputs");
     }
+}
+
+// What drivers may do, one in each lane.
+constexpr std::size_t kDrives = 6;
+Start startOf(std::size_t drive) {
+    constexpr double kSpeeds[kDrives]{0, 0, 30, 25, 15, 8};
+    Start start{.y = 20.0 * static_cast<double>(drive), .heading = static_cast<double>(drive), .speed = kSpeeds[drive]};
+    start.input.brake = drive == 1 ? 0.3 : 0;
+    start.input.parking_brake = drive == 0;
+    return start;
+}
+VehicleInput inputOf(std::size_t drive, double t) {
+    VehicleInput input;
+    switch (drive) {
+        case 0:  // parked
+            input.parking_brake = 1;
+            break;
+        case 1:  // away at full throttle, through the gears
+            input.throttle = std::min(2 * t, 1.0);
+            input.steering_wheel_angle = 0.1 * std::sin(t);
+            break;
+        case 2:  // emergency stop
+            input.brake = std::min(10 * t, 1.0);
+            break;
+        case 3:  // into a spin
+            input.steering_wheel_angle = std::min(20 * t, 6.0);
+            input.throttle = 1;
+            input.parking_brake = t > 0.5;
+            break;
+        case 4:  // hands off now and then, on and off the pedals
+            input.steering_wheel_angle = std::sin(3 * t);
+            input.hands_off = std::fmod(t, 2) > 1.5;
+            input.throttle = std::fmod(t, 1) < 0.5 ? 1 : 0;
+            input.brake = std::fmod(t, 1) > 0.7 ? 0.3 : 0;
+            break;
+        default:  // to a stop, and away again
+            input.brake = t < 2 ? 0.5 : 0;
+            input.throttle = t < 2 ? 0 : 0.7;
+            input.clutch = std::fmod(t, 1) < 0.1 ? 1 : 0;
+    }
+    return input;
+}
+
+// The drives of a car among many: each shipped car takes half of them, its neighbour the other half.
+std::size_t driveOf(std::size_t car) {
+    return (car / 3 % 2) + 2 * (car % 3);
+}
+
+std::vector<VehicleParams> shipped() {
+    std::vector<VehicleParams> cars;
+    for (const char* name : {"awd_suv", "compact", "electric_hatchback", "liu_compact", "pickup", "rear_drive_sedan",
+                             "sports_car", "volvo_s90"}) {
+        const VehicleParams car = loadVehicle(sourceFile("vehicles/" + std::string(name) + ".yaml"));
+        for (int k = 0; k < 3; ++k) {
+            const std::size_t drive = driveOf(cars.size());
+            VehicleParams& mine = cars.emplace_back(car);
+            mine.brakes.anti_lock.enabled = drive != 5;
+            mine.brakes.stability_control.enabled = drive == 4;
+            mine.front.tyre.lambda.muy *= 1 - 0.01 * k;
+            if (drive == 3) mine.rear.suspension.damper.friction = 100, mine.rear.tyre.lambda.muy *= 0.5;
+            if (drive == 4) mine.front.suspension.steer_by_aligning_moment = 1e-5;
+        }
+    }
+    return cars;
+}
+
+TEST(CarFleet, LanesHaveTheBitsOfSingleCarsInEveryKindOfDrive) {
+    const std::vector<VehicleParams> params = shipped();
+    const std::shared_ptr<const Road> patches =
+        makeRoad({.bank = 0.02, .friction_patches = {{.friction = 0.3, .y_to = 0}}});
+    const auto roadOf = [&](std::size_t car) { return car % 7 == 0 ? patches : flat(); };
+    std::vector<Alone> cars;
+    std::vector<CarFleet> fleets;
+    std::vector<Start> starts;
+    for (std::size_t i = 0; i < params.size(); ++i) starts.push_back(startOf(driveOf(i)));
+    for (const int lanes : {8, 4, 1}) {
+        CarFleet& fleet = fleets.emplace_back(params, CarFleetSettings{.step = kStep, .lanes = lanes});
+        for (std::size_t i = 0; i < params.size(); ++i) fleet.setRoad(i, roadOf(i));
+        fleet.reset(starts);
+    }
+    for (std::size_t i = 0; i < params.size(); ++i) cars.emplace_back(params[i], starts[i], roadOf(i));
+
+    constexpr int kCalls = 200, kSteps = 20;
+    bool stands = false, regulates = false, slides = false, shifts = false;
+    for (int call = 0; call < kCalls; ++call) {
+        const auto input = [&](std::size_t i) { return inputOf(driveOf(i), call * kSteps * kStep); };
+        for (CarFleet& fleet : fleets) {
+            for (std::size_t i = 0; i < params.size(); ++i) fleet.input(i) = input(i);
+            fleet.advance(kSteps);
+        }
+        for (std::size_t i = 0; i < params.size(); ++i) {
+            for (int k = 0; k < kSteps; ++k) cars[i].advance(input(i), input(i));
+            const VehicleOutput out = observe(cars[i].motion, cars[i].state, cars[i].vehicle, Vector3(0, 0, -9.8));
+            stands |= call > 0 && std::abs(out.chassis.vx) < 1e-6;
+            regulates |= out.brakes.anti_lock > 0;
+            slides |= std::abs(out.chassis.sideslip) > 1;
+            shifts |= out.driveline.gear > 2;
+        }
+        if (call % 50 != 49) continue;
+        for (const CarFleet& fleet : fleets) {
+            for (std::size_t i = 0; i < params.size(); ++i) {
+                expectSame(fleet, i, cars[i], params[i].name.c_str());
+                EXPECT_TRUE(sameBits(fleet.snapshot(i).state.wheels, cars[i].state.wheels)) << "car " << i;
+            }
+        }
+    }
+    // Else the drives show less than they should.
+    EXPECT_TRUE(stands);
+    EXPECT_TRUE(regulates);
+    EXPECT_TRUE(slides);
+    EXPECT_TRUE(shifts);
+}
+
+TEST(CarFleet, ACommandedForceIsTaken) {
+    CarFleet fleet(8, reference::compact());
+    const Start start{.speed = 20, .input = {}};
+    fleet.reset(start);
+    Alone car(reference::compact(), start, flat());
+    VehicleInput commanded = car.input;
+    commanded.force_command = 1;
+    commanded.longitudinal_force = -3000;
+    for (VehicleInput& input : fleet.inputs()) input = commanded;
+    fleet.advance(100);
+    for (int k = 0; k < 100; ++k) car.advance(commanded, commanded);
+    expectSame(fleet, 5, car, "command");
 }
 
 TEST(CarFleet, RampedInputsBeginWhereTheLastOnesEnded) {
