@@ -9,9 +9,8 @@
 //
 // Each car does, bit for bit, what `advance` of vehicle.h does with it alone, whatever the other cars are and however
 // many threads there are. Several cars are computed at once, each in a lane of the processor's vectors, whatever their
-// gearboxes, brakes, inputs and roads are. Left alone are cars with curves in place of spring or damper rates, with
-// longitudinal compliance, ply-steer or conicity, or tyres that change with temperature, and those that are driven by a
-// commanded force.
+// gearboxes, brakes, inputs and roads are. Left alone are cars with curves in place of spring or damper rates or with
+// longitudinal compliance, and those that are driven by a commanded force.
 #pragma once
 
 #include <cstddef>

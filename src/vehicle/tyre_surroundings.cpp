@@ -1,18 +1,10 @@
 #include "tread/tyre_surroundings.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "vehicle/tyre_conditions.h"
 
 namespace tread {
-namespace {
-
-// However hot or cold, this much of the tyre is left: the polynomials mean nothing far from where they were measured.
-constexpr double kLeast = 0.1;
-
-}  // namespace
-
 TyreParams inflated(TyreParams tyre, const TyrePressureParams& pressure) {
     const double p = (pressure.inflation - pressure.nominal) / pressure.nominal;
     if (p == 0) return tyre;
@@ -37,9 +29,8 @@ double advanceWarming(double warming, const TyreTemperatureParams& params, doubl
 }
 
 TyreWarmth warmth(const TyreTemperatureParams& params, double warming) {
-    const double over = params.start + warming - params.nominal;
-    return {.friction = std::max(1 + (params.friction + params.friction_squared * over) * over, kLeast),
-            .stiffness = std::max(1 + params.stiffness * over, kLeast)};
+    const TyreFactors now = warmthOf(params, warming);
+    return {.friction = now.friction, .stiffness = now.stiffness};
 }
 
 TyreShift shiftOf(const TyreSurroundingsParams& params, bool left) {

@@ -161,6 +161,12 @@ std::vector<VehicleParams> shipped() {
             mine.brakes.stability_control.enabled = drive == 4;
             mine.front.tyre.lambda.muy *= 1 - 0.01 * k;
             if (drive == 3) mine.rear.suspension.damper.friction = 100, mine.rear.tyre.lambda.muy *= 0.5;
+            if (drive == 2) {
+                mine.rear.tyre_surroundings.ply_steer = 0.002;
+                mine.rear.tyre_surroundings.conicity = 0.01;
+                mine.front.tyre_surroundings.temperature.friction = -0.001;
+                mine.front.tyre_surroundings.temperature.stiffness = -0.002;
+            }
             if (drive == 4) mine.front.suspension.steer_by_aligning_moment = 1e-5;
         }
     }
@@ -169,8 +175,10 @@ std::vector<VehicleParams> shipped() {
 
 TEST(CarFleet, LanesHaveTheBitsOfSingleCarsInEveryKindOfDrive) {
     const std::vector<VehicleParams> params = shipped();
-    const std::shared_ptr<const Road> patches =
-        makeRoad({.bank = 0.02, .friction_patches = {{.friction = 0.3, .y_to = 0}}});
+    RoadParams banked;
+    banked.bank = 0.02;
+    banked.friction_patches.push_back({.friction = 0.3, .y_to = 0});
+    const std::shared_ptr<const Road> patches = makeRoad(banked);
     const auto roadOf = [&](std::size_t car) { return car % 7 == 0 ? patches : flat(); };
     std::vector<Alone> cars;
     std::vector<CarFleet> fleets;

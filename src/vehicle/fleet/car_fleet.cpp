@@ -139,6 +139,8 @@ struct CarFleet::Implementation {
                              .state = state,
                              .motion = numbersOf(car.motion),
                              .road = car.road.get(),
+                             .tyres_shifted = car.vehicle->tyres_shifted,
+                             .warmth_felt = car.vehicle->warmth_felt,
                              .plane = car.plane ? &*car.plane : nullptr});
         }
         return lanes;

@@ -18,7 +18,9 @@ inline namespace TREAD_ISA {
 template <class T>
 struct LaneCars : LaneNumbers<T> {
     const Vehicle* cars[kLanesOf<T>];
-    static constexpr bool tyres_warm = true;  // one that does not stays as it is
+    // Of any of the cars; one that has not such tyres gets what leaves it as it is.
+    static constexpr bool tyres_warm = true;
+    bool tyres_shifted, warmth_felt;
 };
 
 template <class T>
@@ -77,13 +79,17 @@ void addRecession(BasicWrench<T>&, PerWheel<BasicWheelState<T>>&, const LaneCars
 // One wheel of all cars after the other.
 template <class T>
 PerWheel<BasicTyreForces<T>> advanceTyres(PerWheel<BasicWheelState<T>>& wheels, const LaneCars<T>& cars,
-                                          const TyreStep<T>& step, double dt) {
+                                          TyreStep<T>& step, double dt) {
+    if (cars.tyres_shifted) shiftMotions(step.begin, step.end, cars);
+    if (cars.warmth_felt) applyWarmth(step.factors, wheels, cars);
     PerWheel<BasicTyreForces<T>> forces;
     for (std::size_t i = 0; i < kWheels; ++i) {
         const auto& tyre = cars.corners[i].tyre;
         BasicTyreScaling<T> lambda = tyre.lambda;
         lambda.mux *= step.factors[i].friction;
         lambda.muy *= step.factors[i].friction;
+        lambda.Kx *= step.factors[i].stiffness;
+        lambda.Ky *= step.factors[i].stiffness;
         forces[i] = advance<T>(wheels[i].tyre, wheels[i].spin, TyreOf<T>{tyre.parameters, lambda}, step.begin[i],
                                step.end[i], FreeSpin<T>{step.torques[i]}, dt, Standstill::hold);
     }
@@ -120,7 +126,10 @@ struct LaneBlock {
     static void prepare(void* memory, const LaneCar* cars) {
         LaneBlock& block = *static_cast<LaneBlock*>(memory);
         static_assert(sizeof(LaneNumbers<T>) == kLaneNumbers * sizeof(T));
+        block.cars.tyres_shifted = block.cars.warmth_felt = false;
         for (std::size_t i = 0; i < kLanesOf<T>; ++i) {
+            block.cars.tyres_shifted |= cars[i].tyres_shifted;
+            block.cars.warmth_felt |= cars[i].warmth_felt;
             setCar<T>(static_cast<LaneNumbers<T>&>(block.cars), i, cars[i].numbers);
             block.cars.cars[i] = cars[i].vehicle;
         }

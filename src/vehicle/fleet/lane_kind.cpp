@@ -38,6 +38,7 @@ LaneCorner<double> numbersOf(const Vehicle::Corner& c) {
             .unsprung_mass = c.unsprung_mass,
             .wheel_inertia = c.wheel_inertia,
             .tyre = {c.tyre.parameters, c.tyre.lambda},
+            .tyre_shift = {c.tyre_shift.slip, c.tyre_shift.camber},
             .temperature = c.temperature,
             .aligning_stiffness = c.aligning_stiffness};
 }
@@ -60,7 +61,7 @@ const LaneKind* laneKind([[maybe_unused]] std::size_t most_lanes) {
 
 bool fitsInLane(const Vehicle& vehicle) {
     return isStraight(vehicle.params.front.suspension) && isStraight(vehicle.params.rear.suspension) &&
-           !vehicle.recedes && !vehicle.tyres_shifted && !vehicle.warmth_felt;
+           !vehicle.recedes;
 }
 
 std::vector<double> numbersOf(const Vehicle& vehicle) {

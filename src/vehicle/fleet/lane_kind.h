@@ -22,7 +22,8 @@ struct LaneCar {
     VehicleState* state;
     MotionNumbers motion;
     const Road* road;
-    const GroundNumbers* plane;  // that the road is everywhere; nullptr: it has to be asked
+    bool tyres_shifted, warmth_felt;  // as in Vehicle
+    const GroundNumbers* plane;       // that the road is everywhere; nullptr: it has to be asked
 };
 
 struct LaneSurroundings {

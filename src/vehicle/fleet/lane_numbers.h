@@ -30,6 +30,9 @@ struct LaneCorner {
         BasicTyreCoefficients<T> parameters;
         BasicTyreScaling<T> lambda;
     } tyre;
+    struct {
+        T slip, camber;
+    } tyre_shift;
     BasicTyreTemperatureParams<T> temperature;
     T aligning_stiffness;
 };
