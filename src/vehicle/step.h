@@ -6,10 +6,10 @@
 // correct its velocity. Second order; undamped bounce keeps its energy; at rest nothing is biased, so a parked car
 // stays.
 //
-// What a car brings along (overloads for one car beside vehicle.cpp: step, for lanes in lane_cars.h):
-//   stateOf, carOf, paramsOf   state and parameters of the car in a lane, for what is computed car by car
-//   advanceTyres               the step of the four tyres
-//   OneCar's extras            what only single cars have, around the tyres
+// What a single car (vehicle.cpp) and cars in lanes (fleet/lane_cars.h) bring along, each in its own way:
+//   stateOf, carOf, paramsOf                 the car in a lane, for what is computed car by car
+//   advanceTyres                             the step of the four tyres
+//   advanceRecession, recede, addRecession   the longitudinal compliance of the suspension
 #pragma once
 
 #include "tread/vehicle.h"

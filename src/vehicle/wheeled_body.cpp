@@ -1,5 +1,5 @@
 // A step of the body on its wheels: velocity Verlet for the body with an implicit step of every wheel inside it, as in
-// vehicle.cpp.
+// step.h.
 //
 // One source for both cars are a wheel's contact, its motion there and the moments that it hands on (contact.h,
 // body.h), the load (83) with the rim and the part of it that grips (tyre_load.h), the tyre with its patch and spin

@@ -51,7 +51,7 @@ inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{
       "raycast_fleet"}},
 };
 
-// The sub-models of the car: they meet in vehicle.h and vehicle.cpp only.
+// The sub-models of the car: they meet in vehicle.h and step.h only.
 inline const std::vector<std::string> kSubModels{"suspension", "steering", "driveline", "brakes", "aero", "tyre"};
 
 // Libraries that only some layers may include, by the beginnings of the included names.
