@@ -16,10 +16,12 @@ struct DelayLine {
 };
 
 // A part that yields to the aligning moment of tyres.
-struct AligningCompliance {
-    double deflection = 0;  // rad
-    double rate = 0;        // rad/s, over the last step
-    double moment = 0;      // N m, at the beginning of the last step, without what the resistance took from it
+template <class T>
+struct BasicAligningCompliance {
+    T deflection = 0;  // rad
+    T rate = 0;        // rad/s, over the last step
+    T moment = 0;      // N m, at the beginning of the last step, without what the resistance took from it
 };
+using AligningCompliance = BasicAligningCompliance<double>;
 
 }  // namespace tread

@@ -50,10 +50,11 @@ private:
 static_assert(describesEveryMember<DamperParams>());
 
 // A stop that the suspension meets after some travel: force = stiffness x + progression x^2.
-struct StopParams {
-    double clearance = 1;
-    double stiffness = 0;
-    double progression = 0;
+template <class T>
+struct BasicStopParams {
+    T clearance = 1;
+    T stiffness = 0;
+    T progression = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(clearance),
@@ -64,6 +65,7 @@ struct StopParams {
               About{"N/m2", "increase of the force with deflection squared", kNonNegative, 0.3}.usually(0, 1e10));
     }
 };
+using StopParams = BasicStopParams<double>;
 static_assert(describesEveryMember<StopParams>());
 
 struct SuspensionParams {
@@ -154,27 +156,33 @@ struct SuspensionParams {
 };
 static_assert(describesEveryMember<SuspensionParams>());
 
-struct SuspensionInput {
-    double travel;           // m
-    double rate;             // m/s
-    double opposite_travel;  // m, of the other wheel of the axle
-    double static_force;     // N, spring force at zero travel
+template <class T>
+struct BasicSuspensionInput {
+    T travel;           // m
+    T rate;             // m/s
+    T opposite_travel;  // m, of the other wheel of the axle
+    T static_force;     // N, spring force at zero travel
 };
+using SuspensionInput = BasicSuspensionInput<double>;
 
 // Force that pushes the wheel down and the body up, and its slopes for the implicit wheel equation.
-struct SuspensionForce {
-    double force;
-    double by_travel;  // N/m
-    double by_rate;    // N s/m
+template <class T>
+struct BasicSuspensionForce {
+    T force;
+    T by_travel;  // N/m
+    T by_rate;    // N s/m
 };
+using SuspensionForce = BasicSuspensionForce<double>;
 
 TREAD_API SuspensionForce forces(const SuspensionParams& params, const SuspensionInput& input);
 
 // Attitude of a wheel against the body. The sides of the car mirror each other.
-struct WheelAngles {
-    double camber;  // rad, rotation about +x: positive leans the top to the right
-    double toe;     // rad, rotation about +z: positive steers to the left
+template <class T>
+struct BasicWheelAngles {
+    T camber;  // rad, rotation about +x: positive leans the top to the right
+    T toe;     // rad, rotation about +z: positive steers to the left
 };
+using WheelAngles = BasicWheelAngles<double>;
 
 TREAD_API WheelAngles angles(const SuspensionParams& params, double travel, bool left);
 
@@ -183,12 +191,14 @@ TREAD_API WheelAngles angles(const SuspensionParams& params, double travel, bool
 TREAD_API WheelAngles compliance(const SuspensionParams& params, double fx, double fy, bool left);
 
 // Longitudinal movement of a wheel against the body.
-struct Recession {
-    double travel = 0;        // m, positive forward
-    double rate = 0;          // m/s
-    double acceleration = 0;  // m/s2
-    double push = 0;          // m/s2: force of the road over the wheel's mass, less the body's acceleration there
+template <class T>
+struct BasicRecession {
+    T travel = 0;        // m, positive forward
+    T rate = 0;          // m/s
+    T acceleration = 0;  // m/s2
+    T push = 0;          // m/s2: force of the road over the wheel's mass, less the body's acceleration there
 };
+using Recession = BasicRecession<double>;
 
 // Advances it by dt under the push with which the last step ended. SDIRK2: second order, L-stable, so that a hard bush
 // does not ring.

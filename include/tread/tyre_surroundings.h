@@ -52,17 +52,18 @@ static_assert(describesEveryMember<TyrePressureParams>());
 
 // heat_capacity dT/dt = slip_share (slip power) - (cooling + cooling_by_speed |V|) (T - air); friction and slip
 // stiffnesses are multiplied by polynomials in T - nominal. The default capacity is that of 4 kg of rubber, a guess.
-struct TyreTemperatureParams {
-    double nominal = 293.15;
-    double start = 293.15;
-    double air = 293.15;
-    double heat_capacity = 8000;
-    double slip_share = 1;
-    double cooling = 5;
-    double cooling_by_speed = 1;
-    double friction = 0;
-    double friction_squared = 0;
-    double stiffness = 0;
+template <class T>
+struct BasicTyreTemperatureParams {
+    T nominal = 293.15;
+    T start = 293.15;
+    T air = 293.15;
+    T heat_capacity = 8000;
+    T slip_share = 1;
+    T cooling = 5;
+    T cooling_by_speed = 1;
+    T friction = 0;
+    T friction_squared = 0;
+    T stiffness = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(nominal),
@@ -86,6 +87,7 @@ struct TyreTemperatureParams {
               About{"1/K", "relative change of the slip stiffnesses over temperature"}.usually(-0.05, 0.05));
     }
 };
+using TyreTemperatureParams = BasicTyreTemperatureParams<double>;
 static_assert(describesEveryMember<TyreTemperatureParams>());
 
 struct TyreSurroundingsParams {

@@ -28,11 +28,12 @@ namespace tread {
 
 // ---- Parameters ----
 
-struct InertiaParams {
-    double roll = kRequired;
-    double pitch = kRequired;
-    double yaw = kRequired;
-    double roll_yaw = 0;
+template <class T>
+struct BasicInertiaParams {
+    T roll = kRequired;
+    T pitch = kRequired;
+    T yaw = kRequired;
+    T roll_yaw = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(roll),
@@ -44,6 +45,7 @@ struct InertiaParams {
         field(TREAD_FIELD(roll_yaw), About{"kg m2", "product of inertia, integral of x z dm"}.usually(-2e4, 2e4));
     }
 };
+using InertiaParams = BasicInertiaParams<double>;
 static_assert(describesEveryMember<InertiaParams>());
 
 // A mass fixed to the car in addition to it: luggage, a passenger, more fuel or less. Its place is given, or a moment,
@@ -231,29 +233,31 @@ TREAD_API Vehicle prepare(const VehicleParams& params, double gravity = kStandar
 
 // ---- State and motion ----
 
-struct WheelState {
-    TyreState tyre;
-    TyreMotion motion;     // of the tyre at the end of the last step, paper axes
-    double spin = 0;       // rad/s, positive forward
-    double spin_rate = 0;  // rad/s2, over the last step
-    double travel = 0;     // m, compression
-    double rate = 0;       // m/s
-    double radius = 0;     // m, wheel centre to road
-    double steer = 0;      // rad, of the wheel against the body, toe included
+template <class T>
+struct BasicWheelState {
+    BasicTyreState<T> tyre;
+    BasicTyreMotion<T> motion;  // of the tyre at the end of the last step, paper axes
+    T spin = 0;                 // rad/s, positive forward
+    T spin_rate = 0;            // rad/s2, over the last step
+    T travel = 0;               // m, compression
+    T rate = 0;                 // m/s
+    T radius = 0;               // m, wheel centre to road
+    T steer = 0;                // rad, of the wheel against the body, toe included
     // Forces of the road on the tyre at the end of the last step, ISO 8855 wheel axes.
-    double load = 0, fx = 0, fy = 0, mz = 0;
-    double fx_rate = 0;           // N/s, over the last step
-    double fy_rate = 0;           // N/s
-    double vertical_force = 0;    // N, of the load along the body's z axis
-    double suspension_force = 0;  // N, of spring, damper, bar and stops, up on the body
-    double link_force = 0;        // N, of the links, up on the wheel
-    double tangent_force = 0;     // N, of fx and fy along the body's z axis: not zero when the body leans or pitches
-    double drive_torque = 0;      // N m, of the driveline
-    double brake_torque = 0;      // N m, that the brake can hold
-    Recession recession;
-    AligningCompliance moment_steer;
-    double warming = 0;  // K, temperature of the tyre less that at the start
+    T load = 0, fx = 0, fy = 0, mz = 0;
+    T fx_rate = 0;           // N/s, over the last step
+    T fy_rate = 0;           // N/s
+    T vertical_force = 0;    // N, of the load along the body's z axis
+    T suspension_force = 0;  // N, of spring, damper, bar and stops, up on the body
+    T link_force = 0;        // N, of the links, up on the wheel
+    T tangent_force = 0;     // N, of fx and fy along the body's z axis: not zero when the body leans or pitches
+    T drive_torque = 0;      // N m, of the driveline
+    T brake_torque = 0;      // N m, that the brake can hold
+    BasicRecession<T> recession;
+    BasicAligningCompliance<T> moment_steer;
+    T warming = 0;  // K, temperature of the tyre less that at the start
 };
+using WheelState = BasicWheelState<double>;
 
 struct VehicleState {
     PerWheel<WheelState> wheels;

@@ -16,7 +16,7 @@ namespace tread {
 inline namespace TREAD_ISA {
 
 template <class T>
-T arctan(const T& x) {
+TREAD_INLINE inline T arctan(const T& x) {
     constexpr double kTan3Pi8 = 2.41421356237309504880;
     constexpr double kLowBits = 6.123233995736765886130e-17;  // of pi / 2
     const T a = magnitude(x);

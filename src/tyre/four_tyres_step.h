@@ -21,7 +21,7 @@ struct FourTyresStep {
 inline namespace TREAD_ISA {
 
 inline Lanes together(const PerWheel<double>& x) {
-    return {x.front_left, x.front_right, x.rear_left, x.rear_right};
+    return Lanes(Lanes::Vector{x.front_left, x.front_right, x.rear_left, x.rear_right});
 }
 
 template <template <class> class Struct>

@@ -1,8 +1,8 @@
-// Four doubles that are computed with as one: the tyre's formulas, written once over a number type, run on the four
-// wheels of a car together. Each lane gets exactly what the same operations give for a double.
+// Several doubles that are computed with as one: formulas, written once over a number type, run on the four wheels of a
+// car together, or on several cars. Each lane gets exactly what the same operations give for a double.
 //
-// What is computed with lanes is compiled once for every x86-64 processor and once for those with AVX2 (TREAD_ISA names
-// which), and chosen at run time. Operators are always inlined and functions live in a namespace of their own per
+// What is computed with lanes is compiled once for each set of instructions (TREAD_ISA names which), and chosen at run
+// time. Operators are always inlined and functions live in a namespace of their own per
 // instruction set, so that the linker never takes one for the other.
 #pragma once
 
@@ -21,63 +21,89 @@
 
 namespace tread {
 
+// The compiler's vectors of N numbers.
+template <int N>
+struct PackOf;
+template <>
+struct PackOf<4> {
+    typedef double Numbers __attribute__((vector_size(32)));
+    typedef std::int64_t Integers __attribute__((vector_size(32)));
+};
+template <>
+struct PackOf<8> {
+    typedef double Numbers __attribute__((vector_size(64)));
+    typedef std::int64_t Integers __attribute__((vector_size(64)));
+};
 // Answer of a comparison, per lane: all bits set where it holds.
-struct alignas(32) LaneMask {
-    typedef std::int64_t Vector __attribute__((vector_size(32)));
+template <int N>
+struct alignas(8 * N) LaneMaskOf {
+    using Vector = typename PackOf<N>::Integers;
     Vector bits;
 
-    TREAD_INLINE friend LaneMask operator&(const LaneMask& a, const LaneMask& b) { return {a.bits & b.bits}; }
-    TREAD_INLINE friend LaneMask operator|(const LaneMask& a, const LaneMask& b) { return {a.bits | b.bits}; }
-    TREAD_INLINE friend LaneMask operator!(const LaneMask& a) { return {~a.bits}; }
+    TREAD_INLINE friend LaneMaskOf operator&(const LaneMaskOf& a, const LaneMaskOf& b) { return {a.bits & b.bits}; }
+    TREAD_INLINE friend LaneMaskOf operator|(const LaneMaskOf& a, const LaneMaskOf& b) { return {a.bits | b.bits}; }
+    TREAD_INLINE friend LaneMaskOf operator!(const LaneMaskOf& a) { return {~a.bits}; }
 };
 
-struct alignas(32) Lanes {
-    typedef double Vector __attribute__((vector_size(32)));
+template <int N>
+struct alignas(8 * N) LanesOf {
+    using Vector = typename PackOf<N>::Numbers;
+    using Mask = LaneMaskOf<N>;
     Vector lane;
 
-    Lanes() = default;
-    TREAD_INLINE Lanes(double all) : lane{all, all, all, all} {}
-    TREAD_INLINE Lanes(double a, double b, double c, double d) : lane{a, b, c, d} {}
-    TREAD_INLINE explicit Lanes(const Vector& v) : lane(v) {}
+    LanesOf() = default;
+    TREAD_INLINE LanesOf(double all) : lane(all - Vector{}) {}  // x - 0 is x for every x
+    TREAD_INLINE explicit LanesOf(const Vector& v) : lane(v) {}
 
     TREAD_INLINE double operator[](std::size_t i) const { return lane[i]; }
+    TREAD_INLINE void set(std::size_t i, double x) { lane[i] = x; }
 
-    TREAD_INLINE Lanes operator-() const { return Lanes(-lane); }
-    TREAD_INLINE Lanes& operator*=(const Lanes& x) { return *this = *this * x; }
+    TREAD_INLINE LanesOf operator-() const { return LanesOf(-lane); }
+    TREAD_INLINE LanesOf& operator+=(const LanesOf& x) { return *this = *this + x; }
+    TREAD_INLINE LanesOf& operator-=(const LanesOf& x) { return *this = *this - x; }
+    TREAD_INLINE LanesOf& operator*=(const LanesOf& x) { return *this = *this * x; }
 
-    TREAD_INLINE friend Lanes operator+(const Lanes& a, const Lanes& b) { return Lanes(a.lane + b.lane); }
-    TREAD_INLINE friend Lanes operator-(const Lanes& a, const Lanes& b) { return Lanes(a.lane - b.lane); }
-    TREAD_INLINE friend Lanes operator*(const Lanes& a, const Lanes& b) { return Lanes(a.lane * b.lane); }
-    TREAD_INLINE friend Lanes operator/(const Lanes& a, const Lanes& b) { return Lanes(a.lane / b.lane); }
-    TREAD_INLINE friend LaneMask operator<(const Lanes& a, const Lanes& b) { return {a.lane < b.lane}; }
-    TREAD_INLINE friend LaneMask operator>(const Lanes& a, const Lanes& b) { return {a.lane > b.lane}; }
-    TREAD_INLINE friend LaneMask operator<=(const Lanes& a, const Lanes& b) { return {a.lane <= b.lane}; }
-    TREAD_INLINE friend LaneMask operator>=(const Lanes& a, const Lanes& b) { return {a.lane >= b.lane}; }
-    TREAD_INLINE friend LaneMask operator==(const Lanes& a, const Lanes& b) { return {a.lane == b.lane}; }
-    TREAD_INLINE friend LaneMask operator!=(const Lanes& a, const Lanes& b) { return {a.lane != b.lane}; }
+    TREAD_INLINE friend LanesOf operator+(const LanesOf& a, const LanesOf& b) { return LanesOf(a.lane + b.lane); }
+    TREAD_INLINE friend LanesOf operator-(const LanesOf& a, const LanesOf& b) { return LanesOf(a.lane - b.lane); }
+    TREAD_INLINE friend LanesOf operator*(const LanesOf& a, const LanesOf& b) { return LanesOf(a.lane * b.lane); }
+    TREAD_INLINE friend LanesOf operator/(const LanesOf& a, const LanesOf& b) { return LanesOf(a.lane / b.lane); }
+    TREAD_INLINE friend Mask operator<(const LanesOf& a, const LanesOf& b) { return {a.lane < b.lane}; }
+    TREAD_INLINE friend Mask operator>(const LanesOf& a, const LanesOf& b) { return {a.lane > b.lane}; }
+    TREAD_INLINE friend Mask operator<=(const LanesOf& a, const LanesOf& b) { return {a.lane <= b.lane}; }
+    TREAD_INLINE friend Mask operator>=(const LanesOf& a, const LanesOf& b) { return {a.lane >= b.lane}; }
+    TREAD_INLINE friend Mask operator==(const LanesOf& a, const LanesOf& b) { return {a.lane == b.lane}; }
+    TREAD_INLINE friend Mask operator!=(const LanesOf& a, const LanesOf& b) { return {a.lane != b.lane}; }
 };
+using Lanes = LanesOf<4>;  // the wheels of a car
 // A vector's own alignment differs between instruction sets; files compiled for different ones share these structs.
-static_assert(alignof(Lanes) == 32 && alignof(LaneMask) == 32);
+static_assert(alignof(Lanes) == 32 && alignof(LaneMaskOf<4>) == 32);
 
 inline namespace TREAD_ISA {
 
 // ---- Choosing and asking, for lanes and for plain numbers ----
 
-inline Lanes select(const LaneMask& where, const Lanes& a, const Lanes& b) {
-    return Lanes(where.bits ? a.lane : b.lane);
+template <int N>
+LanesOf<N> select(const LaneMaskOf<N>& where, const LanesOf<N>& a, const LanesOf<N>& b) {
+    return LanesOf<N>(where.bits ? a.lane : b.lane);
 }
 constexpr double select(bool where, double a, double b) {
     return where ? a : b;
 }
 
-inline bool any(const LaneMask& m) {
-    return (m.bits[0] | m.bits[1] | m.bits[2] | m.bits[3]) != 0;
+template <int N>
+bool any(const LaneMaskOf<N>& m) {
+    std::int64_t bits = m.bits[0];
+    for (int i = 1; i < N; ++i) bits |= m.bits[i];
+    return bits != 0;
 }
 constexpr bool any(bool m) {
     return m;
 }
-inline bool all(const LaneMask& m) {
-    return (m.bits[0] & m.bits[1] & m.bits[2] & m.bits[3]) != 0;
+template <int N>
+bool all(const LaneMaskOf<N>& m) {
+    std::int64_t bits = m.bits[0];
+    for (int i = 1; i < N; ++i) bits &= m.bits[i];
+    return bits != 0;
 }
 constexpr bool all(bool m) {
     return m;
@@ -90,15 +116,44 @@ struct NumberTraits<double> {
     using Mask = bool;
     using Bits = std::int64_t;
 };
-template <>
-struct NumberTraits<Lanes> {
-    using Mask = LaneMask;
-    using Bits = LaneMask::Vector;
+template <int N>
+struct NumberTraits<LanesOf<N>> {
+    using Mask = LaneMaskOf<N>;
+    using Bits = typename LaneMaskOf<N>::Vector;
 };
 template <class T>
 using MaskOf = typename NumberTraits<T>::Mask;
 template <class T>
 using BitsOf = typename NumberTraits<T>::Bits;
+
+// ---- The number of one lane; a double is a single lane ----
+
+template <class T>
+inline constexpr std::size_t kLanesOf = 1;
+template <int N>
+inline constexpr std::size_t kLanesOf<LanesOf<N>> = N;
+
+TREAD_INLINE inline double lane(double x, std::size_t) {
+    return x;
+}
+TREAD_INLINE inline bool lane(bool x, std::size_t) {
+    return x;
+}
+template <int N>
+TREAD_INLINE inline double lane(const LanesOf<N>& x, std::size_t i) {
+    return x[i];
+}
+template <int N>
+TREAD_INLINE inline bool lane(const LaneMaskOf<N>& x, std::size_t i) {
+    return x.bits[i] != 0;
+}
+TREAD_INLINE inline void setLane(double& x, std::size_t, double value) {
+    x = value;
+}
+template <int N>
+TREAD_INLINE inline void setLane(LanesOf<N>& x, std::size_t i, double value) {
+    x.set(i, value);
+}
 
 // A struct of nothing but numbers, chosen member by member.
 template <template <class> class Struct, class T>
@@ -134,8 +189,11 @@ T smaller(const T& a, const T& b) {
 inline double squareRoot(double x) {
     return std::sqrt(x);
 }
-inline Lanes squareRoot(const Lanes& x) {
-    return {std::sqrt(x.lane[0]), std::sqrt(x.lane[1]), std::sqrt(x.lane[2]), std::sqrt(x.lane[3])};
+template <int N>
+LanesOf<N> squareRoot(const LanesOf<N>& x) {
+    LanesOf<N> root;
+    for (int i = 0; i < N; ++i) root.lane[i] = std::sqrt(x.lane[i]);
+    return root;
 }
 
 // ---- One struct of lanes from one struct per wheel, and back ----
@@ -147,7 +205,7 @@ Struct<Lanes> together(const PerWheel<Struct<double>>& wheels) {
     const auto a = std::bit_cast<Members>(wheels.front_left), b = std::bit_cast<Members>(wheels.front_right),
                c = std::bit_cast<Members>(wheels.rear_left), d = std::bit_cast<Members>(wheels.rear_right);
     std::array<Lanes, kMembers> lanes;
-    for (std::size_t i = 0; i < kMembers; ++i) lanes[i] = Lanes(a[i], b[i], c[i], d[i]);
+    for (std::size_t i = 0; i < kMembers; ++i) lanes[i] = Lanes(Lanes::Vector{a[i], b[i], c[i], d[i]});
     return std::bit_cast<Struct<Lanes>>(lanes);
 }
 

@@ -24,7 +24,7 @@ struct AligningLoad {
 };
 
 // Deflection at the end of the step, rad. Exact for a moment that falls as the load says.
-inline double advance(AligningCompliance& part, double compliance, const AligningLoad& load, double dt) {
+[[gnu::always_inline]] inline double advance(AligningCompliance& part, double compliance, const AligningLoad& load, double dt) {
     const double unresisted = load.moment + load.resistance * part.rate;
     const double change = unresisted - part.moment;
     part.moment = unresisted;

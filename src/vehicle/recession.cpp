@@ -16,6 +16,7 @@ double frameAcceleration(const BodyFrame& body, const Vehicle::Corner& corner) {
 }  // namespace
 
 void advanceRecession(PerWheel<WheelState>& wheels, const Vehicle& vehicle, double dt) {
+    if (!vehicle.recedes) return;
     for (std::size_t i = 0; i < kWheels; ++i) {
         const SuspensionParams& suspension = suspensionOf(vehicle, i);
         if (suspension.longitudinal_compliance == 0) continue;
@@ -23,14 +24,15 @@ void advanceRecession(PerWheel<WheelState>& wheels, const Vehicle& vehicle, doub
     }
 }
 
-void recede(TyreMotion& motion, const Recession& recession, const WheelContact& contact) {
+void recede(TyreMotion& motion, const Vehicle& vehicle, const Recession& recession, const WheelContact& contact) {
+    if (!vehicle.recedes) return;
     motion.Vx += recession.rate * contact.forward_B.x();
     motion.Vsy -= recession.rate * contact.left_B.x();
 }
 
-Wrench recessionWrench(PerWheel<WheelState>& wheels, const Vehicle& vehicle, const PerWheel<WheelContact>& contacts,
-                       const BodyFrame& end, double dt) {
-    Wrench wrench;
+void addRecession(Wrench& wrench, PerWheel<WheelState>& wheels, const Vehicle& vehicle,
+                  const PerWheel<WheelContact>& contacts, const BodyFrame& end, double dt) {
+    if (!vehicle.recedes) return;
     for (std::size_t i = 0; i < kWheels; ++i) {
         const SuspensionParams& suspension = suspensionOf(vehicle, i);
         if (suspension.longitudinal_compliance == 0) continue;
@@ -42,7 +44,6 @@ Wrench recessionWrench(PerWheel<WheelState>& wheels, const Vehicle& vehicle, con
         takePush(wheel.recession, suspension, corner.unsprung_mass, push, dt);
         wrench.add({-corner.unsprung_mass * wheel.recession.acceleration, 0, 0}, contacts[i].hub_B);
     }
-    return wrench;
 }
 
 }  // namespace tread

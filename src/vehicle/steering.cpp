@@ -96,8 +96,10 @@ SteeringMotion advance(SteeringState& state, const SteeringParams& params, const
     const bool follows = params.delay == 0 && params.lag == 0;
     const bool yields = params.column_compliance != 0 || params.rack_compliance != 0;
     if (held && follows && params.play == 0 && !yields) {
-        // Nothing lies between hands and wheels.
-        const RoadWheelAngles begin = roadWheelAngles(params, input.begin, input.track, input.wheelbase);
+        // Nothing lies between hands and wheels; as a rule these stand already where the step begins.
+        const RoadWheelAngles begin = input.begin == state.angle
+                                          ? state.wheels.angles
+                                          : roadWheelAngles(params, input.begin, input.track, input.wheelbase);
         state.wheels = wheelsAtSteeringWheel(params, input.end, input.track, input.wheelbase);
         state.angle = input.end;
         state.rate = (input.end - input.begin) / dt;

@@ -47,8 +47,8 @@ struct RoadForce {
         const double rate = push.closing - push.lift * (x - start) * per_second;
         const double pressed = deflection(x) - before;
         const double damping = (pressed > 0 ? strut.tyre_bump : strut.tyre_rebound) * per_second;
-        const TyreLoad load =
-            tyreLoad(tyre, {.value = deflection(x), .rate = rate, .fall = push.closing}, damping * pressed);
+        const TyreLoad load = tyreLoad(tyre, TyreDeflection{.value = deflection(x), .rate = rate, .fall = push.closing},
+                                       damping * pressed);
         const double slope = load.by_deflection + load.by_rate * per_second + (load.by_deflection > 0 ? damping : 0);
         return {load.load, -push.lift * slope};
     }

@@ -1,9 +1,8 @@
 // What a tyre can hold along the road, and what it may not store beyond that.
 #pragma once
 
-#include <algorithm>
-
 #include "tread/tyre.h"
+#include "tyre/lanes.h"
 
 namespace tread {
 
@@ -19,12 +18,18 @@ double gripOf(const TyreParams& tyre, const TyreMotion& motion, double friction)
 // fifth more at combined slip.
 void limitToGrip(TyreState& state, TyreForces& forces, const TyreCoefficients& p, double grip);
 
+inline namespace TREAD_ISA {
+
 // Power that the contact patch loses to the road, W, not negative: its force (ISO 8855 wheel axes) times its slip
 // velocity, which is that of the rim and its own against the rim.
-inline double slipPower(const TyreMotion& motion, const TyreState& state, double rolling_speed, double fx, double fy) {
-    const double Vsx = motion.Vx - rolling_speed + state.du;
-    const double Vsy = motion.Vsy + state.dv;
-    return std::max(-fx * Vsx + fy * Vsy, 0.0);  // fy counts to the left, Vsy to the right
+template <class T>
+T slipPower(const BasicTyreMotion<T>& motion, const BasicTyreState<T>& state, const T& rolling_speed, const T& fx,
+            const T& fy) {
+    const T Vsx = motion.Vx - rolling_speed + state.du;
+    const T Vsy = motion.Vsy + state.dv;
+    return larger(T(-fx * Vsx + fy * Vsy), T(0));  // fy counts to the left, Vsy to the right
 }
+
+}  // namespace TREAD_ISA
 
 }  // namespace tread

@@ -14,11 +14,10 @@ constexpr double kRimLossSpeed = 1.0;  // m/s at which the loss is three quarter
 
 }  // namespace
 
-ForceAndSlope rimForce(const TyreParams& tyre, const TyreDeflection& deflection) {
-    const double beyond = deflection.value - kRimDeflection * tyre.parameters.Ro;
-    const double stiffness = kRimStiffness * radialStiffness(tyre);
-    const ForceAndSlope rim = onset(beyond, stiffness, kRimOnset * tyre.parameters.Ro);
-    const double loss = 1 + kRimLoss * std::tanh(deflection.fall / kRimLossSpeed);
+ForceAndSlope rimForce(double stiffness, double radius, double deflection, double fall) {
+    const double beyond = deflection - kRimDeflection * radius;
+    const ForceAndSlope rim = onset(beyond, kRimStiffness * stiffness, kRimOnset * radius);
+    const double loss = 1 + kRimLoss * std::tanh(fall / kRimLossSpeed);
     return {loss * rim.value, loss * rim.slope};
 }
 

@@ -1,16 +1,10 @@
 #include "tread/tyre_surroundings.h"
 
-#include <algorithm>
 #include <cmath>
 
+#include "vehicle/tyre_conditions.h"
+
 namespace tread {
-namespace {
-
-// However hot or cold, this much of the tyre is left: the polynomials mean nothing far from where they were measured.
-constexpr double kLeast = 0.1;
-
-}  // namespace
-
 TyreParams inflated(TyreParams tyre, const TyrePressureParams& pressure) {
     const double p = (pressure.inflation - pressure.nominal) / pressure.nominal;
     if (p == 0) return tyre;
@@ -31,17 +25,12 @@ bool feelsWarmth(const TyreTemperatureParams& params) {
 }
 
 double advanceWarming(double warming, const TyreTemperatureParams& params, double slip_power, double speed, double dt) {
-    if (params.heat_capacity == 0) return warming;
-    // Trapezoidal rule: heat lost with the mean temperature of the step.
-    const double loss = params.cooling + params.cooling_by_speed * std::abs(speed);
-    const double over_air = params.start + warming - params.air;
-    return warming + dt * (params.slip_share * slip_power - loss * over_air) / (params.heat_capacity + 0.5 * dt * loss);
+    return warmed(warming, params, slip_power, speed, dt);
 }
 
 TyreWarmth warmth(const TyreTemperatureParams& params, double warming) {
-    const double over = params.start + warming - params.nominal;
-    return {.friction = std::max(1 + (params.friction + params.friction_squared * over) * over, kLeast),
-            .stiffness = std::max(1 + params.stiffness * over, kLeast)};
+    const TyreFactors now = warmthOf(params, warming);
+    return {.friction = now.friction, .stiffness = now.stiffness};
 }
 
 TyreShift shiftOf(const TyreSurroundingsParams& params, bool left) {

@@ -1,5 +1,5 @@
 // A step of the body on its wheels: velocity Verlet for the body with an implicit step of every wheel inside it, as in
-// vehicle.cpp.
+// step.h.
 //
 // One source for both cars are a wheel's contact, its motion there and the moments that it hands on (contact.h,
 // body.h), the load (83) with the rim and the part of it that grips (tyre_load.h), the tyre with its patch and spin
@@ -157,11 +157,11 @@ void handOver(Wrench& wrench, BodyWheelState& state, const BodyWheel& wheel, con
     const Vector3 rest = tyre.Fx * contact.forward_B + state.load * contact.normal_B;
     wrench.add(rest, contact.point_B);
     wrench.add(side, sidePoint(contact, wheel));
-    wrench.moment_B += wheelMoment(contact, tyre,
-                                   {.inertia = reaction ? wheel.inertia : 0,
-                                    .spin = state.spin,
-                                    .spin_rate = state.spin_rate,
-                                    .carrier_B = body.angular_velocity_B - steer_rate * wheel.down_B});
+    wrench.moment_B += wheelMoment<double>(contact, tyre,
+                                           {.inertia = reaction ? wheel.inertia : 0,
+                                            .spin = state.spin,
+                                            .spin_rate = state.spin_rate,
+                                            .carrier_B = body.angular_velocity_B - steer_rate * wheel.down_B});
 
     state.fx = tyre.Fx;
     state.fy = tyre.Fy;
@@ -241,8 +241,8 @@ void advance(ChassisMotion& motion, WheeledBodyState& state, const WheeledBody& 
         handOver(wrench, state.wheels[i], body.wheels[i], contacts[i], forces[i], moved, steer_rate,
                  body.wheel_reaction);
     }
-    correct(next, state.acceleration_W, state.angular_acceleration_W, accelerationsOf(body, moved, wrench, gravity_W),
-            dt);
+    correctMotion(next, state.acceleration_W, state.angular_acceleration_W,
+                  accelerationsOf(body, moved, wrench, gravity_W), dt);
     motion = next;
 }
 

@@ -45,13 +45,13 @@ inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{
     {"tyre", {"tyre"}},
     {"vehicle",
      {"suspension", "steering", "driveline", "engine", "gearbox", "differential", "brakes", "anti_lock",
-      "stability_control", "aero", "tyre_surroundings", "vehicle", "equilibrium", "load"}},
+      "stability_control", "aero", "tyre_surroundings", "vehicle", "equilibrium", "car_fleet", "load"}},
     {"bullet",
      {"bullet_precision", "bullet_road", "bullet_ground", "bullet_vehicle", "raycast_vehicle", "raycast_vehicle_file",
       "raycast_fleet"}},
 };
 
-// The sub-models of the car: they meet in vehicle.h and vehicle.cpp only.
+// The sub-models of the car: they meet in vehicle.h and step.h only.
 inline const std::vector<std::string> kSubModels{"suspension", "steering", "driveline", "brakes", "aero", "tyre"};
 
 // Libraries that only some layers may include, by the beginnings of the included names.
