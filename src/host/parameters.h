@@ -15,4 +15,7 @@ VehicleParams vehicleOfText(std::string_view text, const std::string& file);
 // LoadError, and then leaves the car as it was.
 void setParameter(VehicleParams& car, std::string_view path, std::string_view value);
 
+// The number at a path, SI; throws LoadError when there is none.
+double parameter(VehicleParams& car, std::string_view path);
+
 }  // namespace tread::host

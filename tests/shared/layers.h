@@ -46,6 +46,7 @@ inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{
     {"vehicle",
      {"suspension", "steering", "driveline", "engine", "gearbox", "differential", "brakes", "anti_lock",
       "stability_control", "aero", "tyre_surroundings", "vehicle", "equilibrium", "load"}},
+    {"host", {"c_api"}},
     {"bullet",
      {"bullet_precision", "bullet_road", "bullet_ground", "bullet_vehicle", "raycast_vehicle", "raycast_vehicle_file",
       "raycast_fleet"}},
