@@ -19,9 +19,20 @@ VehicleParams vehicleOfText(std::string_view text, const std::string& file) {
     return readYamlText<VehicleParams>(text, file);
 }
 
+void checkParameters(const VehicleParams& car) {
+    YamlSession session;
+    VehicleParams copy = car;
+    detail::readNothing(session, "parameters", "", copy);
+    throwIfAny(std::move(session.problems));
+}
+
+void setParameters(VehicleParams& car, std::span<const std::string> assignments, std::string_view what) {
+    applySettings(car, assignments, what, listing);
+}
+
 void setParameter(VehicleParams& car, std::string_view path, std::string_view value) {
     const std::string assignment = concat({path, "=", value});
-    applySettings(car, std::span(&assignment, 1), "parameter", listing);
+    setParameters(car, std::span(&assignment, 1), "parameter");
 }
 
 double parameter(VehicleParams& car, std::string_view path) {

@@ -15,14 +15,15 @@ namespace tread::layers {
 using Path = std::filesystem::path;
 
 // A file may include from its own layer and from those to its left.
-inline const std::vector<std::string> kOrder{"base",    "inference", "road",   "tyre",      "vehicle",  "host",
-                                             "bullet",  "log",       "store",  "import",    "scenario", "run",
-                                             "compare", "metrics",   "series", "recording", "diagnose", "calibrate",
-                                             "blind",   "campaign",  "sheet",  "report",    "tools"};
+inline const std::vector<std::string> kOrder{"base",      "inference", "road",     "tyre",   "vehicle",   "host",
+                                             "fmu",       "bullet",    "log",      "store",  "import",    "scenario",
+                                             "run",       "compare",   "metrics",  "series", "recording", "diagnose",
+                                             "calibrate", "blind",     "campaign", "sheet",  "report",    "tools"};
 
 // Inside of a layer, a file may include from its own room and from those to its left. A room is a folder; "" is the
 // layer's own, but for the files that kGroundFloor names.
 inline const std::map<std::string, std::vector<std::string>> kRooms{
+    {"fmu", {"", "object", "package"}},
     {"bullet", {"", "ground", "drop_in"}},
     {"recording", {"", "checks"}},
     {"diagnose", {"ground", "answer", "catalogue", "model", "select", "explain", ""}},
@@ -73,6 +74,7 @@ inline const std::vector<Library> kLibraries{
     {"OpenSSL", {"openssl/"}, {"store"}},
     {"SQLite", {"sqlite3.h"}, {"campaign"}},
     {"Zstandard", {"zstd.h"}, {"log"}},
+    {"libzip", {"zip.h"}, {"fmu"}},
 };
 
 inline bool contains(const std::vector<std::string>& list, const std::string& value) {
