@@ -223,11 +223,6 @@ struct Head {
     double phase, start_time, throttle, steering_wheel_angle, has_car;
 };
 
-void append(std::vector<std::byte>& bytes, const void* from, std::size_t size) {
-    const auto* first = static_cast<const std::byte*>(from);
-    bytes.insert(bytes.end(), first, first + size);
-}
-
 std::uint64_t hashOf(std::string_view text) {
     return host::hashOf(std::as_bytes(std::span(text)));
 }
@@ -239,17 +234,18 @@ std::size_t Instance::serialisedSize() const {
 }
 
 std::vector<std::byte> Instance::serialise(const Saved& saved) const {
-    std::vector<std::byte> content;
-    append(content, saved.values.data(), saved.values.size() * sizeof(double));
-    const std::vector<std::byte> car =
-        saved.car ? host::bytesOf(*saved.car, hashOf(token_)) : std::vector<std::byte>(host::snapshotSize());
-    append(content, car.data(), car.size());
+    std::vector<std::byte> bytes(serialisedSize());
+    const std::span<std::byte> content = std::span(bytes).subspan(sizeof(Head));
+    const std::size_t values = saved.values.size() * sizeof(double);
+    std::memcpy(content.data(), saved.values.data(), values);
+    if (saved.car) {
+        const std::vector<std::byte> car = host::bytesOf(*saved.car, hashOf(token_));
+        std::memcpy(content.data() + values, car.data(), car.size());
+    }
     const Head head{hashOf(token_),       host::hashOf(content), static_cast<double>(saved.phase),
                     saved.start_time,     saved.found.throttle,  saved.found.steering_wheel_angle,
                     saved.car ? 1.0 : 0.0};
-    std::vector<std::byte> bytes;
-    append(bytes, &head, sizeof head);
-    append(bytes, content.data(), content.size());
+    std::memcpy(bytes.data(), &head, sizeof head);
     return bytes;
 }
 
