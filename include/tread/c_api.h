@@ -151,6 +151,7 @@ TREAD_API double tread_car_time(const tread_car* car);
 // Advances car and chassis by any duration, s. One that is a whole number of the car's steps gives the same bits
 // however the host divides its time; any other is divided into equal steps that are no longer; one of less than 10 us
 // waits for the next.
+// A step that breaks the car, or finds no plane where it asked for the ground, is not undone.
 TREAD_API tread_status tread_car_advance(tread_car* car, double duration);
 
 // ---- Step: the host's rigid body is the chassis ----
@@ -192,6 +193,7 @@ typedef struct tread_force {
 // Advances the car on the host's body, which shows this motion now, by `duration` (at least 10 us), and gives the
 // constant force and moment that take the body along. What else acts on the body is felt at the next call, as a change
 // of its velocities.
+// A call that fails as tread_car_advance() can is not undone.
 TREAD_API tread_status tread_car_push(tread_car* car, const tread_motion* body, double duration,
                                       tread_integration integration, tread_force* force);
 

@@ -8,6 +8,7 @@
 
 using tread::fmu::Fmi3Component;
 using tread::fmu::Instance;
+using tread::fmu::on;
 
 const char* fmi3GetVersion() {
     return "3.0";

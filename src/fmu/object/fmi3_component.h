@@ -16,12 +16,13 @@ struct Fmi3Component {
     }
 };
 
-}  // namespace tread::fmu
-
+// Runs `action` on the instance.
 template <class Action>
 fmi3Status on(fmi3Instance c, const Action& action) {
-    auto* component = static_cast<tread::fmu::Fmi3Component*>(c);
+    auto* component = static_cast<Fmi3Component*>(c);
     if (!component) return fmi3Error;
-    return tread::fmu::guarded(
+    return guarded(
         fmi3OK, fmi3Error, [&](const char* text) { component->say(text); }, [&] { action(*component->instance); });
 }
+
+}  // namespace tread::fmu

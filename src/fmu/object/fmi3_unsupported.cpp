@@ -4,6 +4,7 @@
 #include "host/failure.h"
 
 using tread::fmu::Instance;
+using tread::fmu::on;
 
 namespace {
 

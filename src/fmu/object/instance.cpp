@@ -136,14 +136,15 @@ void Instance::start() {
     observed_ = false;
 }
 
-// Ground and air of the inputs, for wheels where they are.
+// Ground and air of the inputs, for wheels where they are. The flat road is the same everywhere: one plane, so that its
+// numbers do not depend on where communication steps begin.
 void Instance::setSurroundings() {
     const Inputs& inputs = values_.inputs;
     const Settings& settings = values_.parameters.settings;
     for (std::size_t i = 0; i < kWheels; ++i) {
         const WheelCentre& at = values_.wheel_centre[i];
-        const WheelGround flat{.friction = settings.friction};
-        car_->ground().setPlane(i, planeAt(at.x, at.y, settings.external_ground ? inputs.ground[i] : flat));
+        const RoadContact flat{.friction = settings.friction};
+        car_->ground().setPlane(i, settings.external_ground ? planeAt(at.x, at.y, inputs.ground[i]) : flat);
     }
     car_->setWind({inputs.wind.x, inputs.wind.y, inputs.wind.z});
 }
