@@ -34,8 +34,10 @@ protected:
     static const Fmu& fmu() {
         static std::map<int, std::unique_ptr<Fmu>> made;
         std::unique_ptr<Fmu>& one = made[GetParam()];
-        const Scratch scratch;
-        if (!one) one = std::make_unique<Fmu>(write(scratch, GetParam()));
+        if (!one) {
+            const Scratch scratch;
+            one = std::make_unique<Fmu>(write(scratch, GetParam()));
+        }
         return *one;
     }
     static bool fmi3() { return GetParam() == 3; }

@@ -14,6 +14,8 @@ namespace {
 
 // The first moment that a zip file knows: 1 January 1980, 00:00.
 constexpr zip_uint16_t kDate = (1 << 5) | 1, kTime = 0;
+// Of zlib, 1 to 9: its usual one; the library's, 9, takes three times as long for 1 % less.
+constexpr zip_uint32_t kLevel = 6;
 
 struct Fault {
     Fault() { zip_error_init(&error); }
@@ -36,7 +38,9 @@ void add(zip_t* archive, const ArchivedFile& file) {
         zip_source_free(source);
         Fault::raise(zip_get_error(archive));
     }
-    if (zip_file_set_dostime(archive, static_cast<zip_uint64_t>(index), kTime, kDate, 0) < 0)
+    const auto entry = static_cast<zip_uint64_t>(index);
+    if (zip_file_set_dostime(archive, entry, kTime, kDate, 0) < 0 ||
+        zip_set_file_compression(archive, entry, ZIP_CM_DEFLATE, kLevel) < 0)
         Fault::raise(zip_get_error(archive));
 }
 
