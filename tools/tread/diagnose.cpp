@@ -28,6 +28,30 @@ using diagnose::answer::vehicleWithEffectYaml;
 
 }  // namespace
 
+Diagnosis diagnosisOf(const DiagnosisInputs& inputs, const tread::diagnose::Options& asked) {
+    tread::diagnose::Options options = asked;
+    options.possible_next = shippedDrives();
+    try {
+        Diagnosis found =
+            tread::diagnose::diagnosisOf(inputs.nominal, inputs.file, inputs.recorded, inputs.effects, options);
+        found.data_warnings.insert(found.data_warnings.begin(), inputs.warnings.begin(), inputs.warnings.end());
+        return found;
+    } catch (const SimulationError& error) {
+        throw SimulationError(withSuspects(error, inputs.implausible), error.time, error.suspect);
+    }
+}
+
+void writeDiagnosis(const DiagnosisInputs& inputs, const Diagnosis& diagnosis, const Path& folder) {
+    const nlohmann::json json = diagnosisJson(diagnosis);
+    writeFile(folder / "diagnosis.json", jsonText(json));
+    writeStages(diagnosis.overlays, folder / "logs");
+    writeFile(folder / "vehicle_with_effect.yaml", vehicleWithEffectYaml(inputs.nominal, diagnosis));
+    const std::string& car = inputs.nominal.vehicle.name;
+    writeFile(folder / "report.html",
+              diagnosisReport(
+                  {.title = "Diagnosis of " + car, .vehicle = car, .version = TREAD_VERSION, .diagnosis = diagnosis}));
+}
+
 int diagnose(const DiagnoseRequest& request) {
     if (!request.init.empty()) return initDiagnosis(request.init, request.vehicle);
     if (request.file.empty())
@@ -45,29 +69,14 @@ int diagnose(const DiagnoseRequest& request) {
     Diagnosis diagnosis;
     {
         Progress bar(100, "%");
-        options.possible_next = shippedDrives();
         options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
-        try {
-            diagnosis =
-                tread::diagnose::diagnosisOf(inputs.nominal, inputs.file, inputs.recorded, inputs.effects, options);
-        } catch (const SimulationError& error) {
-            throw SimulationError(withSuspects(error, inputs.implausible), error.time, error.suspect);
-        }
+        diagnosis = diagnosisOf(inputs, options);
     }
     warnOf(diagnosis.data_warnings);
-    diagnosis.data_warnings.insert(diagnosis.data_warnings.begin(), inputs.warnings.begin(), inputs.warnings.end());
-
-    const nlohmann::json json = diagnosisJson(diagnosis);
-    writeFile(out / "diagnosis.json", jsonText(json));
-    writeStages(diagnosis.overlays, out / "logs");
-    writeFile(out / "vehicle_with_effect.yaml", vehicleWithEffectYaml(inputs.nominal, diagnosis));
-    const std::string& car = inputs.nominal.vehicle.name;
-    writeFile(out / "report.html",
-              diagnosisReport(
-                  {.title = "Diagnosis of " + car, .vehicle = car, .version = TREAD_VERSION, .diagnosis = diagnosis}));
+    writeDiagnosis(inputs, diagnosis, out);
     output.complete();
     const bool answered = isAnswered(diagnosis);
-    if (request.json) printJson(json);
+    if (request.json) printJson(diagnosisJson(diagnosis));
     else say(diagnosisText(diagnosis), answered ? Tone::good : Tone::bad);
     return answered ? kYes : kNo;
 }

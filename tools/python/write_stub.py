@@ -1,0 +1,25 @@
+"""Writes tread/_described.pyi: the types that tread makes of its descriptions.
+
+    write_stub.py FILE
+"""
+
+import sys
+
+from tread import _tread
+
+
+def fields(rows, type_name):
+    for name, unit, meaning in rows:
+        yield f"    {name}: {type_name}\n"
+        yield f'    """[{unit}] {meaning}"""\n'
+
+
+def main(file):
+    lines = ["from typing import NamedTuple\n\n", "import numpy as np\nimport numpy.typing as npt\n\n"]
+    lines += ["class TyreForces(NamedTuple):\n", *fields(_tread.tyre_force_fields(), "npt.NDArray[np.float64]")]
+    lines.append("\ndef describe(what: str = ...) -> list[dict[str, str]]: ...\n")
+    with open(file, "w", encoding="utf-8") as out:
+        out.writelines(lines)
+
+
+main(sys.argv[1])
