@@ -2,27 +2,12 @@
 
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
-#include <cmath>
-
 #include "bullet/convert.h"
+#include "host/mean_velocity.h"
 
 namespace tread {
 
 inline namespace TREAD_BULLET_PRECISION {
-
-namespace {
-
-// Rotation vector of the turn from a to b, divided by dt.
-Vector3 meanAngularVelocity(const Quaternion& a, const Quaternion& b, double dt) {
-    Quaternion turn = b * a.conjugate();
-    if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
-    const double sine = turn.vec().norm();
-    if (sine == 0) return Vector3::Zero();
-    const double angle = 2 * std::atan2(sine, turn.w());
-    return turn.vec() * (angle / sine / dt);
-}
-
-}  // namespace
 
 void expectWhatBodyHas(BodyLink& link, const btRigidBody& body) {
     link.velocity = fromBullet(body.getLinearVelocity());

@@ -9,6 +9,7 @@
 
 #include "base/numbers.h"
 #include "base/pattern.h"
+#include "host/settled.h"
 #include "run/health.h"
 #include "run/pushed.h"
 #include "run/sensors.h"
@@ -22,9 +23,6 @@
 namespace tread {
 namespace {
 
-constexpr double kNoEquilibrium = 0.01;  // m/s2 or rad/s2 left after settling
-constexpr double kPullsAside = 0.5;      // the same of a rolling car: play in its steering may leave it a pull
-constexpr double kThrottleRounding = 1e-3;
 constexpr double kMostStepsPerRow = 1e9;  // a row at the beginning and one at the end is the least
 
 // What the run logs: columns, and where in the sample each number is read.
@@ -169,14 +167,15 @@ Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const
                                    {.heading = start.heading,
                                     .speed = start.speed,
                                     .input = {.brake = start.brake, .parking_brake = start.parking_brake}});
-    if (!std::isfinite(rest.acceleration)) {
+    const host::StartFault fault = host::startFault(rest, start.speed, !startsWithoutPedals(scenario));
+    if (fault == host::StartFault::broke_down) {
         throw SimulationError(
             fmt::format("the simulation broke down before the start, while the car settled on its wheels: its "
                         "acceleration is {} (a parameter far from that of a real car can do this)",
                         rest.acceleration),
             0, SimulationError::Suspect::numbers);
     }
-    if (rest.acceleration >= (start.speed > 0 ? kPullsAside : kNoEquilibrium)) {
+    if (fault == host::StartFault::no_equilibrium) {
         throw SimulationError(
             fmt::format(
                 "the car finds no equilibrium to start from: {:.3g} m/s2 are left after settling (does it stand "
@@ -184,8 +183,7 @@ Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const
                 rest.acceleration),
             0, SimulationError::Suspect::numbers);
     }
-    if (start.speed > 0 && !startsWithoutPedals(scenario) &&
-        (rest.throttle < -kThrottleRounding || rest.throttle > 1 + kThrottleRounding)) {
+    if (fault == host::StartFault::too_fast) {
         throw SimulationError(
             fmt::format("the car cannot hold the {:.3g} m/s at which the scenario starts: that would take a "
                         "throttle of {:.2f}, and only 0 to 1 is possible; lower start.speed or give the car more power",

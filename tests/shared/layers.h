@@ -15,10 +15,10 @@ namespace tread::layers {
 using Path = std::filesystem::path;
 
 // A file may include from its own layer and from those to its left.
-inline const std::vector<std::string> kOrder{"base",     "inference", "road",      "tyre",     "vehicle",   "bullet",
-                                             "log",      "store",     "import",    "scenario", "run",       "compare",
-                                             "metrics",  "series",    "recording", "diagnose", "calibrate", "blind",
-                                             "campaign", "sheet",     "report",    "tools"};
+inline const std::vector<std::string> kOrder{"base",    "inference", "road",   "tyre",      "vehicle",  "host",
+                                             "bullet",  "log",       "store",  "import",    "scenario", "run",
+                                             "compare", "metrics",   "series", "recording", "diagnose", "calibrate",
+                                             "blind",   "campaign",  "sheet",  "report",    "tools"};
 
 // Inside of a layer, a file may include from its own room and from those to its left. A room is a folder; "" is the
 // layer's own, but for the files that kGroundFloor names.

@@ -1,0 +1,20 @@
+// The velocity that takes a body from one attitude to another in a given time.
+#pragma once
+
+#include <cmath>
+
+#include "tread/vector.h"
+
+namespace tread {
+
+// Rotation vector of the turn from a to b, divided by dt.
+inline Vector3 meanAngularVelocity(const Quaternion& a, const Quaternion& b, double dt) {
+    Quaternion turn = b * a.conjugate();
+    if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
+    const double sine = turn.vec().norm();
+    if (sine == 0) return Vector3::Zero();
+    const double angle = 2 * std::atan2(sine, turn.w());
+    return turn.vec() * (angle / sine / dt);
+}
+
+}  // namespace tread

@@ -1,0 +1,9 @@
+#include "host/version.h"
+
+namespace tread::host {
+
+std::string_view version() {
+    return TREAD_VERSION;
+}
+
+}  // namespace tread::host
