@@ -45,7 +45,7 @@ inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{
     {"tyre", {"tyre"}},
     {"vehicle",
      {"suspension", "steering", "driveline", "engine", "gearbox", "differential", "brakes", "anti_lock",
-      "stability_control", "aero", "tyre_surroundings", "vehicle", "equilibrium", "load"}},
+      "stability_control", "aero", "tyre_surroundings", "vehicle", "equilibrium", "car_fleet", "load"}},
     {"bullet",
      {"bullet_precision", "bullet_road", "bullet_ground", "bullet_vehicle", "raycast_vehicle", "raycast_vehicle_file",
       "raycast_fleet"}},

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "bullet/drop_in/crew.h"
+#include "base/crew.h"
 #include "bullet/drop_in/raycast_parts.h"
 
 namespace tread {

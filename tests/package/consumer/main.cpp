@@ -2,9 +2,10 @@
 // wheel turned to the left. Checks that it went where such a car goes.
 #include <btBulletDynamicsCommon.h>
 #include <tread/bullet_vehicle.h>
+#include <tread/car_fleet.h>  // not used: that it compiles from what is installed is the test
 #include <tread/equilibrium.h>
 #include <tread/load.h>
-#include <tread/raycast_fleet.h>  // not used: that it compiles from what is installed is the test
+#include <tread/raycast_fleet.h>  // nor is this one
 #include <tread/road_surface.h>
 
 #include <cmath>

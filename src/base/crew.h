@@ -32,12 +32,13 @@ public:
     Crew& operator=(const Crew&) = delete;
 
     // Does `work` for each number below `count`, in no order; returns when all is done and throws what was thrown
-    // first.
-    void each(std::size_t count, const std::function<void(std::size_t)>& work) {
+    // first. A thread takes so many numbers `at_once`: few meetings of threads for short work, even shares for long.
+    void each(std::size_t count, const std::function<void(std::size_t)>& work, std::size_t at_once = 8) {
         {
             const std::lock_guard lock(mutex_);
             work_ = &work;
             count_ = count;
+            at_once_ = at_once;
             next_ = 0;
             busy_ = threads_.size();
             ++round_;
@@ -65,11 +66,9 @@ private:
         }
     }
 
-    // A few numbers at a time, so that the threads seldom meet.
     void help() {
-        constexpr std::size_t kAtOnce = 8;
-        for (std::size_t first = next_.fetch_add(kAtOnce); first < count_; first = next_.fetch_add(kAtOnce)) {
-            for (std::size_t i = first; i < std::min(first + kAtOnce, count_); ++i) {
+        for (std::size_t first = next_.fetch_add(at_once_); first < count_; first = next_.fetch_add(at_once_)) {
+            for (std::size_t i = first; i < std::min(first + at_once_, count_); ++i) {
                 try {
                     (*work_)(i);
                 } catch (...) {
@@ -83,7 +82,7 @@ private:
     std::mutex mutex_;
     std::condition_variable begins_, done_;
     const std::function<void(std::size_t)>* work_ = nullptr;
-    std::size_t count_ = 0, busy_ = 0, round_ = 0;
+    std::size_t count_ = 0, at_once_ = 1, busy_ = 0, round_ = 0;
     std::atomic<std::size_t> next_{0};
     std::exception_ptr thrown_;
     bool ends_ = false;
