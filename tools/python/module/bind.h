@@ -15,5 +15,7 @@ void bindCompare(py::module_& module);
 void bindTyre(py::module_& module);
 void bindDiagnosis(py::module_& module);
 void bindCampaign(py::module_& module);
+void bindVehicle(py::module_& module);
+void bindFleet(py::module_& module);
 
 }  // namespace tread::python

@@ -14,4 +14,6 @@ PYBIND11_MODULE(_tread, module) {
     tread::python::bindTyre(module);
     tread::python::bindDiagnosis(module);
     tread::python::bindCampaign(module);
+    tread::python::bindVehicle(module);
+    tread::python::bindFleet(module);
 }

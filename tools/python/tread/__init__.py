@@ -16,18 +16,21 @@ input is an InputError, with file, line and column; a simulation that cannot go 
 
 from ._campaign import Campaign, CampaignResult
 from ._compare import Comparison, compare
-from ._described import TyreForces, describe
+from ._described import TyreForces, VehicleInput, describe
 from ._diagnose import Decomposition, Diagnosis, Effect, Estimate, FittedNumber, Identification, diagnose, identify
 from ._errors import FileError, InputError, InputWarning, Problem, SimulationError
 from ._log import Log, Metric, Metrics, read_log
 from ._run import run
 from ._tread import __version__
 from ._tyre import Tyre
+from ._vector_env import VectorEnv
+from ._vehicle import Vehicle
 
 __all__ = [
     "run", "read_log", "Log", "Metrics", "Metric",
     "compare", "Comparison",
     "Tyre", "TyreForces",
+    "Vehicle", "VehicleInput", "VectorEnv",
     "diagnose", "Diagnosis", "Effect", "Estimate", "Decomposition",
     "identify", "Identification", "FittedNumber",
     "Campaign", "CampaignResult",

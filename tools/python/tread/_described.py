@@ -25,3 +25,5 @@ TyreForces.__doc__ = "Forces, moments and slips of a tyre in steady state, ISO 8
 )
 for _name, _unit, _meaning in _FIELDS:
     getattr(TyreForces, _name).__doc__ = f"[{_unit}] {_meaning}"
+
+VehicleInput = _tread.VehicleInput

@@ -61,7 +61,7 @@ class Tyre:
             array.reshape(1) if array.size == 1 else np.ascontiguousarray(np.broadcast_to(array, shape)).reshape(points)
             for array in arrays.values()
         ]
-        return TyreForces(*(row.reshape(shape) for row in self._tyre.forces(flat, points)))
+        return TyreForces(*(row.reshape(shape)[()] for row in self._tyre.forces(flat, points)))
 
     def __repr__(self) -> str:
         return f"<tread.Tyre {self.name!r}>"
