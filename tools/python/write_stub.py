@@ -15,8 +15,8 @@ def fields(rows, type_name):
 
 
 def main(file):
-    lines = ["from typing import NamedTuple\n\n", "import numpy as np\nimport numpy.typing as npt\n\n"]
-    lines += ["class TyreForces(NamedTuple):\n", *fields(_tread.tyre_force_fields(), "npt.NDArray[np.float64]")]
+    lines = ["from dataclasses import dataclass\n\n", "import numpy as np\nimport numpy.typing as npt\n\n"]
+    lines += ["@dataclass(frozen=True, eq=False)\nclass TyreForces:\n", *fields(_tread.tyre_force_fields(), "npt.NDArray[np.float64]")]
     lines += ["\nclass VehicleInput:\n", *fields(_tread.input_channels(), "float")]
     arguments = "".join(f", {name}: float = ..." for name, _, _ in _tread.input_channels())
     lines.append(f"    def __init__(self, *{arguments}) -> None: ...\n")

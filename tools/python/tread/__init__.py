@@ -14,6 +14,14 @@ A run, a diagnosis or a campaign lets other threads of Python work meanwhile, an
 input is an InputError, with file, line and column; a simulation that cannot go on is a SimulationError, with the time.
 """
 
+try:
+    from . import _tread
+except ImportError as _error:
+    raise ImportError(
+        "the package tread has no module _tread for this Python here: it is in <build>/python, where CMake builds it, "
+        f"or where it is installed; {_error}"
+    ) from _error
+
 from ._campaign import Campaign, CampaignResult
 from ._compare import Comparison, compare
 from ._described import TyreForces, VehicleInput, describe
@@ -21,10 +29,11 @@ from ._diagnose import Decomposition, Diagnosis, Effect, Estimate, FittedNumber,
 from ._errors import FileError, InputError, InputWarning, Problem, SimulationError
 from ._log import Log, Metric, Metrics, read_log
 from ._run import run
-from ._tread import __version__
 from ._tyre import Tyre
 from ._vector_env import VectorEnv
 from ._vehicle import Vehicle
+
+__version__: str = _tread.__version__
 
 __all__ = [
     "run", "read_log", "Log", "Metrics", "Metric",

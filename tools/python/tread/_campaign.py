@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import sqlite3
+from collections import Counter
+from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Iterator, Mapping
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -37,11 +39,12 @@ class CampaignResult(Mapping[str, npt.NDArray[Any]]):
             names = [column[0] for column in table.description]
             rows = table.fetchall()
         data.close()
-        self.units = {name: unit for name, _, unit, _ in described}  #: of factors and metrics
-        self.definitions = {name: text for name, _, _, text in described}  #: of factors and metrics
-        self.factors = [name for name, kind, _, _ in described if kind == "factor"]  #: what differs between runs
-        self.metrics = [name for name, kind, _, _ in described if kind == "metric"]  #: what was measured
-        self._columns = {name: _column([row[i] for row in rows]) for i, name in enumerate(names)}
+        short = _without_units(names)
+        self.units = {short[name]: unit for name, _, unit, _ in described}  #: of factors and metrics
+        self.definitions = {short[name]: text for name, _, _, text in described}  #: of factors and metrics
+        self.factors = [short[name] for name, kind, _, _ in described if kind == "factor"]  #: what differs between runs
+        self.metrics = [short[name] for name, kind, _, _ in described if kind == "metric"]  #: what was measured
+        self._columns = {short[name]: _column([row[i] for row in rows]) for i, name in enumerate(names)}
 
     def __getitem__(self, name: str) -> npt.NDArray[Any]:
         try:
@@ -66,6 +69,13 @@ class CampaignResult(Mapping[str, npt.NDArray[Any]]):
     def __repr__(self) -> str:
         runs = len(self["run"])
         return f"<tread.CampaignResult: {self.answer or f'{runs} runs'}; {len(self.metrics)} metrics in {str(self.folder)!r}>"
+
+
+def _without_units(names: list[str]) -> dict[str, str]:
+    """The name of a column, "load.mass [kg]", without its unit, as far as that tells it from the others."""
+    short = {name: name.rsplit(" [", 1)[0] for name in names}
+    counts = Counter(short.values())
+    return {name: one if counts[one] == 1 else name for name, one in short.items()}
 
 
 def _column(values: list[Any]) -> npt.NDArray[Any]:

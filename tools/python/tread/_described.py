@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import namedtuple
+from dataclasses import make_dataclass
 
 from . import _tread
 
@@ -19,11 +19,16 @@ def describe(what: str = "") -> list[dict[str, str]]:
 
 _FIELDS = _tread.tyre_force_fields()
 
-TyreForces = namedtuple("TyreForces", [name for name, _, _ in _FIELDS])  # type: ignore[misc]
-TyreForces.__doc__ = "Forces, moments and slips of a tyre in steady state, ISO 8855 axes: arrays of one shape.\n\n" + "\n".join(
-    f"{name:<6} [{unit}] {meaning}" for name, unit, meaning in _FIELDS
+#: One attribute for each field of the description of a tyre's steady state.
+TyreForces = make_dataclass("TyreForces", [name for name, _, _ in _FIELDS], frozen=True, eq=False)
+TyreForces.__doc__ = (
+    "Forces, moments and slips of a tyre in steady state, ISO 8855 axes: arrays of one shape. The numbers in brackets are\n"
+    "those of the equations of the model.\n\n"
+    + "\n".join(f"{name:<6} [{unit}] {meaning}" for name, unit, meaning in _FIELDS)
 )
-for _name, _unit, _meaning in _FIELDS:
-    getattr(TyreForces, _name).__doc__ = f"[{_unit}] {_meaning}"
 
 VehicleInput = _tread.VehicleInput
+VehicleInput.__doc__ = (
+    "What the driver does. VehicleInput(steering_wheel_angle=0.5, throttle=0.2); what is not named is 0.\n\n"
+    + "\n".join(f"{name:<21} [{unit}] {meaning}" for name, unit, meaning in _tread.input_channels())
+)

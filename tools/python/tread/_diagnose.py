@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import json
-from typing import Any, Callable, Iterable, NamedTuple, Optional
+from dataclasses import dataclass, fields
+from typing import Any, Callable, Iterable, Optional
+
+import numpy as np
+import numpy.typing as npt
 
 from . import _tread
 from ._arguments import PathLike, path_text
 from ._errors import InputError, warn_of
 
 
-class Estimate(NamedTuple):
+@dataclass(frozen=True)
+class Estimate:
     """Estimate of one parameter, in SI units. `low` and `high` are the ends of the 90 % interval."""
 
     value: float
@@ -21,7 +26,8 @@ class Estimate(NamedTuple):
     at_bound: bool  #: the estimate is at the end of its plausible range
 
 
-class Effect(NamedTuple):
+@dataclass(frozen=True)
+class Effect:
     """A possible cause, with the probability that it is one of the causes, and its parameters by path."""
 
     name: str
@@ -31,7 +37,8 @@ class Effect(NamedTuple):
     against: str  #: why the effect alone is not the answer although it has evidence
 
 
-class Decomposition(NamedTuple):
+@dataclass(frozen=True)
+class Decomposition:
     """Shares of the squared gap between the recordings and the nominal car; they add up to 1."""
 
     tolerances: float
@@ -91,7 +98,7 @@ class Diagnosis(_Answer):
     def shares(self) -> Decomposition:
         """Shares of the gap: in held-out drives, or in the fitted ones if none was held out."""
         gap = self.json["held_out"] if self.json["held_out"]["gap"] > 0 else self.json["training"]
-        return Decomposition(*(gap[name]["share"] for name in Decomposition._fields))
+        return Decomposition(*(gap[field.name]["share"] for field in fields(Decomposition)))
 
     @property
     def remaining(self) -> float:
@@ -99,7 +106,8 @@ class Diagnosis(_Answer):
         return self.shares.remainder
 
 
-class FittedNumber(NamedTuple):
+@dataclass(frozen=True)
+class FittedNumber:
     """A number of the car as the drives determine it, in SI units."""
 
     path: str
@@ -117,7 +125,13 @@ class Identification(_Answer):
     @property
     def numbers(self) -> list[FittedNumber]:
         """The fitted numbers."""
-        return [FittedNumber(*(one[name] for name in FittedNumber._fields)) for one in self.json["numbers"]]
+        numbers, names = self.json["numbers"], [field.name for field in fields(FittedNumber)][1:]
+        return [FittedNumber(path, *(numbers[path][name] for name in names)) for path in self.json["paths"]]
+
+    @property
+    def correlation(self) -> npt.NDArray[np.float64]:
+        """Correlation of the numbers in their order, shape (numbers, numbers)."""
+        return np.array(self.json["correlation"], dtype=np.float64)
 
 
 Progress = Optional[Callable[[float], object]]

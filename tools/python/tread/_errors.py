@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import warnings
-from typing import Iterable, NamedTuple, Sequence
+from dataclasses import dataclass
+from typing import Iterable, Sequence
 
 
-class Problem(NamedTuple):
+@dataclass(frozen=True)
+class Problem:
     """One fault of an input. Line and column count from 1; 0 where the fault has no place in a file."""
 
     file: str

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import html
-from typing import TYPE_CHECKING, Iterator, Mapping, NamedTuple, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
@@ -18,7 +20,8 @@ if TYPE_CHECKING:
 Array = npt.NDArray[np.float64]
 
 
-class Metric(NamedTuple):
+@dataclass(frozen=True)
+class Metric:
     """One number that answers a question about a run."""
 
     name: str
