@@ -46,7 +46,7 @@ py::list listOf(const std::vector<Metric>& metrics) {
 // Of the run that made the log; of another log those of the manoeuvre that is named, or that it contains.
 std::vector<Metric> metricsOf(const LoggedRun& run, const std::string& manoeuvre) {
     if (!manoeuvre.empty()) return tread::metrics(run.log, manoeuvre);
-    return run.record ? run.driven.metrics : tread::metrics(run.log, detectManoeuvre(run.log));
+    return run.record ? run.driven().metrics : tread::metrics(run.log, detectManoeuvre(run.log));
 }
 
 std::vector<Metric> metricsIfAny(const LoggedRun& run) {
@@ -58,7 +58,7 @@ std::vector<Metric> metricsIfAny(const LoggedRun& run) {
 }
 
 std::string reportOf(const LoggedRun& run) {
-    if (run.record) return program::reportOf(*run.record, run.log, run.driven, {});
+    if (run.record) return program::reportOf(*run.record, run.log, run.driven(), {});
     return runReport({.title = run.name,
                       .answer = run.name,
                       .vehicle = "",
@@ -81,7 +81,7 @@ void saveRun(const LoggedRun& run, const Path& folder) {
               "found a log that was read from a file, expected one of tread.run: only that knows its inputs; "
               "use save() and report()"}});
     }
-    program::saveRun(*run.record, run.log, run.driven, folder);
+    program::saveRun(*run.record, run.log, run.driven(), folder);
 }
 
 LoggedRunPointer read(const Path& file) {
@@ -115,13 +115,16 @@ void bindLog(py::module_& module) {
         .def("units", &unitsOf)
         .def("samples", [](const LoggedRun& run) { return run.log.samples(); })
         .def("name", [](const LoggedRun& run) { return run.name; })
-        .def("answer", [](const LoggedRun& run) { return run.driven.answer; })
+        .def(
+            "answer", [](const LoggedRun& run) { return run.driven().answer; }, unguarded)
         .def("warnings", [](const LoggedRun& run) { return run.warnings; })
+        .def(
+            "further_warnings", [](const LoggedRun& run) { return run.driven().warnings; }, unguarded)
         .def("inputs", [](const LoggedRun& run) { return run.record ? writeYaml(*run.record) : std::string(); })
         .def("accepted",
              [](const LoggedRun& run) -> py::object {
-                 if (run.driven.verdicts.empty()) return py::none();
-                 return py::bool_(allMet(run.driven.verdicts));
+                 if (run.driven().verdicts.empty()) return py::none();
+                 return py::bool_(allMet(run.driven().verdicts));
              })
         .def(
             "metrics",

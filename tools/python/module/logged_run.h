@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,12 +13,25 @@
 
 namespace tread::python {
 
-struct LoggedRun {
+class LoggedRun {
+public:
     std::string name;  // of the file, or the title of the scenario
     Log log;
-    std::optional<RunRecord> record;  // none: the log was read from a file
-    program::Driven driven;           // of a run
-    std::vector<std::string> warnings;
+    std::optional<RunRecord> record;    // none: the log was read from a file
+    std::vector<std::string> warnings;  // numbers of the inputs that are hardly plausible
+
+    // What the run answers, computed when it is first asked for: many runs are about their channels alone. Nothing for
+    // a log without a record. From any thread.
+    const program::Driven& driven() const {
+        std::call_once(once_, [this] {
+            if (record) driven_ = program::evaluate(*record, log);
+        });
+        return driven_;
+    }
+
+private:
+    mutable std::once_flag once_;
+    mutable program::Driven driven_;
 };
 using LoggedRunPointer = std::shared_ptr<LoggedRun>;  // pybind11 holds no pointers to const; nobody changes it
 

@@ -50,10 +50,7 @@ LoggedRunPointer run(const RunOptions& options, const Watch& watch) {
         throw SimulationError(program::withSuspects(error, implausible), error.time, error.suspect);
     }
     result->name = result->record->scenario.title;
-    result->driven = program::evaluate(*result->record, result->log);
     for (const Problem& warning : implausible) result->warnings.push_back(toText(warning));
-    const std::vector<std::string>& found = result->driven.warnings;
-    result->warnings.insert(result->warnings.end(), found.begin(), found.end());
     return result;
 }
 

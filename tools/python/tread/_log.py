@@ -5,14 +5,14 @@ from __future__ import annotations
 import html
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _tread
 from ._arguments import PathLike, path_text, suggestion
-from ._errors import InputError
+from ._errors import InputError, warn_of
 
 if TYPE_CHECKING:
     import pandas
@@ -124,6 +124,7 @@ class Log(Mapping[str, Array]):
         time = arrays["time"]
         if not np.isfinite(time).all() or (np.diff(time) <= 0).any():
             raise InputError("channels: found a time that does not increase, expected finite, increasing values")
+        self._told = True
         self._run = _tread.make_log([(name, units.get(name, ""), array) for name, array in arrays.items()])
         self._units = self._run.units()
 
@@ -131,6 +132,7 @@ class Log(Mapping[str, Array]):
     def _of(cls, run: object) -> Log:
         log = cls.__new__(cls)
         log._run = run
+        log._told = False
         log._units = run.units()  # type: ignore[attr-defined]
         return log
 
@@ -172,10 +174,17 @@ class Log(Mapping[str, Array]):
         """Title of the scenario, or name of the file that was read."""
         return self._run.name()
 
+    def _evaluated(self) -> Any:
+        """The run, and at the first time what its metrics should be read with as warnings."""
+        if not self._told:
+            self._told = True
+            warn_of(self._run.further_warnings(), 4)
+        return self._run
+
     @property
     def answer(self) -> str:
         """The result of the run in one sentence; empty for a log that was read."""
-        return self._run.answer()
+        return self._evaluated().answer()
 
     @property
     def metrics(self) -> Metrics:
@@ -183,7 +192,7 @@ class Log(Mapping[str, Array]):
 
         Raises InputError when such a log contains none that tread knows.
         """
-        return self.metrics_of("")
+        return Metrics([Metric(*metric) for metric in self._evaluated().metrics("")])
 
     def metrics_of(self, manoeuvre: str) -> Metrics:
         """Metrics of a manoeuvre by name, as in `tread describe metrics`; "": as `metrics`."""
@@ -192,12 +201,12 @@ class Log(Mapping[str, Array]):
     @property
     def accepted(self) -> bool | None:
         """Whether all conditions on the metrics are met; None where there are no conditions."""
-        return self._run.accepted()
+        return self._evaluated().accepted()
 
     @property
     def warnings(self) -> list[str]:
         """Numbers that are hardly plausible, and what else the results should be read with."""
-        return self._run.warnings()
+        return [*self._run.warnings(), *self._run.further_warnings()]
 
     @property
     def inputs(self) -> str:
