@@ -55,7 +55,8 @@ class Examples(WithScratch):
         try:
             for block in blocks:
                 if "# needs" not in block:
-                    exec(compile(block, "README.md", "exec"), names)
+                    with redirect_stdout(io.StringIO()):
+                        exec(compile(block, "README.md", "exec"), names)
         finally:
             os.chdir(here)
 

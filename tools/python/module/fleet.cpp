@@ -15,12 +15,12 @@
 namespace tread::python {
 namespace {
 
-using host::Channel;
 using Numbers = py::array_t<double, py::array::c_style>;
 using Flags = py::array_t<bool, py::array::c_style>;
 
-std::vector<const Channel*> channelsNamed(const std::vector<Channel>& all, const std::vector<std::string>& names) {
-    std::vector<const Channel*> found;
+std::vector<const host::Channel*> channelsNamed(const std::vector<host::Channel>& all,
+                                                const std::vector<std::string>& names) {
+    std::vector<const host::Channel*> found;
     for (const std::string& name : names) {
         const auto index = host::indexOf(all, name);
         if (!index) throw std::invalid_argument(host::unknownChannelText(all, name));
@@ -79,13 +79,13 @@ public:
         Numbers result({outputs_.size(), observed_.size()});
         double* out = result.mutable_data();
         for (const VehicleOutput& output : outputs_) {
-            for (const Channel* channel : observed_) *out++ = host::valueOf(output, *channel);
+            for (const host::Channel* channel : observed_) *out++ = host::valueOf(output, *channel);
         }
         return result;
     }
 
     Numbers output(const std::string& name) const {
-        const Channel& channel = *channelsNamed(host::outputChannels(), {name}).front();
+        const host::Channel& channel = *channelsNamed(host::outputChannels(), {name}).front();
         Numbers result(static_cast<py::ssize_t>(outputs_.size()));
         std::transform(outputs_.begin(), outputs_.end(), result.mutable_data(),
                        [&](const VehicleOutput& output) { return host::valueOf(output, channel); });
@@ -108,13 +108,13 @@ public:
 private:
     CarFleet fleet_;
     std::vector<VehicleOutput> outputs_;
-    std::vector<const Channel*> observed_, acted_;
+    std::vector<const host::Channel*> observed_, acted_;
 };
 
 // Unit, lowest and highest value of inputs by name.
 py::list limitsOf(const std::vector<std::string>& names) {
     py::list list;
-    for (const Channel* channel : channelsNamed(host::inputChannels(), names))
+    for (const host::Channel* channel : channelsNamed(host::inputChannels(), names))
         list.append(py::make_tuple(channel->unit, channel->limits.lowest, channel->limits.highest));
     return list;
 }

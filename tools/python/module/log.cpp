@@ -19,7 +19,7 @@
 namespace tread::python {
 namespace {
 
-using Path = std::filesystem::path;
+using program::Path;
 
 // A read-only view that keeps the log alive.
 py::array viewOf(const py::object& owner, const std::string& name) {

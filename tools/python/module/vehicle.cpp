@@ -1,10 +1,10 @@
 // A car that Python steps.
-#include <pybind11/eigen.h>
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <optional>
 #include <string>
@@ -21,22 +21,21 @@ namespace tread::python {
 namespace {
 
 using host::Car;
-using host::Channel;
 
-std::string docOf(const Channel& channel) {
+std::string docOf(const host::Channel& channel) {
     const std::string limits = detail::limitsOf(About{channel.unit, "", channel.limits});
     return "[" + channel.unit + "] " + channel.meaning + (limits.empty() ? "" : ", " + limits);
 }
 
 // Name, unit and meaning of each channel.
-py::list listOf(const std::vector<Channel>& channels) {
+py::list listOf(const std::vector<host::Channel>& channels) {
     py::list list;
-    for (const Channel& channel : channels)
+    for (const host::Channel& channel : channels)
         list.append(py::make_tuple(channel.name, channel.unit, docOf(channel).substr(channel.unit.size() + 3)));
     return list;
 }
 
-const Channel& channelNamed(const std::vector<Channel>& channels, const std::string& name) {
+const host::Channel& channelNamed(const std::vector<host::Channel>& channels, const std::string& name) {
     const auto index = host::indexOf(channels, name);
     if (!index) throw py::key_error(host::unknownChannelText(channels, name));
     return channels[*index];
@@ -55,12 +54,20 @@ VehicleInput inputOf(const py::kwargs& fields) {
 
 std::string textOf(const VehicleInput& input) {
     std::string text;
-    for (const Channel& channel : host::inputChannels()) {
+    for (const host::Channel& channel : host::inputChannels()) {
         const double value = host::valueOf(input, channel);
         if (value == 0) continue;
         text += (text.empty() ? "" : ", ") + channel.name + "=" + py::repr(py::float_(value)).cast<std::string>();
     }
     return "VehicleInput(" + text + ")";
+}
+
+Vector3 vectorOf(const std::array<double, 3>& v) {
+    return {v[0], v[1], v[2]};
+}
+
+py::array_t<double> arrayOf(const Vector3& v) {
+    return py::array_t<double>(3, v.data());
 }
 
 // Of Python's answer to where the ground is: None, a height, or (height, normal, friction).
@@ -78,7 +85,7 @@ RoadContact contactOf(const py::object& answer, const Vector3& centre_W) {
         throw py::type_error("ground: found a tuple of " + std::to_string(parts.size()) +
                              ", expected None, a height or (height, normal, friction)");
     contact.point_W.z() = parts[0].cast<double>();
-    contact.normal_W = parts[1].cast<Vector3>();
+    contact.normal_W = vectorOf(parts[1].cast<std::array<double, 3>>());
     if (parts.size() == 3) contact.friction = parts[2].cast<double>();
     return contact;
 }
@@ -159,7 +166,7 @@ py::array_t<double> outputsOf(const SteppedCar& self) {
     const VehicleOutput& output = self.car().output();
     py::array_t<double> values(static_cast<py::ssize_t>(host::outputChannels().size()));
     std::size_t i = 0;
-    for (const Channel& channel : host::outputChannels()) values.mutable_at(i++) = host::valueOf(output, channel);
+    for (const host::Channel& channel : host::outputChannels()) values.mutable_at(i++) = host::valueOf(output, channel);
     return values;
 }
 
@@ -177,7 +184,7 @@ void bindInput(py::module_& module) {
     py::class_<VehicleInput> input(module, "VehicleInput",
                                    "What the driver does: VehicleInput(steering_wheel_angle=0.5, throttle=0.2).");
     input.def(py::init(&inputOf)).def("__repr__", &textOf);
-    for (const Channel& channel : host::inputChannels()) {
+    for (const host::Channel& channel : host::inputChannels()) {
         input.def_property(
             channel.name.c_str(), [&channel](const VehicleInput& self) { return host::valueOf(self, channel); },
             [&channel](VehicleInput& self, double value) { host::valueOf(self, channel) = value; },
@@ -198,7 +205,10 @@ void bindVehicle(py::module_& module) {
              }),
              py::arg("vehicle"), py::arg("settings"), py::arg("road"), py::arg("step"))
         .def("set_ground", &SteppedCar::setGround, py::arg("ask"))
-        .def("set_wind", [](SteppedCar& self, const Vector3& wind) { refusing([&] { self.car().setWind(wind); }); })
+        .def("set_wind",
+             [](SteppedCar& self, const std::array<double, 3>& wind) {
+                 refusing([&] { self.car().setWind(vectorOf(wind)); });
+             })
         .def(
             "start",
             [](SteppedCar& self, double speed, double x, double y, double heading, const VehicleInput& input) {
@@ -222,18 +232,19 @@ void bindVehicle(py::module_& module) {
         .def(
             "output",
             [](const SteppedCar& self, const std::string& name) {
-                const Channel& channel = channelNamed(host::outputChannels(), name);
+                const host::Channel& channel = channelNamed(host::outputChannels(), name);
                 return host::valueOf(self.car().output(), channel);
             },
             py::arg("name"))
         .def("outputs", &outputsOf)
-        .def("position", [](const SteppedCar& self) { return Vector3(self.car().motion().position_W); })
-        .def("velocity", [](const SteppedCar& self) { return Vector3(self.car().motion().velocity_W); })
-        .def("angular_velocity", [](const SteppedCar& self) { return Vector3(self.car().motion().angular_velocity_W); })
+        .def("position", [](const SteppedCar& self) { return arrayOf(self.car().motion().position_W); })
+        .def("velocity", [](const SteppedCar& self) { return arrayOf(self.car().motion().velocity_W); })
+        .def("angular_velocity", [](const SteppedCar& self) { return arrayOf(self.car().motion().angular_velocity_W); })
         .def("orientation",
              [](const SteppedCar& self) {
                  const Quaternion& q = self.car().motion().orientation;
-                 return Eigen::Vector4d(q.w(), q.x(), q.y(), q.z());
+                 const std::array<double, 4> parts{q.w(), q.x(), q.y(), q.z()};
+                 return py::array_t<double>(4, parts.data());
              })
         .def("snapshot",
              [](const SteppedCar& self) {
