@@ -46,6 +46,11 @@ class Logs(WithScratch):
         with self.assertRaisesRegex(KeyError, "did you mean 'chassis.yaw_rate'"):
             self.log["chassis.yawrate"]
 
+    def test_a_log_is_equal_to_itself_alone(self):
+        self.assertEqual(self.log, self.log)
+        self.assertNotEqual(self.log, tread.Log(dict(self.log.items()), self.log.units))
+        self.assertEqual(len({self.log, self.log}), 1)
+
     def test_metrics_have_values_units_titles(self):
         metrics = self.log.metrics
         metric = metrics.metric("yaw_rate_response_time")

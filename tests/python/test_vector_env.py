@@ -104,6 +104,8 @@ class VectorEnvs(unittest.TestCase):
             if terminations.any():
                 break
         self.assertEqual(terminations.tolist(), [True, False])
+        observations, _ = one.reset(options={"reset_mask": terminations})
+        self.assertAlmostEqual(observations[0, 0], 30, delta=0.1)
 
     def test_bad_input(self):
         one = env()

@@ -1,12 +1,13 @@
 """Builds the module with CMake and puts the cars and manoeuvres into the package.
 
-TREAD_BUILD   build folder that is used, and kept; a temporary one unless given
+TREAD_BUILD   folder in which CMake has built tread_python; unless given, it is built in a temporary one
 """
 
 import os
 import re
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 from setuptools import Extension, setup
@@ -20,20 +21,20 @@ class CMakeBuild(build_ext):
 
     def build_extension(self, ext):
         target = Path(self.get_ext_fullpath(ext.name)).resolve().parent
-        build = Path(os.environ.get("TREAD_BUILD") or Path(self.build_temp).resolve())
-        if not (build / "CMakeCache.txt").exists():
-            self.cmake("-S", ROOT, "-B", build, "-DCMAKE_BUILD_TYPE=Release", "-DTREAD_PYTHON=ON", "-DTREAD_TESTS=OFF",
-                       "-DTREAD_DEMO=OFF", "-DTREAD_WERROR=OFF", *self.generator())
-        self.cmake("--build", build, "--target", "tread_python", "--parallel", str(os.cpu_count()))
-        staged = Path(self.build_temp).resolve() / "staged"
+        temporary = Path(self.build_temp).resolve()
+        build = Path(os.environ.get("TREAD_BUILD") or self.built(temporary))
+        staged = temporary / "staged"
         self.cmake("--install", build, "--component", "python", "--prefix", staged, "--strip")
         shutil.copytree(next(staged.rglob("_tread*.so")).parent, target, dirs_exist_ok=True)
         for folder in ("vehicles", "scenarios"):
             shutil.copytree(ROOT / folder, target / folder, dirs_exist_ok=True)
 
-    @staticmethod
-    def generator():
-        return ["-G", "Ninja"] if shutil.which("ninja") else []
+    def built(self, folder):
+        generator = ["-G", "Ninja"] if shutil.which("ninja") else []
+        self.cmake("-S", ROOT, "-B", folder, "-DCMAKE_BUILD_TYPE=Release", "-DTREAD_PYTHON=ON", "-DTREAD_TESTS=OFF",
+                   "-DTREAD_DEMO=OFF", "-DTREAD_WERROR=OFF", f"-DPython3_EXECUTABLE={sys.executable}", *generator)
+        self.cmake("--build", folder, "--target", "tread_python", "--parallel", str(os.cpu_count()))
+        return folder
 
     @staticmethod
     def cmake(*words):

@@ -58,6 +58,9 @@ class CampaignResult(Mapping[str, npt.NDArray[Any]]):
     def __len__(self) -> int:
         return len(self._columns)
 
+    __eq__ = object.__eq__
+    __hash__ = object.__hash__
+
     def to_pandas(self) -> pandas.DataFrame:
         """The table as a DataFrame, the number of the run as its index."""
         try:
