@@ -125,7 +125,8 @@ class VectorEnv:
         return self._fleet.observations(), self._infos()
 
     def step(self, actions: npt.ArrayLike) -> tuple[Array, Array, Array, Array, dict[str, Any]]:
-        """Advances all cars by dt: (observations, rewards, terminations, truncations, infos).
+        """Advances all cars by dt: (observations, rewards, terminations, truncations, infos). infos["time"] is the time of
+        each car since its start [s].
 
         actions   shape (num_envs, number of actions); what lies beyond the action space is at its limit
         """
