@@ -49,6 +49,11 @@ void Car::setWind(const Vector3& velocity_W) {
     now_.wind_W = velocity_W;
 }
 
+void Car::takeSurroundings(const Car& other) {
+    ground_ = other.ground_;
+    now_.wind_W = other.now_.wind_W;
+}
+
 void Car::start(const Start& start) {
     Start at = start;
     at.input = withinLimits(start.input);

@@ -48,6 +48,9 @@ public:
     // Planes, a function or a road; to be chosen before start().
     Ground& ground() { return ground_; }
 
+    // Ground and air of another car.
+    void takeSurroundings(const Car& other);
+
     // Velocity of the air, m/s, in the world. Still at first.
     void setWind(const Vector3& velocity_W);
 

@@ -34,7 +34,7 @@ TEST(CommandLine, MistypedCommandIsAnsweredWithASuggestionAndTheList) {
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err,
               "tread: there is no command \"runn\", only run, compare, metrics, import, tyre, diagnose, identify, "
-              "blind, campaign, log, "
+              "blind, campaign, fmu, log, "
               "describe, check, schema, man or completions; did "
               "you mean \"run\"?\n");
     EXPECT_EQ(runProgram({"frobnicate"}).err.find("did you mean"), std::string::npos) << "nothing is near";

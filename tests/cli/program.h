@@ -24,13 +24,14 @@ inline std::string firstLine(const std::string& text) {
 // The program while it runs, its output going to two files.
 class Running {
 public:
-    Running(std::vector<std::string> words, const std::string& out, const std::string& err) {
+    // `other`: another program, whose file is the first word.
+    Running(std::vector<std::string> words, const std::string& out, const std::string& err, bool other = false) {
         posix_spawn_file_actions_t actions;
         posix_spawn_file_actions_init(&actions);
         posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
         posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
         posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-        words.insert(words.begin(), programFile());
+        if (!other) words.insert(words.begin(), programFile());
         std::vector<char*> argv;
         for (std::string& word : words) argv.push_back(word.data());
         argv.push_back(nullptr);
@@ -72,6 +73,15 @@ inline Result runProgram(const std::vector<std::string>& words, const std::strin
     const std::string err = scratch.path("err");
     const int status = Running(words, out, err).waitForStatus();
     return {status, standard_output.empty() ? contentOf(out) : "", contentOf(err)};
+}
+
+// Another program than tread.
+inline Result runOther(const std::string& file, std::vector<std::string> words) {
+    const Scratch scratch;
+    words.insert(words.begin(), file);
+    const std::string out = scratch.path("out"), err = scratch.path("err");
+    const int status = Running(words, out, err, true).waitForStatus();
+    return {status, contentOf(out), contentOf(err)};
 }
 
 // The same in a terminal of 80 columns, which shows both streams.

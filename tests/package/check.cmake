@@ -50,6 +50,7 @@ if(STEP STREQUAL install)
 
     must_run("${first}/bin/tread" --version)
     file(RENAME ${first} ${prefix})
+    must_run("${prefix}/bin/tread" fmu "${prefix}/share/tread/vehicles/compact.yaml" -o "${FOLDER}/compact.fmu")
     return()
 endif()
 
@@ -106,6 +107,17 @@ if(STEP MATCHES "^port")
     must_run(${CMAKE_COMMAND} --build ${place})
     set(ENV{CTEST_OUTPUT_ON_FAILURE} 1)
     must_run(${CMAKE_COMMAND} --build ${place} --target test)
+    return()
+endif()
+
+# ---- A host in C, by a C compiler that knows the standard of 1999 only ----
+if(STEP STREQUAL c_program)
+    file(GLOB_RECURSE pc_file "${prefix}/tread.pc")
+    cmake_path(GET pc_file PARENT_PATH pc_folder)
+    set(ENV{PKG_CONFIG_PATH} ${pc_folder})
+    must_run(sh -c "cc -std=c99 -pedantic -Wall -Wextra -Werror ${FLAGS} ${SOURCE}/tools/c_host/*.c -o '${FOLDER}/c_host' \
+        $(pkg-config --cflags --libs tread) -lstdc++ -lm")
+    must_run("${FOLDER}/c_host" "${prefix}/share/tread/vehicles/compact.yaml" body)
     return()
 endif()
 

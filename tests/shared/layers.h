@@ -15,14 +15,15 @@ namespace tread::layers {
 using Path = std::filesystem::path;
 
 // A file may include from its own layer and from those to its left.
-inline const std::vector<std::string> kOrder{"base",    "inference", "road",   "tyre",      "vehicle",  "host",
-                                             "bullet",  "log",       "store",  "import",    "scenario", "run",
-                                             "compare", "metrics",   "series", "recording", "diagnose", "calibrate",
-                                             "blind",   "campaign",  "sheet",  "report",    "tools"};
+inline const std::vector<std::string> kOrder{"base",      "inference", "road",     "tyre",   "vehicle",   "host",
+                                             "fmu",       "bullet",    "log",      "store",  "import",    "scenario",
+                                             "run",       "compare",   "metrics",  "series", "recording", "diagnose",
+                                             "calibrate", "blind",     "campaign", "sheet",  "report",    "tools"};
 
 // Inside of a layer, a file may include from its own room and from those to its left. A room is a folder; "" is the
 // layer's own, but for the files that kGroundFloor names.
 inline const std::map<std::string, std::vector<std::string>> kRooms{
+    {"fmu", {"", "object", "package"}},
     {"bullet", {"", "ground", "drop_in"}},
     {"recording", {"", "checks"}},
     {"diagnose", {"ground", "answer", "catalogue", "model", "select", "explain", ""}},
@@ -46,6 +47,7 @@ inline const std::map<std::string, std::vector<std::string>> kPublicHeaders{
     {"vehicle",
      {"suspension", "steering", "driveline", "engine", "gearbox", "differential", "brakes", "anti_lock",
       "stability_control", "aero", "tyre_surroundings", "vehicle", "equilibrium", "car_fleet", "load"}},
+    {"host", {"c_api"}},
     {"bullet",
      {"bullet_precision", "bullet_road", "bullet_ground", "bullet_vehicle", "raycast_vehicle", "raycast_vehicle_file",
       "raycast_fleet"}},
@@ -73,6 +75,7 @@ inline const std::vector<Library> kLibraries{
     {"OpenSSL", {"openssl/"}, {"store"}},
     {"SQLite", {"sqlite3.h"}, {"campaign"}},
     {"Zstandard", {"zstd.h"}, {"log"}},
+    {"libzip", {"zip.h"}, {"fmu"}},
 };
 
 inline bool contains(const std::vector<std::string>& list, const std::string& value) {

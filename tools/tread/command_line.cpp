@@ -159,6 +159,13 @@ void addSchema(CLI::App& app, SchemaOptions& o) {
     addFile(app, "-o,--output", o.output, "file to write (default: standard output)");
 }
 
+void addFmu(CLI::App& app, FmuOptions& o) {
+    addFile(app, "vehicle", o.vehicle, "vehicle file (YAML)")->required();
+    addFile(app, "-o,--output", o.output, "FMU to write (default: <vehicle>.fmu in the current folder)");
+    app.add_option("--fmi", o.fmi, "version of FMI: 2 or 3 (default: 2)")->check(CLI::IsMember({2, 3}));
+    addSettings(app, o.settings, "path=value, for example mass=\"1.4 t\": start value of a parameter");
+}
+
 void addBlindMake(CLI::App& app, BlindMakeOptions& o) {
     app.add_option("--cases", o.cases, "number of cases")->required()->check(CLI::Range(1, 999));
     app.add_option("--seed", o.seed, "seed of the random numbers; each seed gives different cases")->required();
@@ -295,6 +302,8 @@ void addCommands(CLI::App& app, int& status) {
                addCampaignStatus, campaignStatus, status);
     addCommand(*campaigns, "slurm", "write, or submit, a Slurm array of tasks and the job that joins them",
                addCampaignSlurm, campaignSlurm, status);
+    addCommand(app, "fmu", "write a car as an FMU for co-simulation, which other simulators import", addFmu, fmu,
+               status);
     addCommand(app, "log", "convert the log of a run of a campaign to CSV", addLog, convertLog, status);
     addCommand(app, "describe", "all fields with units, meaning, limits and defaults; or the data sheet of a car",
                addDescribe, describe, status);

@@ -130,6 +130,14 @@ struct SchemaOptions {
 };
 int schema(const SchemaOptions& options);
 
+struct FmuOptions {
+    std::string vehicle;
+    std::string output;  // file; empty: name of the vehicle file, in the current folder
+    int fmi = 2;
+    std::vector<std::string> settings;  // path=value
+};
+int fmu(const FmuOptions& options);
+
 struct BlindMakeOptions {
     int cases = 0;
     std::uint64_t seed = 0;
