@@ -1,7 +1,7 @@
 # Installs the build into a prefix of its own (STEP=install), makes Debian packages of it and unpacks them (STEP=debian), or
 # builds and runs the consumer against it in one of the ways of consumer/CMakeLists.txt (STEP=package, source, pkgconfig,
 # wrong_bullet, ...), by another linker where one is named (STEP=package, LINKER=gold).
-#   cmake -DSTEP=... -DLINKER=... -DFOLDER=... -DBUILD=... -DSOURCE=... -DCOMPILER=... -DFLAGS=... -DLAUNCHER=... -P check.cmake
+#   cmake -DSTEP=... -DLINKER=... -DFOLDER=... -DBUILD=... -DSOURCE=... -DCOMPILER=... -DFLAGS=... -DLAUNCHER=... -DPYTHON=... -P check.cmake
 set(prefix "${FOLDER}/installed tread")
 
 # Runs a command: `status` gets its exit status, `text` all that it printed.
@@ -79,6 +79,14 @@ if(STEP STREQUAL debian)
     check_package(tread "Depends: [^\n]*libbullet" "Depends: [^\n]*libyaml-cpp" "Depends: [^\n]*libmatio" "Section: science")
     check_package(libtread-dev "Depends: libbullet-dev, libeigen3-dev, libyaml-cpp-dev, pkg-config" "Section: libdevel")
     must_run("${FOLDER}/unpacked/usr/bin/tread" --version)
+    if(PYTHON)
+        check_package(python3-tread "Depends: [^\n]*python3-numpy, tread" "Depends: [^\n]*libbullet" "Section: python")
+        must_run(${CMAKE_COMMAND} -E env "PYTHONPATH=${FOLDER}/unpacked/usr/lib/python3/dist-packages" ${PYTHON} -B -c
+            "from tread import *\nprint(run('compact', 'step_steer_80').samples, Log)\nimport tread\nprint(tread.__file__)")
+        if(NOT text MATCHES "unpacked/usr")
+            message(SEND_ERROR "another tread than that of the package was imported:\n${text}")
+        endif()
+    endif()
     return()
 endif()
 if(STEP STREQUAL debian_consumer)

@@ -69,6 +69,7 @@ inline const std::vector<Library> kLibraries{
     {"fmt", {"fmt/"}, kLab},
     {"nlohmann_json", {"nlohmann/"}, kLab},
     {"CLI11", {"CLI/"}, {"tools"}},
+    {"pybind11", {"pybind11/"}, {"tools"}},
     {"OpenGL, GLFW and stb", {"epoxy/", "GLFW/", "stb/"}, {"tools"}},
     {"matio", {"matio.h"}, {"import"}},
     {"OpenSSL", {"openssl/"}, {"store"}},

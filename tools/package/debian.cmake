@@ -1,5 +1,6 @@
-# Debian packages: `cpack --config build/CPackConfig.cmake` makes tread (the program with vehicles and scenarios) and
-# libtread-dev (headers and libraries for Bullet in both precisions, found by CMake and pkg-config).
+# Debian packages: `cpack --config build/CPackConfig.cmake` makes tread (the program with vehicles and scenarios),
+# python3-tread (the Python package) and libtread-dev (headers and libraries for Bullet in both precisions, found by CMake
+# and pkg-config).
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME tread)
 set(CPACK_PACKAGE_CONTACT "the tread developers <tread@localhost>")
@@ -14,6 +15,17 @@ set(CPACK_COMPONENTS_ALL development)
 if(TREAD_LAB)
     list(APPEND CPACK_COMPONENTS_ALL program)
 endif()
+if(TREAD_PYTHON)
+    list(APPEND CPACK_COMPONENTS_ALL python)
+    # The module is for one version of Python, as its name says.
+    math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), python3 (<< ${Python3_VERSION_MAJOR}.${next_minor}), python3-numpy, tread (= ${PROJECT_VERSION})")
+endif()
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-tread)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+    "full-vehicle simulator on Delft Tyre 97, for Python\n import tread: runs, logs as NumPy arrays, metrics, tyre forces, diagnosis, campaigns, cars in steps.")
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tread)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)

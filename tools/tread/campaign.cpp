@@ -93,18 +93,6 @@ int oneRun(const Plan& plan, const Path& folder, std::uint64_t number, const Cam
     }
 }
 
-std::string outcomeText(const Tally& tally) {
-    std::string text = counted(tally.runs, "run");
-    const auto add = [&](Status status, std::string_view words) {
-        if (tally.count(status) > 0) text += fmt::format(", {} {}", tally.count(status), words);
-    };
-    add(Status::rejected, "not accepted");
-    add(Status::failed, "failed");
-    add(Status::invalid, "with invalid numbers");
-    add(Status::no_metrics, "without metrics");
-    return text;
-}
-
 nlohmann::json jsonOfTally(const Tally& tally) {
     nlohmann::json statuses;
     constexpr auto kNames = enumNames(Status{});
@@ -131,8 +119,7 @@ int finish(const Plan& plan, const std::vector<Path>& folders, const Path& targe
     }
     const Path page = target / "report.html";
     writeFile(page, campaignPage(plan, target, found));
-    const std::string answer = fmt::format("{}: {}{}", plan.inputs.campaign.title, outcomeText(found),
-                                           whole ? "" : fmt::format(", {} missing", found.missing));
+    const std::string answer = campaignAnswer(plan, found);
     if (json) {
         printJson({{"answer", answer}, {"result", jsonOfTally(found)}, {"folder", target.string()}});
     } else {

@@ -7,7 +7,6 @@
 #include "campaign/folder.h"
 #include "campaign/result.h"
 #include "campaign_inputs.h"
-#include "drive.h"
 #include "log/csv.h"
 #include "terminal.h"
 #include "tread/problem.h"
@@ -22,8 +21,14 @@ std::uint64_t spaceAt(Path folder) {
     return error ? UINT64_MAX : space.available;
 }
 
-campaign::Probe probed(const campaign::Plan& plan, const Path& folder) {
-    campaign::Probe found = campaign::probe(plan, measure);
+campaign::Measure measureOf(const Stop& stop) {
+    return [&stop](const VehicleParams& vehicle, const Scenario& scenario, Log* log) {
+        return measureUnless(stop, vehicle, scenario, log);
+    };
+}
+
+campaign::Probe probed(const campaign::Plan& plan, const Path& folder, const Stop& stop) {
+    campaign::Probe found = campaign::probe(plan, measureOf(stop));
     for (const std::string& sentence : found.without_effect) warn(sentence);
     const std::uint64_t needed = bytesNeeded(plan, found.bytes_of_log), free = spaceAt(folder);
     if (needed > free) {
@@ -36,7 +41,7 @@ campaign::Probe probed(const campaign::Plan& plan, const Path& folder) {
     return found;
 }
 
-void beginCampaign(const campaign::Plan& plan, const Path& folder, bool may_probe) {
+void beginCampaign(const campaign::Plan& plan, const Path& folder, bool may_probe, const Stop& stop) {
     expectSameProgram(plan, folder.string());
     openFolder(folder, plan);
     std::error_code error;
@@ -44,7 +49,7 @@ void beginCampaign(const campaign::Plan& plan, const Path& folder, bool may_prob
     if (error)
         throw FileError(fmt::format("cannot create the folder {}: {}", (folder / "logs").string(), error.message()));
     const std::vector<bool> present = piecesPresent(folder, plan);
-    if (may_probe && std::find(present.begin(), present.end(), true) == present.end()) probed(plan, folder);
+    if (may_probe && std::find(present.begin(), present.end(), true) == present.end()) probed(plan, folder, stop);
 }
 
 std::string timeText(double seconds) {

@@ -190,4 +190,21 @@ std::string campaignPage(const Plan& plan, const Path& folder, const Tally& tall
     return page.finish();
 }
 
+std::string outcomeText(const Tally& tally) {
+    std::string text = counted(tally.runs, "run");
+    const auto add = [&](Status status, std::string_view words) {
+        if (tally.count(status) > 0) text += fmt::format(", {} {}", tally.count(status), words);
+    };
+    add(Status::rejected, "not accepted");
+    add(Status::failed, "failed");
+    add(Status::invalid, "with invalid numbers");
+    add(Status::no_metrics, "without metrics");
+    return text;
+}
+
+std::string campaignAnswer(const Plan& plan, const Tally& found) {
+    return fmt::format("{}: {}{}", plan.inputs.campaign.title, outcomeText(found),
+                       found.missing == 0 ? "" : fmt::format(", {} missing", found.missing));
+}
+
 }  // namespace tread::program

@@ -42,8 +42,9 @@ void addSettings(CLI::App& app, std::vector<std::string>& settings, const std::s
 }
 
 void addRun(CLI::App& app, RunOptions& o) {
-    addFile(app, "vehicle", o.vehicle, "vehicle file (YAML)")->required();
-    CLI::Option* scenario = addFile(app, "scenario", o.scenario, "scenario file (YAML)");
+    addFile(app, "vehicle", o.vehicle, "vehicle file (YAML), or the name of a shipped one: compact")->required();
+    CLI::Option* scenario =
+        addFile(app, "scenario", o.scenario, "scenario file (YAML), or the name of a shipped one: step_steer_80");
     addFolder(app, "--all", o.all, "folder: drive all its scenarios, with one page that links the reports")
         ->excludes(scenario);
     addFile(app, "--log", o.log, "log of the drive that the scenario repeats (CSV)");

@@ -24,11 +24,12 @@ struct RunOptions {
     std::string all;  // folder of scenarios, in place of one scenario
     std::string log;  // of the drive that the scenario repeats; empty: the scenario names it
     std::string output;
-    std::vector<std::string> settings;  // path=value
-    std::string accept;                 // file of conditions; empty: those of the scenario alone
-    std::string metrics;                // file of metrics of the user's own; empty: none
-    std::string junit;                  // file; empty: none
-    bool strict = false;                // an implausible number is a fault
+    std::vector<std::string> settings;      // path=value
+    std::string settings_source = "--set";  // what messages call them
+    std::string accept;                     // file of conditions; empty: those of the scenario alone
+    std::string metrics;                    // file of metrics of the user's own; empty: none
+    std::string junit;                      // file; empty: none
+    bool strict = false;                    // an implausible number is a fault
     bool json = false;
 };
 int run(const RunOptions& options);

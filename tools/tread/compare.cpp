@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "base/read_yaml.h"
-#include "base/yaml_position.h"
 #include "commands.h"
 #include "compare_folders.h"
 #include "judge.h"
@@ -64,19 +63,6 @@ std::optional<RunRecord> recordBeside(const std::string& log) {
     }
 }
 
-// The defaults without a file. Throws LoadError, also for units that do not fit the channels of the reference.
-Tolerances readTolerances(const std::string& file, const Log& reference) {
-    if (file.empty()) return {};
-    Tolerances tolerances = readYaml<Tolerances>(file);
-    std::vector<Problem> problems;
-    for (const ToleranceFault& fault : unitFaults(tolerances, reference)) {
-        const TextPosition position = positionOfValue(file, fault.path);
-        problems.push_back({file, position.line, position.column, fault.path, fault.text});
-    }
-    throwIfAny(std::move(problems));
-    return tolerances;
-}
-
 void writeReport(const CompareOptions& options, const Log& reference, const Log& candidate,
                  const Comparison& comparison, const std::string& answer) {
     std::vector<std::string> files{options.reference, options.candidate};
@@ -87,25 +73,12 @@ void writeReport(const CompareOptions& options, const Log& reference, const Log&
     std::vector<Log> others;
     for (const std::string& file : options.repeats) others.push_back(readLog(file));
 
-    OverlayReport report{.title = "Comparison of " + names[1] + " with " + names[0],
-                         .answer = answer,
-                         .reference_name = names[0],
-                         .candidate_name = names[1],
-                         .other_names = {names.begin() + 2, names.end()},
-                         .version = TREAD_VERSION,
-                         .ok = comparison.same,
-                         .channels = overlays(reference, candidate, others, comparison),
-                         .warnings = remarks(comparison),
-                         .reference_file = options.reference,
-                         .candidate_file = options.candidate};
+    std::vector<ComparedLog> logs;
     for (std::size_t i = 0; i < files.size(); ++i) {
-        const std::optional<RunRecord>& record = records[i];
         const Log& log = i == 0 ? reference : i == 1 ? candidate : others[i - 2];
-        report.cars.push_back(
-            {names[i], log, record ? carShape(record->vehicle) : typicalCarShape(), overlayColour(i)});
-        if (i == 0 && record) report.scene = sceneOf(record->scenario);
+        logs.push_back({names[i], files[i], log, records[i] ? &*records[i] : nullptr});
     }
-    writeFile(options.report, overlayReport(report));
+    writeFile(options.report, comparisonReport(logs, comparison, answer));
     note("overlay report: " + options.report);
 }
 

@@ -27,30 +27,37 @@ using diagnose::answer::diagnosisText;
 using diagnose::answer::isAnswered;
 using diagnose::answer::vehicleWithEffectYaml;
 
-Diagnosis diagnosisOf(const DiagnosisInputs& inputs, const tread::diagnose::Options& options) {
+}  // namespace
+
+Diagnosis diagnosisOf(const DiagnosisInputs& inputs, const tread::diagnose::Options& asked) {
+    tread::diagnose::Options options = asked;
+    options.possible_next = shippedDrives();
     try {
-        return tread::diagnose::diagnosisOf(inputs.nominal, inputs.file, inputs.recorded, inputs.effects, options);
+        Diagnosis found =
+            tread::diagnose::diagnosisOf(inputs.nominal, inputs.file, inputs.recorded, inputs.effects, options);
+        found.data_warnings.insert(found.data_warnings.begin(), inputs.warnings.begin(), inputs.warnings.end());
+        return found;
     } catch (const SimulationError& error) {
         throw SimulationError(withSuspects(error, inputs.implausible), error.time, error.suspect);
     }
 }
 
-}  // namespace
+void writeDiagnosis(const DiagnosisInputs& inputs, const Diagnosis& diagnosis, const Path& folder) {
+    const nlohmann::json json = diagnosisJson(diagnosis);
+    writeFile(folder / "diagnosis.json", jsonText(json));
+    writeStages(diagnosis.overlays, folder / "logs");
+    writeFile(folder / "vehicle_with_effect.yaml", vehicleWithEffectYaml(inputs.nominal, diagnosis));
+    const std::string& car = inputs.nominal.vehicle.name;
+    writeFile(folder / "report.html",
+              diagnosisReport(
+                  {.title = "Diagnosis of " + car, .vehicle = car, .version = TREAD_VERSION, .diagnosis = diagnosis}));
+}
 
 Diagnosis diagnoseInto(const DiagnosisInputs& inputs, const Path& out, tread::diagnose::Options options) {
     const OutputFolder output(out);
     options.cache = out / "cache";
-    options.possible_next = shippedDrives();
-    Diagnosis diagnosis = diagnosisOf(inputs, options);
-    diagnosis.data_warnings.insert(diagnosis.data_warnings.begin(), inputs.warnings.begin(), inputs.warnings.end());
-
-    writeFile(out / "diagnosis.json", jsonText(diagnosisJson(diagnosis)));
-    writeStages(diagnosis.overlays, out / "logs");
-    writeFile(out / "vehicle_with_effect.yaml", vehicleWithEffectYaml(inputs.nominal, diagnosis));
-    const std::string& car = inputs.nominal.vehicle.name;
-    writeFile(out / "report.html",
-              diagnosisReport(
-                  {.title = "Diagnosis of " + car, .vehicle = car, .version = TREAD_VERSION, .diagnosis = diagnosis}));
+    const Diagnosis diagnosis = diagnosisOf(inputs, options);
+    writeDiagnosis(inputs, diagnosis, out);
     output.complete();
     return diagnosis;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "calibrate/identification.h"
 #include "commands.h"
 #include "diagnose/answer/diagnosis.h"
 #include "diagnose/catalogue/effect.h"
@@ -26,6 +27,19 @@ struct DiagnosisInputs {
 };
 DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const std::string& vehicle,
                                     const std::vector<std::string>& without = {});
+
+// The diagnosis of these inputs, among its warnings theirs. Throws SimulationError, with the numbers that are
+// suspected.
+diagnose::answer::Diagnosis diagnosisOf(const DiagnosisInputs& inputs, const diagnose::Options& options);
+
+// diagnosis.json, the drives of each stage, the car with the effects, and the page.
+void writeDiagnosis(const DiagnosisInputs& inputs, const diagnose::answer::Diagnosis& diagnosis, const Path& folder);
+
+// The same for an identification: paths that cannot be fitted are faults of `source`. `calibrated.yaml` is the car
+// found.
+DiagnosisInputs readIdentificationInputs(const IdentifyRequest& request, const std::string& source);
+calibrate::Identification identificationOf(const DiagnosisInputs& inputs, const diagnose::Options& options);
+void writeIdentification(const DiagnosisInputs& inputs, const calibrate::Identification& found, const Path& folder);
 
 void warnOf(const std::vector<std::string>& warnings);
 

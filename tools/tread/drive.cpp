@@ -7,6 +7,7 @@
 #include <csignal>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "answer.h"
 #include "base/write_yaml.h"
@@ -60,6 +61,15 @@ void addOwn(std::vector<Metric>& metrics, const VehicleParams& vehicle, const Sc
         metrics.push_back(std::move(own));
 }
 
+void saveResults(const RunRecord& record, const Log& log, const Driven& found, const Path& folder) {
+    writeFile(folder / "metrics.json", jsonText(found.json));
+    writeFile(folder / "report.html",
+              reportOf(record, log, found,
+                       {{"log.csv", "log.csv"}, {"metrics.json", "metrics.json"}, {"run.yaml", "run.yaml"}}));
+}
+
+}  // namespace
+
 Driven evaluate(const RunRecord& record, const Log& log) {
     Driven found;
     if (const std::string& manoeuvre = record.scenario.manoeuvre; !manoeuvre.empty()) {
@@ -90,31 +100,34 @@ Driven evaluate(const RunRecord& record, const Log& log) {
     return found;
 }
 
-Driven saveResults(const RunRecord& record, const Log& log, const Path& folder) {
-    Driven found = evaluate(record, log);
-    writeFile(folder / "metrics.json", jsonText(found.json));
-    writeFile(folder / "report.html",
-              runReport({.title = record.scenario.title,
-                         .answer = found.answer,
-                         .vehicle = record.vehicle.name,
-                         .scenario = record.scenario.title,
-                         .scenario_description = record.scenario.description,
-                         .version = record.tread_version,
-                         .log = log,
-                         .metrics = found.metrics,
-                         .verdicts = found.verdicts,
-                         .resolved_yaml = writeYaml(record),
-                         .warnings = found.warnings,
-                         .files = {{"log.csv", "log.csv"}, {"metrics.json", "metrics.json"}, {"run.yaml", "run.yaml"}},
-                         .record = &record}));
-    return found;
+std::string reportOf(const RunRecord& record, const Log& log, const Driven& driven, std::vector<Link> files) {
+    return runReport({.title = record.scenario.title,
+                      .answer = driven.answer,
+                      .vehicle = record.vehicle.name,
+                      .scenario = record.scenario.title,
+                      .scenario_description = record.scenario.description,
+                      .version = record.tread_version,
+                      .log = log,
+                      .metrics = driven.metrics,
+                      .verdicts = driven.verdicts,
+                      .resolved_yaml = writeYaml(record),
+                      .warnings = driven.warnings,
+                      .files = std::move(files),
+                      .record = &record});
 }
-
-}  // namespace
 
 void removeEarlierRun(const OutputFolder& output) {
     for (const char* name : {"log.csv", "log.incomplete.csv", "run.yaml", "metrics.json", "report.html", "series.csv"})
         output.remove(name);
+}
+
+void saveRun(const RunRecord& record, const Log& log, const Driven& driven, const Path& folder) {
+    const OutputFolder output(folder);
+    removeEarlierRun(output);
+    writeFile(folder / "run.yaml", writeYaml(record));
+    writeLog(folder / "log.csv", log);
+    saveResults(record, log, driven, folder);
+    output.complete();
 }
 
 Driven driveInto(const RunRecord& record, const Path& folder, const Tell& tell) {
@@ -128,7 +141,9 @@ Driven driveInto(const RunRecord& record, const Path& folder, const Tell& tell) 
         return text;
     };
     try {
-        Driven driven = saveResults(record, drive(record, folder / "log.csv", writer, tell), folder);
+        const Log log = drive(record, folder / "log.csv", writer, tell);
+        Driven driven = evaluate(record, log);
+        saveResults(record, log, driven, folder);
         output.complete();
         return driven;
     } catch (const Interrupted& error) {
@@ -138,11 +153,15 @@ Driven driveInto(const RunRecord& record, const Path& folder, const Tell& tell) 
     }
 }
 
-std::vector<Metric> measure(const VehicleParams& vehicle, const Scenario& scenario, Log* kept) {
+std::vector<Metric> measure(const VehicleParams& vehicle, const Scenario& scenario, Log* log) {
+    return measureUnless(stopAsked, vehicle, scenario, log);
+}
+
+std::vector<Metric> measureUnless(const Stop& stop, const VehicleParams& vehicle, const Scenario& scenario, Log* kept) {
     Log own;
     Log& log = kept ? *kept : own;
     Recorder recorder = recorderInto(log);
-    recorder.stop = [](double) { return stopped_by != 0; };
+    recorder.stop = [&](double) { return stop(); };
     simulate(vehicle, scenario, recorder);
     std::vector<Metric> found;
     if (!scenario.manoeuvre.empty() || scenario.metrics.empty())

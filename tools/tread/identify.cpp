@@ -22,22 +22,42 @@ using calibrate::identificationJson;
 using calibrate::identificationText;
 using recording::pathFault;
 
-void judgePaths(const std::vector<std::string>& paths) {
+void judgePaths(const std::vector<std::string>& paths, const std::string& source) {
     std::vector<Problem> problems;
     for (const std::string& path : paths) {
         const std::string fault = pathFault(path);
-        if (!fault.empty()) problems.push_back({"--fit", 0, 0, "", fault});
+        if (!fault.empty()) problems.push_back({source, 0, 0, "", fault});
     }
     throwIfAny(std::move(problems));
 }
 
 }  // namespace
 
-int identify(const IdentifyRequest& request) {
-    judgePaths(request.fit);
+DiagnosisInputs readIdentificationInputs(const IdentifyRequest& request, const std::string& source) {
+    judgePaths(request.fit, source);
     DiagnosisInputs inputs = readDiagnosisInputs(request.file, request.data, request.vehicle, request.without);
-    warnOfImplausible(inputs.implausible);
     if (!request.fit.empty()) inputs.file.fit = request.fit;
+    return inputs;
+}
+
+Identification identificationOf(const DiagnosisInputs& inputs, const tread::diagnose::Options& options) {
+    Identification found = tread::calibrate::identificationOf(inputs.nominal, inputs.file, inputs.recorded, options);
+    std::vector<std::string>& warnings = found.gap.data_warnings;
+    warnings.insert(warnings.begin(), inputs.warnings.begin(), inputs.warnings.end());
+    return found;
+}
+
+void writeIdentification(const DiagnosisInputs& inputs, const Identification& found, const Path& folder) {
+    const nlohmann::json json = identificationJson(found);
+    writeFile(folder / "identify.json", jsonText(json));
+    writeStages(found.gap.overlays, folder / "logs");
+    writeFile(folder / "calibrated.yaml", calibratedVehicleYaml(inputs.nominal, found));
+    writeFile(folder / "report.html", identificationReport(inputs.nominal.vehicle.name, TREAD_VERSION, found));
+}
+
+int identify(const IdentifyRequest& request) {
+    const DiagnosisInputs inputs = readIdentificationInputs(request, "--fit");
+    warnOfImplausible(inputs.implausible);
     warnOf(inputs.warnings);
 
     const Path out = request.output.empty() ? Path("out") : Path(request.output);
@@ -49,19 +69,12 @@ int identify(const IdentifyRequest& request) {
         options.threads = request.threads;
         options.cache = out / "cache";
         options.progress = [&](double done, const std::string&) { bar.at(100 * done); };
-        found = tread::calibrate::identificationOf(inputs.nominal, inputs.file, inputs.recorded, options);
+        found = identificationOf(inputs, options);
     }
-    std::vector<std::string>& warnings = found.gap.data_warnings;
-    warnOf(warnings);
-    warnings.insert(warnings.begin(), inputs.warnings.begin(), inputs.warnings.end());
-
-    const nlohmann::json json = identificationJson(found);
-    writeFile(out / "identify.json", jsonText(json));
-    writeStages(found.gap.overlays, out / "logs");
-    writeFile(out / "calibrated.yaml", calibratedVehicleYaml(inputs.nominal, found));
-    writeFile(out / "report.html", identificationReport(inputs.nominal.vehicle.name, TREAD_VERSION, found));
+    warnOf(found.gap.data_warnings);
+    writeIdentification(inputs, found, out);
     output.complete();
-    if (request.json) printJson(json);
+    if (request.json) printJson(identificationJson(found));
     else say(identificationText(found), hasSucceeded(found) ? Tone::good : Tone::bad);
     return hasSucceeded(found) ? kYes : kNo;
 }

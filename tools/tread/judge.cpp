@@ -5,6 +5,7 @@
 #include "base/did_you_mean.h"
 #include "base/number_text.h"
 #include "base/read_yaml.h"
+#include "base/yaml_position.h"
 #include "compare/cross_plots.h"
 #include "compare/score.h"
 #include "log/csv.h"
@@ -44,12 +45,32 @@ void refuseOthers(const CompareOptions& options) {
 
 }  // namespace
 
+CrossPlots crossPlotsOf(const std::string& given, const char* option) {
+    return parameters<CrossPlots>(given, "iso19364", option);
+}
+
+ScoreParams scoreParamsOf(const std::string& given, const char* option) {
+    return parameters<ScoreParams>(given, "iso18571", option);
+}
+
+Tolerances readTolerances(const std::string& file, const Log& reference) {
+    if (file.empty()) return {};
+    Tolerances tolerances = readYaml<Tolerances>(file);
+    std::vector<Problem> problems;
+    for (const ToleranceFault& fault : unitFaults(tolerances, reference)) {
+        const TextPosition position = positionOfValue(file, fault.path);
+        problems.push_back({file, position.line, position.column, fault.path, fault.text});
+    }
+    throwIfAny(std::move(problems));
+    return tolerances;
+}
+
 int judge(const CompareOptions& options) {
     refuseOthers(options);
     CrossPlots plots;
     ScoreParams params;
-    if (!options.envelope.empty()) plots = parameters<CrossPlots>(options.envelope, "iso19364", "--envelope");
-    if (!options.score.empty()) params = parameters<ScoreParams>(options.score, "iso18571", "--score");
+    if (!options.envelope.empty()) plots = crossPlotsOf(options.envelope);
+    if (!options.score.empty()) params = scoreParamsOf(options.score);
 
     std::vector<NamedLog> measured{{options.reference, readChecked(options.reference)}};
     for (const std::string& file : options.repeats) measured.push_back({file, readChecked(file)});

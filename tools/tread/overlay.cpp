@@ -55,7 +55,7 @@ std::vector<double> drawnBeside(const Log& log, const ChannelComparison& channel
 
 }  // namespace
 
-std::vector<ChannelOverlay> overlays(const Log& reference, const Log& candidate, const std::vector<Log>& others,
+std::vector<ChannelOverlay> overlays(const Log& reference, const Log& candidate, const std::vector<const Log*>& others,
                                      const Comparison& comparison) {
     const std::vector<double>& clock = reference.channels.front().values;
     const auto first = std::lower_bound(clock.begin(), clock.end(), comparison.from) - clock.begin();
@@ -84,11 +84,37 @@ std::vector<ChannelOverlay> overlays(const Log& reference, const Log& candidate,
                                .first_time_out = {},
                                .ok = channel.same};
         if (wrapped) bringNear(overlay.candidate, overlay.reference);
-        for (const Log& other : others) overlay.others.push_back(drawnBeside(other, channel, wrapped, overlay));
+        for (const Log* other : others) overlay.others.push_back(drawnBeside(*other, channel, wrapped, overlay));
         if (channel.first) overlay.first_time_out = channel.first->time;
         result.push_back(std::move(overlay));
     }
     return result;
+}
+
+std::string comparisonReport(const std::vector<ComparedLog>& logs, const Comparison& comparison,
+                             const std::string& answer) {
+    const ComparedLog &reference = logs[0], &candidate = logs[1];
+    std::vector<const Log*> others;
+    std::vector<std::string> names;
+    for (std::size_t i = 2; i < logs.size(); ++i) others.push_back(&logs[i].log), names.push_back(logs[i].name);
+    OverlayReport report{.title = "Comparison of " + candidate.name + " with " + reference.name,
+                         .answer = answer,
+                         .reference_name = reference.name,
+                         .candidate_name = candidate.name,
+                         .other_names = names,
+                         .version = TREAD_VERSION,
+                         .ok = comparison.same,
+                         .channels = overlays(reference.log, candidate.log, others, comparison),
+                         .warnings = remarks(comparison),
+                         .reference_file = reference.file,
+                         .candidate_file = candidate.file};
+    for (std::size_t i = 0; i < logs.size(); ++i) {
+        const RunRecord* const record = logs[i].record;
+        report.cars.push_back(
+            {logs[i].name, logs[i].log, record ? carShape(record->vehicle) : typicalCarShape(), overlayColour(i)});
+    }
+    if (reference.record) report.scene = sceneOf(reference.record->scenario);
+    return overlayReport(report);
 }
 
 }  // namespace tread::program

@@ -22,6 +22,7 @@
 #include "scenario/load.h"
 #include "scenario/replay.h"
 #include "series/series.h"
+#include "shipped_file.h"
 
 namespace tread::program {
 namespace {
@@ -176,7 +177,10 @@ Scenario readScenario(const std::string& file) {
     return scenario;
 }
 
-RunInputs readRunInputs(const RunOptions& options) {
+RunInputs readRunInputs(const RunOptions& given) {
+    RunOptions options = given;
+    options.vehicle = shippedFile(options.vehicle, "vehicles");
+    options.scenario = shippedFile(options.scenario, "scenarios");
     // All files and settings are looked at before any fault is reported; what is found in a later one holds whatever
     // the correction of an earlier fault will be.
     Settable inputs;
@@ -201,23 +205,23 @@ RunInputs readRunInputs(const RunOptions& options) {
     if (!options.log.empty()) inputs.scenario.drive = options.log;
     collect([&] { expectKind(options.log, {"log"}); });
 
-    constexpr const char* kSource = "--set";
+    const std::string& source = options.settings_source;
     const std::vector<Fault> before = unknownNames(inputs.scenario, "");
     // The car settings of the scenario are applied as --set leaves them; --set itself is applied last.
     Settable asked = inputs;
     std::vector<std::string> car_settings;
     collect([&] {
-        applySettings(asked, options.settings, kSource, listingOf);
+        applySettings(asked, options.settings, source, listingOf);
         car_settings = asked.scenario.car_settings;
         applySettings(inputs.vehicle, car_settings, options.scenario + ": car_settings", listingOf);
         const Settable file = inputs;
-        applySettings(inputs, options.settings, kSource, listingOf);
+        applySettings(inputs, options.settings, source, listingOf);
         sayChanges(inputs, file, options);
     });
     for (const Fault& fault : unknownNames(inputs.scenario, "")) {
         const auto same = [&](const Fault& old) { return old.path == fault.path && old.text == fault.text; };
         if (std::any_of(before.begin(), before.end(), same)) continue;
-        problems.push_back({kSource, 0, 0, "scenario." + fault.path, fault.text});
+        problems.push_back({source, 0, 0, "scenario." + fault.path, fault.text});
     }
     collect([&] {
         expectKind(options.accept, {"accept"});
@@ -226,7 +230,7 @@ RunInputs readRunInputs(const RunOptions& options) {
         inputs.scenario.accept = merged(std::move(inputs.scenario.accept), acceptanceOf(options, inputs.scenario));
     });
 
-    const AppliedSettings set{options.settings, kSource}, set_scenario{options.settings, kSource, "scenario."};
+    const AppliedSettings set{options.settings, source}, set_scenario{options.settings, source, "scenario."};
     std::vector<Problem> warnings =
         implausibleIn(inputs.vehicle, options.vehicle, {{car_settings, options.scenario, "", "car_settings"}, set});
     for (Problem& warning : implausibleIn(inputs.scenario, options.scenario, {set_scenario}))

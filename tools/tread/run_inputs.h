@@ -18,9 +18,9 @@ Scenario readScenario(const std::string& file);
 VehicleParams readVehicle(const std::string& file, std::vector<Problem>& problems);
 Scenario readScenario(const std::string& file, std::vector<Problem>& problems);
 
-// Throws LoadError: faults of the files and of the settings, a manoeuvre without metrics, channels that do not exist.
-// Implausible numbers are warned of, once in the whole program; with `strict` they are faults. They are returned for
-// the message of a run that fails.
+// Car and scenario may have the bare names of shipped ones, "compact". Throws LoadError: faults of the files and of the
+// settings, a manoeuvre without metrics, channels that do not exist. Implausible numbers are warned of, once in the
+// whole program; with `strict` they are faults. They are returned for the message of a run that fails.
 struct RunInputs {
     RunRecord record;
     std::vector<Problem> implausible = {};

@@ -106,10 +106,11 @@ Driven driveNaming(const std::vector<Problem>& implausible, const RunRecord& rec
 
 }  // namespace
 
-RunRecord tunedRecord(RunRecord record) {
+RunRecord tunedRecord(RunRecord record, const Stop& stop) {
     if (record.scenario.series.tune.empty() && record.scenario.series.scale.empty()) return record;
-    record.scenario =
-        tuned(record.scenario, [&](const Scenario& scenario) { return measure(record.vehicle, scenario); });
+    record.scenario = tuned(record.scenario, [&](const Scenario& scenario) {
+        return measureUnless(stop, record.vehicle, scenario, nullptr);
+    });
     record.scenario.series.scale.clear();
     record.scenario.series.tune.clear();  // the values are found: the saved scenario repeats this run
     return record;

@@ -7,7 +7,7 @@
 namespace tread::program {
 
 // The record with the numbers found that its scenario wants tuned.
-RunRecord tunedRecord(RunRecord record);
+RunRecord tunedRecord(RunRecord record, const Stop& stop = stopAsked);
 
 // Drives the series of a scenario into `folder`, its runs into folders 01, 02, ... there. A run that fails is part of
 // the result; its message names the `implausible` numbers of car and scenario.

@@ -1,12 +1,12 @@
 #include "shipped_drives.h"
 
-#include <algorithm>
 #include <string>
 
 #include "base/setting.h"
 #include "commands.h"
 #include "diagnose/options.h"
 #include "scenario/load.h"
+#include "shipped_file.h"
 
 namespace tread::program {
 namespace {
@@ -40,23 +40,10 @@ const std::vector<Shipped>& shipped() {
     return list;
 }
 
-// The folder of the scenarios, relative to the current folder or to the program; empty when there is none.
-Path scenariosFolder() {
-    if (std::filesystem::exists(Path("scenarios") / shipped().front().file)) return "scenarios";
-    std::error_code none;
-    Path folder = std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
-    while (!folder.empty() && folder != folder.root_path()) {
-        for (const Path& here : {folder / "scenarios", folder / "share/tread/scenarios"})
-            if (std::filesystem::exists(here / shipped().front().file)) return here;
-        folder = folder.parent_path();
-    }
-    return {};
-}
-
 }  // namespace
 
 std::vector<PossibleDrive> shippedDrives() {
-    const Path folder = scenariosFolder();
+    const Path folder = shippedFolder("scenarios");
     std::vector<PossibleDrive> drives;
     if (folder.empty()) return drives;
     for (const Shipped& one : shipped()) {
