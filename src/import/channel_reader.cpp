@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/number_text.h"
 #include "import/columns.h"
 #include "import/time_base.h"
@@ -42,7 +44,7 @@ private:
         const Scaling scaling = scalingOf(channel, column);
         const ImportChannel& how = *channel.how;
         const double factor = how.sign * how.scale / how.rolling_radius.value_or(1) / static_cast<double>(columns);
-        const std::vector<double> values = onRows(column, how, path);
+        const std::vector<double> values = onRows(channel, column, path);
         for (std::size_t i = 0; i < values.size(); ++i) {
             const double value = scaling(values[i]);
             channel.values[i] += factor * (how.curve.empty() ? value : how.curve(value));
@@ -83,30 +85,42 @@ private:
         return scaling;
     }
 
-    // The values on the rows of the file's time base.
-    std::vector<double> onRows(const ForeignColumn& column, const ImportChannel& how, const std::string& path) {
-        if (how.time.empty()) {
+    // The values on the rows of the file's time base. The mapping or else the file says when a column has its own time.
+    std::vector<double> onRows(WholeChannel& channel, const ForeignColumn& column, const std::string& path) {
+        const ImportChannel& how = *channel.how;
+        const bool mapped = !how.time.empty();
+        const std::string own_name = mapped ? how.time : map_.time.from.empty() ? "" : column.time;
+        if (own_name.empty() || (!mapped && own_name == map_.time.from)) {
             if (column.values.size() == time_.size()) return column.values;
             refuse(path, fmt::format("found {} values in column {}, but {} in time: another sampling rate; name the "
                                      "column with its own time (time)",
                                      column.values.size(), quote(column.name), time_.size()));
         }
-        const ImportTime own{how.time, map_.time.unit, map_.time.format, {}, 0, {}};
+        ImportTime own;
+        own.from = own_name;
+        if (mapped) {
+            own.unit = map_.time.unit;
+            own.format = map_.time.format;
+        }
         std::vector<Change> ignored;
         const std::vector<double> own_time = timeOfRows(table_, own, ignored);
         if (own_time.size() != column.values.size()) {
             refuse(path_ + ".time",
                    fmt::format("found {} values in column {}, but {} in column {}, its time", column.values.size(),
-                               quote(column.name), own_time.size(), quote(how.time)));
+                               quote(column.name), own_time.size(), quote(own_name)));
         }
         for (std::size_t i = 1; i < own_time.size(); ++i) {
             if (own_time[i] > own_time[i - 1]) continue;
             refuse(path_ + ".time",
-                   fmt::format("column {} does not increase at value {}, expected a time", quote(how.time), i + 1));
+                   fmt::format("column {} does not increase at value {}, expected a time", quote(own_name), i + 1));
         }
         std::vector<double> values;
         for (const double t : time_) values.push_back(valueAt(own_time, column.values, t));
-        note("rate", how.channel, "interpolated from its own time " + quote(how.time));
+        if (!own_time.empty()) {
+            channel.first = std::max(channel.first, own_time.front());
+            channel.last = std::min(channel.last, own_time.back());
+        }
+        note("rate", how.channel, "interpolated from its own time " + quote(own_name));
         return values;
     }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ struct WholeChannel {
     const ImportChannel* how;
     std::string unit;
     std::vector<double> values;  // on the rows of the file's time base
+    // s, on the clock of the file: where it has values, when its own time is another than that of the rows.
+    double first = -std::numeric_limits<double>::infinity(), last = std::numeric_limits<double>::infinity();
 };
 
 // The channel map.map[index]. `time` is that of the rows. Throws LoadError.

@@ -20,6 +20,7 @@ struct ForeignColumn {
     int line = 0;                // of the name; 0 for files without lines
     int column = 0;
     std::optional<Problem> not_a_number;  // the first cell that is neither empty nor a number
+    std::string time{};                   // column with the time of these values, when the file has several rates
 };
 
 struct ForeignTable {
@@ -37,12 +38,15 @@ struct ForeignTable {
     }
 };
 
-// Reads a .vbo, .mat or text table by what is in it, whatever its name. Throws LoadError with every fault (the first
+// Reads a .vbo, .mat, .mcap or text table by what is in it, whatever its name. Throws LoadError with every fault (the first
 // twenty), FileError when the file cannot be read.
 ForeignTable readForeignTable(const std::filesystem::path& file);
 
 ForeignTable parseVbo(std::string text, const std::string& file);
 ForeignTable parseForeignCsv(std::string text, const std::string& file);
 ForeignTable readMat(const std::filesystem::path& file);
+ForeignTable parseMcap(std::string_view bytes, const std::string& file);
+
+inline constexpr std::string_view kOwnMcap = "MCAP file of tread";  // its columns bear the names of tread's channels
 
 }  // namespace tread

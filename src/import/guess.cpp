@@ -13,6 +13,7 @@
 #include "base/median.h"
 #include "base/units.h"
 #include "base/write_yaml.h"
+#include "import/channel_names.h"
 #include "import/columns.h"
 #include "import/import.h"
 #include "import/relations.h"
@@ -69,6 +70,7 @@ const std::vector<Alias>& aliases() {
           "deltaswa",
           "lenkradwinkel",
           "lenkwinkel",
+          "steeringtireangle",
           "delta"}},
         {"driver.throttle",
          {"throttle",
@@ -144,8 +146,8 @@ const std::vector<Alias>& aliases() {
                               "omegaz",
                               "ratez",
                               "zrate",
-                              "angularz",
                               "angularvelocityz",
+                              "angularz",
                               "angvelz",
                               "omega",
                               "r",
@@ -153,11 +155,11 @@ const std::vector<Alias>& aliases() {
                               "yawspeed",
                               "gierrate"}},
         {"chassis.roll_rate",
-         {"rollrate", "rollvelocity", "rollvel", "gyrox", "gyrx", "wx", "omegax", "ratex", "xrate", "angularx",
-          "angularvelocityx", "phidot", "p", "rollrate1"}},
+         {"rollrate", "rollvelocity", "rollvel", "gyrox", "gyrx", "wx", "omegax", "ratex", "xrate",
+          "angularvelocityx", "angularx", "phidot", "p", "rollrate1"}},
         {"chassis.pitch_rate",
-         {"pitchrate", "pitchvelocity", "pitchvel", "gyroy", "gyry", "wy", "omegay", "ratey", "yrate", "angulary",
-          "angularvelocityy", "thetadot", "q"}},
+         {"pitchrate", "pitchvelocity", "pitchvel", "gyroy", "gyry", "wy", "omegay", "ratey", "yrate",
+          "angularvelocityy", "angulary", "thetadot", "q"}},
         {"chassis.ax",
          {"ax",
           "axcg",
@@ -209,6 +211,9 @@ const std::vector<Alias>& aliases() {
         {"chassis.yaw", {"yaw", "yawangle", "psi", "heading", "headingangle", "trueheading", "truehead", "course"}},
         {"chassis.sideslip",
          {"sideslip", "sideslipangle", "bodyslip", "bodyslipangle", "beta", "betacg", "slipcog", "slipangle"}},
+        {"command.acceleration", {"driveacceleration"}},  // of Ackermann messages
+        {"position.x", {"posepositionx"}},
+        {"position.y", {"posepositiony"}},
         {"driveline.engine_speed",
          {"enginespeed", "enginerpm", "engspd", "engn", "rpm", "nmot", "neng", "motorspeed", "motordrehzahl"}},
         {"driveline.gear", {"gear", "ptgearact", "gearnumber", "currentgear", "gearposition", "gang"}}};
@@ -308,15 +313,17 @@ public:
 
     GuessedMap guess() {
         result_.map.source = "guessed from the names of a " + table_.kind;
+        if (table_.kind == kOwnMcap) return ownChannels();
         for (const Alias& alias : aliases()) {
             const ForeignColumn* const column = find(alias.names);
             if (alias.channel == "time") {
-                guessTime(column);
+                if (!hasOwnTimes()) guessTime(column);
             } else if (column) {
                 guessChannel(alias, *column);
             }
         }
         guessWheels();
+        if (hasOwnTimes()) chooseTime();
         guessPositions();
         alignSiblings();
         correctUnits();
@@ -403,6 +410,46 @@ private:
              "guess: " + why);
     }
 
+    // What tread has written is taken as it is: names, units and values.
+    GuessedMap ownChannels() {
+        result_.map.source = "the channels of an " + table_.kind;
+        result_.map.repairs.spikes = false;
+        result_.map.repairs.fill_gaps = false;
+        for (const ForeignColumn& column : table_.columns) {
+            if (column.name == column.time) continue;
+            if (isChannelName(column.name) && misspelling(column.name).empty()) add(column.name, column, "");
+        }
+        chooseTime();
+        return std::move(result_);
+    }
+
+    bool hasOwnTimes() const {
+        return std::any_of(table_.columns.begin(), table_.columns.end(),
+                           [](const ForeignColumn& column) { return !column.time.empty(); });
+    }
+
+    // The time of the channels with the most samples; the others are interpolated onto it.
+    void chooseTime() {
+        std::set<std::string> times;
+        const ForeignColumn* densest = nullptr;
+        const auto consider = [&](const ForeignColumn& column) {
+            times.insert(column.time);
+            if (!densest || column.values.size() > densest->values.size()) densest = &column;
+        };
+        for (const ImportChannel& one : result_.map.map) consider(*table_.find(one.from));
+        if (!densest) {
+            for (const ForeignColumn& column : table_.columns) consider(column);
+        }
+        result_.map.time.from = densest->time;
+        result_.map.time.unit = "s";
+        if (times.size() > 1)
+            note("time", "from",
+                 fmt::format("the channels have {} different times: those of {} were taken, with the most samples, and "
+                             "the others interpolated onto them",
+                             times.size(), densest->time),
+                 "guess: the most samples; the other channels are interpolated onto them");
+    }
+
     static double usualStep(const std::vector<double>& values) {
         std::vector<double> steps;
         for (std::size_t i = 1; i < values.size(); ++i) {
@@ -429,11 +476,18 @@ private:
                  "column " + column.name + " is a heading, which counts clockwise from north: sign reversed",
                  "guess: a heading counts clockwise from north");
         }
-        if (lettersAndDigits(nameWithoutUnit(column.name)) == "delta") {
+        if (name == "driver.steering_wheel_angle" && isRoadWheelAngle(column.name)) {
             note(name, "from",
                  "column " + column.name + " may be the angle of the road wheels: then scale is the steering ratio",
                  "guess by the name; if it is the angle of the road wheels, add scale: the steering ratio");
         }
+    }
+
+    // By the letters of textbooks, and of the messages of Ackermann vehicles.
+    static bool isRoadWheelAngle(std::string_view name) {
+        const std::string letters = lettersAndDigits(nameWithoutUnit(name));
+        return letters == "delta" || letters.ends_with("steeringtireangle") ||
+               letters.ends_with("drivesteeringangle") || letters.find("ackermann") != std::string::npos;
     }
 
     void guessWheels() {

@@ -18,12 +18,20 @@
 namespace tread {
 namespace {
 
-// The samples of a recording that the mapping asks for and that every delayed channel reaches.
-Stretch cut(const Stretch& recording, const ImportMap& map, std::vector<Change>& changes) {
+// The samples of a recording that the mapping asks for and that every delayed channel reaches, and every one with its
+// own time that begins and ends but a little later or earlier than the recording.
+Stretch cut(const Stretch& recording, const std::vector<WholeChannel>& channels, const ImportMap& map,
+            std::vector<Change>& changes) {
     double begin = map.time.begin, end = map.time.end.value_or(kInfinity);
     for (const ImportChannel& channel : map.map) {
         begin = std::max(begin, -channel.delay);
         if (channel.delay > 0) end = std::min(end, recording.duration() - channel.delay);
+    }
+    const double longest = map.repairs.max_jump;
+    for (const WholeChannel& channel : channels) {
+        const double first = channel.first - recording.begin, last = channel.last - recording.begin;
+        if (first <= longest) begin = std::max(begin, first);
+        if (last >= recording.duration() - longest) end = std::min(end, last);
     }
     Stretch kept{{}, {}, recording.begin};
     for (std::size_t i = 0; i < recording.rows.size(); ++i) {
@@ -38,7 +46,7 @@ Stretch cut(const Stretch& recording, const ImportMap& map, std::vector<Change>&
 
 Log logOf(const Stretch& recording, const std::vector<WholeChannel>& channels, const ForeignTable& table,
           const ImportMap& map, std::vector<Change>& changes) {
-    const Stretch kept = cut(recording, map, changes);
+    const Stretch kept = cut(recording, channels, map, changes);
     if (kept.rows.size() < 2) {
         throw LoadError({{table.file, 0, 0, "", "has fewer than two samples left, expected a recording"}});
     }
@@ -93,6 +101,9 @@ void checkNames(const ImportMap& map) {
 
 std::vector<std::string> notTaken(const ForeignTable& table, const ImportMap& map) {
     std::set<std::string> taken{map.time.from};
+    for (const ForeignColumn& column : table.columns) {
+        if (!column.time.empty()) taken.insert(column.time);
+    }
     for (const ImportChannel& channel : map.map) {
         taken.insert(channel.from);
         taken.insert(channel.time);

@@ -51,7 +51,8 @@ int campaignSlurm(const CampaignSlurmOptions& options);
 
 struct LogOptions {
     std::string log;
-    std::string output;  // CSV; empty: beside the log
+    std::string output;  // CSV, or MCAP by its name; empty: beside the log
+    bool mcap = false;
 };
 int convertLog(const LogOptions& options);
 

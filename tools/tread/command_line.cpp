@@ -84,7 +84,7 @@ void addMetrics(CLI::App& app, MetricsOptions& o) {
 }
 
 void addImport(CLI::App& app, ImportOptions& o) {
-    addFile(app, "file", o.file, "foreign log (.vbo, .mat, text table) or tyre property file (.tir)")->required();
+    addFile(app, "file", o.file, "foreign log (.vbo, .mat, .mcap, text table) or tyre property file (.tir)")->required();
     addFile(app, "--map", o.map, "mapping from its columns to channels (YAML; default: guessed from the names)");
     addFile(app, "--init", o.init, "write the guessed mapping to this file, to be edited, and no log");
     addFile(app, "-o,--output", o.output,
@@ -246,7 +246,8 @@ void addCampaignSlurm(CLI::App& app, CampaignSlurmOptions& o) {
 
 void addLog(CLI::App& app, LogOptions& o) {
     addFile(app, "log", o.log, "log of a run of a campaign (.tlog), or any log")->required();
-    addFile(app, "-o,--output", o.output, "log to write (CSV; default: beside it)");
+    addFile(app, "-o,--output", o.output, "log to write (CSV, or MCAP when named .mcap; default: beside it)");
+    app.add_flag("--mcap", o.mcap, "write MCAP, for Foxglove and PlotJuggler");
 }
 
 template <class Options>
@@ -283,7 +284,7 @@ void addCommands(CLI::App& app, int& status) {
     addCommand(app, "compare", "compare two logs, or two folders of runs; status 1 when they differ", addCompare,
                compare, status);
     addCommand(app, "metrics", "compute the metrics of the standards from a log", addMetrics, metrics, status);
-    addCommand(app, "import", "convert a VBOX, MATLAB or text file into a log, or a .tir file into a tyre file",
+    addCommand(app, "import", "convert a VBOX, MATLAB, MCAP or text file into a log, or a .tir file into a tyre file",
                addImport, import, status);
     addCommand(app, "tyre", "forces of a tyre at given points, transients, curves", addTyre, tyre, status);
     addCommand(
@@ -313,7 +314,7 @@ void addCommands(CLI::App& app, int& status) {
                addCampaignSlurm, campaignSlurm, status);
     addCommand(app, "fmu", "write a car as an FMU for co-simulation, which other simulators import", addFmu, fmu,
                status);
-    addCommand(app, "log", "convert the log of a run of a campaign to CSV", addLog, convertLog, status);
+    addCommand(app, "log", "convert the log of a run of a campaign to CSV, or any log to MCAP", addLog, convertLog, status);
     addCommand(app, "describe", "all fields with units, meaning, limits and defaults; or the data sheet of a car",
                addDescribe, describe, status);
     addCommand(app, "check",

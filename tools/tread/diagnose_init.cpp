@@ -19,7 +19,7 @@ using recording::readRecordings;
 bool isLog(const Path& file) {
     const std::string extension = file.extension().string();
     return extension == ".csv" || extension == ".CSV" || extension == ".vbo" || extension == ".VBO" ||
-           extension == ".mat";
+           extension == ".mat" || extension == ".mcap";
 }
 
 std::vector<std::string> logsOf(const Path& folder) {
@@ -31,7 +31,7 @@ std::vector<std::string> logsOf(const Path& folder) {
         if (entry.is_regular_file() && isLog(entry.path())) names.push_back(entry.path().filename().string());
     }
     if (names.empty()) {
-        throw LoadError({{folder.string(), 0, 0, "", "found no log in the folder, expected .csv, .vbo or .mat files"}});
+        throw LoadError({{folder.string(), 0, 0, "", "found no log in the folder, expected .csv, .vbo, .mat or .mcap files"}});
     }
     std::sort(names.begin(), names.end());
     return names;

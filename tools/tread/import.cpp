@@ -171,7 +171,7 @@ int writeGuess(const ImportOptions& options, const GuessedMap& guessed) {
 }  // namespace
 
 int import(const ImportOptions& options) {
-    expectKind(options.file, {"table", "log", "vbo", "mat", "tir"});
+    expectKind(options.file, {"table", "log", "vbo", "mat", "mcap", "tir"});
     expectKind(options.map, {"import"});
     const std::string extension = Path(options.file).extension().string();
     if (extension == ".tir" || extension == ".TIR") return importTyre(options);

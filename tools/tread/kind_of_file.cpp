@@ -49,6 +49,7 @@ constexpr Kind kKinds[] = {
     {"table", "a table of values", "`tread import` makes a log of a foreign one"},
     {"vbo", "a VBOX log", "`tread import` makes a log of it"},
     {"mat", "a MATLAB file", "`tread import` makes a log of it"},
+    {"mcap", "an MCAP recording", "`tread import` makes a log of it"},
     {"page", "a page (HTML)", "open it in a browser"},
     {"folder", "a folder",
      "`tread compare` takes folders of runs, `tread run --all` a folder of scenarios, `tread diagnose --init` a folder "
@@ -170,6 +171,7 @@ void expectKind(const Path& file, std::initializer_list<std::string_view> wanted
     if (extension == ".tir") return refuseUnlessWanted("tir");
     if (extension == ".vbo") return refuseUnlessWanted("vbo");
     if (extension == ".mat") return refuseUnlessWanted("mat");
+    if (extension == ".mcap") return refuseUnlessWanted("mcap");
     if (extension == ".html") return refuseUnlessWanted("page");
     std::string fault;
     const auto text = readTextFile(file, fault);  // only the beginning of a long log
