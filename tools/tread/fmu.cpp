@@ -45,8 +45,8 @@ int fmu(const FmuOptions& options) {
         options.output.empty() ? Path(options.vehicle).filename().replace_extension(".fmu") : Path(options.output);
     const std::string bytes = tread::fmu::packed(car, contentOf(objectFile()), version);
     writeFile(output.string(), bytes);
-    print(fmt::format("Wrote {}: FMI {} for co-simulation, linux x86-64, {:.1f} MB.\n", output.string(),
-                      tread::fmu::nameOf(version), static_cast<double>(bytes.size()) / 1e6));
+    say(fmt::format("Wrote {}: FMI {} for co-simulation, linux x86-64, {:.1f} MB.\n", output.string(),
+                    tread::fmu::nameOf(version), static_cast<double>(bytes.size()) / 1e6));
     return kYes;
 }
 
