@@ -13,10 +13,9 @@
 #include "report/verdict_table.h"
 
 namespace tread {
+namespace {
 
 using diagnose::answer::capitalised;
-
-namespace {
 
 constexpr std::size_t kKeyMetrics = 4;  // of a scenario in the overview
 
