@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/changed.h"
+#include "diagnose/answer/words.h"
 #include "report/html.h"
 #include "report/series_figures.h"
 #include "report/shown_metric.h"
@@ -14,12 +15,9 @@
 namespace tread {
 namespace {
 
-constexpr std::size_t kKeyMetrics = 4;  // of a scenario in the overview
+using diagnose::answer::capitalised;
 
-std::string capitalised(std::string words) {
-    if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] = static_cast<char>(words[0] - 'a' + 'A');
-    return words;
-}
+constexpr std::size_t kKeyMetrics = 4;  // of a scenario in the overview
 
 std::string columnTitle(const std::string& name, const DisplayUnit& shown) {
     const std::string unit = prettyUnit(shown.unit);

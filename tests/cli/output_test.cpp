@@ -30,6 +30,7 @@ const std::vector<Way> kWays{
     {"Plot", {"tyre", kTyreFile, "--plot"}},
     {"Overlay", {"compare", "log.csv", "log.csv", "--report"}},
     {"Schema", {"schema", "tyre", "-o"}},
+    {"Fmu", {"fmu", sourceFile("vehicles/compact.yaml"), "-o"}},
 };
 
 class OutputFiles : public testing::TestWithParam<Way> {

@@ -115,8 +115,9 @@ if(STEP STREQUAL c_program)
     file(GLOB_RECURSE pc_file "${prefix}/tread.pc")
     cmake_path(GET pc_file PARENT_PATH pc_folder)
     set(ENV{PKG_CONFIG_PATH} ${pc_folder})
-    must_run(sh -c "cc -std=c99 -pedantic -Wall -Wextra -Werror ${FLAGS} ${SOURCE}/tools/c_host/*.c -o '${FOLDER}/c_host' \
-        $(pkg-config --cflags --libs tread) -lstdc++ -lm")
+    # pkg-config writes its paths for a shell to read once more.
+    must_run(sh -c "eval \"cc -std=c99 -pedantic -Wall -Wextra -Werror ${FLAGS} ${SOURCE}/tools/c_host/*.c \
+        -o '${FOLDER}/c_host' $(pkg-config --cflags --libs tread) -lstdc++ -lm\"")
     must_run("${FOLDER}/c_host" "${prefix}/share/tread/vehicles/compact.yaml" body)
     return()
 endif()

@@ -6,6 +6,7 @@
 #include "fmu/package/archive.h"
 #include "host/parameters.h"
 #include "output.h"
+#include "plausibility.h"
 #include "tread/load.h"
 
 namespace tread::program {
@@ -38,13 +39,14 @@ std::string contentOf(const Path& file) {
 int fmu(const FmuOptions& options) {
     VehicleParams car = loadVehicle(options.vehicle);
     host::setParameters(car, options.settings, "--set");
+    warnOfImplausible(implausibleIn(car, options.vehicle, {{options.settings, "--set"}}));
     const auto version = options.fmi == 3 ? tread::fmu::FmiVersion::fmi3 : tread::fmu::FmiVersion::fmi2;
     const Path output =
         options.output.empty() ? Path(options.vehicle).filename().replace_extension(".fmu") : Path(options.output);
     const std::string bytes = tread::fmu::packed(car, contentOf(objectFile()), version);
     writeFile(output.string(), bytes);
-    print(fmt::format("Wrote {}: FMI {} for co-simulation, linux x86-64, {:.1f} MB.\n", output.string(),
-                      tread::fmu::nameOf(version), static_cast<double>(bytes.size()) / 1e6));
+    say(fmt::format("Wrote {}: FMI {} for co-simulation, linux x86-64, {:.1f} MB.\n", output.string(),
+                    tread::fmu::nameOf(version), static_cast<double>(bytes.size()) / 1e6));
     return kYes;
 }
 
