@@ -38,8 +38,7 @@ void refuseUnread(std::string_view beginning, const std::string& extension, cons
     for (const Unread& format : kUnread) {
         const bool named = extension == format.extension || extension == format.other_extension;
         if (!beginning.starts_with(format.magic) && !named) continue;
-        throw LoadError(
-            {{file, 0, 0, "", "found " + std::string(format.what) + "; " + std::string(format.instead)}});
+        throw LoadError({{file, 0, 0, "", "found " + std::string(format.what) + "; " + std::string(format.instead)}});
     }
 }
 

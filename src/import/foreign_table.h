@@ -38,8 +38,8 @@ struct ForeignTable {
     }
 };
 
-// Reads a .vbo, .mat, .mcap or text table by what is in it, whatever its name. Throws LoadError with every fault (the first
-// twenty), FileError when the file cannot be read.
+// Reads a .vbo, .mat, .mcap or text table by what is in it, whatever its name. Throws LoadError with every fault (the
+// first twenty), FileError when the file cannot be read.
 ForeignTable readForeignTable(const std::filesystem::path& file);
 
 ForeignTable parseVbo(std::string text, const std::string& file);

@@ -131,32 +131,13 @@ const std::vector<Alias>& aliases() {
           "v"}},
         {"chassis.vy",
          {"vy", "vycg", "lateralvelocity", "lateralspeed", "latvel", "vely", "velocityy", "lineary", "yvelocity"}},
-        {"chassis.yaw_rate", {"yawrate",
-                              "yawvelocity",
-                              "yawvel",
-                              "yawratez",
-                              "yawr",
-                              "yr",
-                              "psidot",
-                              "psip",
-                              "dpsi",
-                              "gyroz",
-                              "gyrz",
-                              "wz",
-                              "omegaz",
-                              "ratez",
-                              "zrate",
-                              "angularvelocityz",
-                              "angularz",
-                              "angvelz",
-                              "omega",
-                              "r",
-                              "yawrate1",
-                              "yawspeed",
-                              "gierrate"}},
+        {"chassis.yaw_rate",
+         {"yawrate",  "yawvelocity", "yawvel", "yawratez", "yawr",     "yr",       "psidot",  "psip",
+          "dpsi",     "gyroz",       "gyrz",   "wz",       "omegaz",   "ratez",    "zrate",   "angularvelocityz",
+          "angularz", "angvelz",     "omega",  "r",        "yawrate1", "yawspeed", "gierrate"}},
         {"chassis.roll_rate",
-         {"rollrate", "rollvelocity", "rollvel", "gyrox", "gyrx", "wx", "omegax", "ratex", "xrate",
-          "angularvelocityx", "angularx", "phidot", "p", "rollrate1"}},
+         {"rollrate", "rollvelocity", "rollvel", "gyrox", "gyrx", "wx", "omegax", "ratex", "xrate", "angularvelocityx",
+          "angularx", "phidot", "p", "rollrate1"}},
         {"chassis.pitch_rate",
          {"pitchrate", "pitchvelocity", "pitchvel", "gyroy", "gyry", "wy", "omegay", "ratey", "yrate",
           "angularvelocityy", "angulary", "thetadot", "q"}},
@@ -413,6 +394,7 @@ private:
     // What tread has written is taken as it is: names, units and values.
     GuessedMap ownChannels() {
         result_.map.source = "the channels of an " + table_.kind;
+        result_.by_names = false;
         result_.map.repairs.spikes = false;
         result_.map.repairs.fill_gaps = false;
         for (const ForeignColumn& column : table_.columns) {
@@ -735,8 +717,8 @@ std::string mappingText(const ImportMap& map) {
 std::string mappingText(const GuessedMap& guessed) {
     YamlItem root = mappingItem(guessed.map);
     for (YamlItem& item : root.children) {
-        if (item.name == "time") comment(item, "from", "guess by the name");
-        for (std::size_t i = 0; item.name == "map" && i < item.children.size(); ++i) {
+        if (item.name == "time" && guessed.by_names) comment(item, "from", "guess by the name");
+        for (std::size_t i = 0; item.name == "map" && guessed.by_names && i < item.children.size(); ++i) {
             comment(item.children[i], "from", "guess by the name");
         }
         for (const Guess& guess : guessed.guesses) {

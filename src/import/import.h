@@ -47,6 +47,7 @@ struct Guess {
 struct GuessedMap {
     ImportMap map;
     std::vector<Guess> guesses;
+    bool by_names = true;  // false: the file itself says which channels it has
 };
 
 // The mapping that names, units and values of a file suggest: units that make the values those of a road vehicle, signs

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-
 namespace tread {
 namespace {
 
@@ -82,7 +81,7 @@ private:
     std::vector<Level> levels_;
 };
 
-std::string textAt(const Json& object, const char* key) {
+std::string textAt(const nlohmann::ordered_json& object, const char* key) {
     const auto found = object.find(key);
     return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
@@ -96,7 +95,7 @@ bool readJsonMessage(std::string_view bytes, TopicTable& table) {
 
 std::vector<JsonProperty> jsonProperties(std::string_view schema) {
     std::vector<JsonProperty> list;
-    const Json parsed = Json::parse(schema.begin(), schema.end(), nullptr, false);
+    const auto parsed = nlohmann::ordered_json::parse(schema.begin(), schema.end(), nullptr, false);
     if (!parsed.is_object()) return list;
     const auto properties = parsed.find("properties");
     if (properties == parsed.end() || !properties->is_object()) return list;

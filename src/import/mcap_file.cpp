@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
@@ -21,8 +21,8 @@
 namespace tread {
 namespace {
 
-// ns. [guess] A stamp that differs by more from the time of logging is of another clock: a played-back or simulated one.
-constexpr std::int64_t kSameClock = 60'000'000'000;
+// s. [guess] A stamp that differs by more from the time of logging is of another clock: a played-back or simulated one.
+constexpr double kSameClock = 60;
 
 // What is told to a car, not what it does: taken only for what no other topic has.
 constexpr std::string_view kCommandWords[] = {"cmd", "command", "setpoint", "goal", "target", "desired", "reference"};
@@ -56,8 +56,7 @@ public:
         McapScan scan = scanMcap(bytes_, file_, taker);
         const bool own = scan.program.starts_with(kMcapOfTread);
         ForeignTable table{file_, std::string(own ? kOwnMcap : "MCAP file"), {}, {}, std::move(scan.notes)};
-        if (orphans_ > 0)
-            table.notes.push_back(counted(orphans_, "message") + " of unknown topics left out");
+        if (orphans_ > 0) table.notes.push_back(counted(orphans_, "message") + " of unknown topics left out");
         finishTopics(table);
         const std::int64_t zero = chooseTimes(table);
         for (const auto& topic : topics_) addColumns(*topic, own, zero, table);
@@ -84,8 +83,9 @@ private:
         columns_ += table.columns.size() - had_columns;
         values_ += table.columns.size() * table.rows() - had_values;
         if (columns_ > kMostMcapColumns || values_ > kMostMcapValues)
-            fail(fmt::format("has more than {} columns or {} numbers in its messages, expected the recording of a drive",
-                             kMostMcapColumns, kMostMcapValues));
+            fail(
+                fmt::format("has more than {} columns or {} numbers in its messages, expected the recording of a drive",
+                            kMostMcapColumns, kMostMcapValues));
     }
 
     static bool readMessage(const McapSource& source, std::string_view bytes) {
@@ -154,15 +154,16 @@ private:
                 table.notes.push_back(fmt::format("topic {}: covariances and long arrays left out ({})", topic->name,
                                                   quote(listedPaths(topic->passed_over))));
         }
-        std::erase_if(topics_, [](const auto& topic) {
-            return topic->table.rows() == 0 || topic->table.columns.empty();
-        });
+        std::erase_if(topics_,
+                      [](const auto& topic) { return topic->table.rows() == 0 || topic->table.columns.empty(); });
         if (topics_.empty()) {
-            fail("holds no numbers that tread reads, expected messages in JSON or of ROS (cdr with ros2msg, ros1 with "
-                 "ros1msg)" +
-                 (table.notes.empty() ? std::string() : "; " + table.notes.front()));
+            fail(
+                "holds no numbers that tread reads, expected messages in JSON or of ROS (cdr with ros2msg, ros1 with "
+                "ros1msg)" +
+                (table.notes.empty() ? std::string() : "; " + table.notes.front()));
         }
-        std::stable_partition(topics_.begin(), topics_.end(), [](const auto& topic) { return !isCommand(topic->name); });
+        std::stable_partition(topics_.begin(), topics_.end(),
+                              [](const auto& topic) { return !isCommand(topic->name); });
     }
 
     static std::string listedPaths(const std::vector<std::string>& paths) {
@@ -176,11 +177,12 @@ private:
                            [&](std::string_view word) { return name.find(word) != std::string::npos; });
     }
 
-    // The stamps of the messages where they are of one clock, else the times of logging; in order. Returns the earliest.
+    // The stamps of the messages where they are of one clock, else the times of logging; in order. Returns the
+    // earliest.
     std::int64_t chooseTimes(ForeignTable& table) {
-        const bool all = std::all_of(topics_.begin(), topics_.end(),
-                                     [](const auto& topic) { return !topic->table.stamps.empty(); });
-        const std::int64_t clock = all ? lead(topics_.front()->table) : 0;
+        const bool all =
+            std::all_of(topics_.begin(), topics_.end(), [](const auto& topic) { return !topic->table.stamps.empty(); });
+        const double clock = all ? lead(topics_.front()->table) : 0;
         std::string stamped;
         std::int64_t earliest = std::numeric_limits<std::int64_t>::max();
         for (const auto& topic : topics_) {
@@ -192,7 +194,7 @@ private:
                 table.notes.push_back(fmt::format(
                     "topic {}: its stamps are of another clock than those of logging ({:+.6g} s); the times of logging "
                     "were taken",
-                    topic->name, 1e-9 * static_cast<double>(lead(rows))));
+                    topic->name, lead(rows)));
             sortRows(*topic, table);
             earliest = std::min(earliest, topic->times.front());
         }
@@ -203,21 +205,23 @@ private:
         return earliest;
     }
 
-    // Of the stamps before the times of logging, ns.
-    static std::int64_t lead(const TopicTable& table) { return table.stamps.front() - table.logged.front(); }
+    // Of the stamps before the times of logging, s.
+    static double lead(const TopicTable& table) {
+        return 1e-9 * (static_cast<double>(table.stamps.front()) - static_cast<double>(table.logged.front()));
+    }
 
     static void sortRows(RecordedTopic& topic, ForeignTable& table) {
         std::vector<std::size_t> order(topic.times.size());
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
         const auto at = [&](std::size_t i) { return topic.times[i]; };
         std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return at(a) < at(b); });
-        const auto repeated = std::unique(order.begin(), order.end(),
-                                          [&](std::size_t a, std::size_t b) { return at(a) == at(b); });
+        const auto repeated =
+            std::unique(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return at(a) == at(b); });
         const auto dropped = static_cast<std::size_t>(order.end() - repeated);
         order.erase(repeated, order.end());
         if (dropped > 0)
-            table.notes.push_back(fmt::format("topic {}: {} with a repeated time dropped", topic.name,
-                                              counted(dropped, "message")));
+            table.notes.push_back(
+                fmt::format("topic {}: {} with a repeated time dropped", topic.name, counted(dropped, "message")));
         const auto reorder = [&](auto& list) {
             auto sorted = list;
             sorted.clear();

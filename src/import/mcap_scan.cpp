@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "base/number_text.h"
+#include "base/text_file.h"
 #include "import/byte_reader.h"
+#include "import/lz4_frame.h"
 #include "log/mcap_format.h"
 #include "tread/problem.h"
 
@@ -14,8 +16,9 @@ using mcap::Opcode;
 
 constexpr std::size_t kRecordHead = 1 + sizeof(std::uint64_t);  // opcode and length
 // [guess] Writers make chunks of about 1 MB and at most some camera images; a hostile one could claim any size.
-constexpr std::uint64_t kLargestChunk = std::uint64_t{1} << 28;   // bytes unpacked
-constexpr std::uint64_t kMostUnpacked = std::uint64_t{16} << 30;  // bytes of all chunks of a file, more than a day's drive
+constexpr std::uint64_t kLargestChunk = std::uint64_t{1} << 28;  // bytes unpacked
+constexpr std::uint64_t kMostUnpacked = std::uint64_t{16}
+                                        << 30;  // bytes of all chunks of a file, more than a day's drive
 
 class McapScanner {
 public:
@@ -94,14 +97,17 @@ private:
             schema.name = reader.text();
             schema.encoding = reader.text();
             schema.text = reader.text();
-            reader.ok() ? taker_.schema(std::move(schema)) : void(++faulty_);
+            // Those of protobuf are no text.
+            const bool good = reader.ok() && isUtf8(schema.name) && isUtf8(schema.encoding);
+            good ? taker_.schema(std::move(schema)) : void(++faulty_);
         } else if (opcode == Opcode::channel) {
             McapChannel channel;
             channel.id = reader.number<std::uint16_t>();
             channel.schema = reader.number<std::uint16_t>();
             channel.topic = reader.text();
             channel.encoding = reader.text();
-            reader.ok() ? taker_.channel(std::move(channel)) : void(++faulty_);
+            const bool good = reader.ok() && isUtf8(channel.topic) && isUtf8(channel.encoding);
+            good ? taker_.channel(std::move(channel)) : void(++faulty_);
         } else if (opcode == Opcode::message) {
             McapMessage message;
             message.channel = reader.number<std::uint16_t>();
@@ -131,8 +137,9 @@ private:
         if (packing.empty()) {
             if (cut || isWhole(packed, size, sum)) return records(packed, true);
             ++damaged_;
-        } else if (packing == "zstd") {
-            const mcap::Unpacked got = mcap::unpacked(packed, static_cast<std::size_t>(size));
+        } else if (packing == "zstd" || packing == "lz4") {
+            const auto most = static_cast<std::size_t>(size);
+            const mcap::Unpacked got = packing == "zstd" ? mcap::unpacked(packed, most) : unpackedLz4(packed, most);
             if (cut || (got.whole && isWhole(got.bytes, size, sum))) return records(got.bytes, true);
             ++damaged_;
         } else {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/number_text.h"
+#include "base/text_file.h"
 #include "import/foreign_text.h"
 #include "import/ros_message.h"
 
@@ -41,10 +42,10 @@ std::string_view knownUnit(std::string_view type, std::string_view field) {
 
 const std::map<std::string_view, RosPrimitive>& primitives() {
     static const std::map<std::string_view, RosPrimitive> list = {
-        {"bool", RosPrimitive::boolean},    {"byte", RosPrimitive::uint8},      {"char", RosPrimitive::uint8},
-        {"int8", RosPrimitive::int8},       {"uint8", RosPrimitive::uint8},     {"int16", RosPrimitive::int16},
-        {"uint16", RosPrimitive::uint16},   {"int32", RosPrimitive::int32},     {"uint32", RosPrimitive::uint32},
-        {"int64", RosPrimitive::int64},     {"uint64", RosPrimitive::uint64},   {"float32", RosPrimitive::float32},
+        {"bool", RosPrimitive::boolean},    {"byte", RosPrimitive::uint8},    {"char", RosPrimitive::uint8},
+        {"int8", RosPrimitive::int8},       {"uint8", RosPrimitive::uint8},   {"int16", RosPrimitive::int16},
+        {"uint16", RosPrimitive::uint16},   {"int32", RosPrimitive::int32},   {"uint32", RosPrimitive::uint32},
+        {"int64", RosPrimitive::int64},     {"uint64", RosPrimitive::uint64}, {"float32", RosPrimitive::float32},
         {"float64", RosPrimitive::float64}, {"string", RosPrimitive::text},
     };
     return list;
@@ -101,6 +102,7 @@ std::optional<TypeWord> typeWordOf(std::string_view word) {
 }  // namespace
 
 RosDefinition::RosDefinition(std::string_view name, std::string_view text) {
+    if (!isUtf8(text)) fault_ = "its definition is no text";
     std::string_view type_name = name;
     std::size_t begin = 0;
     bool behind_rule = false;
@@ -117,7 +119,7 @@ RosDefinition::RosDefinition(std::string_view name, std::string_view text) {
             behind_rule = false;
         }
     }
-    if (begin <= text.size()) parseType(type_name, text.substr(begin));
+    parseType(type_name, text.substr(begin));
     if (fault_.empty()) resolve();
     if (fault_.empty()) expectNoCircle();
 }

@@ -26,8 +26,8 @@ std::string_view timeWithNanoseconds(std::string_view path) {
 std::vector<std::int64_t> nanosecondsOf(const std::vector<double>& seconds, const std::vector<double>& fine) {
     std::vector<std::int64_t> out;
     for (std::size_t i = 0; i < seconds.size(); ++i) {
-        const bool good = seconds[i] >= 0 && seconds[i] < kLatestStamp && fine[i] >= 0 && fine[i] < 1e9 &&
-                          seconds[i] + fine[i] > 0;
+        const bool good =
+            seconds[i] >= 0 && seconds[i] < kLatestStamp && fine[i] >= 0 && fine[i] < 1e9 && seconds[i] + fine[i] > 0;
         if (!good) break;
         out.push_back(static_cast<std::int64_t>(seconds[i]) * kSecond + static_cast<std::int64_t>(fine[i]));
     }

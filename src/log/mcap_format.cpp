@@ -48,8 +48,7 @@ void putRecord(std::string& out, Opcode opcode, std::string_view content) {
 
 std::string packed(std::string_view bytes) {
     std::string frame(ZSTD_compressBound(bytes.size()), '\0');
-    const std::size_t size =
-        ZSTD_compress(frame.data(), frame.size(), bytes.data(), bytes.size(), ZSTD_CLEVEL_DEFAULT);
+    const std::size_t size = ZSTD_compress(frame.data(), frame.size(), bytes.data(), bytes.size(), ZSTD_CLEVEL_DEFAULT);
     if (ZSTD_isError(size)) throw std::bad_alloc();  // its only cause here
     frame.resize(size);
     return frame;

@@ -294,7 +294,7 @@ private:
     const std::function<void(std::string_view)>& take_;
     std::uint32_t sum_ = 0;  // of what was emitted, since the beginning of the file or of its summary
     std::uint64_t written_ = 0;
-    std::string chunk_;  // records that are not yet emitted
+    std::string chunk_;                            // records that are not yet emitted
     std::size_t chunk_begin_ = 0, chunk_end_ = 0;  // its rows
     std::vector<std::string> indexes_;             // of the chunk: time and place of each message of a topic
     std::vector<std::string> chunk_indexes_, offsets_;

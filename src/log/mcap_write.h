@@ -1,7 +1,7 @@
 // A log as MCAP file, for Foxglove, PlotJuggler and ROS 2: one topic for each group of channels (chassis.yaw_rate is
 // the field yaw_rate of /chassis, wheel.front_left.spin the field spin of /wheel/front_left, chassis.yaw_rate@can the
-// field yaw_rate of /can/chassis), one message per topic and sample, in JSON. The JSON schema of a topic has the name of
-// each channel as title and its unit as description. Values that are not finite are left out.
+// field yaw_rate of /can/chassis), one message per topic and sample, in JSON. The JSON schema of a topic has the name
+// of each channel as title and its unit as description. Values that are not finite are left out.
 #pragma once
 
 #include <functional>

@@ -38,6 +38,25 @@ TEST_F(Import, WritesALogAndSaysWhatItChanged) {
     EXPECT_EQ(runProgram({"check", log}).status, 0);
 }
 
+TEST_F(Import, McapOfALogComesBackAsThatLog) {
+    ASSERT_EQ(runProgram({"import", table, "--map", map, "-o", log}).status, 0);
+    const std::string mcap = scratch.path("log.mcap"), back = scratch.path("back.csv");
+    const Result convert = runProgram({"log", log, "--mcap"});
+    EXPECT_EQ(convert.status, 0) << convert.err;
+    EXPECT_EQ(convert.err, "log: " + mcap + "\n");
+    const Result result = runProgram({"import", mcap, "-o", back});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(contentOf(back), contentOf(log));
+    EXPECT_NE(runProgram({"metrics", mcap}).err.find("found an MCAP recording"), std::string::npos);
+
+    const Result wrong = runProgram({"log", log, "--mcap", "-o", scratch.path("x.csv")});
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_NE(wrong.err.find("expected a name that ends with .mcap"), std::string::npos) << wrong.err;
+    const Result bag = runProgram({"import", scratch.file("drive.db3", "SQLite format 3"), "-o", back});
+    EXPECT_EQ(bag.status, 2);
+    EXPECT_NE(bag.err.find("`ros2 bag convert`"), std::string::npos) << bag.err;
+}
+
 TEST_F(Import, TheSameAsJson) {
     const Result result = runProgram({"import", table, "--map", map, "-o", log, "--json"});
     EXPECT_EQ(result.err, "");

@@ -84,7 +84,8 @@ void addMetrics(CLI::App& app, MetricsOptions& o) {
 }
 
 void addImport(CLI::App& app, ImportOptions& o) {
-    addFile(app, "file", o.file, "foreign log (.vbo, .mat, .mcap, text table) or tyre property file (.tir)")->required();
+    addFile(app, "file", o.file, "foreign log (.vbo, .mat, .mcap, text table) or tyre property file (.tir)")
+        ->required();
     addFile(app, "--map", o.map, "mapping from its columns to channels (YAML; default: guessed from the names)");
     addFile(app, "--init", o.init, "write the guessed mapping to this file, to be edited, and no log");
     addFile(app, "-o,--output", o.output,
@@ -314,7 +315,8 @@ void addCommands(CLI::App& app, int& status) {
                addCampaignSlurm, campaignSlurm, status);
     addCommand(app, "fmu", "write a car as an FMU for co-simulation, which other simulators import", addFmu, fmu,
                status);
-    addCommand(app, "log", "convert the log of a run of a campaign to CSV, or any log to MCAP", addLog, convertLog, status);
+    addCommand(app, "log", "convert the log of a run of a campaign to CSV, or any log to MCAP", addLog, convertLog,
+               status);
     addCommand(app, "describe", "all fields with units, meaning, limits and defaults; or the data sheet of a car",
                addDescribe, describe, status);
     addCommand(app, "check",

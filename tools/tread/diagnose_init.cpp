@@ -31,7 +31,8 @@ std::vector<std::string> logsOf(const Path& folder) {
         if (entry.is_regular_file() && isLog(entry.path())) names.push_back(entry.path().filename().string());
     }
     if (names.empty()) {
-        throw LoadError({{folder.string(), 0, 0, "", "found no log in the folder, expected .csv, .vbo, .mat or .mcap files"}});
+        throw LoadError(
+            {{folder.string(), 0, 0, "", "found no log in the folder, expected .csv, .vbo, .mat or .mcap files"}});
     }
     std::sort(names.begin(), names.end());
     return names;
