@@ -30,7 +30,7 @@ struct CarFleetSettings {
     int threads = 1;      // that compute, the caller's included; 0: one per core
     int lanes = 8;        // cars that a thread computes at once, at most; the processor has 8, 4 or 1
     Vector3 gravity_W{0, 0, -kStandardGravity};
-    Vector3 wind_W{0, 0, 0};  // m/s, velocity of the air
+    Vector3 wind_W{0, 0, 0};  // m/s, velocity of the air, until setWind() says another
 };
 
 // How the inputs of a call come about.
@@ -67,9 +67,14 @@ public:
     void setRoad(const std::shared_ptr<const Road>& road);
     void setRoad(std::size_t car, const std::shared_ptr<const Road>& road);
 
+    // Velocity of the air in the world, m/s: for all cars, or for one.
+    void setWind(const Vector3& wind_W);
+    void setWind(std::size_t car, const Vector3& wind_W);
+
     // Puts cars in equilibrium (equilibrium.h) where they are to start, and their inputs to those that keep them there:
     // one car, all, or all of which `which` is true, with one start for all or one per car. To find an equilibrium
-    // takes as long as some hundred steps; a car that starts where it started last, on the same road, starts at once.
+    // takes as long as some hundred steps; a car that starts where it started last, on the same
+    // road and in the same wind, starts at once.
     void reset(std::size_t car, const Start& start);
     void reset(const Start& start);
     void reset(std::span<const Start> starts);

@@ -36,7 +36,7 @@ struct Inputs {
     const VehicleInput* end;
 };
 
-// Angles of the front wheels at both ends of the step, and the rates with which they yield as it begins, rad/s.
+// Angles of the wheels at both ends of the step, without toe, rad; those of the rear wheels are 0.
 template <class T>
 struct FrontSteering {
     PerWheel<T> begin{};

@@ -92,11 +92,22 @@ class Run(WithScratch):
         with self.assertRaisesRegex(tread.InputError, "expected a vehicle"):
             tread.run(SOURCE / "scenarios/step_steer_80.yaml", "step_steer_80")
 
-    def test_a_series_is_refused(self):
-        series = next(f for f in sorted((SOURCE / "scenarios").glob("*.yaml")) if "\n  vary:" in f.read_text()
-                      or "\n  highest:" in f.read_text())
-        with self.assertRaisesRegex(tread.InputError, "found a series of runs, expected a single run"):
-            tread.run("compact", series)
+    def test_a_series_is_that_of_the_program(self):
+        several = self.file("several.yaml", STOP + "series: {vary: {number: start.speed, values: [10 km/h, 15 km/h]}}\n")
+        with self.assertRaisesRegex(tread.InputError, "found a series of runs, expected a single run; tread.run_series"):
+            tread.run("compact", several)
+        series = tread.run_series("compact", several)
+        program("run", SOURCE / "vehicles/compact.yaml", several, "-o", self.scratch / "out")
+        table = np.genfromtxt(self.scratch / "out/series.csv", delimiter=",", names=True, deletechars="")
+        self.assertEqual((series.number, series.unit), ("start.speed", "m/s"))
+        np.testing.assert_array_equal(series.values, table[table.dtype.names[0]])
+        np.testing.assert_array_equal(series.passed, table[table.dtype.names[1]])
+        name = "stopping_distance"
+        column = next(one for one in table.dtype.names if one.startswith(name))
+        np.testing.assert_array_equal(series.metrics[name], table[column])
+        self.assertTrue(np.isnan(series.highest))
+        with self.assertRaisesRegex(tread.InputError, "expected a series of runs"):
+            tread.run_series("compact", self.scenario)
 
     def test_a_simulation_that_fails_tells_its_time(self):
         with self.assertRaises(tread.SimulationError) as caught:

@@ -26,6 +26,7 @@ struct Alone {
     ChassisMotion motion{};
     VehicleState state{};
     VehicleInput input{};
+    Vector3 wind_W = Vector3::Zero();
 
     Alone(const VehicleParams& params, const Start& start, std::shared_ptr<const Road> ground)
         : vehicle(prepare(params)), road(std::move(ground)) {
@@ -35,7 +36,7 @@ struct Alone {
         input = found.input;
     }
     void advance(const VehicleInput& begin, const VehicleInput& end) {
-        tread::advance(motion, state, vehicle, begin, end, {*road}, kStep);
+        tread::advance(motion, state, vehicle, begin, end, {.road = *road, .wind_W = wind_W}, kStep);
     }
 };
 
@@ -180,6 +181,7 @@ TEST(CarFleet, LanesHaveTheBitsOfSingleCarsInEveryKindOfDrive) {
     banked.friction_patches.push_back({.friction = 0.3, .y_to = 0});
     const std::shared_ptr<const Road> patches = makeRoad(banked);
     const auto roadOf = [&](std::size_t car) { return car % 7 == 0 ? patches : flat(); };
+    const auto windOf = [](std::size_t car) { return Vector3(0, static_cast<double>(car % 5), 0); };
     std::vector<Alone> cars;
     std::vector<CarFleet> fleets;
     std::vector<Start> starts;
@@ -188,8 +190,10 @@ TEST(CarFleet, LanesHaveTheBitsOfSingleCarsInEveryKindOfDrive) {
         CarFleet& fleet = fleets.emplace_back(params, CarFleetSettings{.step = kStep, .lanes = lanes});
         for (std::size_t i = 0; i < params.size(); ++i) fleet.setRoad(i, roadOf(i));
         fleet.reset(starts);
+        for (std::size_t i = 0; i < params.size(); ++i) fleet.setWind(i, windOf(i));
     }
-    for (std::size_t i = 0; i < params.size(); ++i) cars.emplace_back(params[i], starts[i], roadOf(i));
+    for (std::size_t i = 0; i < params.size(); ++i)
+        cars.emplace_back(params[i], starts[i], roadOf(i)).wind_W = windOf(i);
 
     constexpr int kCalls = 200, kSteps = 20;
     bool stands = false, regulates = false, slides = false, shifts = false;

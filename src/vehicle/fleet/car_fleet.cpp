@@ -24,10 +24,11 @@ struct Car {
     std::shared_ptr<const Road> road;
     std::shared_ptr<const std::vector<double>> numbers;  // of the vehicle, for lanes; none: it does not fit in one
     std::optional<GroundNumbers> plane{};                // that the road is everywhere
+    Vector3 wind_W;
     ChassisMotion motion{};
     VehicleState state{};
     VehicleInput reached{};  // input with which the last call ended
-    // Where it started last, and how; nothing when its road is another since.
+    // Where it started last, and how; nothing when its road or wind is another since.
     Start start{};
     std::shared_ptr<const Equilibrium> started{};
 };
@@ -90,7 +91,7 @@ struct CarFleet::Implementation {
         std::shared_ptr<const std::vector<double>> numbers;
         if (known) numbers = cars.back().numbers;
         else if (fitsInLane(*vehicle)) numbers = std::make_shared<const std::vector<double>>(numbersOf(*vehicle));
-        cars.push_back({.vehicle = vehicle, .road = {}, .numbers = numbers});
+        cars.push_back({.vehicle = vehicle, .road = {}, .numbers = numbers, .wind_W = settings.wind_W});
         inputs.emplace_back();
     }
 
@@ -139,6 +140,7 @@ struct CarFleet::Implementation {
                              .state = state,
                              .motion = numbersOf(car.motion),
                              .road = car.road.get(),
+                             .wind_W = {car.wind_W.x(), car.wind_W.y(), car.wind_W.z()},
                              .tyres_shifted = car.vehicle->tyres_shifted,
                              .warmth_felt = car.vehicle->warmth_felt,
                              .plane = car.plane ? &*car.plane : nullptr});
@@ -149,7 +151,7 @@ struct CarFleet::Implementation {
         return std::make_shared<const Vehicle>(prepare(car, settings.gravity_W.norm()));
     }
 
-    Surroundings surroundings(const Car& car) const { return {*car.road, settings.gravity_W, settings.wind_W}; }
+    Surroundings surroundings(const Car& car) const { return {*car.road, settings.gravity_W, car.wind_W}; }
 
     void findStart(Car& car, const Start& start) {
         if (car.started && sameStart(car.start, start)) return;
@@ -205,13 +207,13 @@ struct CarFleet::Implementation {
     void advanceInLanes(Unit& unit, int steps, InputCourse course) {
         std::vector<LaneCar> lanes = lanesOf(unit);
         unit.kind->load(unit.block.get(), lanes.data());
-        const Vector3 &g = settings.gravity_W, &wind = settings.wind_W;
-        const LaneSurroundings around{{g.x(), g.y(), g.z()}, {wind.x(), wind.y(), wind.z()}};
+        const Vector3& g = settings.gravity_W;
+        const std::array<double, 3> gravity_W{g.x(), g.y(), g.z()};
         std::vector<VehicleInput> begin, end(lanes.size());
         for (std::size_t k = 0; k < lanes.size(); ++k) begin.push_back(inputAt(carIn(unit, k), 0, steps, course));
         for (int i = 1; i <= steps; ++i) {
             for (std::size_t k = 0; k < lanes.size(); ++k) end[k] = inputAt(carIn(unit, k), i, steps, course);
-            unit.kind->step(unit.block.get(), begin.data(), end.data(), around, settings.step);
+            unit.kind->step(unit.block.get(), begin.data(), end.data(), gravity_W, settings.step);
             begin.swap(end);
         }
         unit.kind->store(unit.block.get(), lanes.data());
@@ -283,6 +285,16 @@ void CarFleet::setRoad(std::size_t index, const std::shared_ptr<const Road>& roa
     car.plane.reset();
     if (const auto* plane = dynamic_cast<const PlaneRoad*>(road.get()))
         car.plane = numbersOf(plane->contact(Vector3::Zero(), 0));
+    car.started.reset();
+}
+
+void CarFleet::setWind(const Vector3& wind_W) {
+    for (std::size_t i = 0; i < size(); ++i) setWind(i, wind_W);
+}
+
+void CarFleet::setWind(std::size_t index, const Vector3& wind_W) {
+    Car& car = self_->cars.at(index);
+    car.wind_W = wind_W;
     car.started.reset();
 }
 

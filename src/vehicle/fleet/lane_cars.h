@@ -122,6 +122,7 @@ struct LaneBlock {
     LaneState<T> state;
     LaneMotion<T> motion;
     LaneRoads<T> roads;
+    std::array<T, 3> wind_W;
 
     static void prepare(void* memory, const LaneCar* cars) {
         LaneBlock& block = *static_cast<LaneBlock*>(memory);
@@ -146,18 +147,19 @@ struct LaneBlock {
             setCar<T>(block.state.acceleration_W, i, &car.state->acceleration_W);
             setCar<T>(block.state.angular_acceleration_W, i, &car.state->angular_acceleration_W);
             setCar<T>(block.motion, i, &car.motion);
+            setCar<T>(block.wind_W, i, &car.wind_W);
             block.roads.roads[i] = car.road;
             if (car.plane) setCar<T>(block.roads.plane, i, car.plane);
             else block.roads.planes = false;
         }
     }
 
-    static void step(void* memory, const VehicleInput* begin, const VehicleInput* end, const LaneSurroundings& around,
-                     double dt) {
+    static void step(void* memory, const VehicleInput* begin, const VehicleInput* end,
+                     const std::array<double, 3>& gravity_W, double dt) {
         LaneBlock& block = *static_cast<LaneBlock*>(memory);
-        const auto all = [](const std::array<double, 3>& a) { return LaneVector<T>(a[0], a[1], a[2]); };
-        tread::step<T>(block.motion, block.state, block.cars, Inputs{begin, end},
-                       BasicSurroundings<T, LaneRoads<T>>{block.roads, all(around.gravity_W), all(around.wind_W)}, dt);
+        const BasicSurroundings<T, LaneRoads<T>> surroundings{
+            block.roads, LaneVector<T>(gravity_W[0], gravity_W[1], gravity_W[2]), toVector(block.wind_W)};
+        tread::step<T>(block.motion, block.state, block.cars, Inputs{begin, end}, surroundings, dt);
     }
 
     static void store(const void* memory, LaneCar* cars) {

@@ -22,19 +22,17 @@ struct LaneCar {
     VehicleState* state;
     MotionNumbers motion;
     const Road* road;
+    std::array<double, 3> wind_W;
     bool tyres_shifted, warmth_felt;  // as in Vehicle
     const GroundNumbers* plane;       // that the road is everywhere; nullptr: it has to be asked
-};
-
-struct LaneSurroundings {
-    std::array<double, 3> gravity_W, wind_W;
 };
 
 struct LaneKind {
     std::size_t lanes, bytes, alignment;
     void (*prepare)(void* block, const LaneCar* cars);  // takes the cars
-    void (*load)(void* block, const LaneCar* cars);     // takes their states and roads
-    void (*step)(void* block, const VehicleInput* begin, const VehicleInput* end, const LaneSurroundings&, double dt);
+    void (*load)(void* block, const LaneCar* cars);     // takes their states, roads and winds
+    void (*step)(void* block, const VehicleInput* begin, const VehicleInput* end,
+                 const std::array<double, 3>& gravity_W, double dt);
     void (*store)(const void* block, LaneCar* cars);  // gives the states back
 };
 

@@ -27,7 +27,7 @@ struct Ran {
 // Runs what the folder lacks, and joins the results. Stopped: the runs that are done are kept.
 Ran ran(const Plan& plan, const Path& folder, int threads, const Watch& watch) {
     program::beginCampaign(plan, folder, true, watch.stop);
-    campaign::Work work;
+    WorkOptions work;
     work.threads = threads;
     work.stop = watch.stop;
     work.progress = [&](std::uint64_t done, std::uint64_t of) {

@@ -28,7 +28,7 @@ from ._described import TyreForces, VehicleInput, describe
 from ._diagnose import Decomposition, Diagnosis, Effect, Estimate, FittedNumber, Identification, diagnose, identify
 from ._errors import FileError, InputError, InputWarning, Problem, SimulationError
 from ._log import Log, Metric, Metrics, read_log
-from ._run import run
+from ._run import Series, run, run_series
 from ._tyre import Tyre
 from ._vector_env import VectorEnv
 from ._vehicle import Vehicle
@@ -36,7 +36,7 @@ from ._vehicle import Vehicle
 __version__: str = _tread.__version__
 
 __all__ = [
-    "run", "read_log", "Log", "Metrics", "Metric",
+    "run", "run_series", "Series", "read_log", "Log", "Metrics", "Metric",
     "compare", "Comparison",
     "Tyre", "TyreForces",
     "Vehicle", "VehicleInput", "VectorEnv",
