@@ -293,7 +293,9 @@ public:
     explicit Guesser(const ForeignTable& table) : table_(table), names_(table) {}
 
     GuessedMap guess() {
-        result_.map.source = "guessed from the names of a " + table_.kind;
+        result_.map.source =
+            (table_.kind.starts_with("MCAP") ? "guessed from the names of an " : "guessed from the names of a ") +
+            table_.kind;
         if (table_.kind == kOwnMcap) return ownChannels();
         for (const Alias& alias : aliases()) {
             const ForeignColumn* const column = find(alias.names);

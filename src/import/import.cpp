@@ -18,20 +18,36 @@
 namespace tread {
 namespace {
 
-// The samples of a recording that the mapping asks for and that every delayed channel reaches, and every one with its
-// own time that begins and ends but a little later or earlier than the recording.
-Stretch cut(const Stretch& recording, const std::vector<WholeChannel>& channels, const ImportMap& map,
-            std::vector<Change>& changes) {
-    double begin = map.time.begin, end = map.time.end.value_or(kInfinity);
-    for (const ImportChannel& channel : map.map) {
-        begin = std::max(begin, -channel.delay);
-        if (channel.delay > 0) end = std::min(end, recording.duration() - channel.delay);
-    }
-    const double longest = map.repairs.max_jump;
+// Without the ends that a channel with its own time does not reach, when it lacks but a little.
+Stretch reached(const Stretch& recording, const std::vector<WholeChannel>& channels, double longest,
+                std::vector<Change>& changes) {
+    double begin = 0, end = recording.duration();
     for (const WholeChannel& channel : channels) {
         const double first = channel.first - recording.begin, last = channel.last - recording.begin;
         if (first <= longest) begin = std::max(begin, first);
         if (last >= recording.duration() - longest) end = std::min(end, last);
+    }
+    if (begin == 0 && end == recording.duration()) return recording;
+    Stretch kept{{}, {}, recording.begin};
+    for (std::size_t i = 0; i < recording.rows.size(); ++i) {
+        if (recording.time[i] < begin || recording.time[i] > end) continue;
+        kept.rows.push_back(recording.rows[i]);
+        kept.time.push_back(recording.time[i]);
+    }
+    const std::size_t lost = recording.rows.size() - kept.rows.size();
+    if (lost > 0)
+        changes.push_back(
+            {"cut", "", lost,
+             fmt::format("{} at the ends, which not every channel reaches, cut off", counted(lost, "sample"))});
+    return kept;
+}
+
+// The samples of a recording that the mapping asks for and that every delayed channel reaches.
+Stretch cut(const Stretch& recording, const ImportMap& map, std::vector<Change>& changes) {
+    double begin = map.time.begin, end = map.time.end.value_or(kInfinity);
+    for (const ImportChannel& channel : map.map) {
+        begin = std::max(begin, -channel.delay);
+        if (channel.delay > 0) end = std::min(end, recording.duration() - channel.delay);
     }
     Stretch kept{{}, {}, recording.begin};
     for (std::size_t i = 0; i < recording.rows.size(); ++i) {
@@ -44,9 +60,10 @@ Stretch cut(const Stretch& recording, const std::vector<WholeChannel>& channels,
     return kept;
 }
 
-Log logOf(const Stretch& recording, const std::vector<WholeChannel>& channels, const ForeignTable& table,
+Log logOf(const Stretch& whole, const std::vector<WholeChannel>& channels, const ForeignTable& table,
           const ImportMap& map, std::vector<Change>& changes) {
-    const Stretch kept = cut(recording, channels, map, changes);
+    const Stretch recording = reached(whole, channels, map.repairs.max_jump, changes);
+    const Stretch kept = cut(recording, map, changes);
     if (kept.rows.size() < 2) {
         throw LoadError({{table.file, 0, 0, "", "has fewer than two samples left, expected a recording"}});
     }

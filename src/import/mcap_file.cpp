@@ -152,7 +152,7 @@ private:
                                                   counted(topic->damaged, "message")));
             if (!topic->passed_over.empty())
                 table.notes.push_back(fmt::format("topic {}: covariances and long arrays left out ({})", topic->name,
-                                                  quote(listedPaths(topic->passed_over))));
+                                                  listedPaths(topic->passed_over)));
         }
         std::erase_if(topics_,
                       [](const auto& topic) { return topic->table.rows() == 0 || topic->table.columns.empty(); });
