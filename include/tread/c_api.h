@@ -4,9 +4,10 @@
 //     tread_car* car = tread_car_load("vehicles/compact.yaml", NULL, error, sizeof error);
 //     const tread_start start = {.size = sizeof start, .speed = 20};
 //     tread_car_start(car, &start);
-//     double inputs[TREAD_MOST_INPUTS] = {0};
-//     const int steering = tread_input_index("steering_wheel_angle"), yaw_rate =
-//     tread_output_index("chassis.yaw_rate"); for (;;) {
+//     double inputs[TREAD_MOST_INPUTS] = {0}, outputs[TREAD_MOST_OUTPUTS];
+//     const int steering = tread_input_index("steering_wheel_angle");
+//     const int yaw_rate = tread_output_index("chassis.yaw_rate");
+//     for (;;) {
 //         inputs[steering] = 0.3;
 //         tread_car_set_inputs(car, inputs, tread_input_count(), TREAD_HELD);
 //         if (tread_car_advance(car, 0.01) != TREAD_OK) puts(tread_car_error(car));
