@@ -11,11 +11,6 @@
 namespace tread::campaign {
 namespace {
 
-std::string listing(std::string_view path) {
-    if (path.starts_with("scenario")) return "`tread describe scenario` lists all paths behind \"scenario.\"";
-    return "`tread describe vehicle` lists all paths";
-}
-
 template <class Field>
 constexpr bool holdsNumber() {
     return std::is_same_v<Field, double> || std::is_same_v<Field, std::optional<double>>;
@@ -60,11 +55,11 @@ FieldFound fieldAt(Subject& subject, const std::string& path, const double* set)
 }
 
 void setFields(Subject& subject, std::span<const std::string> assignments, const std::string& where) {
-    applySettings(subject, assignments, where, listing);
+    applySettings(subject, assignments, where, listingOf);
 }
 
 void setFields(VehicleParams& vehicle, std::span<const std::string> assignments, const std::string& where) {
-    applySettings(vehicle, assignments, where, listing);
+    applySettings(vehicle, assignments, where, listingOf);
 }
 
 void expectSound(Subject& subject, const std::string& where) {
@@ -73,8 +68,13 @@ void expectSound(Subject& subject, const std::string& where) {
     throwIfAny(std::move(session.problems));
 }
 
+std::string listingOf(std::string_view path) {
+    if (path.starts_with("scenario")) return "`tread describe scenario` lists all paths after \"scenario.\"";
+    return "`tread describe vehicle` lists all paths";
+}
+
 std::string unknownPath(const std::string& path) {
-    return detail::unknownPathText(path, referenceTable<Subject>(), listing);
+    return detail::unknownPathText(path, referenceTable<Subject>(), listingOf);
 }
 
 int seedsIn(const Scenario& scenario) {

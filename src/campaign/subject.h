@@ -43,6 +43,9 @@ void setFields(VehicleParams& vehicle, std::span<const std::string> assignments,
 // Throws LoadError that names `where` when a number is beyond its limits or contradicts another.
 void expectSound(Subject& subject, const std::string& where);
 
+// Which command lists the paths beside this one, for messages.
+std::string listingOf(std::string_view path);
+
 // What to say of a path that no field has.
 std::string unknownPath(const std::string& path);
 

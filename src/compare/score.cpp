@@ -13,7 +13,7 @@ using Curve1 = std::span<const double>;
 constexpr std::size_t kSmoothed = 9;  // samples of the moving average over the slopes
 constexpr double kFlat = 1e-20;       // variance over the squared mean that is rounding, not motion
 
-double peakOf(Curve1 curve) {
+double largestOf(Curve1 curve) {
     double peak = 0;
     for (const double value : curve) peak = std::max(peak, std::abs(value));
     return peak;
@@ -31,7 +31,7 @@ double share(double error, double reference) {
 }
 
 double corridorScore(Curve1 reference, Curve1 candidate, const ScoreParams& p) {
-    const double peak = peakOf(reference);
+    const double peak = largestOf(reference);
     const double inner = p.corridor_inner * peak, outer = p.corridor_outer * peak;
     double sum = 0;
     for (std::size_t i = 0; i < reference.size(); ++i) {

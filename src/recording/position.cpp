@@ -17,7 +17,7 @@ using Values = std::vector<double>;
 
 constexpr double kLongestSilence = 0.25;  // s between two values; what the car does within a longer one is unknown
 
-constexpr double kStill = 0.01;  // m or rad; over a longer gap, a car that moved by less stood still
+constexpr double kStoodStill = 0.01;  // m or rad; over a longer gap, a car that moved by less stood still
 
 // Turned by whole revolutions so that no step exceeds half of one.
 Values unwrapped(Values angle) {
@@ -42,7 +42,7 @@ Values betweenUpdates(const Values& time, const Values& values) {
         for (std::size_t k = before + 1; before < i && k < i; ++k) {
             const double share = (time[k] - time[before]) / (time[i] - time[before]);
             const double moved = values[i] - values[before];
-            const bool lost = time[i] - time[before] > kLongestSilence && std::abs(moved) > kStill;
+            const bool lost = time[i] - time[before] > kLongestSilence && std::abs(moved) > kStoodStill;
             known[k] = lost ? kRequired : values[before] + share * moved;
         }
         before = i;

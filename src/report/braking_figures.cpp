@@ -8,6 +8,7 @@
 
 #include "metrics/stop.h"
 #include "report/cross_plot.h"
+#include "report/shown_metric.h"
 
 namespace tread {
 namespace {
@@ -31,13 +32,6 @@ Chart overWay(std::string title, ChartAxis y, const std::vector<double>& way, st
         .title = std::move(title), .x = {"distance from the brake pedal on", "m"}, .y = std::move(y), .series = {}};
     chart.series.push_back({.name = "", .x = way, .y = std::move(values), .colour = Colour::blue});
     return chart;
-}
-
-std::optional<double> metricNamed(const std::vector<Metric>& metrics, std::string_view name) {
-    for (const Metric& metric : metrics) {
-        if (metric.name == name && std::isfinite(metric.value)) return metric.value;
-    }
-    return std::nullopt;
 }
 
 // The largest deceleration that is drawn, as the metric has it.

@@ -9,18 +9,12 @@
 #include "metrics/metrics.h"
 #include "metrics/sine_with_dwell.h"
 #include "report/cross_plot.h"
+#include "report/shown_metric.h"
 #include "report/text.h"
 #include "tread/vehicle_output.h"
 
 namespace tread {
 namespace {
-
-std::optional<double> metricNamed(const std::vector<Metric>& metrics, std::string_view name) {
-    for (const Metric& metric : metrics) {
-        if (metric.name == name && std::isfinite(metric.value)) return metric.value;
-    }
-    return std::nullopt;
-}
 
 // A line of that slope through the middle of the points between two x; nothing without points there.
 std::optional<Series> lineThrough(const Series& curve, double slope, double from, double to) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kAround = 80;              // m of plane around the way
 constexpr double kTile = 4;                 // m, side of a tile
-constexpr double kBeside = 3;               // m of uneven road beside the way
+constexpr double kBesideTheWay = 3;         // m of uneven road beside the way
 constexpr double kEven = 0.0005;            // m: a tile that is plane to this is drawn as four corners
 constexpr int kFinest = 40;                 // cells along the side of a tile: 0.1 m
 constexpr std::size_t kMostNodes = 120000;  // in the page: about 320 kB
@@ -32,8 +32,8 @@ std::set<Tile> tilesBeside(std::span<const Point> way) {
     const auto index = [](double at) { return static_cast<int>(std::floor(at / kTile)); };
     std::set<Tile> tiles;
     for (const Point& point : way) {
-        for (int i = index(point.x - kBeside); i <= index(point.x + kBeside); ++i) {
-            for (int j = index(point.y - kBeside); j <= index(point.y + kBeside); ++j) tiles.insert({i, j});
+        for (int i = index(point.x - kBesideTheWay); i <= index(point.x + kBesideTheWay); ++i) {
+            for (int j = index(point.y - kBesideTheWay); j <= index(point.y + kBesideTheWay); ++j) tiles.insert({i, j});
         }
     }
     return tiles;

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "metrics/metric.h"
 #include "report/text.h"
@@ -21,6 +24,14 @@ inline std::string shownValue(const Metric& metric, int significant_digits) {
     const double last = std::pow(10, -metric.say.decimals);
     const bool nothing = metric.say.rank > 0 && std::abs(metric.say.scale * metric.value) < kNothing * last;
     return nothing ? "0" : formatNumber(metric.value * displayUnit(metric).scale, significant_digits);
+}
+
+// A metric that could be computed.
+inline std::optional<double> metricNamed(const std::vector<Metric>& metrics, std::string_view name) {
+    for (const Metric& metric : metrics) {
+        if (metric.name == name && std::isfinite(metric.value)) return metric.value;
+    }
+    return std::nullopt;
 }
 
 }  // namespace tread

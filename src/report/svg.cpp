@@ -34,12 +34,12 @@ double textWidth(std::string_view text) {
     return static_cast<double>(characters) * kCharacter;
 }
 
-struct Look {
+struct SeriesLook {
     std::string_view colour;
     bool dashed;
 };
 
-Look lookOf(const Series& series, std::size_t index) {
+SeriesLook lookOf(const Series& series, std::size_t index) {
     if (series.colour != Colour::automatic) return {hex(series.colour), series.dashed};
     const CurveLook automatic = automaticLook(index);
     return {hex(automatic.colour), series.dashed || automatic.dashed};
@@ -177,7 +177,7 @@ void writeLegend(Out out, const Chart& chart, const Layout& layout) {
         double x = kMargin;
         for (const std::size_t index : row) {
             const Series& series = chart.series[index];
-            const Look look = lookOf(series, index);
+            const SeriesLook look = lookOf(series, index);
             if (series.line) {
                 fmt::format_to(out, R"(<path stroke="{}" stroke-width="{:.3g}"{} d="M{:.1f} {:.1f}h22"/>)", look.colour,
                                std::max(2.0, series.width), look.dashed ? kDashed : kSolid, x, y);
@@ -220,7 +220,7 @@ void writeSeries(Out out, const Chart& chart, const Layout& layout) {
                    layout.width, layout.height);
     for (std::size_t i = 0; i < chart.series.size(); ++i) {
         const Series& series = chart.series[i];
-        const Look look = lookOf(series, i);
+        const SeriesLook look = lookOf(series, i);
         if (series.line) {
             fmt::format_to(out,
                            R"(<path fill="none" stroke="{}" stroke-width="{:.3g}" stroke-linejoin="round"{} d="{}"/>)",

@@ -8,7 +8,7 @@
 namespace tread {
 namespace {
 
-constexpr double kSpacing = 0.5;  // m between the points of a smooth line: 2 mm off an arc of 15 m radius
+constexpr double kSmoothSpacing = 0.5;  // m between the points of a smooth line: 2 mm off an arc of 15 m radius
 
 // The line where the car starts, in its direction; as it is when it keeps its coordinates.
 std::vector<Point> placed(const CourseLine& line) {
@@ -67,7 +67,7 @@ CoursePlan::CoursePlan(const CourseParams& course, const KnownGrip& grip) {
         path_ = Path(coursePath(course));
         return;
     }
-    std::vector<SmoothPoint> line = smoothLine(placed(given), given.closed, kSpacing);
+    std::vector<SmoothPoint> line = smoothLine(placed(given), given.closed, kSmoothSpacing);
     if (line.empty()) return;
     if (!given.in_place) moveToStart(line);
     std::vector<Point> points;

@@ -14,6 +14,7 @@
 #include "blind/key/program_hash.h"
 #include "campaign/correlated.h"
 #include "campaign/folder.h"
+#include "campaign/subject.h"
 #include "log/csv.h"
 #include "run_inputs.h"
 #include "scenario/replay.h"
@@ -27,11 +28,6 @@ using campaign::CampaignFile;
 using campaign::CampaignInputs;
 using campaign::Plan;
 using campaign::Subject;
-
-std::string listingOf(std::string_view path) {
-    if (path.starts_with("scenario")) return "`tread describe scenario` lists all paths behind \"scenario.\"";
-    return "`tread describe vehicle` lists all paths";
-}
 
 // Reads files and keeps all their faults.
 class Faults {
@@ -82,7 +78,7 @@ void apply(const std::vector<std::string>& settings, Scenario& scenario, const s
         else scenario.car_settings.push_back(setting);
     }
     Subject subject{{}, scenario};
-    applySettings(subject, own, file + ": settings", listingOf);
+    applySettings(subject, own, file + ": settings", campaign::listingOf);
     scenario = std::move(subject.scenario);
 }
 

@@ -133,7 +133,7 @@ public:
         row.name = names_[i];
         row.inputs = inputsOf(folderOf(i), request_.vehicle);
         std::filesystem::create_directories(out_ / names_[i]);
-        writeDurably(rowFile(i), jsonText(jsonOf(row)));
+        writeDurably(rowFile(i), jsonText(tread::jsonOf(row)));
     }
 
     // The rows, in the order of their names; none while one is missing.
@@ -216,8 +216,8 @@ int showAll(const std::vector<Row>& rows, const Path& out, bool json) {
     writeFile(out / "diagnoses.csv", table(rows));
     writeFile(out / "index.html", page(rows, answer));
     if (json) {
-        printJson(
-            nlohmann::json::parse(nlohmann::ordered_json{{"answer", answer}, {"diagnoses", jsonOf(rows)}}.dump()));
+        printJson(nlohmann::json::parse(
+            nlohmann::ordered_json{{"answer", answer}, {"diagnoses", tread::jsonOf(rows)}}.dump()));
     } else {
         std::string text = answer + "\n";
         for (const Row& row : rows)

@@ -12,6 +12,7 @@
 #include "base/trimmed.h"
 #include "base/write_yaml.h"
 #include "base/yaml_position.h"
+#include "campaign/subject.h"
 #include "kind_of_file.h"
 #include "metrics/metrics.h"
 #include "own_metrics.h"
@@ -38,11 +39,6 @@ struct Settable {
     }
     static void check(const auto& self, auto&& complain) { VehicleParams::check(self.vehicle, complain); }
 };
-
-std::string listingOf(std::string_view path) {
-    if (path.starts_with("scenario")) return "`tread describe scenario` lists all paths after \"scenario.\"";
-    return "`tread describe vehicle` lists all paths";
-}
 
 struct Fault {
     std::string path;
@@ -211,11 +207,11 @@ RunInputs readRunInputs(const RunOptions& given) {
     Settable asked = inputs;
     std::vector<std::string> car_settings;
     collect([&] {
-        applySettings(asked, options.settings, source, listingOf);
+        applySettings(asked, options.settings, source, campaign::listingOf);
         car_settings = asked.scenario.car_settings;
-        applySettings(inputs.vehicle, car_settings, options.scenario + ": car_settings", listingOf);
+        applySettings(inputs.vehicle, car_settings, options.scenario + ": car_settings", campaign::listingOf);
         const Settable file = inputs;
-        applySettings(inputs, options.settings, source, listingOf);
+        applySettings(inputs, options.settings, source, campaign::listingOf);
         sayChanges(inputs, file, options);
     });
     for (const Fault& fault : unknownNames(inputs.scenario, "")) {
