@@ -24,8 +24,8 @@ struct Unread {
 };
 constexpr Unread kUnread[] = {
     {"MDF     ", ".mf4", ".mdf", "an ASAM MDF measurement, which tread does not read",
-     "make a MATLAB file of it with asammdf (`pip install asammdf[export]`, then Export to MAT, or in Python "
-     "`asammdf.MDF(file).export('mat')`), or a CSV file, and import that"},
+     "make a MATLAB file of it with asammdf, in Python `asammdf.MDF(file).export('mat')`, or a CSV file, and import "
+     "that"},
     {"UnFinMF ", ".mf4", ".mdf", "an ASAM MDF measurement that was not finished, which tread does not read",
      "make a MATLAB or CSV file of it with asammdf and import that"},
     {"#ROSBAG V", ".bag", ".bag", "a bag of ROS 1, which tread does not read",
