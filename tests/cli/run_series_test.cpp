@@ -112,6 +112,18 @@ TEST(RunAll, TheCatalogueRunsAndOnePageLinksIt) {
     }
 }
 
+TEST(RunAll, EachResultHasTheWarnings) {
+    const Scratch scratch;
+    std::filesystem::create_directory(scratch.path("s"));
+    scratch.file("s/b.yaml", "title: soon\nphases: [{until: {duration: 0.1}}]\n");
+    const Result result = runProgram({"run", kCar, "--all", scratch.path("s"), "-o", scratch.path("out"), "--set",
+                                      "aero.drag_area=66 m2", "--json"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json warnings = Json::parse(result.out)["scenarios"][0]["result"]["warnings"];
+    ASSERT_EQ(warnings.size(), 1u) << warnings;
+    EXPECT_EQ("warning: " + warnings[0].get<std::string>() + "\n", result.err);
+}
+
 TEST(RunAll, ARunThatFailsDoesNotStopTheOthers) {
     const Scratch scratch;
     std::filesystem::create_directory(scratch.path("s"));

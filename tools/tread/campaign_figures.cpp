@@ -30,6 +30,10 @@ constexpr std::size_t kMostPoints = 1200;  // of a scatter plot
 constexpr std::size_t kMostBars = 40;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
+std::string titleOf(const MetricHere& metric) {
+    return metric.about->title.empty() ? metric.about->name : metric.about->title;
+}
+
 std::optional<Interval> intervalFor(const std::string& condition, const std::string& unit) {
     std::string fault;
     const auto parsed = parseCondition(condition, fault);
@@ -120,8 +124,8 @@ std::vector<MetricHere> worthShowing(const DatabaseReader& data, const std::stri
 Chart histogram(const Plan& plan, const DatabaseReader& data, std::size_t scenario, const MetricHere& metric) {
     const std::string& name = plan.inputs.scenarios[scenario].name;
     Chart chart;
-    chart.title = metric.about->name;
-    chart.x = {metric.about->name, metric.about->unit};
+    chart.title = titleOf(metric);
+    chart.x = {titleOf(metric), metric.about->unit};
     chart.y = {"runs", "-", 0.0};
     std::vector<std::vector<double>> sets;
     double low = kInfinity, high = -kInfinity;
@@ -250,9 +254,9 @@ std::string axisUnit(const std::string& unit, double& scale) {
 Chart scatter(const FactorHere& factor, const MetricHere& metric, const std::vector<double>& values) {
     double scale = 1;
     Chart chart;
-    chart.title = metric.about->name;
+    chart.title = titleOf(metric);
     chart.x = {factor.name, axisUnit(factor.unit, scale)};
-    chart.y = {metric.about->name, metric.about->unit};
+    chart.y = {titleOf(metric), metric.about->unit};
     Series points;
     points.line = false;
     points.markers = true;
@@ -291,7 +295,7 @@ void addEffects(HtmlPage& page, const Plan& plan, const DatabaseReader& data, st
     for (const FactorHere& factor : factors) rows.push_back({{.text = factor.name}});
     std::vector<Chart> charts;
     for (const MetricHere& metric : metrics) {
-        header.push_back(metric.about->name);
+        header.push_back(titleOf(metric));
         const std::vector<double> values = data.numbers(metric.column, condition);
         std::vector<std::pair<double, std::size_t>> order;
         for (std::size_t i = 0; i < factors.size(); ++i) {
@@ -325,7 +329,7 @@ void addSobol(HtmlPage& page, const Plan& plan, const DatabaseReader& data, cons
     std::vector<std::vector<tread::Cell>> rows;
     for (const std::size_t i : cell.drawn) rows.push_back({{.text = plan.variables[i].path}});
     for (const MetricHere& metric : metrics) {
-        header.push_back(metric.about->name + ", first");
+        header.push_back(titleOf(metric) + ", first");
         header.push_back("total");
         const auto indices = sobolIndices(data.numbers(metric.column, condition), cell.drawn.size());
         for (std::size_t i = 0; i < indices.size(); ++i) {

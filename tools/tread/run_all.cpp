@@ -99,6 +99,7 @@ Outcome drive(const Planned& plan, const Path& out, const TellShare& tell) {
     const std::string& title = plan.record.scenario.title;
     try {
         Driven driven = driveScenario(plan.record, out / name, plan.implausible, tell);
+        for (const Problem& warning : plan.implausible) driven.json["warnings"].push_back(toText(warning));
         return {{name, title, driven.answer, std::move(driven.metrics), driven.warnings, name + "/report.html", true,
                  driven.verdicts},
                 {{"scenario", name}, {"result", std::move(driven.json)}}};
