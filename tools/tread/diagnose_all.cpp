@@ -15,6 +15,7 @@
 #include "kind_of_file.h"
 #include "log/csv.h"
 #include "output.h"
+#include "recording/diagnosis_folders.h"
 #include "report/html.h"
 #include "shared_work.h"
 #include "store/described_json.h"
@@ -57,16 +58,11 @@ struct Row {
 static_assert(describesEveryMember<Row>());
 
 std::vector<std::string> namesIn(const Path& folder) {
-    std::vector<std::string> names;
-    std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-        if (std::filesystem::exists(entry.path() / "diagnosis.yaml")) names.push_back(entry.path().filename().string());
-    }
+    std::vector<std::string> names = recording::diagnosisFolders(folder);
     if (names.empty()) {
         throw LoadError({{folder.string(), 0, 0, "",
                           "found no folder with a diagnosis.yaml in this folder, expected one for each diagnosis"}});
     }
-    std::sort(names.begin(), names.end());
     return names;
 }
 

@@ -7,6 +7,7 @@
 #include "diagnose/answer/diagnosis.h"
 #include "diagnose/catalogue/effect.h"
 #include "log/csv.h"
+#include "recording/diagnosis_folders.h"
 #include "store/durable_file.h"
 #include "tread/load.h"
 
@@ -35,17 +36,12 @@ using world::Truth;
 namespace fs = std::filesystem;
 
 std::vector<std::string> caseNames(const fs::path& cases) {
-    std::vector<std::string> names;
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(cases, error)) {
-        if (fs::exists(entry.path() / "diagnosis.yaml")) names.push_back(entry.path().filename().string());
-    }
+    std::vector<std::string> names = recording::diagnosisFolders(cases);
     if (names.empty()) {
         throw LoadError({{cases.string(), 0, 0, "",
                           "found no case in this folder, expected folders with a diagnosis.yaml each, as `tread blind "
                           "make` writes them"}});
     }
-    std::sort(names.begin(), names.end());
     return names;
 }
 
