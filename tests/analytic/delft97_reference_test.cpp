@@ -10,7 +10,7 @@
 #include "shared/car_205_60R15.h"
 #include "shared/near.h"
 
-namespace reference {
+namespace reference::delft97_reference_test {
 namespace {
 
 using tread::TyreCoefficients;
@@ -289,4 +289,4 @@ TEST(Delft97Reference, AtStandstillTheMomentIsThatOfTheArmOfFxAlone) {
 }
 
 }  // namespace
-}  // namespace reference
+}  // namespace reference::delft97_reference_test

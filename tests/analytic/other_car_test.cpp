@@ -9,7 +9,7 @@
 #include "shared/other_car/car.h"
 #include "shared/other_car/compact.h"
 
-namespace other_car {
+namespace other_car::other_car_test {
 namespace {
 
 constexpr double kStep = 0.001;  // s
@@ -242,4 +242,4 @@ TEST(OtherCar, HalvingTheStepChangesNothing) {
 }
 
 }  // namespace
-}  // namespace other_car
+}  // namespace other_car::other_car_test

@@ -17,7 +17,7 @@
 #include "shared/other_car/compact.h"
 #include "shared/vehicles.h"
 
-namespace other_car {
+namespace other_car::other_cases_test {
 namespace {
 
 using tread::blind::drives::caseDrives;
@@ -326,4 +326,4 @@ TEST(OtherCases, RepeatsAndNoiseDifferAndTheSameSeedIsTheSame) {
 }
 
 }  // namespace
-}  // namespace other_car
+}  // namespace other_car::other_cases_test

@@ -10,7 +10,7 @@
 #include "shared/linear_ride.h"
 #include "tread/road_surface.h"
 
-namespace tread {
+namespace tread::road_ride_test {
 namespace {
 
 using reference::Vector14;
@@ -183,4 +183,4 @@ TEST(RoadRide, BumpConvergesWithTheStep) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::road_ride_test

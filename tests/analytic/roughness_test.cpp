@@ -12,7 +12,7 @@
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 
-namespace tread {
+namespace tread::roughness_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -216,4 +216,4 @@ TEST(Roughness, BeginsWhereItIsToldWithoutAStep) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::roughness_test

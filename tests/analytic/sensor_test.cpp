@@ -11,7 +11,7 @@
 #include "run/sensors.h"
 #include "shared/vehicle_run.h"
 
-namespace tread {
+namespace tread::sensor_test {
 namespace {
 
 using shared::channel;
@@ -219,4 +219,4 @@ TEST(SensorFaults, NameTheSensorAndWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::sensor_test

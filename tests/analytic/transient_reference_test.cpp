@@ -9,7 +9,7 @@
 #include "shared/car_205_60R15.h"
 #include "shared/near.h"
 
-namespace reference {
+namespace reference::transient_reference_test {
 namespace {
 
 using tread::TyreParams;
@@ -206,4 +206,4 @@ TEST(TransientReferenceByOtherMeans, SettlesOnTheSteadyStateOfTheRim) {
 }
 
 }  // namespace
-}  // namespace reference
+}  // namespace reference::transient_reference_test

@@ -15,7 +15,7 @@
 #include "shared/transient_cases.h"
 #include "shared/transient_reference.h"
 
-namespace tread {
+namespace tread::tyre_test {
 namespace {
 
 // ---- Steady state ----
@@ -242,4 +242,4 @@ TEST(TransientTyre, FollowsTightReferenceAtOneMillisecond) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::tyre_test

@@ -11,7 +11,7 @@
 
 #include "shared/vehicles.h"
 
-namespace tread {
+namespace tread::vehicle_braking_control_test {
 namespace {
 
 constexpr double kStep = 0.001;  // s
@@ -261,4 +261,4 @@ TEST(StabilityControl, StaysOutOfOrdinaryDriving) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::vehicle_braking_control_test

@@ -7,7 +7,7 @@
 
 #include "shared/single_track.h"
 
-namespace tread {
+namespace tread::vehicle_compliance_test {
 namespace {
 
 using reference::kDegree;
@@ -235,4 +235,4 @@ TEST(HandsOff, ASnapshotIsACopy) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::vehicle_compliance_test

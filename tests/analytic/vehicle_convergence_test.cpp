@@ -8,7 +8,7 @@
 
 #include "shared/vehicles.h"
 
-namespace tread {
+namespace tread::vehicle_convergence_test {
 namespace {
 
 // What is compared at the end of the manoeuvre: motion of the body, wheels and driveline.
@@ -116,4 +116,4 @@ TEST(Convergence, LateralMotionIsOfSecondOrder) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::vehicle_convergence_test

@@ -6,7 +6,7 @@
 
 #include "shared/single_track.h"
 
-namespace tread {
+namespace tread::vehicle_cornering_test {
 namespace {
 
 using reference::kDegree;
@@ -137,4 +137,4 @@ TEST(Cornering, SteadyCircleIsBalanced) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::vehicle_cornering_test

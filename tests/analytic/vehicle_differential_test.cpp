@@ -8,7 +8,7 @@
 
 #include "shared/vehicles.h"
 
-namespace tread {
+namespace tread::vehicle_differential_test {
 namespace {
 
 class SplitRoad final : public Road {
@@ -107,4 +107,4 @@ TEST(DifferentialOnACar, LockedAxleUndersteersInASlowTurn) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::vehicle_differential_test

@@ -9,7 +9,7 @@
 
 #include "shared/vehicles.h"
 
-namespace tread {
+namespace tread::vehicle_driveline_test {
 namespace {
 
 constexpr double kStep = 0.001;  // s
@@ -127,4 +127,4 @@ TEST(DrivelineOfACar, BlendedBrakingSlowsTheCarAsItsBrakesAloneWould) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::vehicle_driveline_test

@@ -9,7 +9,7 @@
 
 #include "shared/vehicles.h"
 
-namespace tread {
+namespace tread::vehicle_driving_test {
 namespace {
 
 constexpr double kStep = 0.001;  // s
@@ -440,4 +440,4 @@ TEST(WholeDrive, WorkOfTheEngineIsFoundAgain) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::vehicle_driving_test

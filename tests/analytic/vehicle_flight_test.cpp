@@ -7,7 +7,7 @@
 
 #include "shared/vehicles.h"
 
-namespace tread {
+namespace tread::vehicle_flight_test {
 namespace {
 
 const reference::NoRoad kNoRoad;
@@ -237,4 +237,4 @@ TEST(Flight, SteeringSpinningWheelsRollsTheBody) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::vehicle_flight_test

@@ -7,7 +7,7 @@
 
 #include "shared/vehicles.h"
 
-namespace tread {
+namespace tread::vehicle_force_command_test {
 namespace {
 
 constexpr double kStep = 0.001;  // s
@@ -122,4 +122,4 @@ TEST(ForceCommand, EngineGoesOnWhereTheCommandEnds) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::vehicle_force_command_test

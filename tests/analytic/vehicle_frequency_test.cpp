@@ -13,7 +13,7 @@
 #include "scenario/signals.h"
 #include "shared/vehicles.h"
 
-namespace tread {
+namespace tread::vehicle_frequency_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -134,4 +134,4 @@ TEST(FrequencyOfTheCar, AnswersAsTheSingleTrackModelWithTyresThatLag) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::vehicle_frequency_test

@@ -10,7 +10,7 @@
 #include "shared/vehicle_run.h"
 #include "shared/vehicles.h"
 
-namespace tread {
+namespace tread::vehicle_load_test {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -207,4 +207,4 @@ TEST(Load, AnUnloadedCarIsLeftAsItIs) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::vehicle_load_test

@@ -10,7 +10,7 @@
 #include "report/car_shape.h"
 #include "shared/vehicle_run.h"
 
-namespace tread {
+namespace tread::vehicle_model_car_test {
 namespace {
 
 using namespace shared;
@@ -134,4 +134,4 @@ TEST(ModelCar, ItsDrawingIsAsLargeAsTheCar) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::vehicle_model_car_test

@@ -14,7 +14,7 @@
 #include "shared/equipped_car.h"
 #include "shared/vehicles.h"
 
-namespace tread {
+namespace tread::vehicle_numbers_test {
 namespace {
 
 constexpr double kStep = 0.001;  // s
@@ -193,4 +193,4 @@ TEST(NumbersOfACar, EachOneOfAHybridWithATorqueConverterIsFelt) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::vehicle_numbers_test

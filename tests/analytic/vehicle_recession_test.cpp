@@ -6,7 +6,7 @@
 
 #include "shared/vehicles.h"
 
-namespace tread {
+namespace tread::vehicle_recession_test {
 namespace {
 
 constexpr double kStep = 0.001;  // s
@@ -79,4 +79,4 @@ TEST(Recession, StandsStillOnASlope) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::vehicle_recession_test

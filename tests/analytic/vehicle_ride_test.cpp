@@ -12,7 +12,7 @@
 #include "shared/linear_ride.h"
 #include "vehicle/tyre_load.h"
 
-namespace tread {
+namespace tread::vehicle_ride_test {
 namespace {
 
 using reference::coordinates;
@@ -199,4 +199,4 @@ TEST(Ride, UndampedBounceKeepsItsEnergyForTwentySeconds) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::vehicle_ride_test

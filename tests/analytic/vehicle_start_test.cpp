@@ -7,7 +7,7 @@
 #include "shared/equipped_car.h"
 #include "shared/vehicles.h"
 
-namespace tread {
+namespace tread::vehicle_start_test {
 namespace {
 
 constexpr double kStep = 0.001;  // s
@@ -56,4 +56,4 @@ TEST(Start, WheelsThatRecedeSettleAtEverySpeed) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::vehicle_start_test

@@ -9,7 +9,7 @@
 #include "base/numbers.h"
 #include "shared/vehicles.h"
 
-namespace tread {
+namespace tread::vehicle_static_test {
 namespace {
 
 constexpr double kStep = 0.001;  // s
@@ -273,4 +273,4 @@ TEST(AtRest, ParkedCarStays) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::vehicle_static_test

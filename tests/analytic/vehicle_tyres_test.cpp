@@ -6,7 +6,7 @@
 
 #include "shared/single_track.h"
 
-namespace tread {
+namespace tread::vehicle_tyres_test {
 namespace {
 
 using reference::kStep;
@@ -181,4 +181,4 @@ TEST(TyresOfACar, ABankIsSteeredAgainstFromTheStart) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::vehicle_tyres_test

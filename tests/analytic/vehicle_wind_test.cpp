@@ -6,7 +6,7 @@
 
 #include "shared/vehicles.h"
 
-namespace tread {
+namespace tread::vehicle_wind_test {
 namespace {
 
 constexpr double kStep = 0.001;  // s
@@ -93,4 +93,4 @@ TEST(Wind, CrosswindPushesADrivingCarAndYawsItAwayFromTheWind) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::vehicle_wind_test

@@ -28,7 +28,7 @@ __attribute__((noinline)) void operator delete(void* memory, std::size_t) noexce
     std::free(memory);
 }
 
-namespace tread {
+namespace tread::raycast_allocation_test {
 namespace {
 
 using namespace scene;
@@ -58,4 +58,4 @@ TEST(RaycastVehicleAllocation, StepsNeitherAllocateNorWrite) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::raycast_allocation_test

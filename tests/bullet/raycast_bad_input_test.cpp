@@ -8,7 +8,7 @@
 
 #include "stock_vs_tread/scene.h"
 
-namespace tread {
+namespace tread::raycast_bad_input_test {
 namespace {
 
 using namespace scene;
@@ -246,4 +246,4 @@ TEST(RaycastVehicleBadInput, TeleportByAKilometreKeepsTheSpeedAndNoForce) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::raycast_bad_input_test

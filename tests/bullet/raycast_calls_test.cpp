@@ -12,7 +12,7 @@
 #include "bullet/locked_friction.h"
 #include "stock_vs_tread/scene.h"
 
-namespace tread {
+namespace tread::raycast_calls_test {
 namespace {
 
 using namespace scene;
@@ -234,4 +234,4 @@ TEST(RaycastVehicleCalls, WheelReactionIsOffAndCanBeTurnedOn) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::raycast_calls_test

@@ -9,7 +9,7 @@
 
 #include "stock_vs_tread/scene.h"
 
-namespace tread {
+namespace tread::raycast_drawing_test {
 namespace {
 
 using namespace scene;
@@ -128,4 +128,4 @@ TEST(RaycastVehicleDrawing, WheelsThatAreNotThereAreAtTheChassis) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::raycast_drawing_test

@@ -6,7 +6,7 @@
 
 #include "stock_vs_tread/scene.h"
 
-namespace tread {
+namespace tread::raycast_drop_in_test {
 namespace {
 
 using namespace scene;
@@ -133,4 +133,4 @@ TEST(RaycastVehicle, ParkedCarDoesNotMindUnevenSteps) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::raycast_drop_in_test

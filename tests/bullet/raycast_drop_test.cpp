@@ -12,7 +12,7 @@
 
 #include "stock_vs_tread/scene.h"
 
-namespace tread {
+namespace tread::raycast_drop_test {
 namespace {
 
 using namespace scene;
@@ -201,4 +201,4 @@ TEST(RaycastVehicleDrop, TheEndOfTheTravelDoesNotThrowTheCar) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::raycast_drop_test

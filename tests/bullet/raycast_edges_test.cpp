@@ -11,7 +11,7 @@
 #include "stock_vs_tread/scene.h"
 #include "tread/vector.h"
 
-namespace tread {
+namespace tread::raycast_edges_test {
 namespace {
 
 using namespace scene;
@@ -142,4 +142,4 @@ TEST(RaycastVehicleEdges, OfAFlatMeshAreNotFelt) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::raycast_edges_test

@@ -9,7 +9,7 @@
 #include "benchmark/game_scene.h"
 #include "stock_vs_tread/scene.h"
 
-namespace tread {
+namespace tread::raycast_fleet_test {
 namespace {
 
 using namespace scene;
@@ -125,4 +125,4 @@ TEST(RaycastFleet, WhatASurfaceThrowsArrives) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::raycast_fleet_test

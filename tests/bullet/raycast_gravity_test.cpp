@@ -7,7 +7,7 @@
 
 #include "stock_vs_tread/scene.h"
 
-namespace tread {
+namespace tread::raycast_gravity_test {
 namespace {
 
 using namespace scene;
@@ -157,4 +157,4 @@ TEST(RaycastVehicleGravity, OfNoneIsThatOfTheEarth) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::raycast_gravity_test

@@ -12,7 +12,7 @@
 #include "stock_vs_tread/scene.h"
 #include "tread/bullet_road.h"
 
-namespace tread {
+namespace tread::raycast_ground_test {
 namespace {
 
 using namespace scene;
@@ -466,4 +466,4 @@ TEST(BulletRoadFilter, IsThatOfAnyRayOfBullets) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::raycast_ground_test

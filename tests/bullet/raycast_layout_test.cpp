@@ -6,7 +6,7 @@
 
 #include "stock_vs_tread/scene.h"
 
-namespace tread {
+namespace tread::raycast_layout_test {
 namespace {
 
 using namespace scene;
@@ -137,4 +137,4 @@ TEST(RaycastVehicleLayout, UsersRaycasterIsAskedForTheStockRayAndNeverTakenForAB
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::raycast_layout_test

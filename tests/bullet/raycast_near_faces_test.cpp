@@ -8,7 +8,7 @@
 
 #include "stock_vs_tread/scene.h"
 
-namespace tread {
+namespace tread::raycast_near_faces_test {
 namespace {
 
 using namespace scene;
@@ -151,4 +151,4 @@ TEST(RaycastVehicleNearFaces, ChangedInPlaceAreSeenWithin35Milliseconds) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::raycast_near_faces_test

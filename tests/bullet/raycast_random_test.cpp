@@ -8,7 +8,7 @@
 
 #include "bullet/random_drive.h"
 
-namespace tread {
+namespace tread::raycast_random_test {
 namespace {
 
 using namespace scene;
@@ -88,4 +88,4 @@ TEST(RaycastVehicleRandom, TyresGiveNoEnergy) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::raycast_random_test

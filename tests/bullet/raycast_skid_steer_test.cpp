@@ -8,7 +8,7 @@
 
 #include "stock_vs_tread/scene.h"
 
-namespace tread {
+namespace tread::raycast_skid_steer_test {
 namespace {
 
 using namespace scene;
@@ -200,4 +200,4 @@ TEST(RaycastVehicleSkidSteer, IsTheSameInEverySize) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::raycast_skid_steer_test

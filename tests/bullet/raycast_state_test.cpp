@@ -8,7 +8,7 @@
 #include "bullet/locked_friction.h"
 #include "stock_vs_tread/scene.h"
 
-namespace tread {
+namespace tread::raycast_state_test {
 namespace {
 
 using namespace scene;
@@ -176,4 +176,4 @@ TEST(RaycastVehicleGround, RoughSurfaceShakesTheWheels) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::raycast_state_test

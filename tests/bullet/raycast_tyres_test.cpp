@@ -10,7 +10,7 @@
 #include "tread/load.h"
 #include "tread/raycast_vehicle_file.h"
 
-namespace tread {
+namespace tread::raycast_tyres_test {
 namespace {
 
 using namespace scene;
@@ -96,4 +96,4 @@ TEST(RaycastVehicleFile, GivesTyresAndSuspensionOfTheCar) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::raycast_tyres_test

@@ -4,7 +4,7 @@
 
 #include "cli/tread_run.h"
 
-namespace tread {
+namespace tread::accept_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -192,4 +192,4 @@ TEST_F(Accept, ShippedLimits) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::accept_test

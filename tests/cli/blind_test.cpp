@@ -12,7 +12,7 @@
 #include "shared/scratch.h"
 #include "store/sha256.h"
 
-namespace tread {
+namespace tread::blind_test {
 namespace {
 
 using blind::answers::answerText;
@@ -187,4 +187,4 @@ TEST(BlindCommand, FolderWithoutCasesIsRefused) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::blind_test

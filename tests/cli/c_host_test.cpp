@@ -3,7 +3,7 @@
 
 #include "program.h"
 
-namespace tread {
+namespace tread::c_host_test {
 namespace {
 
 Result runHost(const std::string& car, const std::string& mode) {
@@ -32,4 +32,4 @@ TEST(CHost, SaysWhatIsWrongWithACar) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::c_host_test

@@ -9,7 +9,7 @@
 #include "cli/program.h"
 #include "places/places.h"
 
-namespace tread {
+namespace tread::check_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -427,4 +427,4 @@ TEST_F(Check, AMissingPartIsOneFault) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::check_test

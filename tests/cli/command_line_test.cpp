@@ -5,7 +5,7 @@
 
 #include "cli/program.h"
 
-namespace tread {
+namespace tread::command_line_test {
 namespace {
 
 TEST(CommandLine, NothingIsAnsweredWithTheHelpAndStatusTwo) {
@@ -164,4 +164,4 @@ TEST(Guides, OtherShellsGetEveryCommandAndOption) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::command_line_test

@@ -8,7 +8,7 @@
 #include "cli/logs.h"
 #include "cli/program.h"
 
-namespace tread {
+namespace tread::compare_folders_test {
 namespace {
 
 using cli::stepSteer;
@@ -150,4 +150,4 @@ TEST_F(CompareFolders, OptionsOfLogsAndOfFoldersAreToldApart) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::compare_folders_test

@@ -8,7 +8,7 @@
 #include "cli/logs.h"
 #include "cli/program.h"
 
-namespace tread {
+namespace tread::compare_test {
 namespace {
 
 using cli::stepSteer;
@@ -215,4 +215,4 @@ TEST_F(Compare, TolerancesTakeUnits) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::compare_test

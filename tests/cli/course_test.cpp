@@ -6,7 +6,7 @@
 #include "cli/tread_run.h"
 #include "log/csv.h"
 
-namespace tread {
+namespace tread::course_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -114,4 +114,4 @@ TEST_F(Course, TheSlalomCountsConesAndSides) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::course_test

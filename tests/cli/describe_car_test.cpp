@@ -16,7 +16,7 @@
 #include "sheet/sheet.h"
 #include "tread/load.h"
 
-namespace tread {
+namespace tread::describe_car_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -144,4 +144,4 @@ TEST(DescribeCar, OptionsOfTheSheetAreNotForWords) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::describe_car_test

@@ -14,7 +14,7 @@
 #include "scenario/scenario.h"
 #include "tread/vehicle.h"
 
-namespace tread {
+namespace tread::describe_test {
 namespace {
 
 using diagnose::catalogue::Effect;
@@ -190,4 +190,4 @@ TEST(Describe, PathGivesOneFieldAndWhatItContains) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::describe_test

@@ -10,7 +10,7 @@
 #include "log/csv.h"
 #include "places/places.h"
 
-namespace tread {
+namespace tread::diagnose_test {
 namespace {
 
 // A gentle slalom at 20 m/s that keeps to kinematics.
@@ -315,4 +315,4 @@ TEST_F(DiagnoseCommand, IdentifyRefusesANumberOfWhichNothingSaysHowWellItIsKnown
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_test

@@ -8,7 +8,7 @@
 #include "shared/fmu_importer.h"
 #include "shared/vehicle_run.h"
 
-namespace tread {
+namespace tread::fmu_test {
 namespace {
 
 using shared::carOf;
@@ -414,4 +414,4 @@ TEST(FmuObject, ShowsTheFunctionsOfTheStandardAndNeedsTheCLibraryAlone) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::fmu_test

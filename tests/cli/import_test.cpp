@@ -6,7 +6,7 @@
 #include "log/csv.h"
 #include "shared/foreign_logs.h"
 
-namespace tread {
+namespace tread::import_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -246,4 +246,4 @@ TEST_F(Import, NeverOverwritesAFileThatWasNotNamed) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::import_test

@@ -6,7 +6,7 @@
 #include "cli/logs.h"
 #include "cli/program.h"
 
-namespace tread {
+namespace tread::judge_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -80,4 +80,4 @@ TEST_F(Judge, WhatCannotBeJudgedIsStatusTwo) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::judge_test

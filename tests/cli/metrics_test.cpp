@@ -10,7 +10,7 @@
 #include "cli/program.h"
 #include "metrics/metrics.h"
 
-namespace tread {
+namespace tread::metrics_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -99,4 +99,4 @@ TEST_F(Metrics, UnreadableLogIsOneSentence) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_test

@@ -11,7 +11,7 @@
 #include "places/places.h"
 #include "shared/file_size_limit.h"
 
-namespace tread {
+namespace tread::output_test {
 namespace {
 
 const std::string kTyreFile = sourceFile("vehicles/tyres/car_205_60R15.yaml");
@@ -138,4 +138,4 @@ TEST(StandardOutput, ThatIsFullIsOneSentenceOfEveryCommand) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::output_test

@@ -6,7 +6,7 @@
 #include "cli/tread_run.h"
 #include "log/csv.h"
 
-namespace tread {
+namespace tread::own_metrics_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -192,4 +192,4 @@ TEST_F(OwnMetrics, FishhooksAndJTurnFollowTheirRecipe) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::own_metrics_test

@@ -6,7 +6,7 @@
 
 #include "cli/program.h"
 
-namespace tread {
+namespace tread::readme_test {
 namespace {
 
 // Lines of the README that call the program. The whole catalogue and whole diagnoses have tests of their own.
@@ -40,4 +40,4 @@ TEST(Readme, CommandsOfTheFirstFiveMinutesRunAsPrinted) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::readme_test

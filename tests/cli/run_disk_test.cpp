@@ -4,7 +4,7 @@
 #include "log/csv.h"
 #include "shared/file_size_limit.h"
 
-namespace tread {
+namespace tread::run_disk_test {
 namespace {
 
 TEST_F(TreadRun, OutputBelowAFileIsRefused) {
@@ -89,4 +89,4 @@ TEST_F(TreadRun, DiskWithoutSpaceIsTold) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::run_disk_test

@@ -5,7 +5,7 @@
 #include "cli/tread_run.h"
 #include "log/csv.h"
 
-namespace tread {
+namespace tread::run_failure_test {
 namespace {
 
 const std::string kNoSuspect = "; none of the numbers of car and scenario is implausible, so no field is suspected";
@@ -169,4 +169,4 @@ TEST_F(TreadRun, BadInputLeavesEarlierResultsAlone) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::run_failure_test

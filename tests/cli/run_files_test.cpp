@@ -4,7 +4,7 @@
 
 #include "cli/tread_run.h"
 
-namespace tread {
+namespace tread::run_files_test {
 namespace {
 
 // ---- Faults of the vehicle file ------------------------------------------------------------------------------------
@@ -202,4 +202,4 @@ TEST_F(TreadRun, FaultsOfFilesAndSettingsAreToldTogether) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::run_files_test

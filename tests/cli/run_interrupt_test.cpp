@@ -7,7 +7,7 @@
 #include "cli/tread_run.h"
 #include "log/csv.h"
 
-namespace tread {
+namespace tread::run_interrupt_test {
 namespace {
 
 // True when the file has that many bytes before the time is over.
@@ -134,4 +134,4 @@ TEST_F(TreadRun, ProgressIsShownOnATerminalAndWipedBeforeTheMessage) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::run_interrupt_test

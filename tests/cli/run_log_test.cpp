@@ -6,7 +6,7 @@
 
 #include "cli/tread_run.h"
 
-namespace tread {
+namespace tread::run_log_test {
 namespace {
 
 const std::string kCar = kSource + "/vehicles/compact.yaml";
@@ -45,4 +45,4 @@ TEST(RunLog, LogThatIsMissingOrOfNoUseIsRefusedWithOneSentence) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::run_log_test

@@ -6,7 +6,7 @@
 
 #include "cli/tread_run.h"
 
-namespace tread {
+namespace tread::run_series_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -197,4 +197,4 @@ TEST(MetricsCommand, LaneChangeNeedsTheScenarioForItsCourse) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::run_series_test

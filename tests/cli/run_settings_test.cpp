@@ -5,7 +5,7 @@
 #include "cli/tread_run.h"
 #include "log/csv.h"
 
-namespace tread {
+namespace tread::run_settings_test {
 namespace {
 
 const std::string kHeavy =
@@ -141,4 +141,4 @@ TEST_F(TreadRun, SettingMayStandBeforeTheFiles) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::run_settings_test

@@ -8,7 +8,7 @@
 #include "cli/tread_run.h"
 #include "log/csv.h"
 
-namespace tread {
+namespace tread::run_test {
 namespace {
 
 TEST_F(TreadRun, WritesLogInputsMetricsAndReport) {
@@ -165,4 +165,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& answer) { return answer.param.scenario; });
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::run_test

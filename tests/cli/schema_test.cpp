@@ -5,7 +5,7 @@
 #include "cli/program.h"
 #include "places/places.h"
 
-namespace tread {
+namespace tread::schema_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -75,4 +75,4 @@ TEST(SchemaCommand, UnknownNameIsAnsweredWithASuggestionAndTheList) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::schema_test

@@ -5,7 +5,7 @@
 #include "cli/program.h"
 #include "cli/tyre_table.h"
 
-namespace tread {
+namespace tread::tyre_input_test {
 namespace {
 
 const std::string kHeader = "Fz,gamma,Vx,Vsx,Vsy\n";
@@ -127,4 +127,4 @@ TEST(TyreInputs, OptionsThatDoNotFitTogetherAreNamed) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::tyre_input_test

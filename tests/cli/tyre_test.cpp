@@ -16,7 +16,7 @@
 #include "shared/near.h"
 #include "tread/tyre.h"
 
-namespace tread {
+namespace tread::tyre_test {
 namespace {
 
 using reference::near;
@@ -337,4 +337,4 @@ TEST(TyreNotes, OfATirFileAreWarningsAndStandOnThePage) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::tyre_test

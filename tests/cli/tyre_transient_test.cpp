@@ -11,7 +11,7 @@
 #include "shared/transient_reference.h"
 #include "tread/tyre.h"
 
-namespace tread {
+namespace tread::tyre_transient_test {
 namespace {
 
 using reference::near;
@@ -185,4 +185,4 @@ TEST(TyreTransient, HeldAndLinearMotionAreHalfASampleApart) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::tyre_transient_test

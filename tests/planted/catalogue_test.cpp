@@ -21,7 +21,7 @@
 #include "recording/subject.h"
 #include "tread/load.h"
 
-namespace tread {
+namespace tread::catalogue_test {
 namespace {
 
 using blind::drives::caseDrives;
@@ -191,4 +191,4 @@ TEST_P(PlantedNothing, IsBlamedOnNoEffect) {
 INSTANTIATE_TEST_SUITE_P(Planted, PlantedNothing, testing::Values(1u, 2u, 3u));
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::catalogue_test

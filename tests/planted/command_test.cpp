@@ -9,7 +9,7 @@
 #include "diagnose/diagnose.h"
 #include "planted.h"
 
-namespace tread {
+namespace tread::command_test {
 namespace {
 
 using diagnose::answer::Diagnosis;
@@ -78,4 +78,4 @@ TEST(PlantedCommand, DelayAndGainOfTheForceAreFoundWithTheirSizes) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::command_test

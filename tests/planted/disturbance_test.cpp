@@ -11,7 +11,7 @@
 #include "recording/recorded_drive.h"
 #include "recording/replay.h"
 
-namespace tread {
+namespace tread::disturbance_test {
 namespace {
 
 using diagnose::model::Disturbances;
@@ -91,4 +91,4 @@ TEST(Disturbances, PushesDoWhatTheyDoAloneAlsoAtTheLimitAndLongAfter) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::disturbance_test

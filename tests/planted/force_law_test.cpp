@@ -12,7 +12,7 @@
 #include "recording/diagnosis_file.h"
 #include "recording/subject.h"
 
-namespace tread {
+namespace tread::force_law_test {
 namespace {
 
 using blind::drives::caseDrives;
@@ -102,4 +102,4 @@ TEST(ForceLaw, IsNotSeenInACarThatIsAsItsFileSays) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::force_law_test

@@ -12,7 +12,7 @@
 #include "places/places.h"
 #include "recording/diagnosis_file.h"
 
-namespace tread {
+namespace tread::other_simulator_test {
 namespace {
 
 using diagnose::answer::Diagnosis;
@@ -50,4 +50,4 @@ INSTANTIATE_TEST_SUITE_P(Cases, OtherSimulator,
                          testing::Values(Changed{"case_a", "brake_balance"}, Changed{"case_b", "aero_drag"}));
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::other_simulator_test

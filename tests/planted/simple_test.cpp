@@ -12,7 +12,7 @@
 #include "planted.h"
 #include "recording/subject.h"
 
-namespace tread {
+namespace tread::simple_test {
 namespace {
 
 using diagnose::answer::Diagnosis;
@@ -184,4 +184,4 @@ TEST(Planted, NominalCarHasNothingBeyondTolerance) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::simple_test

@@ -13,7 +13,7 @@
 #include "recording/diagnosis_file.h"
 #include "recording/subject.h"
 
-namespace tread {
+namespace tread::step_test {
 namespace {
 
 using blind::drives::caseDrives;
@@ -80,4 +80,4 @@ TEST(Step, OfReplaysLooksLikeNoEffectWhateverTheCarHas) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::step_test

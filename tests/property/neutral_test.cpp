@@ -17,7 +17,7 @@
 #include "base/setting.h"
 #include "shared/vehicles.h"
 
-namespace tread {
+namespace tread::neutral_test {
 namespace {
 
 // What the compact car's file must say, and defaults for the rest; its tyres are whole, their absent numbers being
@@ -173,4 +173,4 @@ TEST(Neutral, AnEffectThatIsAllButOffLeavesTheLogAllButAsItWas) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::neutral_test

@@ -6,7 +6,7 @@
 
 #include "shared/vehicle_run.h"
 
-namespace tread {
+namespace tread::step_size_test {
 namespace {
 
 using shared::channel;
@@ -83,4 +83,4 @@ TEST(StepSize, ParkedCarStaysOnASlopeAtAnyHeadingAndRate) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::step_size_test

@@ -7,7 +7,7 @@
 
 #include "shared/vehicle_run.h"
 
-namespace tread {
+namespace tread::symmetry_test {
 namespace {
 
 using shared::channel;
@@ -60,4 +60,4 @@ TEST(Symmetry, TheWorldHasNoPreferredDirection) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::symmetry_test

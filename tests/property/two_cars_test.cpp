@@ -19,7 +19,7 @@
 #include "vehicle/wheel.h"
 #include "vehicle/wheeled_body.h"
 
-namespace tread {
+namespace tread::two_cars_test {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -215,4 +215,4 @@ TEST(Grip, WhatACarcassStoresIsGoneSoonAfterTheLoad) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::two_cars_test

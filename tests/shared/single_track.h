@@ -87,7 +87,7 @@ inline AxleModel axleModel(const VehicleParams& car, std::size_t axle) {
     AxleModel model{};
     double moment = 0;
     for (const bool left : {true, false}) {
-        const TyreParams tyre = left ? a.tyre : mirrored(a.tyre);
+        const TyreParams tyre = left ? a.tyre : tread::mirrored(a.tyre);
         const WheelAngles rest = angles(a.suspension, 0, left);
         // Slip of a wheel that goes straight on while it points by its toe to the left: Vsy (to the right) of the
         // ground point along the wheel's own axis is V sin(toe).

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tread {
+namespace tread::aero_test {
 namespace {
 
 constexpr double kRounding = 1e-9;
@@ -72,4 +72,4 @@ TEST(Aero, SideslipToTheOtherSideIsTheMirrorImage) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::aero_test

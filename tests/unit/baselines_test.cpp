@@ -8,7 +8,7 @@
 #include "diagnose/select/baselines.h"
 #include "shared/simple_car.h"
 
-namespace tread {
+namespace tread::baselines_test {
 namespace {
 
 using diagnose::answer::Baselines;
@@ -63,4 +63,4 @@ TEST(Baselines, BothNameAPlantedRatioOfASimpleCar) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::baselines_test

@@ -17,7 +17,7 @@
 #include "shared/vehicles.h"
 #include "tread/problem.h"
 
-namespace tread {
+namespace tread::blind_answers_test {
 namespace {
 
 using blind::answers::addObtainedClosure;
@@ -225,4 +225,4 @@ TEST(BlindReport, SaysWhatNoCaseCanAnswerInsteadOfZeros) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::blind_answers_test

@@ -8,7 +8,7 @@
 #include "base/random.h"
 #include "tread/problem.h"
 
-namespace tread {
+namespace tread::blind_bands_test {
 namespace {
 
 using blind::key::CaseKey;
@@ -96,4 +96,4 @@ TEST(BlindBands, KeyThatDoesNotSayWhatShowsIsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::blind_bands_test

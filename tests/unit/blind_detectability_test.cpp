@@ -8,7 +8,7 @@
 #include "blind/detectability/detectability.h"
 #include "blind/world/reading_noise.h"
 
-namespace tread {
+namespace tread::blind_detectability_test {
 namespace {
 
 using blind::detectability::detectabilities;
@@ -238,4 +238,4 @@ TEST(BlindReadingNoise, ColouredAndShakenReadingsVaryAsDrawsDo) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::blind_detectability_test

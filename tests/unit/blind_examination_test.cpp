@@ -12,7 +12,7 @@
 #include "recording/subject.h"
 #include "shared/vehicles.h"
 
-namespace tread {
+namespace tread::blind_examination_test {
 namespace {
 
 using blind::detectability::detectabilities;
@@ -178,4 +178,4 @@ TEST(BlindExamination, SameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::blind_examination_test

@@ -11,7 +11,7 @@
 #include "shared/scratch.h"
 #include "store/sha256.h"
 
-namespace tread {
+namespace tread::blind_frozen_test {
 namespace {
 
 using blind::answers::CaseAnswer;
@@ -140,4 +140,4 @@ TEST(ProgramHash, EditedSourceChangesTheHashThatItBelongsTo) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::blind_frozen_test

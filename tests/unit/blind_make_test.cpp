@@ -18,7 +18,7 @@
 #include "store/sha256.h"
 #include "tread/problem.h"
 
-namespace tread {
+namespace tread::blind_make_test {
 namespace {
 
 using blind::detectability::detectableEffects;
@@ -338,4 +338,4 @@ TEST(BlindMake, KeyReadsBack) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::blind_make_test

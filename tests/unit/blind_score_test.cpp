@@ -12,7 +12,7 @@
 #include "diagnose/answer/diagnosis.h"
 #include "tread/problem.h"
 
-namespace tread {
+namespace tread::blind_score_test {
 namespace {
 
 using blind::answers::answerText;
@@ -601,4 +601,4 @@ TEST(BlindScore, ClosureObtainedIsTheShareOfTheSquaredGapToTheCleanDrive) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::blind_score_test

@@ -16,7 +16,7 @@
 #include "recording/subject_paths.h"
 #include "shared/vehicles.h"
 
-namespace tread {
+namespace tread::blind_world_test {
 namespace {
 
 using blind::world::addNoise;
@@ -291,4 +291,4 @@ TEST(BlindGauges, EngineTurnsItsOrder) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::blind_world_test

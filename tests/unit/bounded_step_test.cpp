@@ -6,7 +6,7 @@
 #include "base/random.h"
 #include "inference/laplace.h"
 
-namespace tread {
+namespace tread::bounded_step_test {
 namespace {
 
 using inference::boundedStep;
@@ -56,4 +56,4 @@ TEST(BoundedStep, DoesNotGoUphillWhenAPartnerMeetsItsBound) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::bounded_step_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tread {
+namespace tread::brakes_test {
 namespace {
 
 constexpr double kStep = 0.001;  // s
@@ -185,4 +185,4 @@ TEST(Brakes, ControllersWithHalfTheAuthorityDoHalf) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::brakes_test

@@ -14,7 +14,7 @@
 #include "shared/bullet_scene.h"
 #include "tread/road_surface.h"
 
-namespace tread {
+namespace tread::bullet_ground_test {
 namespace {
 
 constexpr double kSame = 1e-9;  // m, and of a normal
@@ -112,4 +112,4 @@ TEST(BulletGround, EndsWhereTheFieldEnds) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::bullet_ground_test

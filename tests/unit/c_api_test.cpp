@@ -13,7 +13,7 @@
 #include "places/places.h"
 #include "tread/vehicle_output.h"
 
-namespace tread {
+namespace tread::c_api_test {
 namespace {
 
 using Car = std::unique_ptr<tread_car, decltype(&tread_car_free)>;
@@ -209,4 +209,4 @@ TEST(CApi, CarsInThreadsDoNotKnowOfEachOther) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::c_api_test

@@ -23,7 +23,7 @@
 #include "tread/load.h"
 #include "tread/problem.h"
 
-namespace tread::campaign {
+namespace tread::campaign::campaign_test {
 namespace {
 
 // ---- Samples in the unit cube ----
@@ -436,4 +436,4 @@ TEST(CampaignSensitivity, WhatDoesNotVaryHasNoShares) {
 }
 
 }  // namespace
-}  // namespace tread::campaign
+}  // namespace tread::campaign::campaign_test

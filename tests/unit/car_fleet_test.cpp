@@ -14,7 +14,7 @@
 #include "tread/load.h"
 #include "tread/road_surface.h"
 
-namespace tread {
+namespace tread::car_fleet_test {
 namespace {
 
 constexpr double kStep = 0.001;  // s
@@ -324,4 +324,4 @@ TEST(CarFleet, SaysWhatIsWrongWithItsArguments) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::car_fleet_test

@@ -8,7 +8,7 @@
 #include "base/read_yaml.h"
 #include "scenario/driver.h"
 
-namespace tread {
+namespace tread::closed_loop_test {
 namespace {
 
 constexpr double kStep = 0.001;  // s
@@ -212,4 +212,4 @@ TEST(Course, ADriverWithoutPathIsAFault) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::closed_loop_test

@@ -10,7 +10,7 @@
 #include "recording/replay.h"
 #include "recording/sliding.h"
 
-namespace tread {
+namespace tread::command_replay_test {
 namespace {
 
 using namespace recording;
@@ -163,4 +163,4 @@ TEST(FollowedFor, ASlideIsStillSeen) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::command_replay_test

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-namespace tread {
+namespace tread::compare_cross_plots_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -72,4 +72,4 @@ TEST(CrossPlots, NothingToJudgeIsNoPass) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::compare_cross_plots_test

@@ -6,7 +6,7 @@
 
 #include "compare/envelope.h"
 
-namespace tread {
+namespace tread::compare_envelope_test {
 namespace {
 
 Log crossPlot(const std::vector<double>& x, const std::vector<double>& y) {
@@ -97,4 +97,4 @@ TEST(Envelope, AMissingChannelIsNamed) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::compare_envelope_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace tread {
+namespace tread::compare_score_test {
 namespace {
 
 using Curve1 = std::vector<double>;
@@ -136,4 +136,4 @@ TEST(ScoreLogs, SaysWhatItCouldNotScore) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::compare_score_test

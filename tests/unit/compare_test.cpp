@@ -11,7 +11,7 @@
 
 #include "compare/time_shift.h"
 
-namespace tread {
+namespace tread::compare_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -309,4 +309,4 @@ TEST(Compare, JsonCarriesTheVerdictAndTheFirstDifference) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::compare_test

@@ -4,7 +4,7 @@
 #include "base/write_yaml.h"
 #include "compare/tolerances.h"
 
-namespace tread {
+namespace tread::compare_tolerances_test {
 namespace {
 
 TEST(Tolerances, AFileChangesWhatItNamesAndLeavesTheDefaults) {
@@ -65,4 +65,4 @@ TEST(Tolerances, UnknownAndUnfittingUnitsAreRefused) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::compare_tolerances_test

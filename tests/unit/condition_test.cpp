@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tread {
+namespace tread::condition_test {
 namespace {
 
 bool meets(double value, const std::string& condition, const std::string& unit) {
@@ -74,4 +74,4 @@ TEST(Condition, FaultsSayWhatWasFoundAndExpected) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::condition_test

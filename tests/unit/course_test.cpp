@@ -14,7 +14,7 @@
 #include "scenario/smooth_line.h"
 #include "shared/scratch.h"
 
-namespace tread {
+namespace tread::course_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -240,4 +240,4 @@ TEST(CourseMetrics, LapTimeAndErrorAreThoseOfACircle) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::course_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tread {
+namespace tread::curve_test {
 namespace {
 
 const Curve kCurve{{{1, 10}, {3, 30}, {4, 0}}};
@@ -38,4 +38,4 @@ TEST(Curve, OfNoNumberIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::curve_test

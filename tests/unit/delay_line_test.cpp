@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tread {
+namespace tread::delay_line_test {
 namespace {
 
 TEST(DelayLine, ReturnsWhatTheSignalWasBefore) {
@@ -44,4 +44,4 @@ TEST(DelayLine, FilledLineStays) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::delay_line_test

@@ -12,7 +12,7 @@
 #include "tread/curve.h"
 #include "tread/wheels.h"
 
-namespace tread {
+namespace tread::describe_test {
 namespace {
 
 using sample::Damper;
@@ -81,4 +81,4 @@ TEST(Describe, OpenEndsOfLimitsExcludeTheEnd) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::describe_test

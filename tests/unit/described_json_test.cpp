@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-namespace tread {
+namespace tread::described_json_test {
 namespace {
 
 enum class Colour { red, green };
@@ -132,4 +132,4 @@ TEST(DescribedJson, WholeNumberBeyondTheFieldIsRefused) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::described_json_test

@@ -5,7 +5,7 @@
 
 #include "shared/linear_drives.h"
 
-namespace tread {
+namespace tread::diagnose_birge_ratios_test {
 namespace {
 
 using diagnose::model::BirgeRatios;
@@ -65,4 +65,4 @@ TEST(BirgeRatios, AreThoseBesideTheRemainder) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_birge_ratios_test

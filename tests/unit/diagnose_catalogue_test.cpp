@@ -14,7 +14,7 @@
 #include "recording/subject.h"
 #include "shared/vehicle_run.h"
 
-namespace tread {
+namespace tread::diagnose_catalogue_test {
 namespace {
 
 namespace model = diagnose::model;
@@ -297,4 +297,4 @@ TEST(EffectKnob, SharesMoveAxlesAgainstEachOther) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_catalogue_test

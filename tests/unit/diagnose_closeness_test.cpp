@@ -7,7 +7,7 @@
 
 #include "shared/linear_drives.h"
 
-namespace tread {
+namespace tread::diagnose_closeness_test {
 namespace {
 
 using diagnose::select::Calibration;
@@ -43,4 +43,4 @@ TEST(Closeness, OfAnyEffectCountsWhereNothingIsLeft) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_closeness_test

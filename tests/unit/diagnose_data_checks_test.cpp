@@ -12,7 +12,7 @@
 #include "recording/subject.h"
 #include "shared/vehicle_run.h"
 
-namespace tread {
+namespace tread::diagnose_data_checks_test {
 namespace {
 
 using recording::DiagnosisFile;
@@ -352,4 +352,4 @@ TEST(DataChecks, SetsThatTellLittleAreNamed) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_data_checks_test

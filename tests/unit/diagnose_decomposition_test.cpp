@@ -7,7 +7,7 @@
 
 #include "shared/linear_car.h"
 
-namespace tread {
+namespace tread::diagnose_decomposition_test {
 namespace {
 
 using diagnose::answer::Decomposition;
@@ -257,4 +257,4 @@ TEST(Decomposition, OfDrivesHeldOutIsThatOfTheSamePointsInThem) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_decomposition_test

@@ -11,7 +11,7 @@
 #include "shared/linear_single_track.h"
 #include "shared/simple_car.h"
 
-namespace tread {
+namespace tread::diagnose_disturbance_test {
 namespace {
 
 using diagnose::model::Disturbances;
@@ -218,4 +218,4 @@ TEST(ErrorsOfForces, AreNamedAfterTheForceAndComeAfterTheDisturbances) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_disturbance_test

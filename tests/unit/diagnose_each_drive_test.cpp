@@ -8,7 +8,7 @@
 #include "diagnose/model/problem.h"
 #include "shared/simple_car.h"
 
-namespace tread {
+namespace tread::diagnose_each_drive_test {
 namespace {
 
 using diagnose::model::Deviation;
@@ -111,4 +111,4 @@ TEST(WindOfEachDrive, MakesACommonWindTogether) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_each_drive_test

@@ -7,7 +7,7 @@
 #include "diagnose/select/screen.h"
 #include "shared/linear_drives.h"
 
-namespace tread {
+namespace tread::diagnose_expected_evidence_test {
 namespace {
 
 using diagnose::model::Problem;
@@ -105,4 +105,4 @@ TEST(ExpectedEvidence, GainsOfDrawnCarsAreDistributedAsItSays) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_expected_evidence_test

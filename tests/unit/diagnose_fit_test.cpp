@@ -11,7 +11,7 @@
 #include "inference/bounded_step.h"
 #include "shared/linear_car.h"
 
-namespace tread {
+namespace tread::diagnose_fit_test {
 namespace {
 
 using diagnose::catalogue::Direction;
@@ -405,4 +405,4 @@ TEST(Search, EffectAndItsTwinHaveTheSameEvidenceAndNeitherIsBlamedAlone) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_fit_test

@@ -9,7 +9,7 @@
 #include "base/random.h"
 #include "shared/linear_drives.h"
 
-namespace tread {
+namespace tread::diagnose_force_law_test {
 namespace {
 
 using diagnose::model::Disturbed;
@@ -169,4 +169,4 @@ TEST(ForceLaws, ThatDoNotActCostASetLittle) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_force_law_test

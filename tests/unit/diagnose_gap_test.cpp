@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace tread {
+namespace tread::diagnose_gap_test {
 namespace {
 
 using diagnose::model::comparedRows;
@@ -72,4 +72,4 @@ TEST(Gap, DoesNotDependOnTheSizesThatAModelLeaves) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_gap_test

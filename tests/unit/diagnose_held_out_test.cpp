@@ -8,7 +8,7 @@
 #include "base/random.h"
 #include "diagnose/settings.h"
 
-namespace tread {
+namespace tread::diagnose_held_out_test {
 namespace {
 
 using diagnose::select::HeldOutGap;
@@ -49,4 +49,4 @@ TEST(HeldOut, GapThatShrinksSpeaksForAModel) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_held_out_test

@@ -7,7 +7,7 @@
 
 #include "shared/linear_car.h"
 
-namespace tread {
+namespace tread::diagnose_how_far_test {
 namespace {
 
 using diagnose::answer::Diagnosis;
@@ -140,4 +140,4 @@ TEST(HowFar, HeldOutDrivesJudgeWhereThereAreSome) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_how_far_test

@@ -10,7 +10,7 @@
 #include "diagnose/select/posterior.h"
 #include "shared/linear_drives.h"
 
-namespace tread {
+namespace tread::diagnose_hypotheses_test {
 namespace {
 
 using diagnose::model::Problem;
@@ -203,4 +203,4 @@ TEST(Hypotheses, RivalOfAStrongEffectKeepsTheProbabilityThatAWrongSignatureLeave
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_hypotheses_test

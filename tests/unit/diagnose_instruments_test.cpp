@@ -18,7 +18,7 @@
 #include "recording/subject_paths.h"
 #include "shared/simple_car.h"
 
-namespace tread {
+namespace tread::diagnose_instruments_test {
 namespace {
 
 using diagnose::answer::Diagnosis;
@@ -308,4 +308,4 @@ TEST(Position, AloneItGivesTheStartSpeedAndTheRowsOfADrive) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_instruments_test

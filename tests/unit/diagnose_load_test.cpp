@@ -14,7 +14,7 @@
 #include "shared/scratch.h"
 #include "tread/problem.h"
 
-namespace tread {
+namespace tread::diagnose_load_test {
 namespace {
 
 using diagnose::catalogue::Direction;
@@ -249,4 +249,4 @@ TEST(Recordings, ShortOrUnreadableOnesAreRefusedTogether) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_load_test

@@ -7,7 +7,7 @@
 #include "shared/linear_single_track.h"
 #include "shared/simple_car.h"
 
-namespace tread {
+namespace tread::diagnose_missing_force_test {
 namespace {
 
 using diagnose::answer::Shares;
@@ -90,4 +90,4 @@ TEST(AxleForce, OfAPushAtTheCentreOfGravityIsSharedByTheLever) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_missing_force_test

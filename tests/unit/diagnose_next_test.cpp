@@ -9,7 +9,7 @@
 #include "diagnose/options.h"
 #include "shared/simple_car.h"
 
-namespace tread {
+namespace tread::diagnose_next_test {
 namespace {
 
 using diagnose::answer::Diagnosis;
@@ -77,4 +77,4 @@ TEST(NextDrive, ShowsWhatTheDrivesCouldNotShow) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_next_test

@@ -13,7 +13,7 @@
 #include "diagnose/model/parameter.h"
 #include "shared/vehicles.h"
 
-namespace tread {
+namespace tread::diagnose_plausible_test {
 namespace {
 
 using diagnose::catalogue::Effect;
@@ -166,4 +166,4 @@ TEST(PlausibleRange, OfAnEffectMayBeNarrowerThanThatOfItsNumbers) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_plausible_test

@@ -11,7 +11,7 @@
 #include "diagnose/select/search.h"
 #include "diagnose/settings.h"
 
-namespace tread {
+namespace tread::diagnose_posterior_test {
 namespace {
 
 using diagnose::kSettings;
@@ -101,4 +101,4 @@ TEST(Thresholds, WhatIsTestableIsFoundNineteenTimesInTwenty) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_posterior_test

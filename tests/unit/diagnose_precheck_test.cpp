@@ -11,7 +11,7 @@
 #include "diagnose/settings.h"
 #include "shared/simple_car.h"
 
-namespace tread {
+namespace tread::diagnose_precheck_test {
 namespace {
 
 using diagnose::kSettings;
@@ -133,4 +133,4 @@ TEST(Visibility, GroupsStandInOrderOfWhatToExpect) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_precheck_test

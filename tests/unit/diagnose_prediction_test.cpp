@@ -12,7 +12,7 @@
 #include "diagnose/select/left_out.h"
 #include "shared/linear_drives.h"
 
-namespace tread {
+namespace tread::diagnose_prediction_test {
 namespace {
 
 using diagnose::model::Disturbed;
@@ -274,4 +274,4 @@ TEST(Doubt, ExplainedIsThePartThatOtherParametersCannotImitate) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_prediction_test

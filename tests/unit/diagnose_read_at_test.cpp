@@ -5,7 +5,7 @@
 #include "recording/replay.h"
 #include "shared/simple_car.h"
 
-namespace tread {
+namespace tread::diagnose_read_at_test {
 namespace {
 
 TEST(ReadAt, TheCarIsReplayedWithItsLoadOrWithTheLoadAsPartOfIt) {
@@ -31,4 +31,4 @@ TEST(ReadAt, TheCarIsReplayedWithItsLoadOrWithTheLoadAsPartOfIt) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_read_at_test

@@ -18,7 +18,7 @@
 #include "recording/subject.h"
 #include "shared/simple_car.h"
 
-namespace tread {
+namespace tread::diagnose_reference_test {
 namespace {
 
 using recording::kBlock;
@@ -187,4 +187,4 @@ TEST(Reference, OnlyChannelsOfBothAreCompared) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_reference_test

@@ -11,7 +11,7 @@
 #include "shared/linear_drives.h"
 #include "shared/most_probable_sizes.h"
 
-namespace tread {
+namespace tread::diagnose_remainder_test {
 namespace {
 
 using diagnose::model::changeOf;
@@ -191,4 +191,4 @@ TEST(SizesOfTheRemainder, DoNotGrowByWhatAnEffectExplains) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_remainder_test

@@ -12,7 +12,7 @@
 #include "recording/checks/windows.h"
 #include "recording/position.h"
 
-namespace tread {
+namespace tread::diagnose_rigid_body_test {
 namespace {
 
 using recording::Contradictions;
@@ -206,4 +206,4 @@ TEST(RigidBody, ChannelsThatAreNotUsedContradictNothing) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_rigid_body_test

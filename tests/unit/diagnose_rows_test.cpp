@@ -16,7 +16,7 @@
 #include "recording/sliding.h"
 #include "recording/subject.h"
 
-namespace tread {
+namespace tread::diagnose_rows_test {
 namespace {
 
 using recording::kBlock;
@@ -271,4 +271,4 @@ TEST(Replay, ASpeedThatIsFollowedIsTheMeasuredOneAllAlong) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_rows_test

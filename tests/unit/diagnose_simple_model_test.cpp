@@ -14,7 +14,7 @@
 #include "shared/scratch.h"
 #include "shared/simple_car.h"
 
-namespace tread {
+namespace tread::diagnose_simple_model_test {
 namespace {
 
 using diagnose::answer::Diagnosis;
@@ -172,4 +172,4 @@ TEST_F(KeptSensitivities, AreNotThoseOfAnotherCarOrDrive) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_simple_model_test

@@ -5,7 +5,7 @@
 #include "base/numbers.h"
 #include "recording/subject.h"
 
-namespace tread {
+namespace tread::diagnose_subject_test {
 namespace {
 
 using recording::numberAt;
@@ -28,4 +28,4 @@ TEST(DiagnosisSubject, NoPathIsTakenTwice) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_subject_test

@@ -8,7 +8,7 @@
 #include "diagnose/settings.h"
 #include "shared/linear_car.h"
 
-namespace tread {
+namespace tread::diagnose_verdict_test {
 namespace {
 
 using diagnose::kSettings;
@@ -98,4 +98,4 @@ TEST(VerdictOnAPushedCar, SaysWhyAnEffectWithEvidenceIsNotTheAnswer) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_verdict_test

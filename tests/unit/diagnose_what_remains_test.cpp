@@ -9,7 +9,7 @@
 #include "shared/linear_drives.h"
 #include "shared/most_probable_sizes.h"
 
-namespace tread {
+namespace tread::diagnose_what_remains_test {
 namespace {
 
 using diagnose::model::Disturbed;
@@ -138,4 +138,4 @@ TEST(WhatRemains, IsSeenWhereOneNumberMovedFarBeyondItsTolerance) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_what_remains_test

@@ -11,7 +11,7 @@
 #include "inference/ornstein_uhlenbeck.h"
 #include "shared/simple_car.h"
 
-namespace tread {
+namespace tread::diagnose_where_test {
 namespace {
 
 using diagnose::answer::Shares;
@@ -207,4 +207,4 @@ TEST(MissingForce, AlongTheCarIsTheDriversWhoFollowsTheMeasuredSpeed) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_where_test

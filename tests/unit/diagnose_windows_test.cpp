@@ -5,7 +5,7 @@
 
 #include "recording/choose_windows.h"
 
-namespace tread {
+namespace tread::diagnose_windows_test {
 namespace {
 
 using recording::chooseWindows;
@@ -80,4 +80,4 @@ TEST(ChosenWindows, ShortRecordingsAndAllWithoutWindowsStayWhole) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_windows_test

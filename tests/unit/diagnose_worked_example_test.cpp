@@ -15,7 +15,7 @@
 #include "shared/linear_drives.h"
 #include "shared/linear_model.h"
 
-namespace tread {
+namespace tread::diagnose_worked_example_test {
 namespace {
 
 using diagnose::model::Problem;
@@ -185,4 +185,4 @@ TEST(WorkedExample, RemainderIsOrdinary) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnose_worked_example_test

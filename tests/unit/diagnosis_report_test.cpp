@@ -19,7 +19,7 @@
 #include "shared/scratch.h"
 #include "shared/vehicle_run.h"
 
-namespace tread {
+namespace tread::diagnosis_report_test {
 namespace {
 
 using diagnose::answer::closedShare;
@@ -394,4 +394,4 @@ TEST(CarWithEffect, HasTheFittedNumbersOfTheCausesAndReadsBack) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnosis_report_test

@@ -8,7 +8,7 @@
 #include "diagnose/answer/words.h"
 #include "shared/diagnosis_sample.h"
 
-namespace tread {
+namespace tread::diagnosis_words_test {
 namespace {
 
 using diagnose::answer::changedNumbers;
@@ -233,4 +233,4 @@ TEST(Numbers, ThatMovedByAToleranceOrStandAtTheirEndAreTold) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::diagnosis_words_test

@@ -9,7 +9,7 @@
 
 #include "tread/driveline.h"
 
-namespace tread {
+namespace tread::differential_test {
 namespace {
 
 constexpr double kStep = 0.001;   // s
@@ -236,4 +236,4 @@ TEST(Differential, HeldWheelsOfALockedAxleStayCalm) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::differential_test

@@ -9,7 +9,7 @@
 #include "tread/brakes.h"
 #include "tread/driveline.h"
 
-namespace tread {
+namespace tread::driveline_file_test {
 namespace {
 
 const std::string kEngine = R"(
@@ -123,4 +123,4 @@ TEST(BrakesFile, AntiLockThatBuildsAboveWhereItDumpsIsAnError) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::driveline_file_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tread {
+namespace tread::driveline_test {
 namespace {
 
 constexpr double kStep = 0.001;  // s
@@ -483,4 +483,4 @@ TEST(Driveline, EngineAndMotorTogetherRunSteadily) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::driveline_test

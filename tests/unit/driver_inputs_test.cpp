@@ -6,7 +6,7 @@
 
 #include "base/random.h"
 
-namespace tread {
+namespace tread::driver_inputs_test {
 namespace {
 
 using recording::quietened;
@@ -71,4 +71,4 @@ TEST(QuietInputs, WhatHasNoNoiseOrGapsIsKept) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::driver_inputs_test

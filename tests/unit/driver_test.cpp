@@ -10,7 +10,7 @@
 #include "base/read_yaml.h"
 #include "scenario/load.h"
 
-namespace tread {
+namespace tread::driver_test {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -336,4 +336,4 @@ TEST(Scenario, LongestDurationAddsThePhasesUpToTheTimeLimit) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::driver_test

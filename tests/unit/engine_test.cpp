@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tread {
+namespace tread::engine_test {
 namespace {
 
 EngineParams engine() {
@@ -162,4 +162,4 @@ TEST(Motor, ThrottleForATorqueIsTheInverse) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::engine_test

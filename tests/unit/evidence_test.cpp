@@ -9,7 +9,7 @@
 #include "inference/laplace.h"
 #include "inference/normal_equations.h"
 
-namespace tread {
+namespace tread::evidence_test {
 namespace {
 
 using inference::boundedStep;
@@ -140,4 +140,4 @@ TEST(Evidence, GainOfAStepIsTheDifferenceOfLogPosteriors) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::evidence_test

@@ -13,7 +13,7 @@
 #include "scenario/expression/moment.h"
 #include "scenario/expression/parse.h"
 
-namespace tread {
+namespace tread::expression_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -189,4 +189,4 @@ TEST(Expression, EveryFunctionIsEvaluated) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::expression_test

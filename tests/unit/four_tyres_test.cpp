@@ -10,7 +10,7 @@
 
 #include "shared/car_205_60R15.h"
 
-namespace tread {
+namespace tread::four_tyres_test {
 namespace {
 
 bool sameBits(const auto& a, const auto& b) {
@@ -103,4 +103,4 @@ TEST(FourTyres, OneThatIsNotANumberLeavesTheOthersAlone) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::four_tyres_test

@@ -12,7 +12,7 @@
 #include "places/places.h"
 #include "shared/scratch.h"
 
-namespace tread {
+namespace tread::fuzz_corpus_test {
 namespace {
 
 struct Replay {
@@ -56,4 +56,4 @@ TEST(FuzzCorpus, EveryTyrePropertyFileIsTakenOrRefusedInWords) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::fuzz_corpus_test

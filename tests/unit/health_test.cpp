@@ -8,7 +8,7 @@
 #include "base/numbers.h"
 #include "run/simulate.h"
 
-namespace tread {
+namespace tread::health_test {
 namespace {
 
 std::string complaint(const VehicleOutput& output) {
@@ -56,4 +56,4 @@ TEST(Health, CarThatLiesOnItsSideOrFliesAwayIsNamed) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::health_test

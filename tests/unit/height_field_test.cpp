@@ -9,7 +9,7 @@
 #include "shared/scratch.h"
 #include "tread/road_params.h"
 
-namespace tread {
+namespace tread::height_field_test {
 namespace {
 
 class HeightFieldFile : public testing::Test {
@@ -100,4 +100,4 @@ TEST(HeightField, GoesOnLevelBeyondItsBorder) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::height_field_test

@@ -13,7 +13,7 @@
 #include "road/plane.h"
 #include "shared/vehicle_run.h"
 
-namespace tread::host {
+namespace tread::host::host_car_test {
 namespace {
 
 using shared::channel;
@@ -376,4 +376,4 @@ TEST(HostChannels, HaveNamesUnitsAndMeaningsOfTheDescription) {
 }
 
 }  // namespace
-}  // namespace tread::host
+}  // namespace tread::host::host_car_test

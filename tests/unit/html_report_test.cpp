@@ -16,7 +16,7 @@
 #include "shared/markup.h"
 #include "shared/page_charts.h"
 
-namespace tread {
+namespace tread::html_report_test {
 namespace {
 
 constexpr const char* kHostile = "</script><script>alert(1)</script><img src=x onerror=alert(2)>\"'&<!--";
@@ -604,4 +604,4 @@ TEST(HtmlReport, FiguresNeedNoScript) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::html_report_test

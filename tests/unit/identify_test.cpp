@@ -13,7 +13,7 @@
 #include "shared/simple_car.h"
 #include "tread/problem.h"
 
-namespace tread {
+namespace tread::identify_test {
 namespace {
 
 using calibrate::calibratedVehicleYaml;
@@ -223,4 +223,4 @@ TEST(Identification, RefusesNumbersThatItCannotFit) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::identify_test

@@ -12,7 +12,7 @@
 #include "tread/vehicle.h"
 #include "vehicle/relations.h"
 
-namespace tread {
+namespace tread::implausible_test {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -151,4 +151,4 @@ TEST(Relations, NothingIsConcludedFromANumberThatIsImplausibleItself) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::implausible_test

@@ -9,7 +9,7 @@
 #include "import/mat_whole.h"
 #include "places/places.h"
 
-namespace tread {
+namespace tread::import_corpus_test {
 namespace {
 
 std::string bytesOf(const std::filesystem::path& file) {
@@ -43,4 +43,4 @@ TEST(ImportCorpus, EveryMatlabFileIsJudged) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::import_corpus_test

@@ -14,7 +14,7 @@
 #include "shared/foreign_logs.h"
 #include "shared/import_problems.h"
 
-namespace tread {
+namespace tread::import_mat_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -178,4 +178,4 @@ TEST_F(Mat, CutOffAnywhereItIsRefusedOrGivesWholeVariables) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::import_mat_test

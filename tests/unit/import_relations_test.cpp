@@ -10,7 +10,7 @@
 #include "import/doubts.h"
 #include "shared/foreign_logs.h"
 
-namespace tread {
+namespace tread::import_relations_test {
 namespace {
 
 using Signal = std::function<double(double)>;
@@ -152,4 +152,4 @@ TEST(Doubts, ValuesBeyondARoadVehicleAreSaid) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::import_relations_test

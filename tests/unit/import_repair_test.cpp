@@ -12,7 +12,7 @@
 #include "shared/foreign_logs.h"
 #include "shared/import_problems.h"
 
-namespace tread {
+namespace tread::import_repair_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -254,4 +254,4 @@ TEST(ImportRepairs, CanBeSwitchedOff) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::import_repair_test

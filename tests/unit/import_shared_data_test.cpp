@@ -15,7 +15,7 @@
 #include "recording/position.h"
 #include "shared/import_problems.h"
 
-namespace tread {
+namespace tread::import_shared_data_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -171,4 +171,4 @@ TEST_F(LogsOfOthers, DartGyroIsLateAgainstMotionCapture) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::import_shared_data_test

@@ -10,7 +10,7 @@
 #include "shared/foreign_logs.h"
 #include "shared/import_problems.h"
 
-namespace tread {
+namespace tread::import_test {
 namespace {
 
 using foreign::Column;
@@ -372,4 +372,4 @@ TEST(ImportGuess, AUnitOfTheFileThatNoCarReachesIsToBeConfirmed) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::import_test

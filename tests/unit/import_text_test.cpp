@@ -6,7 +6,7 @@
 #include "shared/foreign_logs.h"
 #include "shared/import_problems.h"
 
-namespace tread {
+namespace tread::import_text_test {
 namespace {
 
 using foreign::Style;
@@ -145,4 +145,4 @@ TEST(UnitSpelling, KnowsWhatOthersWrite) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::import_text_test

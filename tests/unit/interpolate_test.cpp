@@ -5,7 +5,7 @@
 #include "base/numbers.h"
 #include "tread/vehicle_output.h"
 
-namespace tread {
+namespace tread::interpolate_test {
 namespace {
 
 TEST(Interpolate, EveryFieldLiesBetween) {
@@ -30,4 +30,4 @@ TEST(Interpolate, EndsAreHit) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::interpolate_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tread {
+namespace tread::junit_test {
 namespace {
 
 TEST(JUnit, CountsAndEscapes) {
@@ -16,4 +16,4 @@ TEST(JUnit, CountsAndEscapes) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::junit_test

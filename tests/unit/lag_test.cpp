@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tread {
+namespace tread::lag_test {
 namespace {
 
 TEST(Lag, RampIsFollowedExactlyWithAnyStep) {
@@ -28,4 +28,4 @@ TEST(Lag, WithoutATimeConstantTheValueIsTheSignal) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::lag_test

@@ -8,7 +8,7 @@
 #include "places/places.h"
 #include "shared/source_files.h"
 
-namespace tread::layers {
+namespace tread::layers::layers_test {
 namespace {
 
 std::string faults(const char* file, const char* text) {
@@ -167,4 +167,4 @@ TEST(Layers, FindSourcesThatAreIncludedAndFilesWithoutLayer) {
 }
 
 }  // namespace
-}  // namespace tread::layers
+}  // namespace tread::layers::layers_test

@@ -12,7 +12,7 @@
 #include "shared/file_size_limit.h"
 #include "shared/scratch.h"
 
-namespace tread {
+namespace tread::log_csv_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -271,4 +271,4 @@ TEST_F(LogCsv, AMissingFileAndAFolderAreClearSentences) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::log_csv_test

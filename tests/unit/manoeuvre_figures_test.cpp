@@ -9,7 +9,7 @@
 #include "metrics/metrics.h"
 #include "shared/vehicles.h"
 
-namespace tread {
+namespace tread::manoeuvre_figures_test {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
@@ -194,4 +194,4 @@ TEST(ManoeuvreFigures, TheCourseHasItsConesAndTheOutlineOfTheCar) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::manoeuvre_figures_test

@@ -16,7 +16,7 @@
 #include "shared/import_problems.h"
 #include "shared/scratch.h"
 
-namespace tread {
+namespace tread::mcap_test {
 namespace {
 
 const std::string kSignature("\x89MCAP0\r\n", 8);
@@ -576,4 +576,4 @@ TEST(Mcap, OtherRecordingsAreToldHowToBeConverted) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::mcap_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace tread {
+namespace tread::median_test {
 namespace {
 
 TEST(Median, OfAnEvenCountIsTheMeanOfTheTwoInTheMiddle) {
@@ -27,4 +27,4 @@ TEST(Median, StepOfATimeBaseIsTheUsualOneWhateverItsGaps) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::median_test

@@ -5,7 +5,7 @@
 
 #include "unit/metrics_sample.h"
 
-namespace tread {
+namespace tread::metrics_bump_test {
 namespace {
 
 using sample::constant;
@@ -86,4 +86,4 @@ TEST(BumpMetrics, BrakingAndEvenRoadsAreRefused) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_bump_test

@@ -4,7 +4,7 @@
 
 #include "metrics_sample.h"
 
-namespace tread {
+namespace tread::metrics_coast_down_test {
 namespace {
 
 using namespace sample;
@@ -77,4 +77,4 @@ TEST(CoastDown, WhatIsNoCoastDownIsRefusedWithTheReason) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_coast_down_test

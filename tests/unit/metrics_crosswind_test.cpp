@@ -4,7 +4,7 @@
 
 #include "unit/metrics_sample.h"
 
-namespace tread {
+namespace tread::metrics_crosswind_test {
 namespace {
 
 using sample::errorOf;
@@ -58,4 +58,4 @@ TEST(Crosswind, SteeringAndCalmAirAreRefused) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_crosswind_test

@@ -7,7 +7,7 @@
 
 #include "metrics_sample.h"
 
-namespace tread {
+namespace tread::metrics_detect_test {
 namespace {
 
 using namespace sample;
@@ -124,4 +124,4 @@ TEST(Metrics, UndefinedValuesAreWordsInTextAndNullInJson) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_detect_test

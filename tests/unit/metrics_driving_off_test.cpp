@@ -6,7 +6,7 @@
 
 #include "unit/metrics_sample.h"
 
-namespace tread {
+namespace tread::metrics_driving_off_test {
 namespace {
 
 using sample::errorOf;
@@ -87,4 +87,4 @@ TEST(HillStart, FlatGroundOrNoThrottleIsRefused) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_driving_off_test

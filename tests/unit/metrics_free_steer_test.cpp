@@ -5,7 +5,7 @@
 
 #include "unit/metrics_sample.h"
 
-namespace tread {
+namespace tread::metrics_free_steer_test {
 namespace {
 
 using sample::errorOf;
@@ -72,4 +72,4 @@ TEST(FreeSteer, HandsThatStayAndStraightAheadAreRefused) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_free_steer_test

@@ -6,7 +6,7 @@
 #include <functional>
 #include <numbers>
 
-namespace tread {
+namespace tread::metrics_frequency_curve_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -71,4 +71,4 @@ TEST(FrequencyCurve, OutsideAndNeverPassedAreUndefined) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_frequency_curve_test

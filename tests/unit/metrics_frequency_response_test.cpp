@@ -8,7 +8,7 @@
 #include "shared/linear_single_track.h"
 #include "unit/metrics_sample.h"
 
-namespace tread {
+namespace tread::metrics_frequency_response_test {
 namespace {
 
 using sample::errorOf;
@@ -126,4 +126,4 @@ TEST(FrequencyResponse, ASineAStepAndNothingAreNoBroadBand) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_frequency_response_test

@@ -4,7 +4,7 @@
 
 #include "unit/metrics_sample.h"
 
-namespace tread {
+namespace tread::metrics_lane_change_test {
 namespace {
 
 using sample::valueOf;
@@ -87,4 +87,4 @@ TEST(LaneChange, WithoutACourseItDoesNotShow) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_lane_change_test

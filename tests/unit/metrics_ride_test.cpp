@@ -7,7 +7,7 @@
 #include "metrics/vibration_weighting.h"
 #include "metrics_sample.h"
 
-namespace tread {
+namespace tread::metrics_ride_test {
 namespace {
 
 using namespace sample;
@@ -91,4 +91,4 @@ TEST(RideMetrics, SmoothRoadAndSteeringAreNoRide) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_ride_test

@@ -8,7 +8,7 @@
 #include "metrics/series.h"
 #include "metrics/smoothing.h"
 
-namespace tread {
+namespace tread::metrics_series_test {
 namespace {
 
 TimeSeries sampled(double rate, double duration, double (*f)(double)) {
@@ -104,4 +104,4 @@ TEST(TimeSeries, NoiseIsMeasuredThroughAMovingSignal) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_series_test

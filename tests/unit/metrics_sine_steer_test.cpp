@@ -6,7 +6,7 @@
 
 #include "metrics_sample.h"
 
-namespace tread {
+namespace tread::metrics_sine_steer_test {
 namespace {
 
 using namespace sample;
@@ -130,4 +130,4 @@ TEST(SineSteer, WhatIsNoSineIsRefusedWithTheReason) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_sine_steer_test

@@ -5,7 +5,7 @@
 #include "scenario/signals.h"
 #include "unit/metrics_sample.h"
 
-namespace tread {
+namespace tread::metrics_sine_with_dwell_test {
 namespace {
 
 using sample::errorOf;
@@ -102,4 +102,4 @@ TEST(SineWithDwell, WithoutDwellOrWithoutTheTimeAfterItIsRefused) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_sine_with_dwell_test

@@ -7,7 +7,7 @@
 #include "shared/linear_single_track.h"
 #include "unit/metrics_sample.h"
 
-namespace tread {
+namespace tread::metrics_slow_steer_test {
 namespace {
 
 using sample::errorOf;
@@ -145,4 +145,4 @@ TEST(Transition, SlopeAndDeadBandAreThoseOfTheLine) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_slow_steer_test

@@ -6,7 +6,7 @@
 
 #include "unit/metrics_sample.h"
 
-namespace tread {
+namespace tread::metrics_split_mu_test {
 namespace {
 
 using sample::errorOf;
@@ -83,4 +83,4 @@ TEST(SplitMuBraking, StraightOnOrInATurnItIsRefused) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_split_mu_test

@@ -6,7 +6,7 @@
 
 #include "metrics_sample.h"
 
-namespace tread {
+namespace tread::metrics_standing_test {
 namespace {
 
 using namespace sample;
@@ -111,4 +111,4 @@ TEST(DropAndSettle, WhatIsNoDropIsRefusedWithTheReason) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_standing_test

@@ -4,7 +4,7 @@
 
 #include "metrics_sample.h"
 
-namespace tread {
+namespace tread::metrics_steady_circle_test {
 namespace {
 
 using namespace sample;
@@ -149,4 +149,4 @@ TEST(SteadyCircle, WhatIsNoSteadyCircleIsRefusedWithTheReason) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_steady_circle_test

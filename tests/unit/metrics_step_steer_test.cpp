@@ -4,7 +4,7 @@
 
 #include "metrics_sample.h"
 
-namespace tread {
+namespace tread::metrics_step_steer_test {
 namespace {
 
 using namespace sample;
@@ -201,4 +201,4 @@ TEST(StepSteer, WithoutSideslipAndRollTheirMetricsAreUndefined) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_step_steer_test

@@ -5,7 +5,7 @@
 
 #include "metrics_sample.h"
 
-namespace tread {
+namespace tread::metrics_straight_braking_test {
 namespace {
 
 using namespace sample;
@@ -161,4 +161,4 @@ TEST(StraightBraking, WhatIsNoStopIsRefusedWithTheReason) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_straight_braking_test

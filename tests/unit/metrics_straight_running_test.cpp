@@ -4,7 +4,7 @@
 
 #include "unit/metrics_sample.h"
 
-namespace tread {
+namespace tread::metrics_straight_running_test {
 namespace {
 
 using sample::constant;
@@ -60,4 +60,4 @@ TEST(StraightRunning, SteeringAndBrakingAreRefused) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_straight_running_test

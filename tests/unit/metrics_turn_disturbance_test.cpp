@@ -6,7 +6,7 @@
 
 #include "unit/metrics_sample.h"
 
-namespace tread {
+namespace tread::metrics_turn_disturbance_test {
 namespace {
 
 using sample::errorOf;
@@ -139,4 +139,4 @@ TEST(PowerOff, BrakingIsAnotherManoeuvre) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_turn_disturbance_test

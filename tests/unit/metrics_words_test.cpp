@@ -9,7 +9,7 @@
 #include "metrics/metrics.h"
 #include "metrics/verdict.h"
 
-namespace tread {
+namespace tread::metrics_words_test {
 namespace {
 
 std::size_t countOf(std::string_view text, std::string_view part) {
@@ -86,4 +86,4 @@ TEST(Verdicts, HaveNoMarginWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::metrics_words_test

@@ -8,7 +8,7 @@
 #include "places/places.h"
 #include "shared/source_files.h"
 
-namespace tread {
+namespace tread::no_machine_paths_test {
 namespace {
 
 // Written in two halves, so that this file does not contain them.
@@ -64,4 +64,4 @@ TEST(MachinePaths, AreFound) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::no_machine_paths_test

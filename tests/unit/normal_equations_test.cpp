@@ -7,7 +7,7 @@
 #include "inference/normal_equations.h"
 #include "shared/linear_model.h"
 
-namespace tread {
+namespace tread::normal_equations_test {
 namespace {
 
 using inference::disturbedProducts;
@@ -147,4 +147,4 @@ TEST(NormalEquations, SelectedProductsAreThoseOfTheSelectedColumns) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::normal_equations_test

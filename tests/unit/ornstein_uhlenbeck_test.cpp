@@ -9,7 +9,7 @@
 #include "base/random.h"
 #include "shared/linear_model.h"
 
-namespace tread {
+namespace tread::ornstein_uhlenbeck_test {
 namespace {
 
 using inference::correlationFactor;
@@ -93,4 +93,4 @@ TEST(OrnsteinUhlenbeck, ValuesAreCorrelatedAsTheProcessIs) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::ornstein_uhlenbeck_test

@@ -10,7 +10,7 @@
 #include "report/html.h"
 #include "shared/scratch.h"
 
-namespace tread {
+namespace tread::page_scripts_test {
 namespace {
 
 int shell(const std::string& command) {
@@ -59,4 +59,4 @@ TEST(PageScripts, ABrowserRunsThemAndNoOthers) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::page_scripts_test

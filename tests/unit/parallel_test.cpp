@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace tread {
+namespace tread::parallel_test {
 namespace {
 
 TEST(InParallel, EveryPieceIsDoneOnceAndTheFirstFailureIsThrown) {
@@ -20,4 +20,4 @@ TEST(InParallel, EveryPieceIsDoneOnceAndTheFirstFailureIsThrown) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::parallel_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tread {
+namespace tread::plane_road_test {
 namespace {
 
 double heightAt(const Road& road, double x, double y) {
@@ -28,4 +28,4 @@ TEST(PlaneRoad, GradeRisesAlongXAndBankAlongY) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::plane_road_test

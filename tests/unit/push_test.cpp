@@ -4,7 +4,7 @@
 #include "run/simulate.h"
 #include "shared/vehicles.h"
 
-namespace tread {
+namespace tread::push_test {
 namespace {
 
 constexpr double kSpeed = 20;    // m/s
@@ -60,4 +60,4 @@ TEST(Push, NoneLeavesTheRunAsItIs) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::push_test

@@ -17,7 +17,7 @@
 #include "shared/scratch.h"
 #include "tread/load.h"
 
-namespace tread {
+namespace tread::real_drives_test {
 namespace {
 
 struct Drive {
@@ -88,4 +88,4 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::real_drives_test

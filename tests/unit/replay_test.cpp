@@ -10,7 +10,7 @@
 #include "shared/base64.h"
 #include "tread/road_surface.h"
 
-namespace tread {
+namespace tread::replay_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -140,4 +140,4 @@ TEST(ReplayRoad, PatchesEndWhereTheDrawnRoadEnds) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::replay_test

@@ -8,7 +8,7 @@
 #include "base/write_yaml.h"
 #include "road/plane.h"
 
-namespace tread {
+namespace tread::road_surface_test {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -213,4 +213,4 @@ TEST(RoadParams, WhatCannotBeIsRefused) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::road_surface_test

@@ -12,7 +12,7 @@
 #include "shared/scratch.h"
 #include "shared/vehicle_run.h"
 
-namespace tread {
+namespace tread::run_in_test {
 namespace {
 
 using shared::channel;
@@ -89,4 +89,4 @@ TEST(BeginsInTurn, ParkedCarOrGapInTheLogIsNoTurn) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::run_in_test

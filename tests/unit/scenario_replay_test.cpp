@@ -8,7 +8,7 @@
 #include "scenario/load.h"
 #include "shared/scratch.h"
 
-namespace tread {
+namespace tread::scenario_replay_test {
 namespace {
 
 constexpr const char* kLog =
@@ -111,4 +111,4 @@ TEST_F(ScenarioReplay, DriveThatIsNotNamedOrNotRepeatedIsAFault) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::scenario_replay_test

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-namespace tread {
+namespace tread::scenario_signals_test {
 namespace {
 
 constexpr double kHeld = 0.3;  // where the phase before left hand or foot
@@ -192,4 +192,4 @@ TEST(Signals, HoldSpeedIsNoFunctionOfTime) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::scenario_signals_test

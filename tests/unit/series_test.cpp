@@ -11,7 +11,7 @@
 #include "run/simulate.h"
 #include "shared/scratch.h"
 
-namespace tread {
+namespace tread::series_test {
 namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
@@ -163,4 +163,4 @@ TEST(SeriesFaults, NameWhatTheScenarioDoesNotHave) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::series_test

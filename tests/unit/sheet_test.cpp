@@ -19,7 +19,7 @@
 #include "sheet/at_rest.h"
 #include "sheet/steady_turn.h"
 
-namespace tread::sheet {
+namespace tread::sheet::sheet_test {
 namespace {
 
 constexpr double kG = kStandardGravity;
@@ -438,4 +438,4 @@ TEST(Sheet, TopSpeedIsLimitedByGearing) {
 }
 
 }  // namespace
-}  // namespace tread::sheet
+}  // namespace tread::sheet::sheet_test

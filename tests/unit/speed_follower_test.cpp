@@ -11,7 +11,7 @@
 #include "base/units.h"
 #include "shared/vehicle_run.h"
 
-namespace tread {
+namespace tread::speed_follower_test {
 namespace {
 
 using shared::channel;
@@ -118,4 +118,4 @@ TEST(SpeedFollower, PedalsAreLeftAlone) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::speed_follower_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace tread {
+namespace tread::steering_test {
 namespace {
 
 constexpr double kTrack = 1.5, kWheelbase = 2.6;
@@ -227,4 +227,4 @@ TEST(Steering, HandsThatComeBackTakeTheWheelWhereItIs) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::steering_test

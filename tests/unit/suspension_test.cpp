@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tread {
+namespace tread::suspension_test {
 namespace {
 
 constexpr double kRounding = 1e-9;
@@ -202,4 +202,4 @@ TEST(Recession, AHardBushDoesNotRing) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::suspension_test

@@ -13,7 +13,7 @@
 #include "report/ticks.h"
 #include "shared/markup.h"
 
-namespace tread {
+namespace tread::svg_test {
 namespace {
 
 using Curves = std::vector<std::span<const double>>;
@@ -253,4 +253,4 @@ TEST(Svg, CurvesWithoutAColourDifferFromEachOther) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::svg_test

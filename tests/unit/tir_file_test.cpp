@@ -18,7 +18,7 @@
 #include "shared/scratch.h"
 #include "tread/problem.h"
 
-namespace tread {
+namespace tread::tir_file_test {
 namespace {
 
 using reference::Real;
@@ -526,4 +526,4 @@ TEST(TirFilesOfOthers, AreReadToParametersWithinTheirLimits) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::tir_file_test

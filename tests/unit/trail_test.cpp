@@ -5,7 +5,7 @@
 
 #include "bullet/drop_in/fetch_ahead.h"
 
-namespace tread {
+namespace tread::trail_test {
 namespace {
 
 struct Cars {
@@ -77,4 +77,4 @@ TEST(Trail, GenerationsOfCarsAreForetoldToo) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::trail_test

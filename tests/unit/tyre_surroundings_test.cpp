@@ -6,7 +6,7 @@
 
 #include "shared/car_205_60R15.h"
 
-namespace tread {
+namespace tread::tyre_surroundings_test {
 namespace {
 
 double corneringStiffness(const TyreParams& tyre, double load) {
@@ -108,4 +108,4 @@ TEST(TyreShift, PlySteerTurnsRoundWithTheRollingDirectionAndConicityDoesNot) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::tyre_surroundings_test

@@ -9,7 +9,7 @@
 #include "base/numbers.h"
 #include "tread/tyre.h"
 
-namespace tread {
+namespace tread::units_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -149,4 +149,4 @@ TEST(Units, EveryUnitOfATyreParameterIsKnown) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::units_test

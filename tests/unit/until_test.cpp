@@ -7,7 +7,7 @@
 #include "base/read_yaml.h"
 #include "scenario/driver.h"
 
-namespace tread {
+namespace tread::until_test {
 namespace {
 
 // Each event with a car that is just short of it, and one for which it has come true.
@@ -89,4 +89,4 @@ TEST(Until, TimeCountsFromTheBeginningOfTheManoeuvre) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::until_test

@@ -10,7 +10,7 @@
 #include "vehicle/strut.h"
 #include "vehicle/tyre_load.h"
 
-namespace tread {
+namespace tread::wheeled_body_test {
 namespace {
 
 constexpr double kMass = 1000;  // kg
@@ -150,4 +150,4 @@ TEST(WheeledBody, DriveLossEndsWhereItHasEatenTheForce) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::wheeled_body_test

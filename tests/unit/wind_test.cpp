@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace tread {
+namespace tread::wind_test {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -66,4 +66,4 @@ TEST(Wind, GustThatDoesNotSayWhenOrHowLongIsAnError) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::wind_test
