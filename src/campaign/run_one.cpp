@@ -1,11 +1,32 @@
 #include "campaign/run_one.h"
 
+#include <fmt/format.h>
+
+#include <optional>
+
 #include "metrics/metrics.h"
 #include "run/simulate.h"
 #include "series/series.h"
 #include "tread/problem.h"
 
 namespace tread::campaign {
+namespace {
+
+// The metrics of a run; of a search, those of its highest value, in whose run the log is recorded.
+std::vector<Metric> metricsOf(const VehicleParams& vehicle, const Scenario& scenario, const Measure& measure,
+                              Log* log) {
+    const std::optional<Highest>& search = scenario.series.highest;
+    if (!search) return measure(vehicle, scenario, log);
+    const tread::Measure one = [&](const Scenario& changed) { return measure(vehicle, changed, nullptr); };
+    const SeriesResult found = series(scenario, one, one);
+    std::vector<Metric> highest = highestOf(scenario, found);
+    if (highest.empty())
+        throw MetricError(fmt::format("no run passes, not even with {} = {}", search->number, search->lowest));
+    if (log) measure(vehicle, withHighest(scenario, found), log);
+    return highest;
+}
+
+}  // namespace
 
 Outcome outcomeOf(const Subject& subject, const Measure& measure, Log* log) {
     const auto failed = [&](Status status, const std::exception& error) {
@@ -15,13 +36,11 @@ Outcome outcomeOf(const Subject& subject, const Measure& measure, Log* log) {
     };
     try {
         Scenario scenario = subject.scenario;
-        if (!scenario.series.tune.empty()) {
-            scenario =
-                tuned(std::move(scenario), [&](const Scenario& one) { return measure(subject.vehicle, one, nullptr); });
-        }
+        scenario =
+            tuned(std::move(scenario), [&](const Scenario& one) { return measure(subject.vehicle, one, nullptr); });
         Outcome outcome;
         try {
-            outcome.metrics = measure(subject.vehicle, scenario, log);
+            outcome.metrics = metricsOf(subject.vehicle, scenario, measure, log);
         } catch (const MetricError&) {
             if (!scenario.manoeuvre.empty()) throw;  // without a manoeuvre the run is driven for its log
         }

@@ -195,6 +195,27 @@ SeriesResult series(const Scenario& scenario, const Measure& measure, const Meas
     return found;
 }
 
+MetricDefinition highestMetric(const Scenario& scenario) {
+    const std::string& number = scenario.series.highest->number;
+    Scenario copy = scenario;
+    std::string unit;
+    for (const Number& one : numbers(copy))
+        if (one.path == number) unit = one.about.unit;
+    return {"highest_" + number, "Highest " + number + " that passes", unit, "highest value that passes"};
+}
+
+std::vector<Metric> highestOf(const Scenario& scenario, const SeriesResult& found) {
+    if (std::isnan(found.highest)) return {};
+    const MetricDefinition about = highestMetric(scenario);
+    return {{about.name, found.highest, about.unit, about.definition, about.say, about.title}};
+}
+
+Scenario withHighest(const Scenario& scenario, const SeriesResult& found) {
+    Scenario one = with(scenario, found.number, found.highest);
+    one.series = {};
+    return one;
+}
+
 std::string faultOf(const Scenario& scenario) {
     try {
         const auto known = [&](const std::string& number, std::initializer_list<std::string> texts) {

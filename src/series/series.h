@@ -41,6 +41,15 @@ Scenario tuned(Scenario scenario, const Measure& measure);
 // The runs of `vary` or `highest`, made by `run`, in their order; `measure` makes those that only scale the values.
 SeriesResult series(const Scenario& scenario, const Measure& measure, const Measure& run);
 
+// A search has this one metric: the highest value that passes. `scenario` has `series.highest`.
+MetricDefinition highestMetric(const Scenario& scenario);
+
+// The metrics of a search: its highest value, in SI units; none when no run passes.
+std::vector<Metric> highestOf(const Scenario& scenario, const SeriesResult& found);
+
+// The scenario of the run with the highest value that passes.
+Scenario withHighest(const Scenario& scenario, const SeriesResult& found);
+
 // What is wrong with the numbers and limits that the series names; empty: nothing.
 std::string faultOf(const Scenario& scenario);
 

@@ -14,7 +14,7 @@
 #include "log/csv.h"
 #include "shared/file_size_limit.h"
 
-namespace tread {
+namespace tread::campaign_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -424,6 +424,65 @@ TEST_F(TreadCampaign, SlurmTasksMayDie) {
     EXPECT_EQ(bytesOf("out"), bytesOf("local"));
 }
 
+// ---- Scenarios with a search, and with numbers from other scenarios ----
+
+TEST_F(TreadCampaign, MetricOfASearchIsTheHighestValueThatPasses) {
+    const std::string search = kSource + "/scenarios/obstacle_avoidance.yaml";
+    campaign("title: Entry speeds\nvehicles: [car.yaml]\nscenarios: [" + search + R"(]
+settings: [scenario.series.highest.resolution=2 km/h]
+factors:
+  - {path: scenario.road.friction, list: [0.6, 1, 0.1]}
+accept: {highest_start.speed: "> 15 m/s"}
+logs: true
+)");
+    const Result result = drive("out");
+    ASSERT_EQ(result.status, 0) << result.err;
+    const auto table = lines("out");
+    ASSERT_EQ(table.size(), 4u);
+    EXPECT_TRUE(table[0].ends_with("scenario.road.friction [-],highest_start.speed [m/s]")) << table[0];
+    const auto speedOf = [&](std::size_t run) { return std::stod(table[run].substr(table[run].rfind(',') + 1)); };
+    EXPECT_NE(table[1].find(",rejected,"), std::string::npos) << table[1];
+    EXPECT_NE(table[2].find(",ok,"), std::string::npos) << table[2];
+    EXPECT_LT(speedOf(1), speedOf(2));
+    EXPECT_NE(table[3].find("no_metrics,\"no run passes, not even with start.speed = 45 km/h\""), std::string::npos)
+        << table[3];
+
+    // The same as `tread run` finds, and the log is that of the highest value.
+    ASSERT_EQ(runProgram({"run", scratch.path("car.yaml"), search, "-o", folder("alone"), "--set",
+                          "scenario.series.highest.resolution=2 km/h"})
+                  .status,
+              0);
+    const nlohmann::json found = nlohmann::json::parse(contentOf(folder("alone") + "/metrics.json"));
+    EXPECT_EQ(found["metrics"][0]["value"].get<double>(), speedOf(2));
+    ASSERT_EQ(runProgram({"log", folder("out") + "/logs/000000001.tlog", "-o", scratch.path("1.csv")}).status, 0);
+    EXPECT_NEAR(readLog(scratch.path("1.csv")).find("chassis.vx")->values.front(), speedOf(2), 0.01);
+}
+
+TEST_F(TreadCampaign, SearchAndVariationAreNotTheSame) {
+    campaign("title: Varied\nvehicles: [car.yaml]\nscenarios: [" + kSource +
+             "/scenarios/sine_with_dwell_series.yaml]\nfactors: [{path: load.mass, list: [0, 100 kg]}]\n");
+    expectFault(drive("out"),
+                "scenarios.0: found a scenario with series.vary, which gives several values of each "
+                "metric, expected one value; make phases.1.steering.sine_with_dwell.amplitude a factor");
+}
+
+// The steering of the fishhook is a multiple of an angle that another scenario gives for each car.
+TEST_F(TreadCampaign, NumbersFromOtherScenariosAreFoundForEachCar) {
+    const std::string fishhook = kSource + "/scenarios/fishhook_1a.yaml";
+    campaign("title: Fishhooks\nvehicles: [car.yaml]\nscenarios: [" + fishhook +
+             "]\nfactors: [{path: load.mass, list: [0, 300 kg]}]\nlogs: true\n");
+    ASSERT_EQ(drive("out").status, 0);
+    ASSERT_EQ(
+        runProgram({"run", scratch.path("car.yaml"), fishhook, "-o", folder("alone"), "--set", "load.mass=300 kg"})
+            .status,
+        0);
+    ASSERT_EQ(runProgram({"log", folder("out") + "/logs/000000001.tlog", "-o", scratch.path("1.csv")}).status, 0);
+    const auto steering = [](const std::string& file) {
+        return readLog(file).find("driver.steering_wheel_angle")->values;
+    };
+    EXPECT_EQ(steering(scratch.path("1.csv")), steering(folder("alone") + "/log.csv"));
+}
+
 // ---- The shipped campaigns ----
 
 TEST_F(TreadCampaign, ShippedOnesRunAtASmallSize) {
@@ -440,8 +499,8 @@ TEST_F(TreadCampaign, ShippedOnesRunAtASmallSize) {
     EXPECT_EQ(small("braking_friction_load",
                     {"--set", "samples=1", "--set", "factors.0.grid.count=2", "--set", "factors.1.list=[0, 300 kg]"}),
               16u);
-    EXPECT_EQ(small("sine_with_dwell_fleet", {"--set", "samples=1"}), 10u);
+    EXPECT_EQ(small("sine_with_dwell_fleet", {"--set", "samples=1"}), 32u);
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::campaign_test

@@ -6,10 +6,10 @@
 #include "base/field_path.h"
 #include "base/number_text.h"
 #include "base/read_yaml.h"
-#include "base/setting.h"
 #include "base/yaml_position.h"
 #include "metrics/metrics.h"
 #include "own_metrics.h"
+#include "series/series.h"
 
 namespace tread::program {
 namespace {
@@ -64,29 +64,13 @@ std::vector<AcceptFault> faultsInAnyManoeuvre(const Acceptance& acceptance) {
 
 }  // namespace
 
-std::string highestMetric(const std::string& number) {
-    return "highest_" + number;
-}
-
-std::string highestTitle(const std::string& number) {
-    return "Highest " + number + " that passes";
-}
-
 std::string ownerOf(const Scenario& scenario) {
     if (!scenario.series.highest) return scenario.manoeuvre;
-    return "a search, which has " + quote(highestMetric(scenario.series.highest->number)) + " alone";
+    return "a search, which has " + quote(highestMetric(scenario).name) + " alone";
 }
 
 std::vector<MetricDefinition> acceptable(const Scenario& scenario) {
-    if (scenario.series.highest) {
-        const std::string& number = scenario.series.highest->number;
-        std::string unit;
-        Scenario copy = scenario;
-        tread::detail::visitField(copy, number, About{}, [&](const auto&, const About& about, const std::string&) {
-            unit = std::string(about.unit);
-        });
-        return {{highestMetric(number), highestTitle(number), unit, "highest value that passes"}};
-    }
+    if (scenario.series.highest) return {highestMetric(scenario)};
     return metricsOf(scenario);
 }
 

@@ -20,10 +20,6 @@ std::vector<MetricDefinition> acceptable(const Scenario& scenario);
 // What has these metrics, for messages: the manoeuvre, or the search.
 std::string ownerOf(const Scenario& scenario);
 
-// Name of the metric that holds the highest value that passes.
-std::string highestMetric(const std::string& number);
-std::string highestTitle(const std::string& number);
-
 // The conditions that the file `options.accept` has for a scenario; none without a file. Of several scenarios, each
 // takes the conditions whose metrics it has. Throws LoadError.
 Acceptance acceptanceOf(const RunOptions& options, const Scenario& scenario);

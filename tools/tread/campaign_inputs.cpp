@@ -82,13 +82,12 @@ void apply(const std::vector<std::string>& settings, Scenario& scenario, const s
     scenario = std::move(subject.scenario);
 }
 
-// One run of a campaign is one run of its scenario.
-void expectOneRun(const Scenario& scenario, const std::string& path, Faults& faults) {
-    if (!scenario.series.vary && !scenario.series.highest) return;
-    faults.complain(path,
-                    fmt::format("found a scenario with series.{}, which makes several runs, expected one that makes a "
-                                "single run; the campaign can vary the number itself",
-                                scenario.series.vary ? "vary" : "highest"));
+// A run of a campaign has one value of each metric.
+void expectOneResult(const Scenario& scenario, const std::string& path, Faults& faults) {
+    if (!scenario.series.vary) return;
+    faults.complain(path, fmt::format("found a scenario with series.vary, which gives several values of each metric, "
+                                      "expected one value; make {} a factor of the campaign",
+                                      scenario.series.vary->number));
 }
 
 // Conditions of the campaign stand beside those of each scenario that has the metric.
@@ -139,7 +138,7 @@ Plan readFile(const std::string& file, const std::vector<std::string>& settings)
         const std::string& name = inputs.campaign.scenarios[i];
         faults.collect([&] {
             Scenario scenario = readScenario(name);
-            expectOneRun(scenario, "scenarios." + std::to_string(i), faults);
+            expectOneResult(scenario, "scenarios." + std::to_string(i), faults);
             if (scenario.manoeuvre.empty() && !inputs.campaign.logs) {
                 faults.complain("scenarios." + std::to_string(i),
                                 "found a scenario without a manoeuvre, whose runs have no metrics; expected one with a "

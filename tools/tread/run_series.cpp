@@ -135,14 +135,7 @@ Driven driveSeries(const RunRecord& record, const Path& folder, const std::vecto
 
     Driven driven;
     driven.answer = answerOf(record, found);
-    if (!std::isnan(found.highest)) {
-        driven.metrics.push_back({highestMetric(found.number),
-                                  found.highest,
-                                  found.unit,
-                                  "highest value that passes",
-                                  {},
-                                  highestTitle(found.number)});
-    }
+    if (record.scenario.series.highest) driven.metrics = highestOf(record.scenario, found);
     driven.verdicts = verdictsOf(record.scenario, found, driven.metrics);
     driven.answer = withVerdict(driven.answer, driven.verdicts);
     driven.json = {{"answer", driven.answer},
