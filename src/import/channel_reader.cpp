@@ -7,7 +7,7 @@
 #include "base/number_text.h"
 #include "import/columns.h"
 #include "import/time_base.h"
-#include "import/unit_spelling.h"
+#include "import/formats/unit_spelling.h"
 #include "log/log_columns.h"
 #include "log/resample.h"
 

@@ -5,7 +5,7 @@
 #include "base/did_you_mean.h"
 #include "base/number_text.h"
 #include "base/units.h"
-#include "import/unit_spelling.h"
+#include "import/formats/unit_spelling.h"
 
 namespace tread {
 namespace {

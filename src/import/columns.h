@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "import/foreign_table.h"
+#include "import/formats/foreign_table.h"
 
 namespace tread {
 

@@ -17,7 +17,7 @@
 #include "import/columns.h"
 #include "import/import.h"
 #include "import/relations.h"
-#include "import/unit_spelling.h"
+#include "import/formats/unit_spelling.h"
 #include "import/vehicle_reach.h"
 #include "log/log_columns.h"
 #include "tread/wheels.h"

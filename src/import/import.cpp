@@ -12,7 +12,7 @@
 #include "import/doubts.h"
 #include "import/repair.h"
 #include "import/time_base.h"
-#include "import/unit_spelling.h"
+#include "import/formats/unit_spelling.h"
 #include "log/log_columns.h"
 
 namespace tread {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "import/foreign_table.h"
+#include "import/formats/foreign_table.h"
 #include "import/import_map.h"
 #include "log/log.h"
 

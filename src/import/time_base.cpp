@@ -9,7 +9,7 @@
 #include "base/median.h"
 #include "base/number_text.h"
 #include "import/columns.h"
-#include "import/foreign_text.h"
+#include "import/formats/foreign_text.h"
 
 namespace tread {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "import/mat_whole.h"
+#include "import/formats/mat_whole.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     tread::matFault({reinterpret_cast<const char*>(bytes), size});

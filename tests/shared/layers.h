@@ -25,6 +25,7 @@ inline const std::vector<std::string> kOrder{"base",      "inference", "road",  
 inline const std::map<std::string, std::vector<std::string>> kRooms{
     {"fmu", {"", "object", "package"}},
     {"bullet", {"", "ground", "drop_in"}},
+    {"import", {"formats", ""}},
     {"recording", {"", "checks"}},
     {"diagnose", {"ground", "answer", "catalogue", "model", "select", "explain", ""}},
     {"blind", {"world", "drives", "key", "faults", "detectability", "make", "answers", "score"}},

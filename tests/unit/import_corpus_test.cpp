@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "fuzz/import_entry.h"
-#include "import/mat_whole.h"
+#include "import/formats/mat_whole.h"
 #include "places/places.h"
 
 namespace tread::import_corpus_test {

@@ -1,8 +1,8 @@
 // Text tables and VBOX files of other programs, read as they are.
 #include <gtest/gtest.h>
 
-#include "import/foreign_table.h"
-#include "import/unit_spelling.h"
+#include "import/formats/foreign_table.h"
+#include "import/formats/unit_spelling.h"
 #include "shared/foreign_logs.h"
 #include "shared/import_problems.h"
 

@@ -4,9 +4,9 @@
 // longitude positive to the west. (Racelogic support centre, "VBO file format".)
 #include <map>
 
-#include "import/foreign_table.h"
-#include "import/foreign_text.h"
-#include "import/unit_spelling.h"
+#include "import/formats/foreign_table.h"
+#include "import/formats/foreign_text.h"
+#include "import/formats/unit_spelling.h"
 
 namespace tread {
 namespace {

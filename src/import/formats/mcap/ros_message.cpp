@@ -1,9 +1,9 @@
-#include "import/ros_message.h"
+#include "import/formats/mcap/ros_message.h"
 
 #include <algorithm>
 #include <bit>
 
-#include "import/byte_reader.h"
+#include "import/formats/byte_reader.h"
 
 namespace tread {
 namespace {

@@ -1,11 +1,11 @@
-#include "import/mcap_scan.h"
+#include "import/formats/mcap/mcap_scan.h"
 
 #include <algorithm>
 
 #include "base/number_text.h"
 #include "base/text_file.h"
-#include "import/byte_reader.h"
-#include "import/lz4_frame.h"
+#include "import/formats/byte_reader.h"
+#include "import/formats/mcap/lz4_frame.h"
 #include "log/mcap_format.h"
 #include "tread/problem.h"
 

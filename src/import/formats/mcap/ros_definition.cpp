@@ -5,8 +5,8 @@
 
 #include "base/number_text.h"
 #include "base/text_file.h"
-#include "import/foreign_text.h"
-#include "import/ros_message.h"
+#include "import/formats/foreign_text.h"
+#include "import/formats/mcap/ros_message.h"
 
 namespace tread {
 namespace {

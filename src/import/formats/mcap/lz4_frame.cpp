@@ -1,9 +1,9 @@
-#include "import/lz4_frame.h"
+#include "import/formats/mcap/lz4_frame.h"
 
 #include <cstdint>
 #include <string>
 
-#include "import/byte_reader.h"
+#include "import/formats/byte_reader.h"
 
 namespace tread {
 namespace {

@@ -1,4 +1,4 @@
-#include "import/foreign_text.h"
+#include "import/formats/foreign_text.h"
 
 #include <algorithm>
 #include <charconv>

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "import/topic_table.h"
+#include "import/formats/mcap/topic_table.h"
 
 namespace tread {
 

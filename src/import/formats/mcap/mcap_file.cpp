@@ -10,12 +10,12 @@
 #include <optional>
 
 #include "base/number_text.h"
-#include "import/foreign_table.h"
-#include "import/json_message.h"
-#include "import/mcap_scan.h"
-#include "import/ros_message.h"
-#include "import/topic_table.h"
-#include "import/unit_spelling.h"
+#include "import/formats/foreign_table.h"
+#include "import/formats/mcap/json_message.h"
+#include "import/formats/mcap/mcap_scan.h"
+#include "import/formats/mcap/ros_message.h"
+#include "import/formats/mcap/topic_table.h"
+#include "import/formats/unit_spelling.h"
 #include "log/mcap_write.h"
 
 namespace tread {

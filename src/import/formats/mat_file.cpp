@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "import/foreign_table.h"
-#include "import/mat_whole.h"
+#include "import/formats/foreign_table.h"
+#include "import/formats/mat_whole.h"
 #include "log/csv.h"
 
 namespace tread {

@@ -1,4 +1,4 @@
-#include "import/foreign_table.h"
+#include "import/formats/foreign_table.h"
 
 #include <algorithm>
 #include <cctype>

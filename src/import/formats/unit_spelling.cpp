@@ -1,10 +1,10 @@
-#include "import/unit_spelling.h"
+#include "import/formats/unit_spelling.h"
 
 #include <algorithm>
 #include <cctype>
 
 #include "base/units.h"
-#include "import/foreign_text.h"
+#include "import/formats/foreign_text.h"
 
 namespace tread {
 namespace {

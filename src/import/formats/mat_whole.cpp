@@ -1,5 +1,5 @@
 // MathWorks, MAT-File Format (R2023b): version 5 elements "Tag Field", version 4 "Matrix Header".
-#include "import/mat_whole.h"
+#include "import/formats/mat_whole.h"
 
 #include <algorithm>
 #include <array>

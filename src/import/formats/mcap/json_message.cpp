@@ -1,4 +1,4 @@
-#include "import/json_message.h"
+#include "import/formats/mcap/json_message.h"
 
 #include <nlohmann/json.hpp>
 #include <string>

@@ -1,9 +1,9 @@
-#include "import/topic_table.h"
+#include "import/formats/mcap/topic_table.h"
 
 #include <algorithm>
 #include <set>
 
-#include "import/foreign_text.h"
+#include "import/formats/foreign_text.h"
 
 namespace tread {
 namespace {
