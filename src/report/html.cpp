@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "base/changed.h"
+#include "base/markup.h"
 #include "report/chart_data.h"
 #include "report/embedded.h"
 #include "report/pack.h"

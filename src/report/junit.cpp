@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "report/text.h"
+#include "base/markup.h"
 
 namespace tread {
 namespace {

@@ -18,33 +18,6 @@ bool endsWith(std::string_view text, std::string_view end) {
 
 }  // namespace
 
-std::string escapeMarkup(std::string_view text) {
-    std::string out;
-    out.reserve(text.size());
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            case '\'':
-                out += "&#39;";
-                break;
-            default:
-                if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t') out += c;
-        }
-    }
-    return out;
-}
-
 std::string formatNumber(double value, int significant_digits) {
     if (!std::isfinite(value)) return "–";
     std::string text = fmt::format("{:.{}g}", value == 0 ? 0.0 : value, significant_digits);

@@ -1,4 +1,4 @@
-// Text for HTML and SVG: escaping, numbers for people, units as people write them, and the one conversion from SI to
+// Text for HTML and SVG: numbers for people, units as people write them, and the one conversion from SI to
 // the units in which they are shown.
 #pragma once
 
@@ -6,9 +6,6 @@
 #include <string_view>
 
 namespace tread {
-
-// For element content and quoted attributes; control characters, which XML forbids, are dropped.
-std::string escapeMarkup(std::string_view text);
 
 // A number with the given significant digits, "–" when it is not finite: 1234.57, 0.00123, 2.5e+07.
 std::string formatNumber(double value, int significant_digits = 4);

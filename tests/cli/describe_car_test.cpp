@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "base/concat.h"
+#include "base/markup.h"
 #include "cli/program.h"
 #include "report/text.h"
 #include "shared/scratch.h"

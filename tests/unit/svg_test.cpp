@@ -8,6 +8,7 @@
 #include <random>
 #include <sstream>
 
+#include "base/markup.h"
 #include "report/decimate.h"
 #include "report/text.h"
 #include "report/ticks.h"

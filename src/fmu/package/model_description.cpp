@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/concat.h"
+#include "base/markup.h"
 #include "base/number_text.h"
 #include "base/units.h"
 #include "fmu/variables.h"
@@ -14,28 +15,8 @@
 namespace tread::fmu {
 namespace {
 
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-        }
-    }
-    return out;
-}
-
 std::string attribute(std::string_view name, std::string_view value) {
-    return concat({" ", name, "=\"", escaped(value), "\""});
+    return concat({" ", name, "=\"", escapeMarkup(value), "\""});
 }
 
 bool hasUnit(const Variable& variable) {
