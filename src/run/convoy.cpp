@@ -85,9 +85,12 @@ void Convoy::drive(std::size_t most, const std::function<bool()>& doNext) {
         return;
     }
     Convoy convoy(seats);
-    Convoy* const outer = std::exchange(convoy_of_thread, &convoy);
+    const struct OnThread {
+        explicit OnThread(Convoy* inner) : outer(std::exchange(convoy_of_thread, inner)) {}
+        ~OnThread() { convoy_of_thread = outer; }
+        Convoy* outer;
+    } on_thread(&convoy);
     convoy.run(doNext);
-    convoy_of_thread = outer;
 }
 
 void Convoy::run(const std::function<bool()>& doNext) {
