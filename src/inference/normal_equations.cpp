@@ -24,6 +24,14 @@ Eigen::MatrixXd inverseOf(const Factor& factor) {
     return inverse;
 }
 
+// Products of columns with one another: symmetric, so that half of them need not be computed.
+Eigen::MatrixXd squareOf(const Eigen::MatrixXd& columns) {
+    Eigen::MatrixXd square = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
+    square.selfadjointView<Eigen::Lower>().rankUpdate(columns.transpose());
+    square.triangularView<Eigen::StrictlyUpper>() = square.transpose();
+    return square;
+}
+
 // Products of columns that change by v step', but for the last. `with`: their products with v.
 void addToSquares(Eigen::MatrixXd& products, const Eigen::VectorXd& with, double square, const Eigen::VectorXd& step) {
     const Index n = step.size();
@@ -41,7 +49,7 @@ void setLast(Eigen::MatrixXd& products, const Eigen::VectorXd& with) {
 }  // namespace
 
 DriveProducts productsOf(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& disturbances) {
-    return {columns.transpose() * columns, disturbances.transpose() * disturbances, disturbances.transpose() * columns};
+    return {squareOf(columns), squareOf(disturbances), disturbances.transpose() * columns};
 }
 
 DriveProducts extended(const DriveProducts& products, const Eigen::MatrixXd& columns,
@@ -52,7 +60,7 @@ DriveProducts extended(const DriveProducts& products, const Eigen::MatrixXd& col
     result.columns.topRightCorner(old, further.cols()) = columns.transpose() * further;
     result.columns.bottomLeftCorner(further.cols(), old) =
         result.columns.topRightCorner(old, further.cols()).transpose();
-    result.columns.bottomRightCorner(further.cols(), further.cols()) = further.transpose() * further;
+    result.columns.bottomRightCorner(further.cols(), further.cols()) = squareOf(further);
     result.mixed.leftCols(old) = products.mixed;
     result.mixed.rightCols(further.cols()) = disturbances.transpose() * further;
     return result;
@@ -106,7 +114,7 @@ NormalEquations normalEquations(const DriveProducts& products, const Eigen::Vect
 
 MarginalProducts::MarginalProducts(const DriveProducts& products, Metric metric) : metric_(std::move(metric)) {
     half_ = metric_.factor.matrixL().solve(metric_.sizes.asDiagonal() * products.mixed);
-    equations_ = {products.columns - half_.transpose() * half_, logDeterminant(metric_.factor)};
+    equations_ = {products.columns - squareOf(half_), logDeterminant(metric_.factor)};
 }
 
 Eigen::VectorXd MarginalProducts::halfOf(const Eigen::VectorXd& mixed) const {
@@ -145,7 +153,7 @@ DisturbedProducts disturbedProducts(const DriveProducts& products, const Eigen::
     const Factor factor = factorOfPriorAnd(scale * products.disturbances * scale);
     const Eigen::MatrixXd inverse = inverseOf(factor);
     const Eigen::MatrixXd half = inverse.triangularView<Eigen::Lower>() * (scale * products.mixed);
-    return {products.columns - half.transpose() * half, inverse.transpose().triangularView<Eigen::Upper>() * half,
+    return {products.columns - squareOf(half), inverse.transpose().triangularView<Eigen::Upper>() * half,
             inverse.colwise().squaredNorm()};
 }
 
@@ -166,7 +174,7 @@ NormalEquations marginalised(const NormalEquations& equations, const std::vector
     if (out.empty()) return equations;
     const Factor factor = factorOfPriorAnd(equations.products(out, out));
     const Eigen::MatrixXd half = factor.matrixL().solve(equations.products(out, Eigen::all));
-    NormalEquations left{equations.products - half.transpose() * half,
+    NormalEquations left{equations.products - squareOf(half),
                          equations.log_determinant + logDeterminant(factor)};
     for (const Index i : out) {
         left.products.row(i).setZero();

@@ -13,9 +13,7 @@
 #include "run/health.h"
 #include "run/pushed.h"
 #include "run/sensors.h"
-#include "run/world.h"
 #include "scenario/driver.h"
-#include "tread/bullet_vehicle.h"
 #include "tread/equilibrium.h"
 #include "tread/road_surface.h"
 #include "tread/tyre.h"
@@ -65,6 +63,17 @@ public:
 
     // Whether sensors need the whole of every sample.
     bool isObserved() const { return !sensors_.empty(); }
+
+    // Whether a look at the car finds all that the rows show.
+    bool isSeenBy(const std::function<void()>& look) {
+        const VehicleOutput before = car;
+        for (const Number& n : numbers(car)) *n.value = std::nan("");
+        look();
+        const bool seen =
+            std::all_of(sources_.begin(), sources_.end(), [](const double* value) { return std::isfinite(*value); });
+        car = before;
+        return seen;
+    }
 
     // In every step, once the sample is complete.
     void observe(const PointMotion& body) {
@@ -161,12 +170,12 @@ KnownGrip gripOf(const Vehicle& vehicle, double friction) {
     return grip;
 }
 
-Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const Surroundings& surroundings) {
+Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, Road& road, MovedBy by) {
     const StartParams& start = scenario.start;
-    Equilibrium rest = equilibrium(prepare(params), surroundings,
-                                   {.heading = start.heading,
-                                    .speed = start.speed,
-                                    .input = {.brake = start.brake, .parking_brake = start.parking_brake}});
+    Equilibrium rest = equilibriumOf(by, prepare(params), road, startingWind(scenario),
+                                     {.heading = start.heading,
+                                      .speed = start.speed,
+                                      .input = {.brake = start.brake, .parking_brake = start.parking_brake}});
     const host::StartFault fault = host::startFault(rest, start.speed, !startsWithoutPedals(scenario));
     if (fault == host::StartFault::broke_down) {
         throw SimulationError(
@@ -190,29 +199,31 @@ Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const
                         start.speed, rest.throttle),
             0);
     }
-    rest.motion.position_W += start.drop * -surroundings.gravity_W.normalized();
+    rest.motion.position_W += start.drop * -kGravityOfRuns_W.normalized();
     return rest;
 }
 
 }  // namespace
 
-void simulate(const VehicleParams& params, const Scenario& scenario, const Recorder& recorder, const Pushing& pushing) {
-    // World, car and road; the car in equilibrium.
-    World world(params);
+void simulate(const VehicleParams& params, const Scenario& scenario, const Recorder& recorder, const Pushing& pushing,
+              MovedBy by) {
+    // Road, and the car on it in equilibrium.
     const std::unique_ptr<Road> road = makeRoad(scenario.road);
-    const Equilibrium rest = startOf(params, scenario, {.road = *road, .wind_W = startingWind(scenario)});
-    BulletVehicle car(params, world.chassis(), *road);
-    car.setSubstep(scenario.substep);
-    car.restore(rest.motion, rest.state, rest.input);
-    Pushed pushed(pushing, car.vehicle());
+    const Equilibrium rest = startOf(params, scenario, *road, by);
+    const std::unique_ptr<Mover> car = mover(by, params, *road, rest, scenario.substep);
+    Pushed pushed(pushing, car->vehicle());
     checkSensors(scenario);
     checkConditions(scenario);
     Sample sample(scenario.log, true, hasCourse(scenario.course), scenario.step);
     Driver driver(
         scenario, rest.input, {params.wheelbase, params.steering.ratio, params.steering.ratio_curve},
-        resistanceOf(car.vehicle(), rest.state), [&](std::string_view name) { return sample.valueOf(name); },
-        gripOf(car.vehicle(), scenario.road.friction));
+        resistanceOf(car->vehicle(), rest.state), [&](std::string_view name) { return sample.valueOf(name); },
+        gripOf(car->vehicle(), scenario.road.friction));
+    const auto glanceAt = [&] {
+        glance(sample.car, car->motion(), car->stateAtGlance(), car->vehicle(), kGravityOfRuns_W);
+    };
     const bool sees_everything = sample.isObserved() || hasConditions(scenario);
+    const bool rows_at_glance = !pushing && sample.isSeenBy(glanceAt);
 
     sample.driver = rest.input;
     recorder.begin(sample.columns());
@@ -226,21 +237,22 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
         const bool row_due = k >= 0 && k % steps_per_row == 0;
         const auto look = [&](bool at_everything) {
             if (at_everything) {
-                sample.car = car.output();
+                sample.car = observe(car->motion(), car->state(), car->vehicle(), kGravityOfRuns_W);
             } else {
-                glance(sample.car, car.motion(), car.state(), car.vehicle(), world.gravity());
+                glanceAt();
             }
             sample.car.chassis.yaw = unwrapped(sample.car.chassis.yaw, yaw_before);
             pushed.felt(sample.car.chassis);
         };
-        look(row_due || sees_everything);
+        look((row_due && !rows_at_glance) || sees_everything);
         checkHealth(sample.car, sample.time);
-        sample.observe(pushed.felt(referenceMotion(car.motion(), car.state(), car.vehicle())));
+        if (sample.isObserved())
+            sample.observe(pushed.felt(referenceMotion(car->motion(), car->stateAtGlance(), car->vehicle())));
         driver.look(sample.time, sample.car.chassis, sample.car.steering.angle);
         sample.place = driver.place();
 
         const bool finished = driver.finished(sample.time);
-        if (finished && !row_due) look(true);
+        if (finished && !row_due) look(!rows_at_glance);
         if (row_due || finished) recorder.row(sample.row());
         if (finished) break;
         if (recorder.stop(sample.time)) {
@@ -254,12 +266,9 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
         }
 
         sample.driver = driver.inputAt(static_cast<double>(k + 1) * dt);
-        car.setInput(sample.driver);
-        car.setWind(windAt(scenario.wind, sample.time + 0.5 * dt, sample.car.chassis.x));
-        car.plan(dt);
-        pushed.push(world.chassis(), sample.time, sample.driver, sample.car);
-        world.step(dt);
-        car.observe();
+        car->setInput(sample.driver);
+        car->setWind(windAt(scenario.wind, sample.time + 0.5 * dt, sample.car.chassis.x));
+        car->move(dt, pushed.over(sample.time, sample.driver, sample.car));
     }
 }
 
@@ -289,9 +298,9 @@ Recorder recorderInto(Log& log) {
     return recorder;
 }
 
-Log simulate(const VehicleParams& vehicle, const Scenario& scenario) {
+Log simulate(const VehicleParams& vehicle, const Scenario& scenario, MovedBy by) {
     Log log;
-    simulate(vehicle, scenario, recorderInto(log));
+    simulate(vehicle, scenario, recorderInto(log), {}, by);
     return log;
 }
 
