@@ -3,6 +3,7 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include "base/turn.h"
 #include "bullet/convert.h"
 #include "run/push.h"
 #include "run/sensors.h"
@@ -22,9 +23,9 @@ public:
     void push(btRigidBody& body, double time, const VehicleInput& driver, const VehicleOutput& car) {
         if (!pushing_) return;
         now_ = pushing_(time, driver, car);
-        level_ = Eigen::AngleAxisd(car.chassis.yaw, Vector3::UnitZ());
-        body.applyCentralForce(toBullet(level_ * now_.force));
-        body.applyTorque(toBullet(level_ * now_.moment));
+        level_ = turnAbout(Vector3::UnitZ(), car.chassis.yaw);
+        body.applyCentralForce(toBullet(Vector3(level_ * now_.force)));
+        body.applyTorque(toBullet(Vector3(level_ * now_.moment)));
     }
 
     void felt(ChassisOutput& chassis) const {
@@ -50,7 +51,7 @@ private:
     Vector3 inertia_;    // kg m2
     Vector3 reference_;  // m, point to which the channels refer, from the centre of gravity
     Push now_;
-    Eigen::Matrix3d level_ = Eigen::Matrix3d::Identity();
+    Quaternion level_ = Quaternion::Identity();  // axes level along the heading
 };
 
 }  // namespace tread
