@@ -10,7 +10,7 @@
 // Each car does, bit for bit, what `advance` of vehicle.h does with it alone, whatever the other cars are and however
 // many threads there are. Several cars are computed at once, each in a lane of the processor's vectors, whatever their
 // gearboxes, brakes, inputs and roads are. Left alone are cars with curves in place of spring or damper rates or with
-// longitudinal compliance, and those that are driven by a commanded force.
+// longitudinal compliance.
 #pragma once
 
 #include <cstddef>

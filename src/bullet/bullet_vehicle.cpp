@@ -4,10 +4,11 @@
 #include <LinearMath/btIDebugDraw.h>
 
 #include "base/elementary.h"
-#include "base/interpolate.h"
 #include "bullet/body_link.h"
 #include "bullet/convert.h"
-#include "bullet/substep.h"
+#include "bullet/planned_pose.h"
+#include "host/step_inputs.h"
+#include "host/substep.h"
 
 namespace tread {
 
@@ -38,6 +39,12 @@ struct BulletVehicle::Implementation {
     Vector3 wind = Vector3::Zero();
     Substep substep{0.001, 0.02};  // s: 60 Hz and 1000 Hz then differ by rounding of the step alone
     BodyLink link;
+    PlannedPose planned;
+
+    void expectMotion() {
+        expectWhatBodyHas(link, chassis);
+        planned = PlannedPose(chassis, motion, motion, 0);
+    }
 
     Vector3 gravity() const { return fromBullet(chassis.getGravity()); }
 
@@ -61,13 +68,14 @@ BulletVehicle::BulletVehicle(const VehicleParams& params, btRigidBody& chassis, 
                                .input = {},
                                .next = {},
                                .wind = Vector3::Zero(),
-                               .link = {}}) {
+                               .link = {},
+                               .planned = {}}) {
     self_->setMass();
     switchOffGyroscopicForces(chassis);
+    self_->motion = poseOf(chassis, self_->axes);
     self_->motion.velocity_W = fromBullet(chassis.getLinearVelocity());
     self_->motion.angular_velocity_W = fromBullet(chassis.getAngularVelocity());
-    expectWhatBodyHas(self_->link, chassis);
-    observe();
+    self_->expectMotion();
 }
 
 BulletVehicle::~BulletVehicle() = default;
@@ -94,7 +102,7 @@ void BulletVehicle::restore(const ChassisMotion& motion, const VehicleState& sta
     self_->chassis.setInterpolationWorldTransform(pose);
     self_->chassis.setLinearVelocity(toBullet(motion.velocity_W));
     self_->chassis.setAngularVelocity(toBullet(motion.angular_velocity_W));
-    expectWhatBodyHas(self_->link, self_->chassis);
+    self_->expectMotion();
 }
 
 const ChassisMotion& BulletVehicle::motion() const {
@@ -112,7 +120,13 @@ VehicleOutput BulletVehicle::output() const {
 }
 
 void BulletVehicle::observe() {
-    takeMotion(self_->motion, self_->link, self_->chassis, self_->axes);
+    Implementation& s = *self_;
+    if (s.planned.isShownBy(s.chassis, s.link, s.axes)) {
+        s.planned.giveTo(s.motion);
+    } else {
+        takeMotion(s.motion, s.link, s.chassis, s.axes);
+    }
+    s.expectMotion();
 }
 
 void BulletVehicle::plan(double dt) {
@@ -123,20 +137,15 @@ void BulletVehicle::plan(double dt) {
     s.road.beginStep();
     ChassisMotion end = s.motion;
     const Surroundings surroundings{s.road, s.gravity(), s.wind};
-    const int substeps = s.substep.within(dt);
-    if (s.input.force_command != s.next.force_command) s.input.longitudinal_force = s.next.longitudinal_force;
-    const auto inputAt = [&](int k) {
-        VehicleInput input = interpolated(s.input, s.next, static_cast<double>(k) / substeps);
-        input.hands_off = s.next.hands_off;  // hands are on the wheel or off it
-        input.force_command = s.next.force_command;
-        return input;
-    };
-    for (int k = 0; k < substeps; ++k) {
-        advance(end, s.state, s.vehicle, inputAt(k), inputAt(k + 1), surroundings, dt / substeps);
+    const StepInputs inputs(s.input, s.next, s.substep.within(dt));
+    for (int k = 0; k < inputs.steps(); ++k) {
+        advance(end, s.state, s.vehicle, inputs.after(k), inputs.after(k + 1), surroundings, dt / inputs.steps());
     }
     s.input = s.next;
 
-    giveMotion(s.chassis, s.link, s.motion, end, dt);
+    const ChassisMotion from = poseOf(s.chassis, s.axes);
+    s.planned = PlannedPose(s.chassis, from, end, dt);
+    giveMotion(s.chassis, s.link, from, end, dt);
     s.motion.velocity_W = end.velocity_W;
     s.motion.angular_velocity_W = end.angular_velocity_W;
 }

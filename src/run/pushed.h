@@ -1,17 +1,16 @@
 // A push on the body, and what is felt of it on board.
 #pragma once
 
-#include <btBulletDynamicsCommon.h>
+#include <optional>
 
 #include "base/turn.h"
-#include "bullet/convert.h"
 #include "run/push.h"
 #include "run/sensors.h"
 
 namespace tread {
 
-// Bullet moves the body by a push as by any force; the car's own accelerations are those of its tyres, the air and
-// gravity, so what observes it must be told of the rest.
+// The car's own accelerations are those of its tyres, the air and gravity, so what observes it must be told of the
+// rest.
 class Pushed {
 public:
     Pushed(const Pushing& pushing, const Vehicle& vehicle)
@@ -20,12 +19,12 @@ public:
           inertia_(vehicle.params.inertia.roll, vehicle.params.inertia.pitch, vehicle.params.inertia.yaw),
           reference_(vehicle.reference_B) {}
 
-    void push(btRigidBody& body, double time, const VehicleInput& driver, const VehicleOutput& car) {
-        if (!pushing_) return;
+    // Over the coming step, axes of the world; nothing when nothing ever pushes.
+    std::optional<Push> over(double time, const VehicleInput& driver, const VehicleOutput& car) {
+        if (!pushing_) return std::nullopt;
         now_ = pushing_(time, driver, car);
         level_ = turnAbout(Vector3::UnitZ(), car.chassis.yaw);
-        body.applyCentralForce(toBullet(Vector3(level_ * now_.force)));
-        body.applyTorque(toBullet(Vector3(level_ * now_.moment)));
+        return Push{level_ * now_.force, level_ * now_.moment};
     }
 
     void felt(ChassisOutput& chassis) const {

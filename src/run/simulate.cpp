@@ -14,9 +14,7 @@
 #include "run/health.h"
 #include "run/pushed.h"
 #include "run/sensors.h"
-#include "run/world.h"
 #include "scenario/driver.h"
-#include "tread/bullet_vehicle.h"
 #include "tread/equilibrium.h"
 #include "tread/road_surface.h"
 #include "tread/tyre.h"
@@ -197,22 +195,20 @@ Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const
 
 }  // namespace
 
-void simulate(const VehicleParams& params, const Scenario& scenario, const Recorder& recorder, const Pushing& pushing) {
-    // World, car and road; the car in equilibrium.
-    World world(params);
+void simulate(const VehicleParams& params, const Scenario& scenario, const Recorder& recorder, const Pushing& pushing,
+              MovedBy by) {
+    // Road, and the car on it in equilibrium.
     const std::unique_ptr<Road> road = makeRoad(scenario.road);
     const Equilibrium rest = startOf(params, scenario, {.road = *road, .wind_W = startingWind(scenario)});
-    BulletVehicle car(params, world.chassis(), *road);
-    car.setSubstep(scenario.substep);
-    car.restore(rest.motion, rest.state, rest.input);
-    Pushed pushed(pushing, car.vehicle());
+    const std::unique_ptr<Mover> car = mover(by, params, *road, rest, scenario.substep);
+    Pushed pushed(pushing, car->vehicle());
     checkSensors(scenario);
     checkConditions(scenario);
     Sample sample(scenario.log, true, hasCourse(scenario.course), scenario.step);
     Driver driver(
         scenario, rest.input, {params.wheelbase, params.steering.ratio, params.steering.ratio_curve},
-        resistanceOf(car.vehicle(), rest.state), [&](std::string_view name) { return sample.valueOf(name); },
-        gripOf(car.vehicle(), scenario.road.friction));
+        resistanceOf(car->vehicle(), rest.state), [&](std::string_view name) { return sample.valueOf(name); },
+        gripOf(car->vehicle(), scenario.road.friction));
     const bool sees_everything = sample.isObserved() || hasConditions(scenario);
 
     sample.driver = rest.input;
@@ -227,16 +223,17 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
         const bool row_due = k >= 0 && k % steps_per_row == 0;
         const auto look = [&](bool at_everything) {
             if (at_everything) {
-                sample.car = car.output();
+                sample.car = observe(car->motion(), car->state(), car->vehicle(), kGravityOfRuns_W);
             } else {
-                glance(sample.car, car.motion(), car.state(), car.vehicle(), world.gravity());
+                glance(sample.car, car->motion(), car->stateAtGlance(), car->vehicle(), kGravityOfRuns_W);
             }
             sample.car.chassis.yaw = unwrapped(sample.car.chassis.yaw, yaw_before);
             pushed.felt(sample.car.chassis);
         };
         look(row_due || sees_everything);
         checkHealth(sample.car, sample.time);
-        sample.observe(pushed.felt(referenceMotion(car.motion(), car.state(), car.vehicle())));
+        if (sample.isObserved())
+            sample.observe(pushed.felt(referenceMotion(car->motion(), car->stateAtGlance(), car->vehicle())));
         driver.look(sample.time, sample.car.chassis, sample.car.steering.angle);
         sample.place = driver.place();
 
@@ -255,12 +252,9 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
         }
 
         sample.driver = driver.inputAt(static_cast<double>(k + 1) * dt);
-        car.setInput(sample.driver);
-        car.setWind(windAt(scenario.wind, sample.time + 0.5 * dt, sample.car.chassis.x));
-        car.plan(dt);
-        pushed.push(world.chassis(), sample.time, sample.driver, sample.car);
-        world.step(dt);
-        car.observe();
+        car->setInput(sample.driver);
+        car->setWind(windAt(scenario.wind, sample.time + 0.5 * dt, sample.car.chassis.x));
+        car->move(dt, pushed.over(sample.time, sample.driver, sample.car));
     }
 }
 
@@ -290,9 +284,9 @@ Recorder recorderInto(Log& log) {
     return recorder;
 }
 
-Log simulate(const VehicleParams& vehicle, const Scenario& scenario) {
+Log simulate(const VehicleParams& vehicle, const Scenario& scenario, MovedBy by) {
     Log log;
-    simulate(vehicle, scenario, recorderInto(log));
+    simulate(vehicle, scenario, recorderInto(log), {}, by);
     return log;
 }
 

@@ -1,4 +1,4 @@
-// Drives a scenario with a car in a Bullet world and records what happens.
+// Drives a scenario with a car and records what happens.
 #pragma once
 
 #include <functional>
@@ -9,6 +9,7 @@
 
 #include "log/csv.h"
 #include "log/log.h"
+#include "run/mover.h"
 #include "run/push.h"
 #include "scenario/conditions.h"
 #include "scenario/scenario.h"
@@ -50,14 +51,15 @@ std::vector<Column> columnsOf(const Scenario& scenario);
 std::vector<KnownName> knownChannels(const Scenario& scenario);
 
 // Throws SimulationError when a value is not finite or out of bounds, when the car cannot hold the speed at which the
-// scenario starts, or when the manoeuvre does not end. `pushing`, when there is one, acts on the body besides.
+// scenario starts, or when the manoeuvre does not end. `pushing`, when there is one, acts on the body besides. The
+// rows are the same, bit for bit, whoever moves the car; with a push they differ by rounding.
 void simulate(const VehicleParams& vehicle, const Scenario& scenario, const Recorder& recorder,
-              const Pushing& pushing = {});
+              const Pushing& pushing = {}, MovedBy by = MovedBy::bullet);
 
 // Records into a log in memory, which must outlive the recorder.
 Recorder recorderInto(Log& log);
 
 // The same into memory.
-Log simulate(const VehicleParams& vehicle, const Scenario& scenario);
+Log simulate(const VehicleParams& vehicle, const Scenario& scenario, MovedBy by = MovedBy::bullet);
 
 }  // namespace tread

@@ -21,7 +21,6 @@ public:
     explicit World(const VehicleParams& vehicle);
 
     btRigidBody& chassis() { return chassis_; }
-    Vector3 gravity() const { return {0, 0, -kStandardGravity}; }
     void step(double dt) { dynamics_.stepSimulation(dt, 0); }
 
 private:

@@ -81,6 +81,19 @@ struct Torques {
     PerWheel<T> drive, brake_end, brake_mean;
 };
 
+// Shows a car's wheels where a commanded force looks for them (force_command.h): those of a single car are there.
+template <class T, class State>
+void showWheels(State& state, std::size_t car) {
+    for (std::size_t k = 0; k < kWheels; ++k) {
+        const BasicWheelState<T>& wheel = state.wheels[k];
+        WheelState& shown = stateOf(state, car).wheels[k];
+        shown.radius = lane(wheel.radius, car);
+        shown.spin = lane(wheel.spin, car);
+        shown.fx = lane(wheel.fx, car);
+        shown.motion.Vx = lane(wheel.motion.Vx, car);
+    }
+}
+
 template <class T, class State, class Car>
 Torques<T> driveAndBrakeCars(State& state, const Car& vehicle, const BasicBodyFrame<T>& from,
                              const BasicBodyFrame<T>& to, const PerWheel<T>& steer, const Inputs& inputs, double dt) {
@@ -98,6 +111,7 @@ Torques<T> driveAndBrakeCars(State& state, const Car& vehicle, const BasicBodyFr
             seen.drive_torque[k] = lane(wheel.drive_torque, i);
             seen.speed[k] = lane(wheel.motion.Vx, i);
         }
+        if (inputs.end[i].force_command != 0) showWheels<T>(state, i);
         const WheelTorques car =
             driveAndBrake(stateOf(state, i), carOf(vehicle, i), seen, inputs.begin[i], inputs.end[i], dt);
         for (std::size_t k = 0; k < kWheels; ++k) {

@@ -76,6 +76,7 @@ inline const std::vector<Library> kLibraries{
     {"SQLite", {"sqlite3.h"}, {"campaign"}},
     {"Zstandard", {"zstd.h"}, {"log"}},
     {"libzip", {"zip.h"}, {"fmu"}},
+    {"Boost.Context", {"boost/context/"}, {"run"}},
 };
 
 inline bool contains(const std::vector<std::string>& list, const std::string& value) {

@@ -12,7 +12,7 @@
 #include "bullet/drop_in/shared_cars.h"
 #include "bullet/drop_in/stock_tuning.h"
 #include "bullet/ground/wheel_ray.h"
-#include "bullet/substep.h"
+#include "host/substep.h"
 #include "tread/bullet_precision.h"
 
 namespace tread {

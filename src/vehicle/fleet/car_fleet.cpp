@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <cstddef>
-#include <new>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -40,11 +39,6 @@ struct Unit {
     std::shared_ptr<void> block{};
     std::vector<VehicleState> idle{};  // of lanes that are left over: they repeat the last car
 };
-
-std::shared_ptr<void> memoryFor(const LaneKind& kind) {
-    const std::align_val_t aligned{kind.alignment};
-    return {operator new(kind.bytes, aligned), [aligned](void* p) { operator delete(p, aligned); }};
-}
 
 bool sameStart(const Start& a, const Start& b) {
     using Numbers = std::array<double, sizeof(Start) / sizeof(double)>;
@@ -97,15 +91,15 @@ struct CarFleet::Implementation {
 
     // Cars in lanes as long as that pays, the others alone.
     void formUnits() {
-        constexpr std::size_t kPays = 3;  // lanes cost about as much as so many single cars
         const LaneKind* kind = laneKind(static_cast<std::size_t>(settings.lanes));
         std::vector<std::size_t> together;
         const auto close = [&] {
-            if (kind && together.size() >= kPays) {
+            if (kind && together.size() >= kLanesPay) {
                 units.push_back({.cars = together, .kind = kind, .block = memoryFor(*kind)});
                 Unit& unit = units.back();
                 unit.idle.resize(kind->lanes - together.size());
-                kind->prepare(unit.block.get(), lanesOf(unit).data());
+                const std::vector<LaneCar> lanes = lanesOf(unit);
+                for (std::size_t i = 0; i < kind->lanes; ++i) kind->prepare(unit.block.get(), i, lanes[i]);
             } else {
                 for (const std::size_t i : together) units.push_back({.cars = {i}});
             }
@@ -206,7 +200,7 @@ struct CarFleet::Implementation {
 
     void advanceInLanes(Unit& unit, int steps, InputCourse course) {
         std::vector<LaneCar> lanes = lanesOf(unit);
-        unit.kind->load(unit.block.get(), lanes.data());
+        for (std::size_t k = 0; k < lanes.size(); ++k) unit.kind->load(unit.block.get(), k, lanes[k]);
         const Vector3& g = settings.gravity_W;
         const std::array<double, 3> gravity_W{g.x(), g.y(), g.z()};
         std::vector<VehicleInput> begin, end(lanes.size());
@@ -216,19 +210,14 @@ struct CarFleet::Implementation {
             unit.kind->step(unit.block.get(), begin.data(), end.data(), gravity_W, settings.step);
             begin.swap(end);
         }
-        unit.kind->store(unit.block.get(), lanes.data());
-        for (std::size_t k = 0; k < unit.cars.size(); ++k) cars[unit.cars[k]].motion = motionOf(lanes[k].motion);
-    }
-
-    // A commanded force is taken by single cars.
-    bool isCommanded(std::size_t car) const {
-        return inputs[car].force_command != 0 || cars[car].reached.force_command != 0;
+        for (std::size_t k = 0; k < unit.cars.size(); ++k) {
+            unit.kind->store(unit.block.get(), k, lanes[k]);
+            cars[unit.cars[k]].motion = motionOf(lanes[k].motion);
+        }
     }
 
     void advance(Unit& unit, int steps, InputCourse course) {
-        const bool commanded =
-            std::any_of(unit.cars.begin(), unit.cars.end(), [this](std::size_t i) { return isCommanded(i); });
-        if (unit.kind && !commanded) {
+        if (unit.kind) {
             advanceInLanes(unit, steps, course);
         } else {
             for (const std::size_t i : unit.cars) advanceAlone(i, steps, course);
@@ -282,9 +271,7 @@ void CarFleet::setRoad(std::size_t index, const std::shared_ptr<const Road>& roa
     if (!road) throw std::invalid_argument("road: found none, expected a road");
     Car& car = self_->cars.at(index);
     car.road = road;
-    car.plane.reset();
-    if (const auto* plane = dynamic_cast<const PlaneRoad*>(road.get()))
-        car.plane = numbersOf(plane->contact(Vector3::Zero(), 0));
+    car.plane = planeOf(*road);
     car.started.reset();
 }
 

@@ -123,61 +123,84 @@ struct LaneBlock {
     LaneMotion<T> motion;
     LaneRoads<T> roads;
     std::array<T, 3> wind_W;
+    struct {
+        bool tyres_shifted, warmth_felt, plane;
+    } of_lane[kLanesOf<T>];
 
-    static void prepare(void* memory, const LaneCar* cars) {
-        LaneBlock& block = *static_cast<LaneBlock*>(memory);
+    static LaneBlock& at(void* memory) { return *static_cast<LaneBlock*>(memory); }
+    static const LaneBlock& at(const void* memory) { return *static_cast<const LaneBlock*>(memory); }
+
+    static void prepare(void* memory, std::size_t i, const LaneCar& car) {
+        LaneBlock& block = at(memory);
         static_assert(sizeof(LaneNumbers<T>) == kLaneNumbers * sizeof(T));
+        setCar<T>(static_cast<LaneNumbers<T>&>(block.cars), i, car.numbers);
+        block.cars.cars[i] = car.vehicle;
+        block.of_lane[i].tyres_shifted = car.tyres_shifted;
+        block.of_lane[i].warmth_felt = car.warmth_felt;
         block.cars.tyres_shifted = block.cars.warmth_felt = false;
-        for (std::size_t i = 0; i < kLanesOf<T>; ++i) {
-            block.cars.tyres_shifted |= cars[i].tyres_shifted;
-            block.cars.warmth_felt |= cars[i].warmth_felt;
-            setCar<T>(static_cast<LaneNumbers<T>&>(block.cars), i, cars[i].numbers);
-            block.cars.cars[i] = cars[i].vehicle;
+        for (const auto& lane : block.of_lane) {
+            block.cars.tyres_shifted |= lane.tyres_shifted;
+            block.cars.warmth_felt |= lane.warmth_felt;
         }
     }
 
-    static void load(void* memory, const LaneCar* cars) {
-        LaneBlock& block = *static_cast<LaneBlock*>(memory);
-        static_assert(sizeof(MotionNumbers) / sizeof(double) == sizeof(LaneMotion<T>) / sizeof(T));
+    static void load(void* memory, std::size_t i, const LaneCar& car) {
+        LaneBlock& block = at(memory);
+        block.state.states[i] = car.state;
+        setCar<T>(block.state.wheels, i, &car.state->wheels);
+        setCar<T>(block.state.acceleration_W, i, &car.state->acceleration_W);
+        setCar<T>(block.state.angular_acceleration_W, i, &car.state->angular_acceleration_W);
+        move(memory, i, car.motion);
+        blow(memory, i, car.wind_W);
+        block.roads.roads[i] = car.road;
+        block.of_lane[i].plane = car.plane != nullptr;
+        if (car.plane) setCar<T>(block.roads.plane, i, car.plane);
         block.roads.planes = true;
-        for (std::size_t i = 0; i < kLanesOf<T>; ++i) {
-            const LaneCar& car = cars[i];
-            block.state.states[i] = car.state;
-            setCar<T>(block.state.wheels, i, &car.state->wheels);
-            setCar<T>(block.state.acceleration_W, i, &car.state->acceleration_W);
-            setCar<T>(block.state.angular_acceleration_W, i, &car.state->angular_acceleration_W);
-            setCar<T>(block.motion, i, &car.motion);
-            setCar<T>(block.wind_W, i, &car.wind_W);
-            block.roads.roads[i] = car.road;
-            if (car.plane) setCar<T>(block.roads.plane, i, car.plane);
-            else block.roads.planes = false;
-        }
+        for (const auto& lane : block.of_lane) block.roads.planes &= lane.plane;
+    }
+
+    static void move(void* memory, std::size_t i, const MotionNumbers& motion) {
+        static_assert(sizeof(MotionNumbers) / sizeof(double) == sizeof(LaneMotion<T>) / sizeof(T));
+        setCar<T>(at(memory).motion, i, &motion);
+    }
+
+    static void blow(void* memory, std::size_t i, const std::array<double, 3>& wind_W) {
+        setCar<T>(at(memory).wind_W, i, &wind_W);
     }
 
     static void step(void* memory, const VehicleInput* begin, const VehicleInput* end,
                      const std::array<double, 3>& gravity_W, double dt) {
-        LaneBlock& block = *static_cast<LaneBlock*>(memory);
+        LaneBlock& block = at(memory);
         const BasicSurroundings<T, LaneRoads<T>> surroundings{
             block.roads, LaneVector<T>(gravity_W[0], gravity_W[1], gravity_W[2]), toVector(block.wind_W)};
         tread::step<T>(block.motion, block.state, block.cars, Inputs{begin, end}, surroundings, dt);
     }
 
-    static void store(const void* memory, LaneCar* cars) {
-        const LaneBlock& block = *static_cast<const LaneBlock*>(memory);
-        for (std::size_t i = 0; i < kLanesOf<T>; ++i) {
-            LaneCar& car = cars[i];
-            getCar<T>(block.state.wheels, i, &car.state->wheels);
-            getCar<T>(block.state.acceleration_W, i, &car.state->acceleration_W);
-            getCar<T>(block.state.angular_acceleration_W, i, &car.state->angular_acceleration_W);
-            getCar<T>(block.motion, i, &car.motion);
-        }
+    static void glance(const void* memory, std::size_t i, LaneCar& car) {
+        const LaneBlock& block = at(memory);
+        for (std::size_t k = 0; k < kWheels; ++k) car.state->wheels[k].spin = lane(block.state.wheels[k].spin, i);
+        getCar<T>(block.state.acceleration_W, i, &car.state->acceleration_W);
+        getCar<T>(block.state.angular_acceleration_W, i, &car.state->angular_acceleration_W);
+        getCar<T>(block.motion, i, &car.motion);
+    }
+
+    static void store(const void* memory, std::size_t i, LaneCar& car) {
+        glance(memory, i, car);
+        getCar<T>(at(memory).state.wheels, i, &car.state->wheels);
     }
 };
 
 template <class T>
-inline constexpr LaneKind kKindOf{kLanesOf<T>,           sizeof(LaneBlock<T>), alignof(LaneBlock<T>),
-                                  LaneBlock<T>::prepare, LaneBlock<T>::load,   LaneBlock<T>::step,
-                                  LaneBlock<T>::store};
+inline constexpr LaneKind kKindOf{.lanes = kLanesOf<T>,
+                                  .bytes = sizeof(LaneBlock<T>),
+                                  .alignment = alignof(LaneBlock<T>),
+                                  .prepare = LaneBlock<T>::prepare,
+                                  .load = LaneBlock<T>::load,
+                                  .move = LaneBlock<T>::move,
+                                  .blow = LaneBlock<T>::blow,
+                                  .step = LaneBlock<T>::step,
+                                  .glance = LaneBlock<T>::glance,
+                                  .store = LaneBlock<T>::store};
 
 }  // namespace TREAD_ISA
 }  // namespace tread

@@ -1,7 +1,10 @@
 #include "vehicle/fleet/lane_kind.h"
 
 #include <bit>
+#include <cstring>
+#include <new>
 
+#include "road/plane.h"
 #include "vehicle/fleet/lane_numbers.h"
 
 namespace tread {
@@ -57,6 +60,19 @@ const LaneKind* laneKind([[maybe_unused]] std::size_t most_lanes) {
     if (most_lanes >= kFourLanes.lanes && __builtin_cpu_supports("avx2")) return &kFourLanes;
 #endif
     return nullptr;
+}
+
+std::shared_ptr<void> memoryFor(const LaneKind& kind) {
+    const std::align_val_t aligned{kind.alignment};
+    void* memory = operator new(kind.bytes, aligned);
+    std::memset(memory, 0, kind.bytes);
+    return {memory, [aligned](void* p) { operator delete(p, aligned); }};
+}
+
+std::optional<GroundNumbers> planeOf(const Road& road) {
+    const auto* plane = dynamic_cast<const PlaneRoad*>(&road);
+    if (!plane) return std::nullopt;
+    return numbersOf(plane->contact(Vector3::Zero(), 0));
 }
 
 bool fitsInLane(const Vehicle& vehicle) {

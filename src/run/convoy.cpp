@@ -1,0 +1,257 @@
+#include "run/convoy.h"
+
+#include <cxxabi.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define TREAD_FIBERS 0  // sanitizers know one stack per thread
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
+#define TREAD_FIBERS 0
+#endif
+#endif
+#ifndef TREAD_FIBERS
+#define TREAD_FIBERS 1
+#endif
+
+#include <boost/context/fiber.hpp>
+#include <boost/context/protected_fixedsize_stack.hpp>
+
+namespace tread {
+namespace {
+
+using Fiber = boost::context::fiber;
+
+constexpr std::size_t kMostLanes = 8;
+constexpr std::size_t kStack = 8 << 20;  // bytes, as a thread has; only what is used takes memory
+constexpr std::array<double, 3> kGravity_W{0, 0, -kStandardGravity};
+
+thread_local Convoy* convoy_of_thread = nullptr;
+
+const LaneKind* lanesOfProcessor() {
+    static const LaneKind* const kind = TREAD_FIBERS ? laneKind(kMostLanes) : nullptr;
+    return kind;
+}
+
+}  // namespace
+
+struct Convoy::Seat {
+    // Exceptions that are being handled: the runtime keeps them per thread, a fiber has its own. The C++ ABI lays them
+    // down so: those that are caught, and how many are not yet.
+    struct Handling {
+        void* caught = nullptr;
+        unsigned int uncaught = 0;
+
+        void swapWithThread() { std::swap(*reinterpret_cast<Handling*>(abi::__cxa_get_globals()), *this); }
+    };
+
+    Fiber fiber;   // where it waits
+    Fiber driver;  // while it runs: whoever resumed it
+    Handling handling;
+    Rider* rider = nullptr;
+    std::optional<StepInputs> inputs{};  // of a step that it waits for
+    double dt = 0;
+};
+
+Convoy* Convoy::ofThread() {
+    return convoy_of_thread;
+}
+
+std::size_t Convoy::most() {
+    return lanesOfProcessor() ? lanesOfProcessor()->lanes : 1;
+}
+
+Convoy::Convoy(std::size_t seats)
+    : kind_(lanesOfProcessor()),
+      block_(memoryFor(*kind_)),
+      loaded_(kind_->lanes),
+      spare_(kind_->lanes),
+      begin_(kind_->lanes),
+      end_(kind_->lanes) {
+    for (std::size_t i = 0; i < seats; ++i) seats_.push_back(std::make_unique<Seat>());
+}
+
+Convoy::~Convoy() = default;
+
+void Convoy::drive(std::size_t most, const std::function<bool()>& doNext) {
+    const std::size_t seats = std::min(most, Convoy::most());
+    if (seats < kLanesPay) {
+        while (doNext()) {
+        }
+        return;
+    }
+    Convoy convoy(seats);
+    Convoy* const outer = std::exchange(convoy_of_thread, &convoy);
+    convoy.run(doNext);
+    convoy_of_thread = outer;
+}
+
+void Convoy::run(const std::function<bool()>& doNext) {
+    for (std::size_t i = 0; i < seats_.size(); ++i) {
+        seats_[i]->fiber = Fiber(std::allocator_arg, boost::context::protected_fixedsize_stack(kStack),
+                                 [this, &doNext, i](Fiber&& driver) {
+                                     seats_[i]->driver = std::move(driver);
+                                     while (doNext()) {
+                                     }
+                                     return std::move(seats_[i]->driver);
+                                 });
+    }
+    for (driven_ = seats_.size(); driven_ > 0;) {
+        for (std::size_t i = 0; i < seats_.size(); ++i) {
+            if (seats_[i]->fiber) resume(i);
+        }
+        stepAll();
+        const Clock::time_point now = Clock::now();
+        if (driven_ > 0) share_ += std::chrono::duration<double>(now - looked_).count() / static_cast<double>(driven_);
+        looked_ = now;
+    }
+}
+
+void Convoy::resume(std::size_t seat) {
+    Seat& here = *seats_[seat];
+    driving_ = seat;
+    here.handling.swapWithThread();
+    here.fiber = std::move(here.fiber).resume();
+    here.handling.swapWithThread();
+    if (!here.fiber) --driven_;
+}
+
+void Convoy::wait() {
+    Seat& here = *seats_[driving_];
+    here.driver = std::move(here.driver).resume();
+}
+
+double Convoy::share() const {
+    return share_ + std::chrono::duration<double>(Clock::now() - looked_).count() / static_cast<double>(driven_);
+}
+
+void Convoy::seat(Rider& rider) {
+    if (seats_[driving_]->rider) return;  // a car beside the car of this run moves alone
+    seats_[driving_]->rider = &rider;
+    rider.convoy_ = this;
+    rider.seat_ = driving_;
+    rider.lane_ = {.vehicle = &rider.vehicle_,
+                   .numbers = rider.numbers_.data(),
+                   .state = &rider.state_,
+                   .motion = {},
+                   .road = &rider.road_,
+                   .wind_W = {},
+                   .tyres_shifted = rider.vehicle_.tyres_shifted,
+                   .warmth_felt = rider.vehicle_.warmth_felt,
+                   .plane = rider.plane_ ? &*rider.plane_ : nullptr};
+}
+
+void Convoy::leave(Rider& rider) {
+    seats_[rider.seat_]->rider = nullptr;
+    std::replace(loaded_.begin(), loaded_.end(), &rider, static_cast<Rider*>(nullptr));
+}
+
+void Convoy::move(Rider& rider, const StepInputs& inputs, double dt) {
+    Seat& here = *seats_[rider.seat_];
+    here.inputs = inputs;
+    here.dt = dt;
+    wait();
+}
+
+void Convoy::fetch(Rider& rider) {
+    if (!rider.whole_) kind_->store(block_.get(), rider.seat_, rider.lane_);
+    rider.whole_ = true;
+}
+
+// Out of its lane: it moves alone until it is loaded again.
+void Convoy::putOut(Rider& rider) {
+    fetch(rider);
+    if (rider.in_lane_) loaded_[rider.seat_] = nullptr;
+    rider.in_lane_ = false;
+}
+
+void Convoy::load(std::size_t lane, Rider& rider) {
+    const bool own = lane == rider.seat_;
+    LaneCar car = rider.lane_;
+    fetch(rider);
+    if (!own) {
+        spare_[lane] = rider.state_;
+        car.state = &spare_[lane];
+    }
+    const Vector3& w = rider.wind_W_;
+    car.wind_W = {w.x(), w.y(), w.z()};
+    car.motion = numbersOf(rider.motion_);
+    kind_->prepare(block_.get(), lane, car);
+    kind_->load(block_.get(), lane, car);
+    loaded_[lane] = &rider;
+    if (own) rider.in_lane_ = true, rider.moved_ = rider.blown_ = false;
+}
+
+// Gives every lane a car: its own, or the first of those that move together once more.
+void Convoy::takeLanes(const std::vector<std::size_t>& together) {
+    std::size_t next = 0;
+    for (std::size_t lane = 0; lane < kind_->lanes; ++lane) {
+        const bool own = next < together.size() && together[next] == lane;
+        if (own) ++next;
+        Rider& rider = *seats_[own ? lane : together.front()]->rider;
+        if (loaded_[lane] != &rider) {
+            if (Rider* before = loaded_[lane]; before && before->seat_ == lane) putOut(*before);
+            load(lane, rider);
+        } else if (own) {
+            if (rider.moved_) kind_->move(block_.get(), lane, numbersOf(rider.motion_));
+            const Vector3& w = rider.wind_W_;
+            if (rider.blown_) kind_->blow(block_.get(), lane, {w.x(), w.y(), w.z()});
+            rider.moved_ = rider.blown_ = false;
+        }
+    }
+}
+
+void Convoy::stepTogether(const std::vector<std::size_t>& together) {
+    takeLanes(together);
+    const Seat& first = *seats_[together.front()];
+    const int steps = first.inputs->steps();
+    for (int k = 0; k < steps; ++k) {
+        std::fill(begin_.begin(), begin_.end(), first.inputs->after(k));
+        std::fill(end_.begin(), end_.end(), first.inputs->after(k + 1));
+        for (const std::size_t i : together) {
+            begin_[i] = seats_[i]->inputs->after(k);
+            end_[i] = seats_[i]->inputs->after(k + 1);
+        }
+        kind_->step(block_.get(), begin_.data(), end_.data(), kGravity_W, first.dt / steps);
+    }
+    for (const std::size_t i : together) {
+        Rider& rider = *seats_[i]->rider;
+        kind_->glance(block_.get(), i, rider.lane_);
+        rider.motion_ = motionOf(rider.lane_.motion);
+        rider.whole_ = false;
+    }
+}
+
+// The steps that fibers wait for: the most that are alike in lanes.
+void Convoy::stepAll() {
+    const auto alike = [](const Seat& a, const Seat& b) {
+        return a.inputs && b.inputs && a.dt == b.dt && a.inputs->steps() == b.inputs->steps();
+    };
+    std::vector<std::size_t> together;
+    for (std::size_t i = 0; i < seats_.size() && 2 * together.size() <= seats_.size(); ++i) {
+        std::vector<std::size_t> like;
+        for (std::size_t k = i; k < seats_.size(); ++k) {
+            if (alike(*seats_[i], *seats_[k])) like.push_back(k);
+        }
+        if (like.size() > together.size()) together = std::move(like);
+    }
+    if (together.size() < kLanesPay) together.clear();
+    if (!together.empty()) stepTogether(together);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < seats_.size(); ++i) {
+        Seat& seat = *seats_[i];
+        const bool moved = next < together.size() && together[next] == i;
+        if (moved) ++next;
+        if (seat.inputs && !moved) {
+            putOut(*seat.rider);
+            seat.rider->moveAlone(*seat.inputs, seat.dt);
+        }
+        seat.inputs.reset();
+    }
+}
+
+}  // namespace tread

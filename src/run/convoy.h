@@ -1,0 +1,65 @@
+// Cars of several runs on one thread, each step of which is computed at once in lanes (vehicle/fleet/lane_kind.h).
+//
+// Each run is a fiber: it computes until its car is to move, and waits; when all wait, those whose steps are alike are
+// computed together, the others alone, and all go on. A car does the same bit for bit whoever rides with it.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "run/rider.h"
+
+namespace tread {
+
+class Convoy {
+public:
+    // The convoy that the calling fiber belongs to; nullptr: none.
+    static Convoy* ofThread();
+
+    // Up to `most` fibers call doNext() until it returns false; returns when all have ended. It does not throw.
+    static void drive(std::size_t most, const std::function<bool()>& doNext);
+
+    // How many fibers a thread can use; 1: the processor has no lanes.
+    static std::size_t most();
+
+    // s, of the thread's time: what falls to each fiber by and by.
+    double share() const;
+
+    void seat(Rider& rider);
+    void leave(Rider& rider);
+    void move(Rider& rider, const StepInputs& inputs, double dt);
+    void fetch(Rider& rider);  // its whole state, from its lane
+
+    ~Convoy();
+
+private:
+    struct Seat;
+    explicit Convoy(std::size_t seats);
+
+    void run(const std::function<bool()>& doNext);
+    void resume(std::size_t seat);
+    void wait();
+    void stepAll();
+    void stepTogether(const std::vector<std::size_t>& together);
+    void takeLanes(const std::vector<std::size_t>& together);
+    void load(std::size_t lane, Rider& rider);
+    void putOut(Rider& rider);
+
+    using Clock = std::chrono::steady_clock;
+
+    const LaneKind* kind_;
+    std::shared_ptr<void> block_;
+    std::vector<std::unique_ptr<Seat>> seats_;
+    std::size_t driving_ = 0;          // whose fiber runs
+    std::size_t driven_ = 0;           // fibers that have not ended
+    std::vector<Rider*> loaded_;       // whose car is in each lane; nullptr: none, or one that is gone
+    std::vector<VehicleState> spare_;  // of cars that repeat another's
+    std::vector<VehicleInput> begin_, end_;
+    Clock::time_point looked_ = Clock::now();
+    double share_ = 0;
+};
+
+}  // namespace tread
