@@ -37,7 +37,7 @@ struct BulletVehicle::Implementation {
     VehicleInput input;  // at the time of the last step
     VehicleInput next;   // at the end of the next one
     Vector3 wind = Vector3::Zero();
-    Substep substep{0.001, 0.02};  // s: 60 Hz and 1000 Hz then differ by rounding of the step alone
+    Substep substep{0.001, Substep::kLongest};  // s: 60 Hz and 1000 Hz then differ by rounding of the step alone
     BodyLink link;
     PlannedPose planned;
 

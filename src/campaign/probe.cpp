@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 
 #include "campaign/log_file.h"
+#include "run/together.h"
 
 namespace tread::campaign {
 namespace {
@@ -24,10 +24,22 @@ double valueAt(const Plan& plan, const Cell& cell, std::size_t index, double sha
 struct Driven {
     Outcome outcome;
     Log log;
+    double seconds = 0;
 };
-Driven drivenBy(const Plan& plan, const PlannedRun& run, const Measure& measure) {
-    Driven driven;
-    driven.outcome = outcomeOf(plan, run, measure, &driven.log);
+
+// Runs of a cell; the first one is repeated until as many are driven at once as in the campaign, so that they take as
+// long as there.
+std::vector<Driven> drivenBy(const Plan& plan, std::vector<PlannedRun> planned, std::uint64_t of_cell,
+                             const Measure& measure) {
+    const std::size_t wanted = planned.size(), at_once = runsAtOnce(of_cell, 1);
+    planned.resize(std::max(wanted, at_once), planned.front());
+    std::vector<Driven> driven(planned.size());
+    drivenTogether(planned.size(), 1, [&](std::size_t i) {
+        const double begin = ownSeconds();
+        driven[i].outcome = outcomeOf(plan, planned[i], measure, &driven[i].log);
+        driven[i].seconds = ownSeconds() - begin;
+    });
+    driven.resize(wanted);
     return driven;
 }
 
@@ -57,13 +69,9 @@ Probe probe(const Plan& plan, const Measure& measure) {
         for (std::size_t i = 0; i < plan.variables.size(); ++i) {
             if (middle.values[i] == middle.values[i]) middle.values[i] = valueAt(plan, cell, i, kMiddle);
         }
-        const auto begin = std::chrono::steady_clock::now();
-        const Driven reference = drivenBy(plan, middle, measure);
-        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-        seconds += took.count() * static_cast<double>(cell.runs);
-        runs += static_cast<double>(cell.runs);
-        if (plan.inputs.campaign.logs)
-            found.bytes_of_log = std::max<std::uint64_t>(found.bytes_of_log, binaryLog(reference.log).size());
+        // The reference, and one more for each factor that is not known to matter.
+        std::vector<PlannedRun> planned{middle};
+        std::vector<std::size_t> factors;
         for (std::size_t i = 0; i < plan.variables.size(); ++i) {
             if (matters[i] || middle.values[i] != middle.values[i]) continue;
             PlannedRun other = middle;
@@ -71,9 +79,19 @@ Probe probe(const Plan& plan, const Measure& measure) {
             if (other.values[i] == middle.values[i]) continue;
             asked[i] = true;
             tried[i] = {middle.values[i], other.values[i]};
-            const Driven changed = drivenBy(plan, other, measure);
-            matters[i] = !isSame(reference.outcome, changed.outcome) ||
-                         (reference.outcome.metrics.empty() && !isSame(reference.log, changed.log));
+            planned.push_back(std::move(other));
+            factors.push_back(i);
+        }
+        const std::vector<Driven> driven = drivenBy(plan, planned, cell.runs, measure);
+        const Driven& reference = driven.front();
+        seconds += reference.seconds * static_cast<double>(cell.runs);
+        runs += static_cast<double>(cell.runs);
+        if (plan.inputs.campaign.logs)
+            found.bytes_of_log = std::max<std::uint64_t>(found.bytes_of_log, binaryLog(reference.log).size());
+        for (std::size_t k = 0; k < factors.size(); ++k) {
+            const Driven& changed = driven[k + 1];
+            matters[factors[k]] = !isSame(reference.outcome, changed.outcome) ||
+                                  (reference.outcome.metrics.empty() && !isSame(reference.log, changed.log));
         }
     }
     found.seconds_per_run = runs > 0 ? seconds / runs : 0;

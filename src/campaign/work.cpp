@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <mutex>
 #include <string>
@@ -13,16 +12,11 @@
 #include "campaign/piece.h"
 #include "log/csv.h"
 #include "run/simulate.h"
+#include "run/together.h"
 #include "store/durable_file.h"
 
 namespace tread::campaign {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 // Whether the file of a piece is there, whole and undamaged; `fault` when it is there and is not.
 bool isPieceDone(const Plan& plan, const Path& folder, std::uint64_t number, std::string& fault) {
@@ -47,7 +41,7 @@ public:
         : plan_(plan), folder_(folder), measure_(measure) {}
 
     bool compute(std::uint64_t piece, std::uint64_t index) {
-        const auto begin = Clock::now();
+        const double begin = ownSeconds();
         const PlannedRun run = plannedRun(plan_, plan_.firstOf(piece) + index);
         Log log;
         const bool keep = plan_.inputs.campaign.logs;
@@ -58,7 +52,7 @@ public:
             return false;
         }
         if (keep && log.samples() > 0) writeDurably(logFile(folder_, run.number), binaryLog(log));
-        done.seconds = secondsSince(begin);
+        done.seconds = ownSeconds() - begin;
         const std::scoped_lock lock(guard_);
         seconds_ += done.seconds;
         std::vector<Done>& runs = open_[piece];
@@ -106,6 +100,8 @@ Worked work(const Plan& plan, const Path& folder, const Measure& measure, const 
         .units = [&](std::uint64_t piece) { return plan.countOf(piece); },
         .isDone = [&](std::uint64_t piece, std::string& fault) { return isPieceDone(plan, folder, piece, fault); },
         .compute = [&](std::uint64_t piece, std::uint64_t unit) { return runs.compute(piece, unit); },
+        .labour = [](std::uint64_t share,
+                     const std::function<bool()>& computeNext) { driveTogether(share, computeNext); },
         .finish = [&](std::uint64_t piece) { runs.finish(piece); }};
     const WorkDone done = workTogether(pieces, folder, options);
     const std::vector<bool> present = piecesPresent(folder, plan);

@@ -23,7 +23,7 @@ using Progress = std::function<void(double, const std::string&)>;
 struct Options {
     recording::Simulate simulate = [](const VehicleParams& vehicle, const Scenario& scenario, const Recorder& recorder,
                                       const Pushing& pushing) {
-        tread::simulate(vehicle, scenario, recorder, pushing);
+        tread::simulate(vehicle, scenario, recorder, pushing, MovedBy::itself);
     };
     int threads = 0;                // number of threads; 0: one per core
     std::filesystem::path cache{};  // folder in which the sensitivities of the nominal car are kept; empty: none

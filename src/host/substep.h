@@ -9,6 +9,7 @@ namespace tread {
 class Substep {
 public:
     static constexpr double kShortest = 1e-4;  // s
+    static constexpr double kLongest = 0.02;   // s, of a whole car
 
     // As long as `usual` until limited, and never longer than `most`, s.
     constexpr Substep(double usual, double most) : longest_(usual), most_(most) {}

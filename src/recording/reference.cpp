@@ -7,11 +7,11 @@
 #include <span>
 #include <stdexcept>
 
-#include "base/parallel.h"
 #include "log/resample.h"
 #include "recording/observation.h"
 #include "recording/replay.h"
 #include "recording/sliding.h"
+#include "run/together.h"
 
 namespace tread::recording {
 namespace {
@@ -152,7 +152,7 @@ std::vector<RecordedDrive> recordedDrives(const DiagnosisFile& file, const Recor
         references.back() = std::make_shared<Reference>(Reference{referenceOf(recording), {}, {}});
         references.back()->drive = recordedDrive(references.back()->recording, recorded.references[i], file);
     }
-    inParallel(drives.size(), threads, [&](std::size_t i) {
+    drivenTogether(drives.size(), threads, [&](std::size_t i) {
         if (references[i] && references[i]->drive.rows() > 0) lessReference(drives[i], references[i], replayer);
     });
     return drives;

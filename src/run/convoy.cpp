@@ -150,7 +150,13 @@ void Convoy::leave(Rider& rider) {
     std::replace(loaded_.begin(), loaded_.end(), &rider, static_cast<Rider*>(nullptr));
 }
 
-void Convoy::move(Rider& rider, const StepInputs& inputs, double dt) {
+void Convoy::move(Rider& rider) {
+    rider.lane_.motion = numbersOf(rider.motion_);
+    kind_->move(block_.get(), rider.seat_, rider.lane_);
+    rider.moved_ = false;
+}
+
+void Convoy::step(Rider& rider, const StepInputs& inputs, double dt) {
     Seat& here = *seats_[rider.seat_];
     here.inputs = inputs;
     here.dt = dt;
@@ -158,6 +164,7 @@ void Convoy::move(Rider& rider, const StepInputs& inputs, double dt) {
 }
 
 void Convoy::fetch(Rider& rider) {
+    if (rider.in_lane_ && rider.moved_) move(rider);
     if (!rider.whole_) kind_->store(block_.get(), rider.seat_, rider.lane_);
     rider.whole_ = true;
 }
@@ -197,10 +204,10 @@ void Convoy::takeLanes(const std::vector<std::size_t>& together) {
             if (Rider* before = loaded_[lane]; before && before->seat_ == lane) putOut(*before);
             load(lane, rider);
         } else if (own) {
-            if (rider.moved_) kind_->move(block_.get(), lane, numbersOf(rider.motion_));
+            if (rider.moved_) move(rider);
             const Vector3& w = rider.wind_W_;
             if (rider.blown_) kind_->blow(block_.get(), lane, {w.x(), w.y(), w.z()});
-            rider.moved_ = rider.blown_ = false;
+            rider.blown_ = false;
         }
     }
 }

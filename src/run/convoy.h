@@ -30,7 +30,7 @@ public:
 
     void seat(Rider& rider);
     void leave(Rider& rider);
-    void move(Rider& rider, const StepInputs& inputs, double dt);
+    void step(Rider& rider, const StepInputs& inputs, double dt);
     void fetch(Rider& rider);  // its whole state, from its lane
 
     ~Convoy();
@@ -46,6 +46,7 @@ private:
     void stepTogether(const std::vector<std::size_t>& together);
     void takeLanes(const std::vector<std::size_t>& together);
     void load(std::size_t lane, Rider& rider);
+    void move(Rider& rider);
     void putOut(Rider& rider);
 
     using Clock = std::chrono::steady_clock;

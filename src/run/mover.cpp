@@ -4,6 +4,7 @@
 #include "run/rider.h"
 #include "run/world.h"
 #include "tread/bullet_vehicle.h"
+#include "vehicle/settling.h"
 
 namespace tread {
 namespace {
@@ -42,7 +43,7 @@ private:
 class ByItself final : public Mover {
 public:
     ByItself(const VehicleParams& params, Road& road, const Equilibrium& start, double substep)
-        : rider_(params, road, start, substep) {}
+        : rider_(prepare(params), road, start, substep) {}
 
     void setInput(const VehicleInput& input) override { rider_.next = input; }
     void setWind(const Vector3& velocity_W) override { rider_.setWind(velocity_W); }
@@ -60,7 +61,36 @@ private:
     Rider rider_;
 };
 
+// A car that settles beside others of its thread.
+class SettlingTogether final : public Settling {
+public:
+    SettlingTogether(const Vehicle& vehicle, Road& road, const Vector3& wind_W)
+        : rider_(vehicle, road, {}, Substep::kLongest) {
+        rider_.setWind(wind_W);
+    }
+
+    void advance(ChassisMotion& motion, VehicleState& state, const VehicleInput& input, double dt) override {
+        rider_.put(motion, state);
+        rider_.hold(input);
+        rider_.move(dt);
+        motion = rider_.motion();
+        state = rider_.stateAtGlance();
+    }
+    void complete(VehicleState& state) override { state = rider_.state(); }
+
+private:
+    Rider rider_;
+};
+
 }  // namespace
+
+Equilibrium equilibriumOf(MovedBy by, const Vehicle& vehicle, Road& road, const Vector3& wind_W, const Start& start) {
+    const Surroundings surroundings{road, kGravityOfRuns_W, wind_W};
+    if (by == MovedBy::bullet) return equilibrium(vehicle, surroundings, start);
+    return equilibrium(vehicle, surroundings, start, [&](const Vehicle& settled) {
+        return std::make_unique<SettlingTogether>(settled, road, wind_W);
+    });
+}
 
 std::unique_ptr<Mover> mover(MovedBy by, const VehicleParams& params, Road& road, const Equilibrium& start,
                              double substep) {

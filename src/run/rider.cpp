@@ -1,6 +1,6 @@
 #include "run/rider.h"
 
-#include <cmath>
+#include <utility>
 
 #include "base/turn.h"
 #include "run/convoy.h"
@@ -16,9 +16,9 @@ Quaternion turnBy(const Vector3& rotation) {
 
 }  // namespace
 
-Rider::Rider(const VehicleParams& params, Road& road, const Equilibrium& start, double substep)
+Rider::Rider(Vehicle vehicle, Road& road, const Equilibrium& start, double substep)
     : next(start.input),
-      vehicle_(prepare(params)),
+      vehicle_(std::move(vehicle)),
       road_(road),
       motion_(start.motion),
       state_(start.state),
@@ -43,7 +43,7 @@ void Rider::setWind(const Vector3& velocity_W) {
 void Rider::move(double dt) {
     const StepInputs inputs(input_, next, substep_.within(dt));
     road_.beginStep();
-    if (convoy_) convoy_->move(*this, inputs, dt);
+    if (convoy_) convoy_->step(*this, inputs, dt);
     else moveAlone(inputs, dt);
     input_ = next;
 }
@@ -65,6 +65,12 @@ void Rider::push(const Push& push_W, double dt) {
     motion_.position_W += dt * faster;
     motion_.angular_velocity_W += spinning;
     motion_.orientation = (turnBy(dt * spinning) * attitude).normalized();
+    moved_ = true;
+}
+
+void Rider::put(const ChassisMotion& motion, const VehicleState& state) {
+    motion_ = motion;
+    state_ = state;
     moved_ = true;
 }
 

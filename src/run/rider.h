@@ -19,7 +19,7 @@ class Convoy;
 class Rider {
 public:
     // The road must outlive it. `substep`: the longest, s.
-    Rider(const VehicleParams& params, Road& road, const Equilibrium& start, double substep);
+    Rider(Vehicle vehicle, Road& road, const Equilibrium& start, double substep);
     ~Rider();
     Rider(const Rider&) = delete;
     Rider& operator=(const Rider&) = delete;
@@ -32,6 +32,11 @@ public:
     // What a push over the last dt has changed, axes of the world: the velocity by the acceleration times dt, the pose
     // by that times dt, as Bullet does.
     void push(const Push& push_W, double dt);
+
+    // Somebody changes the motion, and of the state the rates of the wheels and what is no number of a wheel.
+    void put(const ChassisMotion& motion, const VehicleState& state);
+    // From now on, whatever it was before.
+    void hold(const VehicleInput& input) { input_ = next = input; }
 
     const Vehicle& vehicle() const { return vehicle_; }
     const ChassisMotion& motion() const { return motion_; }
@@ -49,7 +54,7 @@ private:
     VehicleState state_;  // in a lane: what glance() reads, and the rest where `whole_`
     VehicleInput input_;  // at the time of the last step
     Vector3 wind_W_ = Vector3::Zero();
-    Substep substep_{0.001, 0.02};  // as in BulletVehicle
+    Substep substep_{0.001, Substep::kLongest};  // as in BulletVehicle
 
     // In a convoy.
     Convoy* convoy_ = nullptr;     // that has kept a seat for it

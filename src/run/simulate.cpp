@@ -65,6 +65,17 @@ public:
     // Whether sensors need the whole of every sample.
     bool isObserved() const { return !sensors_.empty(); }
 
+    // Whether a look at the car finds all that the rows show.
+    bool isSeenBy(const std::function<void()>& look) {
+        const VehicleOutput before = car;
+        for (const Number& n : numbers(car)) *n.value = std::nan("");
+        look();
+        const bool seen =
+            std::all_of(sources_.begin(), sources_.end(), [](const double* value) { return std::isfinite(*value); });
+        car = before;
+        return seen;
+    }
+
     // In every step, once the sample is complete.
     void observe(const PointMotion& body) {
         for (Observed& one : sensors_) one.sensor.observe(*one.source, body);
@@ -160,12 +171,12 @@ KnownGrip gripOf(const Vehicle& vehicle, double friction) {
     return grip;
 }
 
-Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const Surroundings& surroundings) {
+Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, Road& road, MovedBy by) {
     const StartParams& start = scenario.start;
-    Equilibrium rest = equilibrium(prepare(params), surroundings,
-                                   {.heading = start.heading,
-                                    .speed = start.speed,
-                                    .input = {.brake = start.brake, .parking_brake = start.parking_brake}});
+    Equilibrium rest = equilibriumOf(by, prepare(params), road, startingWind(scenario),
+                                     {.heading = start.heading,
+                                      .speed = start.speed,
+                                      .input = {.brake = start.brake, .parking_brake = start.parking_brake}});
     const host::StartFault fault = host::startFault(rest, start.speed, !startsWithoutPedals(scenario));
     if (fault == host::StartFault::broke_down) {
         throw SimulationError(
@@ -189,7 +200,7 @@ Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, const
                         start.speed, rest.throttle),
             0);
     }
-    rest.motion.position_W += start.drop * -surroundings.gravity_W.normalized();
+    rest.motion.position_W += start.drop * -kGravityOfRuns_W.normalized();
     return rest;
 }
 
@@ -199,7 +210,7 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
               MovedBy by) {
     // Road, and the car on it in equilibrium.
     const std::unique_ptr<Road> road = makeRoad(scenario.road);
-    const Equilibrium rest = startOf(params, scenario, {.road = *road, .wind_W = startingWind(scenario)});
+    const Equilibrium rest = startOf(params, scenario, *road, by);
     const std::unique_ptr<Mover> car = mover(by, params, *road, rest, scenario.substep);
     Pushed pushed(pushing, car->vehicle());
     checkSensors(scenario);
@@ -209,7 +220,11 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
         scenario, rest.input, {params.wheelbase, params.steering.ratio, params.steering.ratio_curve},
         resistanceOf(car->vehicle(), rest.state), [&](std::string_view name) { return sample.valueOf(name); },
         gripOf(car->vehicle(), scenario.road.friction));
+    const auto glanceAt = [&] {
+        glance(sample.car, car->motion(), car->stateAtGlance(), car->vehicle(), kGravityOfRuns_W);
+    };
     const bool sees_everything = sample.isObserved() || hasConditions(scenario);
+    const bool rows_at_glance = !pushing && sample.isSeenBy(glanceAt);
 
     sample.driver = rest.input;
     recorder.begin(sample.columns());
@@ -225,12 +240,12 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
             if (at_everything) {
                 sample.car = observe(car->motion(), car->state(), car->vehicle(), kGravityOfRuns_W);
             } else {
-                glance(sample.car, car->motion(), car->stateAtGlance(), car->vehicle(), kGravityOfRuns_W);
+                glanceAt();
             }
             sample.car.chassis.yaw = unwrapped(sample.car.chassis.yaw, yaw_before);
             pushed.felt(sample.car.chassis);
         };
-        look(row_due || sees_everything);
+        look((row_due && !rows_at_glance) || sees_everything);
         checkHealth(sample.car, sample.time);
         if (sample.isObserved())
             sample.observe(pushed.felt(referenceMotion(car->motion(), car->stateAtGlance(), car->vehicle())));
@@ -238,7 +253,7 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
         sample.place = driver.place();
 
         const bool finished = driver.finished(sample.time);
-        if (finished && !row_due) look(true);
+        if (finished && !row_due) look(!rows_at_glance);
         if (row_due || finished) recorder.row(sample.row());
         if (finished) break;
         if (recorder.stop(sample.time)) {

@@ -37,8 +37,9 @@ public:
         const unsigned threads = options_.threads > 0 ? static_cast<unsigned>(options_.threads) : cores;
         {
             std::vector<std::jthread> beside;
-            for (unsigned i = 1; i < threads; ++i) beside.emplace_back([this] { computeUnits(); });
-            computeUnits();
+            const std::uint64_t share = (all_ - done_ + threads - 1) / threads;
+            for (unsigned i = 1; i < threads; ++i) beside.emplace_back([this, share] { computeUnits(share); });
+            computeUnits(share);
         }
         if (failure_) std::rethrow_exception(failure_);
         return {units_, stopped_};
@@ -81,24 +82,29 @@ private:
         return pieces_.isDone(piece, fault);
     }
 
-    // The next unit to compute; nothing when there is none left for this thread.
+    // The next unit to compute; nothing when there is none left for now.
     std::optional<Task> next() {
-        for (;;) {
-            {
-                const std::scoped_lock lock(guard_);
-                if (stopped_ || failure_) return {};
-                if (options_.stop()) {
-                    stopped_ = true;
-                    return {};
-                }
-                if (!open_ || open_->taken == open_->units) openNext();
-                if (open_ && open_->taken < open_->units) return Task{open_, open_->taken++};
-                if (others_.empty()) return {};
-            }
-            std::this_thread::sleep_for(kPatience);
-            const std::scoped_lock lock(guard_);
-            lookAtOthers();
+        const std::scoped_lock lock(guard_);
+        if (stopped_ || failure_) return {};
+        if (options_.stop()) {
+            stopped_ = true;
+            return {};
         }
+        if (!open_ || open_->taken == open_->units) openNext();
+        if (!open_ || open_->taken == open_->units) return {};
+        return Task{open_, open_->taken++};
+    }
+
+    // Whether there may be units again: another process has them, and may die.
+    bool waitForOthers() {
+        {
+            const std::scoped_lock lock(guard_);
+            if (stopped_ || failure_ || (others_.empty() && missing_.empty())) return false;
+        }
+        std::this_thread::sleep_for(kPatience);
+        const std::scoped_lock lock(guard_);
+        lookAtOthers();
+        return true;
     }
 
     void openNext() {
@@ -141,12 +147,20 @@ private:
         options_.progress(done_, all_);
     }
 
-    void computeUnits() {
+    void computeUnits(std::uint64_t share) {
+        do pieces_.labour(share, [this] { return computeNext(); });
+        while (waitForOthers());
+    }
+
+    bool computeNext() {
         try {
-            while (const auto task = next()) compute(*task);
+            const auto task = next();
+            if (task) compute(*task);
+            return task.has_value();
         } catch (...) {
             const std::scoped_lock lock(guard_);
             if (!failure_) failure_ = std::current_exception();
+            return false;
         }
     }
 

@@ -28,6 +28,14 @@ struct Pieces {
     // Computes a unit, on any thread. False: it was interrupted, and the work ends.
     std::function<bool(std::uint64_t piece, std::uint64_t unit)> compute;
 
+    // How a thread, to which so many units fall, does one after the other: calls computeNext() until it returns false,
+    // also from within another call when that waits.
+    std::function<void(std::uint64_t share, const std::function<bool()>& computeNext)> labour =
+        [](std::uint64_t, const std::function<bool()>& computeNext) {
+            while (computeNext()) {
+            }
+        };
+
     // After its last unit: writes the result of the piece.
     std::function<void(std::uint64_t piece)> finish = [](std::uint64_t) {};
 };

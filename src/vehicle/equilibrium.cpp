@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "base/turn.h"
+#include "vehicle/settling.h"
 #include "vehicle/vectors.h"
 
 namespace tread {
@@ -132,9 +133,30 @@ double yawBySteeringWheel(const VehicleParams& params) {
     return params.front_axle_distance * kTypicalSlope * front_load / (params.inertia.yaw * params.steering.ratio);
 }
 
+class SettlingAlone final : public Settling {
+public:
+    SettlingAlone(const Vehicle& vehicle, const Surroundings& surroundings)
+        : vehicle_(vehicle), surroundings_(surroundings) {}
+
+    void advance(ChassisMotion& motion, VehicleState& state, const VehicleInput& input, double dt) override {
+        tread::advance(motion, state, vehicle_, input, input, surroundings_, dt);
+    }
+    void complete(VehicleState&) override {}
+
+private:
+    const Vehicle& vehicle_;
+    const Surroundings& surroundings_;
+};
+
 }  // namespace
 
 Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, const Start& start) {
+    return equilibrium(car, surroundings, start,
+                       [&](const Vehicle& vehicle) { return std::make_unique<SettlingAlone>(vehicle, surroundings); });
+}
+
+Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, const Start& start,
+                        const SettlingOf& settling) {
     Vehicle vehicle = car;
     for (AxleParams* axle : {&vehicle.params.front, &vehicle.params.rear}) axle->suspension.damper.friction = 0;
     vehicle.params.steering.delay = vehicle.params.steering.lag = 0;
@@ -155,6 +177,7 @@ Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, co
 
     Equilibrium result{.motion = place, .state = resting(vehicle, start), .input = start.input};
     VehicleState& state = result.state;
+    const std::unique_ptr<Settling> settles = settling(vehicle);
     double torque = 0;
     double quiet = 0;
     bool pulls = false;
@@ -167,7 +190,7 @@ Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, co
         state.driveline = steady.state;
         result.throttle = steady.throttle;
         if (rolls) result.input.throttle = std::clamp(steady.throttle, 0.0, 1.0);
-        advance(result.motion, state, vehicle, result.input, result.input, surroundings, step);
+        settles->advance(result.motion, state, result.input, step);
 
         // Hasten the ride, damp what is left.
         for (std::size_t i = 0; i < kWheels; ++i) state.wheels[i].recession.rate *= 1 - kBushDamping * step;
@@ -201,6 +224,8 @@ Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, co
         result.acceleration = std::max(largest(state.acceleration_W), largest(state.angular_acceleration_W));
         quiet = result.acceleration < kQuiet ? quiet + step : 0;
     }
+
+    settles->complete(state);
 
     // Rest at last: what the settling left is below what matters.
     result.motion.velocity_W = place.velocity_W + sideways * left;

@@ -1,7 +1,12 @@
-// One car in a Bullet world, tread's beside the stock vehicle in the same run; and a whole headless drive.
+// One car in a Bullet world, tread's beside the stock vehicle in the same run; and whole headless drives.
 
 #include <benchmark/benchmark.h>
 
+#include <numeric>
+#include <vector>
+
+#include "base/parallel.h"
+#include "run/together.h"
 #include "shared/bullet_scene.h"
 #include "shared/equipped_car.h"
 #include "shared/vehicle_run.h"
@@ -55,6 +60,32 @@ void everythingRun(benchmark::State& state) {
 }
 BENCHMARK(shippedRun)->Name("headless/step_steer_80")->Unit(benchmark::kMillisecond);
 BENCHMARK(everythingRun)->Name("headless/step_steer_80_everything")->Unit(benchmark::kMillisecond);
+
+// The same by 64 cars that differ, as in a campaign: on one thread, one after the other and in lanes.
+void campaignRun(benchmark::State& state, bool together) {
+    constexpr std::size_t kRuns = 64;
+    const Scenario scenario = shared::scenario("step_steer_80");
+    std::vector<double> simulated(kRuns);
+    const auto run = [&](std::size_t i) {
+        VehicleParams car = shared::compact();
+        car.mass *= 1 + 0.001 * static_cast<double>(i);
+        simulated[i] += simulate(car, scenario, MovedBy::itself).channels.front().values.back();
+    };
+    for (auto _ : state) {
+        if (together) drivenTogether(kRuns, 1, run);
+        else inParallel(kRuns, 1, run);
+    }
+    state.counters["real_time_factor"] =
+        benchmark::Counter(std::accumulate(simulated.begin(), simulated.end(), 0.0), benchmark::Counter::kIsRate);
+}
+void runsAlone(benchmark::State& state) {
+    campaignRun(state, false);
+}
+void runsInLanes(benchmark::State& state) {
+    campaignRun(state, true);
+}
+BENCHMARK(runsAlone)->Name("campaign/alone")->Unit(benchmark::kMillisecond);
+BENCHMARK(runsInLanes)->Name("campaign/in_lanes")->Unit(benchmark::kMillisecond);
 
 void settling(benchmark::State& state) {
     const Vehicle car = prepare(shared::compact());

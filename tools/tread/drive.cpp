@@ -162,7 +162,7 @@ std::vector<Metric> measureUnless(const Stop& stop, const VehicleParams& vehicle
     Log& log = kept ? *kept : own;
     Recorder recorder = recorderInto(log);
     recorder.stop = [&](double) { return stop(); };
-    simulate(vehicle, scenario, recorder);
+    simulate(vehicle, scenario, recorder, {}, MovedBy::itself);
     std::vector<Metric> found;
     if (!scenario.manoeuvre.empty() || scenario.metrics.empty())
         found = tread::metrics(log, scenario.manoeuvre, knownOf(vehicle, scenario));

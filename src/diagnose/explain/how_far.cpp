@@ -7,11 +7,11 @@
 #include <optional>
 #include <set>
 
-#include "base/parallel.h"
 #include "base/random.h"
 #include "diagnose/model/gap.h"
 #include "log/resample.h"
 #include "recording/checks/left_out.h"
+#include "run/together.h"
 
 namespace tread::diagnose::explain {
 namespace {
@@ -121,7 +121,7 @@ Gaps gapsOf(const Judged& judged, const std::array<Deviation, 3>& stages, std::v
     Stage* const each[] = {&gaps.nominal, &gaps.calibrated, &gaps.extended};
     for (Stage* stage : each) stage->rows.resize(n), stage->off.resize(n);
     std::vector<Overlay> here(n);
-    inParallel(n, judged.replays.threads, [&](std::size_t d) {
+    drivenTogether(n, judged.replays.threads, [&](std::size_t d) {
         const RecordedDrive& drive = judged.drives[d];
         const model::RowNoise& noise = judged.uncertainty.noise[d];
         gaps.floor[d] = noise.expected;

@@ -5,10 +5,10 @@
 #include <deque>
 #include <numeric>
 
-#include "base/parallel.h"
 #include "diagnose/explain/open_question.h"
 #include "diagnose/settings.h"
 #include "log/log_columns.h"
+#include "run/together.h"
 
 namespace tread::diagnose::explain {
 namespace {
@@ -62,8 +62,9 @@ Rehearsal rehearsed(const Problem& problem, const std::vector<PossibleDrive>& po
     recording::DiagnosisFile file;
     for (const ObservedChannel& channel : channels) file.channels.push_back({channel.name});
     std::vector<Log> logs(possible.size());
-    inParallel(possible.size(), problem.replays.threads,
-               [&](std::size_t i) { logs[i] = imagined(problem.replays.replayer, possible[i].scenario, channels); });
+    drivenTogether(possible.size(), problem.replays.threads, [&](std::size_t i) {
+        logs[i] = imagined(problem.replays.replayer, possible[i].scenario, channels);
+    });
     problem.replays.simulations.add(static_cast<int>(possible.size()));
     Rehearsal rehearsal;
     for (std::size_t i = 0; i < possible.size(); ++i) {
@@ -197,8 +198,8 @@ public:
           before_(before),
           looks_(rehearsal.drives.size()),
           answers_(rehearsal.drives.size()) {
-        inParallel(looks_.size(), problem_.replays.threads,
-                   [&](std::size_t d) { looks_[d] = lookAt(rehearsal.drives[d], car, questions); });
+        drivenTogether(looks_.size(), problem_.replays.threads,
+                       [&](std::size_t d) { looks_[d] = lookAt(rehearsal.drives[d], car, questions); });
     }
 
     // Best manoeuvre for one question; without a scenario when none reaches the threshold.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "base/parallel.h"
 #include "recording/reference.h"
+#include "run/together.h"
 
 namespace tread::diagnose::model {
 
@@ -57,7 +57,7 @@ std::optional<Eigen::VectorXd> rowsOf(const Replays& replays, const RecordedDriv
 std::optional<Rows> rowsAt(const Replays& replays, Drives drives, const Deviation& point) {
     Rows rows(drives.size());
     std::atomic<bool> failed = false;
-    inParallel(rows.size(), replays.threads, [&](std::size_t d) {
+    drivenTogether(rows.size(), replays.threads, [&](std::size_t d) {
         if (std::optional<Eigen::VectorXd> here = rowsOf(replays, drives[d], point)) rows[d] = std::move(*here);
         else failed = true;
     });

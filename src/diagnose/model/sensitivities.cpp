@@ -3,8 +3,8 @@
 #include <cmath>
 #include <mutex>
 
-#include "base/parallel.h"
 #include "diagnose/model/sensitivity_cache.h"
+#include "run/together.h"
 
 namespace tread::diagnose::model {
 namespace {
@@ -86,14 +86,14 @@ Sensitivities sensitivities(const Replays& replays, Drives drives, const Deviati
     for (const RecordedDrive& drive : drives) subjects.push_back(replays.subjectAt(at, drive));
     Sensitivities result{at, Rows(n), std::vector<Eigen::MatrixXd>(n)};
     std::vector<std::optional<Log>> motions(n);
-    inParallel(n, replays.threads, [&](std::size_t d) {
+    drivenTogether(n, replays.threads, [&](std::size_t d) {
         motions[d] = motionAt(replays, drives[d], subjects[d]);
         result.columns[d] = Eigen::MatrixXd::Zero(drives[d].rows(), at.size());
         if (wanted.elsewhere) result.columns[d] = wanted.elsewhere->columns[d];
         if (motions[d]) result.rows[d] = recording::readings(drives[d], *motions[d], subjects[d].instruments);
     });
     const Rows of_drives = result.rows;  // without what references contribute
-    inParallel(n, replays.threads, [&](std::size_t d) {
+    drivenTogether(n, replays.threads, [&](std::size_t d) {
         const std::optional<Eigen::VectorXd> change = changeByReference(replays, drives[d], at);
         if (motions[d] && change && change->size() > 0) result.rows[d] += *change;
     });
@@ -103,7 +103,7 @@ Sensitivities sensitivities(const Replays& replays, Drives drives, const Deviati
     for (std::size_t d = 0; d < n && at.isZero(0); ++d) kept[d] = columnFolder(replays, drives[d], subjects[d]);
     std::mutex guard;
     double done = 0;
-    inParallel(columns.size(), replays.threads, [&](std::size_t i) {
+    drivenTogether(columns.size(), replays.threads, [&](std::size_t i) {
         const Column& one = columns[i];
         const RecordedDrive& drive = drives[one.drive];
         const Eigen::VectorXd& here = of_drives[one.drive];

@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "diagnose/model/sensitivities.h"
 #include "recording/sliding.h"
+#include "run/together.h"
 
 namespace tread::diagnose::model {
 Eigen::VectorXd Uncertainty::sizesOf(std::size_t drive, const Sizes& with) const {
@@ -33,7 +34,7 @@ Uncertainty uncertaintyAt(const Replays& replays, Drives drives, const Deviation
     uncertainty.disturbing.resize(drives.size());
     uncertainty.directions.resize(drives.size());
     uncertainty.bare.resize(drives.size());
-    inParallel(drives.size(), replays.threads, [&](std::size_t d) {
+    drivenTogether(drives.size(), replays.threads, [&](std::size_t d) {
         const bool stays = known && (renewed.empty() || !renewed[d]);
         uncertainty.disturbing[d] =
             stays ? known->disturbing[d] : disturbances(replays, drives[d], replays.subjectAt(at, drives[d]));

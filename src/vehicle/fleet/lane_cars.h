@@ -150,7 +150,7 @@ struct LaneBlock {
         setCar<T>(block.state.wheels, i, &car.state->wheels);
         setCar<T>(block.state.acceleration_W, i, &car.state->acceleration_W);
         setCar<T>(block.state.angular_acceleration_W, i, &car.state->angular_acceleration_W);
-        move(memory, i, car.motion);
+        move(memory, i, car);
         blow(memory, i, car.wind_W);
         block.roads.roads[i] = car.road;
         block.of_lane[i].plane = car.plane != nullptr;
@@ -159,9 +159,11 @@ struct LaneBlock {
         for (const auto& lane : block.of_lane) block.roads.planes &= lane.plane;
     }
 
-    static void move(void* memory, std::size_t i, const MotionNumbers& motion) {
+    static void move(void* memory, std::size_t i, const LaneCar& car) {
         static_assert(sizeof(MotionNumbers) / sizeof(double) == sizeof(LaneMotion<T>) / sizeof(T));
-        setCar<T>(at(memory).motion, i, &motion);
+        LaneBlock& block = at(memory);
+        setCar<T>(block.motion, i, &car.motion);
+        for (std::size_t k = 0; k < kWheels; ++k) setLane(block.state.wheels[k].rate, i, car.state->wheels[k].rate);
     }
 
     static void blow(void* memory, std::size_t i, const std::array<double, 3>& wind_W) {
@@ -178,7 +180,10 @@ struct LaneBlock {
 
     static void glance(const void* memory, std::size_t i, LaneCar& car) {
         const LaneBlock& block = at(memory);
-        for (std::size_t k = 0; k < kWheels; ++k) car.state->wheels[k].spin = lane(block.state.wheels[k].spin, i);
+        for (std::size_t k = 0; k < kWheels; ++k) {
+            car.state->wheels[k].spin = lane(block.state.wheels[k].spin, i);
+            car.state->wheels[k].rate = lane(block.state.wheels[k].rate, i);
+        }
         getCar<T>(block.state.acceleration_W, i, &car.state->acceleration_W);
         getCar<T>(block.state.angular_acceleration_W, i, &car.state->angular_acceleration_W);
         getCar<T>(block.motion, i, &car.motion);

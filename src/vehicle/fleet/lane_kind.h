@@ -35,13 +35,14 @@ struct LaneKind {
     std::size_t lanes, bytes, alignment;
     void (*prepare)(void* block, std::size_t lane, const LaneCar& car);  // takes a car
     void (*load)(void* block, std::size_t lane, const LaneCar& car);     // takes its state, road and wind
-    void (*move)(void* block, std::size_t lane, const MotionNumbers& motion);
+    void (*move)(void* block, std::size_t lane, const LaneCar& car);     // takes its motion and the rates of its wheels
     void (*blow)(void* block, std::size_t lane, const std::array<double, 3>& wind_W);
     // All cars; what the driver does is given for each.
     void (*step)(void* block, const VehicleInput* begin, const VehicleInput* end,
                  const std::array<double, 3>& gravity_W, double dt);
-    void (*glance)(const void* block, std::size_t lane, LaneCar& car);  // gives what glance() of vehicle.h reads
-    void (*store)(const void* block, std::size_t lane, LaneCar& car);   // gives state and motion
+    // Gives motion, rates of the wheels, and what glance() of vehicle.h reads.
+    void (*glance)(const void* block, std::size_t lane, LaneCar& car);
+    void (*store)(const void* block, std::size_t lane, LaneCar& car);  // gives state and motion
 };
 
 // Memory for a block.
