@@ -1,7 +1,7 @@
 // First-order lag of a signal that is linear over each step: exact, whatever the step.
 #pragma once
 
-#include <cmath>
+#include "base/elementary.h"
 
 namespace tread {
 
@@ -10,7 +10,7 @@ namespace tread {
 [[gnu::always_inline]] inline double lagged(double from, double begin, double end, double time_constant, double dt) {
     if (time_constant == 0) return end;
     const double behind = time_constant * (end - begin) / dt;
-    return end - behind + (from - begin + behind) * std::exp(-dt / time_constant);
+    return end - behind + (from - begin + behind) * exponential(-dt / time_constant);
 }
 
 }  // namespace tread

@@ -6,6 +6,9 @@
 #include <numbers>
 #include <random>
 
+#include "base/elementary.h"
+#include "base/power.h"
+
 namespace tread {
 
 class Random {
@@ -17,8 +20,8 @@ public:
 
     // Of mean 0 and standard deviation 1 (Box and Muller, 1958).
     double normal() {
-        const double radius = std::sqrt(-2 * std::log(1 - uniform()));
-        return radius * std::cos(2 * std::numbers::pi * uniform());
+        const double radius = std::sqrt(-2 * logarithm(1 - uniform()));
+        return radius * cosine(2 * std::numbers::pi * uniform());
     }
 
 private:

@@ -3,8 +3,7 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 #include <LinearMath/btIDebugDraw.h>
 
-#include <cmath>
-
+#include "base/elementary.h"
 #include "bullet/body_link.h"
 #include "bullet/convert.h"
 #include "bullet/planned_pose.h"
@@ -164,7 +163,7 @@ void BulletVehicle::debugDraw(btIDebugDraw* drawer) {
         const WheelState& wheel = s.state.wheels[i];
         const Vector3 hub = s.vehicle.corners[i].hub_B + Vector3(0, 0, wheel.travel);
         const Vector3 ground = hub - Vector3(0, 0, wheel.radius);
-        const Vector3 steer(std::cos(wheel.steer), std::sin(wheel.steer), 0);
+        const Vector3 steer(cosine(wheel.steer), sine(wheel.steer), 0);
         const Vector3 left(-steer.y(), steer.x(), 0);
         const Vector3 force = wheel.fx * steer + wheel.fy * left + wheel.load * Vector3::UnitZ();
         const auto world = [&](const Vector3& at_B) {

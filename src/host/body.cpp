@@ -1,13 +1,15 @@
 #include "host/body.h"
 
 #include "host/mean_velocity.h"
+#include "vehicle/vectors.h"
 
 namespace tread::host {
 namespace {
 
-Eigen::Matrix3d inWorld(const Eigen::Matrix3d& inertia_B, const Quaternion& orientation) {
+// The angular momentum, or its change.
+Vector3 momentum(const Eigen::Matrix3d& inertia_B, const Quaternion& orientation, const Vector3& angular_velocity_W) {
     const Eigen::Matrix3d axes = orientation.toRotationMatrix();
-    return axes * inertia_B * axes.transpose();
+    return times(axes, times(inertia_B, transposedTimes(axes, angular_velocity_W)));
 }
 
 }  // namespace
@@ -30,16 +32,17 @@ ChassisMotion taken(const ChassisMotion& body, const ChassisMotion& last, const 
 BodyForce forceBetween(const ChassisMotion& from, const ChassisMotion& to, const ChassisMotion& shown,
                        const BodyProperties& body, Integration integration, const Vector3& gravity_W, double dt,
                        BodyLink& link) {
-    const Eigen::Matrix3d inertia = inWorld(body.inertia_B, from.orientation);
     BodyForce out;
     if (integration == Integration::exact) {
         link = {to.velocity_W, to.angular_velocity_W};
-        const Eigen::Matrix3d inertia_end = inWorld(body.inertia_B, to.orientation);
-        out.moment_W = (inertia_end * to.angular_velocity_W - inertia * from.angular_velocity_W) / dt;
+        out.moment_W = (momentum(body.inertia_B, to.orientation, to.angular_velocity_W) -
+                        momentum(body.inertia_B, from.orientation, from.angular_velocity_W)) /
+                       dt;
     } else {
         link.velocity_W = (to.position_W - from.position_W) / dt;
         link.angular_velocity_W = meanAngularVelocity(from.orientation, to.orientation, dt);
-        out.moment_W = inertia * (link.angular_velocity_W - shown.angular_velocity_W) / dt;
+        const Vector3 change = link.angular_velocity_W - shown.angular_velocity_W;
+        out.moment_W = momentum(body.inertia_B, from.orientation, change) / dt;
     }
     out.acceleration_W = (link.velocity_W - shown.velocity_W) / dt;
     out.angular_acceleration_W = (link.angular_velocity_W - shown.angular_velocity_W) / dt;

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "base/concat.h"
+#include "base/elementary.h"
 #include "base/interpolate.h"
 #include "base/number_text.h"
 #include "host/channels.h"
@@ -22,7 +23,7 @@ double unwrapped(double angle, double previous) {
 
 // Of the body's x axis over the horizontal plane, as VehicleOutput has it.
 double yawOf(const Quaternion& q) {
-    return std::atan2(2 * (q.w() * q.z() + q.x() * q.y()), 1 - 2 * (q.y() * q.y() + q.z() * q.z()));
+    return arctan2(2 * (q.w() * q.z() + q.x() * q.y()), 1 - 2 * (q.y() * q.y() + q.z() * q.z()));
 }
 
 [[noreturn]] void breakDown(const std::string& text) {

@@ -1,8 +1,7 @@
 // The velocity that takes a body from one attitude to another in a given time.
 #pragma once
 
-#include <cmath>
-
+#include "base/elementary.h"
 #include "tread/vector.h"
 
 namespace tread {
@@ -11,10 +10,10 @@ namespace tread {
 inline Vector3 meanAngularVelocity(const Quaternion& a, const Quaternion& b, double dt) {
     Quaternion turn = b * a.conjugate();
     if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
-    const double sine = turn.vec().norm();
-    if (sine == 0) return Vector3::Zero();
-    const double angle = 2 * std::atan2(sine, turn.w());
-    return turn.vec() * (angle / sine / dt);
+    const double half_sine = turn.vec().norm();
+    if (half_sine == 0) return Vector3::Zero();
+    const double angle = 2 * arctan2(half_sine, turn.w());
+    return turn.vec() * (angle / half_sine / dt);
 }
 
 }  // namespace tread

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/elementary.h"
+
 namespace tread {
 namespace {
 
@@ -25,12 +27,12 @@ ObstacleSurface::ObstacleSurface(const Obstacle& obstacle)
     : obstacle_(obstacle),
       cosine_(std::holds_alternative<CosineShape>(obstacle.shape)),
       rise_(std::holds_alternative<RampShape>(obstacle.shape) ? std::get<RampShape>(obstacle.shape).rise : 0),
-      direction_x_(std::cos(obstacle.heading)),
-      direction_y_(std::sin(obstacle.heading)) {}
+      direction_x_(cosine(obstacle.heading)),
+      direction_y_(sine(obstacle.heading)) {}
 
 double ObstacleSurface::profile(double s) const {
     if (s < 0 || s > obstacle_.length) return 0;
-    if (cosine_) return 0.5 * (1 - std::cos(2 * std::numbers::pi * s / obstacle_.length));
+    if (cosine_) return 0.5 * (1 - cosine(2 * std::numbers::pi * s / obstacle_.length));
     return slopeUp(s, rise_) - slopeUp(s - (obstacle_.length - rise_), rise_) * (rise_ > 0 ? 1 : 0);
 }
 
@@ -38,7 +40,7 @@ double ObstacleSurface::profileSlope(double s) const {
     if (s < 0 || s > obstacle_.length) return 0;
     if (cosine_) {
         const double wave = 2 * std::numbers::pi / obstacle_.length;
-        return 0.5 * wave * std::sin(wave * s);
+        return 0.5 * wave * sine(wave * s);
     }
     if (rise_ <= 0) return 0;
     return s < rise_ ? 1 / rise_ : s > obstacle_.length - rise_ ? -1 / rise_ : 0;
@@ -48,7 +50,7 @@ double ObstacleSurface::profileIntegral(double s) const {
     if (cosine_) {
         const double within = std::clamp(s, 0.0, obstacle_.length);
         const double wave = 2 * std::numbers::pi / obstacle_.length;
-        return 0.5 * (within - std::sin(wave * within) / wave);
+        return 0.5 * (within - sine(wave * within) / wave);
     }
     return slopeUpIntegral(s, rise_) - slopeUpIntegral(s - (obstacle_.length - rise_), rise_);
 }

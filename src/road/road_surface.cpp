@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "road/fade.h"
 #include "road/obstacle.h"
 #include "road/plane.h"
@@ -46,7 +47,7 @@ SurfacePoint RoadSurface::base(double x, double y) const {
     SurfacePoint point{p.grade * x + p.bank * y, p.grade, p.bank};
     if (p.crown != 0) {
         const double aside = y - p.crown_y;
-        const double root = std::hypot(aside, p.crown_rounding);
+        const double root = hypotenuse(aside, p.crown_rounding);
         const SurfacePoint crown{-p.crown * (root - p.crown_rounding), 0, -p.crown * aside / root};
         point += fadedIn(crown, x - p.crown_begin, kCrownFade);
     }

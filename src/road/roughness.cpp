@@ -1,12 +1,13 @@
 #include "road/roughness.h"
 
 #include <cmath>
-#include <complex>
 #include <numbers>
-#include <unsupported/Eigen/FFT>
 
+#include "base/elementary.h"
+#include "base/power.h"
 #include "base/random.h"
 #include "road/fade.h"
+#include "road/fourier.h"
 
 namespace tread {
 namespace {
@@ -26,12 +27,56 @@ constexpr double kFarthest = 1e12;     // m, where a double still knows a node f
 constexpr double kFade = 10;           // m, over which the roughness begins
 
 double sinc(double x) {
-    return x == 0 ? 1 : std::sin(kPi * x) / (kPi * x);
+    return x == 0 ? 1 : sine(kPi * x) / (kPi * x);
 }
 
 // Response of the cubic B-spline at its own nodes, to which the coefficients are matched.
 double splineAtNodes(double wave_number) {
-    return (2 + std::cos(2 * kPi * wave_number * kSpacing)) / 3;
+    return (2 + cosine(2 * kPi * wave_number * kSpacing)) / 3;
+}
+
+// Coherence of the wheel paths of an isotropic surface over x (roughness.h): with (x/2)^v K_v(x) as an integral over
+// u = e^t (M. Abramowitz, I.A. Stegun, Handbook of mathematical functions, 9.6.24 and 6.1.1),
+//     g = integral of e^(v t - u - x^2 / 4 u) dt / integral of e^(v t - u) dt.
+class IsotropicCoherence {
+public:
+    explicit IsotropicCoherence(double waviness) {
+        const double v = 0.5 * waviness;
+        for (double t = kLast; v * t > -kNegligible; t -= kStep) {
+            const double u = exponential(t);
+            nodes_.push_back({exponential(v * t - u), 1 / u});
+            whole_ += nodes_.back().weight;
+        }
+    }
+
+    double operator()(double x) const {
+        double sum = 0;
+        for (const Node& node : nodes_) {
+            const double exponent = 0.25 * x * x * node.inverse;
+            if (exponent > kNegligible) break;  // and so are all further ones
+            sum += node.weight * exponential(-exponent);
+        }
+        return sum / whole_;
+    }
+
+private:
+    // The trapezoidal rule errs by about e^(-pi^2 / step): the integrand has no singularity within pi/2 of the axis.
+    static constexpr double kStep = 0.25;
+    static constexpr double kNegligible = 41;  // e^-41 is below the rounding of 1
+    static constexpr double kLast = 4;         // e^-e^4 is far below that
+
+    struct Node {
+        double weight;
+        double inverse;
+    };
+    std::vector<Node> nodes_;
+    double whole_ = 0;
+};
+
+double coherence(const RoughnessParams& params, const IsotropicCoherence& isotropic, double wave_number) {
+    if (params.coherence == Coherence::equal) return 1;
+    if (params.coherence == Coherence::independent) return 0;
+    return isotropic(2 * kPi * wave_number * params.track);
 }
 
 std::size_t wrapped(long node) {
@@ -48,54 +93,49 @@ bool isRough(const RoughnessParams& params) {
 double displacementPsd(const RoughnessParams& params, double wave_number) {
     if (!params.unevenness && params.road_class == RoadClass::none) return 0;
     const int steps = static_cast<int>(params.road_class) - static_cast<int>(RoadClass::A);
-    const double level = params.unevenness.value_or(kClassA * std::pow(4, steps));
-    return level * std::pow(wave_number / kReference, -params.waviness);
+    const double level = params.unevenness.value_or(kClassA * power(4, steps));
+    return level * power(wave_number / kReference, -params.waviness);
 }
 
 double wheelPathCoherence(const RoughnessParams& params, double wave_number) {
-    if (params.coherence == Coherence::equal) return 1;
-    if (params.coherence == Coherence::independent) return 0;
-    const double order = 0.5 * params.waviness;
-    const double x = 2 * kPi * wave_number * params.track;
-    constexpr double kUnderflow = 500;  // K is 0 in double precision beyond
-    if (x > kUnderflow) return 0;
-    return 2 * std::pow(0.5 * x, order) * std::cyl_bessel_k(order, x) / std::tgamma(order);
+    return coherence(params, IsotropicCoherence(params.waviness), wave_number);
 }
 
 Roughness::Roughness(const RoughnessParams& params, double contact_length)
     : wave_across_(kPi / params.track), begin_(params.begin), itself_(kNodes), averaged_(kNodes) {
-    using Complex = std::complex<double>;
     constexpr std::size_t kProfiles = 3;
     const double step = 1 / (static_cast<double>(kNodes) * kSpacing);  // cycles/m
-    std::array<std::vector<Complex>, kProfiles> spectra, averaged_spectra;
-    for (auto* set : {&spectra, &averaged_spectra}) set->fill(std::vector<Complex>(kNodes));
+    // Of each profile, the waves that are to add up to the profile itself in the real part and to the averaged one in
+    // the imaginary part.
+    std::array<std::vector<ComplexNumber>, kProfiles> waves;
+    waves.fill(std::vector<ComplexNumber>(kNodes));
 
     // Every third frequency belongs to one profile: their sums have the wanted PSD exactly, not only in the mean.
     Random random(static_cast<std::uint64_t>(params.seed));
+    const IsotropicCoherence isotropic(params.waviness);
     const double across = sinc(0.5 * contact_length / params.track);
     for (std::size_t k = 1; static_cast<double>(k) * step <= kHighest; ++k) {
         const double n = static_cast<double>(k) * step;
-        const double phase = 2 * kPi * random.uniform();
+        const SineCosine<double> phase = sineCosine(2 * kPi * random.uniform());
         if (n < kLowest) continue;
         const std::size_t profile = k % kProfiles;
         const double sign = profile == 0 ? 1 : -1;
-        const double psd = 0.5 * (1 + sign * wheelPathCoherence(params, n)) * displacementPsd(params, n);
+        const double psd = 0.5 * (1 + sign * coherence(params, isotropic, n)) * displacementPsd(params, n);
         const double amplitude = std::sqrt(2 * psd * kProfiles * step) / splineAtNodes(n);
-        spectra[profile][k] = std::polar(amplitude, phase);
-        averaged_spectra[profile][k] = spectra[profile][k] * sinc(n * contact_length) * (profile == 0 ? 1 : across);
+        const double share = sinc(n * contact_length) * (profile == 0 ? 1 : across);
+        // A cos(wave + phase), half as the wave k and half as the wave -k.
+        const double real = 0.5 * amplitude * phase.cosine, imaginary = 0.5 * amplitude * phase.sine;
+        waves[profile][k] = {real - share * imaginary, imaginary + share * real};
+        waves[profile][kNodes - k] = {real + share * imaginary, share * real - imaginary};
     }
 
-    Eigen::FFT<double> fft;
-    fft.SetFlag(Eigen::FFT<double>::Unscaled);
-    const auto synthesise = [&](const auto& from, Profile& to) {
-        std::vector<Complex> waves;
-        for (std::size_t profile = 0; profile < kProfiles; ++profile) {
-            fft.inv(waves, from[profile]);
-            for (std::size_t i = 0; i < kNodes; ++i) to[i][profile] = waves[i].real();
+    for (std::size_t profile = 0; profile < kProfiles; ++profile) {
+        sumWaves(waves[profile]);
+        for (std::size_t i = 0; i < kNodes; ++i) {
+            itself_[i][profile] = waves[profile][i].real;
+            averaged_[i][profile] = waves[profile][i].imaginary;
         }
-    };
-    synthesise(spectra, itself_);
-    synthesise(averaged_spectra, averaged_);
+    }
 }
 
 SurfacePoint Roughness::evaluate(const Profile& profile, double x, double y) const {
@@ -117,7 +157,7 @@ SurfacePoint Roughness::evaluate(const Profile& profile, double x, double y) con
     }
 
     // Across the road.
-    const double cosine = std::cos(wave_across_ * y), sine = std::sin(wave_across_ * y);
+    const auto [sine, cosine] = sineCosineFar(wave_across_ * y);
     const SurfacePoint surface{value[0] + value[1] * cosine + value[2] * sine,
                                slope[0] + slope[1] * cosine + slope[2] * sine,
                                wave_across_ * (value[2] * cosine - value[1] * sine)};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/elementary.h"
 #include "base/numbers.h"
 #include "run/simulate.h"
 
@@ -41,17 +42,18 @@ void checkHealth(const VehicleOutput& output, double time) {
                         time, c.roll * 180 / std::numbers::pi, c.pitch * 180 / std::numbers::pi),
             time, kNumbers);
     }
-    const double speed = std::hypot(c.vx, c.vy, c.vz);
+    const double speed = hypotenuse(hypotenuse(c.vx, c.vy), c.vz);
     if (speed > kFastest) {
         throw SimulationError(fmt::format("the car left the bounds of the simulation at t = {:.4g} s: its speed "
                                           "(chassis.vx, vy, vz) is {:.3g} m/s, more than {} m/s",
                                           time, speed, kFastest),
                               time, kNumbers);
     }
-    if (std::hypot(c.x, c.y, c.z) > kFarthest) {
+    const double distance = hypotenuse(hypotenuse(c.x, c.y), c.z);
+    if (distance > kFarthest) {
         throw SimulationError(fmt::format("the car left the bounds of the simulation at t = {:.4g} s: it is {:.3g} m "
                                           "from the origin (chassis.x, y, z)",
-                                          time, std::hypot(c.x, c.y, c.z)),
+                                          time, distance),
                               time, kNumbers);
     }
 }

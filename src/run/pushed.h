@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "base/turn.h"
 #include "run/push.h"
 #include "run/sensors.h"
 
@@ -22,7 +23,7 @@ public:
     std::optional<Push> over(double time, const VehicleInput& driver, const VehicleOutput& car) {
         if (!pushing_) return std::nullopt;
         now_ = pushing_(time, driver, car);
-        level_ = Eigen::AngleAxisd(car.chassis.yaw, Vector3::UnitZ());
+        level_ = turnAbout(Vector3::UnitZ(), car.chassis.yaw);
         return Push{level_ * now_.force, level_ * now_.moment};
     }
 
@@ -49,7 +50,7 @@ private:
     Vector3 inertia_;    // kg m2
     Vector3 reference_;  // m, point to which the channels refer, from the centre of gravity
     Push now_;
-    Eigen::Matrix3d level_ = Eigen::Matrix3d::Identity();
+    Quaternion level_ = Quaternion::Identity();  // axes level along the heading
 };
 
 }  // namespace tread

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/turn.h"
 #include "run/convoy.h"
 
 namespace tread {
@@ -10,7 +11,7 @@ namespace {
 Quaternion turnBy(const Vector3& rotation) {
     const double angle = rotation.norm();
     if (angle == 0) return Quaternion::Identity();
-    return Quaternion(Eigen::AngleAxisd(angle, rotation / angle));
+    return turnAbout(rotation / angle, angle);
 }
 
 }  // namespace

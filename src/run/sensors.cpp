@@ -8,7 +8,10 @@
 #include <set>
 
 #include "base/did_you_mean.h"
+#include "base/elementary.h"
 #include "base/number_text.h"
+#include "base/turn.h"
+#include "vehicle/vectors.h"
 
 namespace tread {
 namespace {
@@ -101,15 +104,16 @@ std::vector<SensorFault> sensorFaults(const std::vector<SensorParams>& sensors,
 Sensor::Sensor(const SensorParams& params, double step)
     : params_(params),
       elsewhere_(directed(params.channel) && (isTurned(params) || !placeOf(params).isZero(0))),
-      turned_(Eigen::AngleAxisd(params.misalignment.yaw, Vector3::UnitZ()) *
-              Eigen::AngleAxisd(params.misalignment.pitch, Vector3::UnitY()) *
-              Eigen::AngleAxisd(params.misalignment.roll, Vector3::UnitX())),
+      turned_((turnAbout(Vector3::UnitZ(), params.misalignment.yaw) *
+               turnAbout(Vector3::UnitY(), params.misalignment.pitch) *
+               turnAbout(Vector3::UnitX(), params.misalignment.roll))
+                  .toRotationMatrix()),
       random_(seedOf(params)),
       filters_(params.low_pass * step < 0.5),  // what is faster than half the step's frequency is not in the run
       delay_steps_(params.delay / step) {
     if (filters_) {
         // Second-order Butterworth, bilinear transform with its corner in place.
-        const double k = std::tan(std::numbers::pi * params.low_pass * step);
+        const double k = tangent(std::numbers::pi * params.low_pass * step);
         const double norm = 1 / (1 + std::numbers::sqrt2 * k + k * k);
         b_ = k * k * norm;
         a1_ = 2 * (k * k - 1) * norm;
@@ -133,9 +137,10 @@ void Sensor::observe(double value, const PointMotion& body) {
 double Sensor::mounted(double value, const PointMotion& body) const {
     const Directed& what = *directed(params_.channel);
     const Eigen::Matrix3d body_axes = body.motion.orientation.toRotationMatrix();
-    const Vector3 arm = body_axes * placeOf(params_);
+    const Vector3 arm = times(body_axes, placeOf(params_));
     const Vector3& spin = body.motion.angular_velocity_W;
-    const Vector3 axis = ((params_.fixed_to_body ? body_axes : levelAxes(body_axes)) * turned_).col(what.axis);
+    const Eigen::Matrix3d mounting = params_.fixed_to_body ? body_axes : levelAxes(body_axes);
+    const Vector3 axis = times<Vector3>(mounting, turned_.col(what.axis));
     switch (what.quantity) {
         case Quantity::position:
             return value + arm(what.axis);

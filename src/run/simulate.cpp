@@ -7,6 +7,7 @@
 #include <memory>
 #include <numbers>
 
+#include "base/elementary.h"
 #include "base/numbers.h"
 #include "base/pattern.h"
 #include "host/settled.h"
@@ -110,7 +111,7 @@ double unwrapped(double angle, double previous) {
 // The car starts in the part of the steady wind that blows along its heading: a side wind it meets as it starts, for
 // held straight it is in no equilibrium there.
 Vector3 startingWind(const Scenario& scenario) {
-    const Vector3 heading(std::cos(scenario.start.heading), std::sin(scenario.start.heading), 0);
+    const Vector3 heading(cosine(scenario.start.heading), sine(scenario.start.heading), 0);
     return windAt({.speed = scenario.wind.speed, .direction = scenario.wind.direction, .gust = {}}, 0, 0).dot(heading) *
            heading;
 }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/elementary.h"
+
 namespace tread {
 
 std::vector<Point> conesOf(const std::vector<Lane>& course) {
@@ -24,8 +26,8 @@ std::vector<Point> conesOf(const CourseParams& course) {
 
 bool covers(const CarOutline& car, const Point& here, double yaw, const Point& point) {
     const double dx = point.x - here.x, dy = point.y - here.y;
-    const double along = dx * std::cos(yaw) + dy * std::sin(yaw);
-    const double across = dy * std::cos(yaw) - dx * std::sin(yaw);
+    const double along = dx * cosine(yaw) + dy * sine(yaw);
+    const double across = dy * cosine(yaw) - dx * sine(yaw);
     return along > -car.behind && along < car.ahead && std::abs(across) < 0.5 * car.width;
 }
 

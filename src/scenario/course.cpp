@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/elementary.h"
+
 namespace tread {
 namespace {
 
@@ -56,7 +58,7 @@ std::vector<Point> coursePath(const CourseParams& course) {
             for (int k = 1; k < steps; ++k) {
                 const double share = static_cast<double>(k) / steps;
                 path.push_back({before.to + share * length,
-                                middle(before) + across * 0.5 * (1 - std::cos(std::numbers::pi * share))});
+                                middle(before) + across * 0.5 * (1 - cosine(std::numbers::pi * share))});
             }
         }
         if (path.back().x < through[i].from) path.push_back({through[i].from, middle(through[i])});

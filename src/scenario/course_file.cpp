@@ -7,6 +7,7 @@
 
 #include "base/concat.h"
 #include "base/did_you_mean.h"
+#include "base/elementary.h"
 #include "base/number_text.h"
 #include "base/text_file.h"
 #include "base/trimmed.h"
@@ -110,7 +111,7 @@ private:
         const std::size_t before = problems_.size();
         for (std::size_t i = 0; i < cells.size(); ++i) cell(cells[i], columns_[i], point);
         if (problems_.size() != before) return;
-        if (!points_.empty() && std::hypot(point.x - points_.back().x, point.y - points_.back().y) == 0)
+        if (!points_.empty() && hypotenuse(point.x - points_.back().x, point.y - points_.back().y) == 0)
             complain(lines_.number(), 1, "found the same point as in the line before; remove one of the two");
         points_.push_back(point);
         places_.push_back(lines_.number());
@@ -140,7 +141,7 @@ private:
     void ends() {
         const std::size_t least = closed_ ? 3 : 2;
         if (closed_ && points_.size() > 1 &&
-            std::hypot(points_.front().x - points_.back().x, points_.front().y - points_.back().y) == 0)
+            hypotenuse(points_.front().x - points_.back().x, points_.front().y - points_.back().y) == 0)
             points_.pop_back();  // the first point once more: the usual way to say that it is closed
         if (points_.size() < least) {
             complain(std::max(lines_.number(), 1), 1,
@@ -150,8 +151,8 @@ private:
         }
         double longest = 0;
         for (std::size_t i = 1; i < points_.size(); ++i)
-            longest = std::max(longest, std::hypot(points_[i].x - points_[i - 1].x, points_[i].y - points_[i - 1].y));
-        const double gap = std::hypot(points_.front().x - points_.back().x, points_.front().y - points_.back().y);
+            longest = std::max(longest, hypotenuse(points_[i].x - points_[i - 1].x, points_[i].y - points_[i - 1].y));
+        const double gap = hypotenuse(points_.front().x - points_.back().x, points_.front().y - points_.back().y);
         if (closed_ && gap > kFarApart * longest) {
             complain(
                 places_[points_.size() - 1], 1,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "scenario/smooth_line.h"
 
 namespace tread {
@@ -20,9 +21,9 @@ std::vector<Point> placed(const CourseLine& line) {
 void moveToStart(std::vector<SmoothPoint>& line) {
     const Point origin = line.front().place, next = line[1].place;
     // The tangent at the beginning: half of the first piece's turn back from its chord.
-    const double length = std::hypot(next.x - origin.x, next.y - origin.y);
-    const double heading = std::atan2(next.y - origin.y, next.x - origin.x) - 0.5 * line.front().curvature * length;
-    const double c = std::cos(heading), s = std::sin(heading);
+    const double length = hypotenuse(next.x - origin.x, next.y - origin.y);
+    const double heading = arctan2(next.y - origin.y, next.x - origin.x) - 0.5 * line.front().curvature * length;
+    const double c = cosine(heading), s = sine(heading);
     for (SmoothPoint& point : line) {
         const double dx = point.place.x - origin.x, dy = point.place.y - origin.y;
         point.place = {c * dx + s * dy, c * dy - s * dx};

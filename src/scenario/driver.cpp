@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/numbers.h"
 #include "scenario/expression/parse.h"
 #include "scenario/replay.h"
@@ -87,7 +88,7 @@ void Driver::driveOn(double elapsed, double dt) {
 void Driver::look(double time, const ChassisOutput& chassis, double steering_wheel_angle) {
     const double dt = time - seen_time_, elapsed = time - phase_start_;
     if (looked_) {
-        seen_.distance += dt * std::hypot(chassis.vx, chassis.vy);
+        seen_.distance += dt * hypotenuse(chassis.vx, chassis.vy);
         hands_.look(phase().steering, chassis, time, dt);
         seen_.yaw_rate_before = seen_.car.yaw_rate;
         seen_.car = chassis;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
+
 namespace tread {
 namespace {
 
@@ -12,7 +14,7 @@ constexpr double kSame = 1e-6;  // m: of two points as near as this, the first o
 
 Path::Path(std::vector<Point> points, bool closed) : closed_(closed) {
     for (const Point& point : points) {
-        const double step = points_.empty() ? 0 : std::hypot(point.x - points_.back().x, point.y - points_.back().y);
+        const double step = points_.empty() ? 0 : hypotenuse(point.x - points_.back().x, point.y - points_.back().y);
         if (!points_.empty() && step == 0) continue;
         way_.push_back(way_.empty() ? 0 : way_.back() + step);
         points_.push_back(point);
@@ -44,7 +46,7 @@ double Path::between(const std::vector<double>& values, double way) const {
 }
 
 double Path::nearest(const Point& here, double from, double reach) const {
-    double best = from, least = std::hypot(at(from).x - here.x, at(from).y - here.y);
+    double best = from, least = hypotenuse(at(from).x - here.x, at(from).y - here.y);
     double lap = lapStart(from);
     for (std::size_t i = pieceAt(from - lap); lap + way_[i] <= from + reach;) {
         const Point &a = points_[i], &b = points_[i + 1];
@@ -53,7 +55,7 @@ double Path::nearest(const Point& here, double from, double reach) const {
         const bool last = i + 2 == points_.size();
         const double way = lap + way_[i] + std::clamp(along, 0.0, last && !closed_ ? along + length : length);
         if (way >= from) {
-            const double distance = std::hypot(at(way).x - here.x, at(way).y - here.y);
+            const double distance = hypotenuse(at(way).x - here.x, at(way).y - here.y);
             if (distance < least - kSame) {
                 least = distance;
                 best = way;

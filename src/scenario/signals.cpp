@@ -6,6 +6,8 @@
 #include <numbers>
 #include <type_traits>
 
+#include "base/elementary.h"
+#include "base/power.h"
 #include "base/random.h"
 
 namespace tread {
@@ -41,7 +43,7 @@ double at(const Rescale<Of>& signal, double held, double elapsed) {
 template <class Of>
 double at(const Sine<Of>& signal, double held, double elapsed) {
     if (elapsed * signal.frequency >= signal.cycles) return held;
-    return held + signal.amplitude * std::sin(kTurn * signal.frequency * elapsed);
+    return held + signal.amplitude * sine(kTurn * signal.frequency * elapsed);
 }
 
 template <class Of>
@@ -49,7 +51,7 @@ double at(const SineWithDwell<Of>& signal, double held, double elapsed) {
     const double pause = 0.75 / signal.frequency;
     const double run = elapsed <= pause ? elapsed : std::max(pause, elapsed - signal.dwell);
     if (run * signal.frequency >= 1) return held;
-    return held + signal.amplitude * std::sin(kTurn * signal.frequency * run);
+    return held + signal.amplitude * sine(kTurn * signal.frequency * run);
 }
 
 template <class Of>
@@ -57,13 +59,13 @@ double at(const Sweep<Of>& signal, double held, double elapsed) {
     if (elapsed >= signal.duration) return held;
     double periods;
     if (signal.law == SweepLaw::logarithmic && signal.to != signal.from) {
-        const double growth = std::log(signal.to / signal.from) / signal.duration;
-        periods = signal.from * std::expm1(growth * elapsed) / growth;
+        const double growth = logarithm(signal.to / signal.from) / signal.duration;
+        periods = signal.from * exponentialLess1(growth * elapsed) / growth;
     } else {
         const double rise = (signal.to - signal.from) / signal.duration;
         periods = (signal.from + 0.5 * rise * elapsed) * elapsed;
     }
-    return held + signal.amplitude * std::sin(kTurn * periods);
+    return held + signal.amplitude * sine(kTurn * periods);
 }
 
 template <class Of>
@@ -78,7 +80,7 @@ double at(const Noise<Of>& signal, double held, double elapsed) {
     double sum = 0;
     for (int line = 0; line < signal.lines; ++line) {
         const double frequency = signal.from + width * (line + random.uniform());
-        sum += std::sin(kTurn * (frequency * elapsed + random.uniform()));
+        sum += sine(kTurn * (frequency * elapsed + random.uniform()));
     }
     return held + std::min(1.0, elapsed / kFadeIn) * signal.rms * std::sqrt(2.0 / signal.lines) * sum;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/elementary.h"
+
 namespace tread {
 namespace {
 
@@ -72,7 +74,7 @@ Cubic cubic(double from, double to, double bend_from, double bend_to, double len
 }  // namespace
 
 std::vector<SmoothPoint> smoothLine(std::vector<Point> points, bool closed, double spacing) {
-    const auto apart = [](const Point& a, const Point& b) { return std::hypot(b.x - a.x, b.y - a.y); };
+    const auto apart = [](const Point& a, const Point& b) { return hypotenuse(b.x - a.x, b.y - a.y); };
     std::vector<std::size_t> kept;  // of the given points
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (kept.empty() || apart(points[kept.back()], points[i]) > 0) kept.push_back(i);
@@ -98,7 +100,7 @@ std::vector<SmoothPoint> smoothLine(std::vector<Point> points, bool closed, doub
             const double share = static_cast<double>(k) / steps;
             const Cubic along = cubic(x[i], x[next], bend_x[i], bend_x[next], length[i], share);
             const Cubic across = cubic(y[i], y[next], bend_y[i], bend_y[next], length[i], share);
-            const double speed = std::hypot(along.slope, across.slope);
+            const double speed = hypotenuse(along.slope, across.slope);
             const double turn = along.slope * across.bend - across.slope * along.bend;
             line.push_back({{along.value, across.value}, turn / (speed * speed * speed), kept[i], share});
         }

@@ -1,7 +1,8 @@
 #include "scenario/speed_follower.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "base/elementary.h"
 
 namespace tread {
 namespace {
@@ -25,7 +26,7 @@ void SpeedFollower::observe(double speed) {
     const double acted = 0.5 * (force_before_ + force_) / car_.mass;
     const double lost = acted - (speed - speed_) / step_;
     const double time_constant = std::max(kObserving, kStepsObserving * step_);
-    resistance_ += (1 - std::exp(-step_ / time_constant)) * (lost - resistance_);
+    resistance_ += (1 - exponential(-step_ / time_constant)) * (lost - resistance_);
     resistance_ = std::clamp(resistance_, -kLargestResistance, kLargestResistance);
 }
 

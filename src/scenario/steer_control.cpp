@@ -1,7 +1,8 @@
 #include "scenario/steer_control.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "base/elementary.h"
 
 namespace tread {
 namespace {
@@ -20,7 +21,7 @@ void SteerControl::begin(double angle, std::optional<double> way) {
 }
 
 void SteerControl::look(const SteeringSignal& signal, const ChassisOutput& car, double time, double dt) {
-    const double v = std::hypot(car.vx, car.vy);
+    const double v = hypotenuse(car.vx, car.vy);
     if (v < kSlowest) return;
     if (const auto* hold = std::get_if<HoldLateralAcceleration>(&signal)) {
         correct((hold->target - car.ay) / (v * v), hold->bandwidth, dt);
@@ -38,13 +39,13 @@ void SteerControl::correct(double missing_curvature, double bandwidth, double dt
 
 // The angle for the arc from here, along the direction of travel, to the point ahead on the path.
 double SteerControl::pathAngle(const FollowPath& driver, const ChassisOutput& car) {
-    const double v = std::hypot(car.vx, car.vy);
+    const double v = hypotenuse(car.vx, car.vy);
     const Point here{car.x, car.y};
     way_ = way_ ? path_.nearest(here, *way_, kReach) : path_.nearest(here);
     const Point target = path_.at(*way_ + std::max(driver.preview_time * v, driver.preview_distance));
     const double dx = target.x - here.x, dy = target.y - here.y;
-    const double course = car.yaw + std::atan2(car.vy, car.vx);
-    const double aside = dy * std::cos(course) - dx * std::sin(course);
+    const double course = car.yaw + arctan2(car.vy, car.vx);
+    const double aside = dy * cosine(course) - dx * sine(course);
     const double curvature = 2 * aside / (dx * dx + dy * dy);
     const double asked = curvature + driver.lead * (curvature - car.yaw_rate / v);
     return driver.gain * car_.ratioAt(angle_) * (car_.wheelbase + driver.understeer * v * v) * asked;
@@ -57,7 +58,7 @@ void SteerControl::follow(const FollowPath& driver, const ChassisOutput& car, do
     if (intended_.front().first > time - driver.delay + kAtOnce) return;
     while (intended_.size() > 1 && intended_[1].first <= time - driver.delay + kAtOnce) intended_.pop_front();
     const double missing = intended_.front().second - angle_;
-    const double move = driver.lag > 0 ? missing * -std::expm1(-dt / driver.lag) : missing;
+    const double move = driver.lag > 0 ? missing * -exponentialLess1(-dt / driver.lag) : missing;
     angle_ += std::clamp(move, -driver.largest_rate * dt, driver.largest_rate * dt);
 }
 

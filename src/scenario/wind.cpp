@@ -1,8 +1,9 @@
 #include "scenario/wind.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
+
+#include "base/elementary.h"
 
 namespace tread {
 namespace {
@@ -23,7 +24,7 @@ double profile(GustShape shape, double progress) {
         case GustShape::ramp:
             return progress;
         case GustShape::cosine:
-            return 0.5 * (1 - std::cos(2 * std::numbers::pi * progress));
+            return 0.5 * (1 - cosine(2 * std::numbers::pi * progress));
     }
     return 0;
 }
@@ -32,7 +33,7 @@ double profile(GustShape shape, double progress) {
 
 Vector3 windAt(const WindParams& wind, double time, double x) {
     const double speed = wind.speed + wind.gust.speed * profile(wind.gust.shape, progress(wind.gust, time, x));
-    return {speed * std::cos(wind.direction) + wind.x, speed * std::sin(wind.direction) + wind.y, 0};
+    return {speed * cosine(wind.direction) + wind.x, speed * sine(wind.direction) + wind.y, 0};
 }
 
 }  // namespace tread

@@ -10,9 +10,9 @@
 // slip, is T or Dual<T>.
 #pragma once
 
+#include "base/lanes.h"
 #include "tread/tyre.h"
 #include "tyre/dual.h"
-#include "tyre/lanes.h"
 
 namespace tread {
 inline namespace TREAD_ISA {

@@ -1,8 +1,8 @@
 // The tyres of a car's four wheels, evaluated together: the same formulas as for one, and the same bits.
 #pragma once
 
+#include "base/lanes.h"
 #include "tread/tyre.h"
-#include "tyre/lanes.h"
 
 namespace tread {
 

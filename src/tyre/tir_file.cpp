@@ -6,6 +6,7 @@
 #include <span>
 #include <sstream>
 
+#include "base/elementary.h"
 #include "base/numbers.h"
 #include "base/text_file.h"
 #include "tyre/tir_map.h"
@@ -193,7 +194,7 @@ void TirImport::deriveRollingRadius(TyreParams& tyre) {
     if (value("DREFF") != 0 || value("FREFF") != 0) {
         // Pacejka, "Tyre and Vehicle Dynamics": deflections over the nominal one
         const double loss =
-            value("DREFF") * std::atan(value("BREFF") * tyre.lambda.Fzo) + value("FREFF") * tyre.lambda.Fzo;
+            value("DREFF") * arctan(value("BREFF") * tyre.lambda.Fzo) + value("FREFF") * tyre.lambda.Fzo;
         p.Re = p.Ro - nominal_deflection * loss;
         warn("Re = " + text(p.Re) + " m, by BREFF, DREFF and FREFF at the nominal load");
     } else {
@@ -222,10 +223,10 @@ void TirImport::deriveCarcass(TyreCoefficients& p) {
                                : "guessed in proportion to FNOMIN / UNLOADED_RADIUS"));
     };
     const double load_by_radius = p.Fzo / p.Ro;
-    const double lateral_peak = value("PTY2") == 0 ? 0 : std::sin(2 * std::atan(1 / value("PTY2")));
+    const double lateral_peak = value("PTY2") == 0 ? 0 : sine(2 * arctan(1 / value("PTY2")));
     choose(p.cFx, "cFx", "LONGITUDINAL_STIFFNESS", p.Fzo * p.pKx1, value("PTX1") * p.Ro,
            kLongitudinalStiffness * load_by_radius);
-    choose(p.cFy, "cFy", "LATERAL_STIFFNESS", p.pKy1 * p.Fzo * std::sin(2 * std::atan(1 / p.pKy2)),
+    choose(p.cFy, "cFy", "LATERAL_STIFFNESS", p.pKy1 * p.Fzo * sine(2 * arctan(1 / p.pKy2)),
            value("PTY1") * lateral_peak * p.Ro, kLateralStiffness * load_by_radius);
 }
 

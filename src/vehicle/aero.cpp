@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/elementary.h"
+
 namespace tread {
 
 AeroForces forces(const AeroParams& params, const Vector3& air_velocity_B) {
@@ -19,7 +21,7 @@ AeroForces forces(const AeroParams& params, const Vector3& air_velocity_B) {
 
     // A body that moves to the left through the air is pushed to the right; the nose turns to the right, away from the
     // wind; and the roof leans to the right.
-    const double sideslip = std::atan2(air_velocity_B.y(), air_velocity_B.x());
+    const double sideslip = arctan2(air_velocity_B.y(), air_velocity_B.x());
     const double angle = std::abs(sideslip);
     const double pressure = half_density * air_velocity_B.head<2>().squaredNorm();
     const double against = std::copysign(pressure, -sideslip);

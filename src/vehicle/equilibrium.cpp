@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/turn.h"
 #include "vehicle/settling.h"
+#include "vehicle/vectors.h"
 
 namespace tread {
 namespace {
@@ -44,7 +46,7 @@ ChassisMotion placed(const Vehicle& vehicle, const Surroundings& surroundings, c
     point.z() =
         ground.point_W.z() - (n.x() * (start.x - ground.point_W.x()) + n.y() * (start.y - ground.point_W.y())) / n.z();
 
-    const Vector3 heading = Quaternion(Eigen::AngleAxisd(start.heading, up)) * Vector3::UnitX();
+    const Vector3 heading = turnAbout(up, start.heading) * Vector3::UnitX();
     Eigen::Matrix3d axes;
     axes.col(0) = (heading - heading.dot(n) * n).normalized();
     axes.col(1) = n.cross(axes.col(0));
@@ -52,7 +54,8 @@ ChassisMotion placed(const Vehicle& vehicle, const Surroundings& surroundings, c
     ChassisMotion motion;
     motion.orientation = Quaternion(axes).normalized();
     const Vector3& reference = vehicle.reference_B;
-    motion.position_W = point + axes * Vector3(-reference.x(), -reference.y(), vehicle.params.centre_of_gravity_height);
+    const Vector3 centre_B(-reference.x(), -reference.y(), vehicle.params.centre_of_gravity_height);
+    motion.position_W = point + times(axes, centre_B);
     motion.velocity_W = start.speed * axes.col(0);
     return motion;
 }
@@ -210,7 +213,7 @@ Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, co
                 trim -= trim_gain * step * turns;
                 result.input.steering_wheel_angle = beyondPlay(vehicle.params.steering, trim);
                 const double turned = (motion.orientation * Vector3::UnitX()).dot(left);
-                motion.orientation = (Quaternion(Eigen::AngleAxisd(-turned, n)) * motion.orientation).normalized();
+                motion.orientation = (turnAbout(n, -turned) * motion.orientation).normalized();
             }
             push(motion, state, vehicle, place.velocity_W + ride + sideways * left, tilt);
             motion.position_W = place.position_W + (motion.position_W - place.position_W).dot(n) * n;

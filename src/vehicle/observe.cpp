@@ -2,6 +2,8 @@
 
 #include "tread/vehicle.h"
 
+#include "base/elementary.h"
+
 namespace tread {
 namespace {
 
@@ -21,9 +23,9 @@ ChassisOutput observeChassis(const PointMotion& point, const Vector3& gravity_W)
     out.x = motion.position_W.x();
     out.y = motion.position_W.y();
     out.z = motion.position_W.z();
-    out.yaw = std::atan2(x.y(), x.x());
-    out.pitch = -std::asin(std::clamp(body.col(0).dot(up), -1.0, 1.0));
-    out.roll = std::atan2(body.col(1).dot(up), body.col(2).dot(up));
+    out.yaw = arctan2(x.y(), x.x());
+    out.pitch = -arcsine(std::clamp(body.col(0).dot(up), -1.0, 1.0));
+    out.roll = arctan2(body.col(1).dot(up), body.col(2).dot(up));
     out.vx = motion.velocity_W.dot(x);
     out.vy = motion.velocity_W.dot(y);
     out.vz = motion.velocity_W.dot(up);
@@ -33,7 +35,7 @@ ChassisOutput observeChassis(const PointMotion& point, const Vector3& gravity_W)
     out.ax = acceleration.dot(x);
     out.ay = acceleration.dot(y);
     out.az = acceleration.dot(up);
-    out.sideslip = std::hypot(out.vx, out.vy) < kSlowBody ? 0 : std::atan2(out.vy, out.vx);
+    out.sideslip = hypotenuse(out.vx, out.vy) < kSlowBody ? 0 : arctan2(out.vy, out.vx);
     return out;
 }
 
@@ -55,7 +57,7 @@ WheelOutput observeWheel(const WheelState& wheel, const Vehicle::Corner& corner)
     out.fy = wheel.fy;
     out.mz = wheel.mz;
     out.slip_ratio = (rolling_radius * wheel.spin - wheel.motion.Vx) / speed;
-    out.slip_angle = std::atan2(-wheel.motion.Vsy, speed);
+    out.slip_angle = arctan2(-wheel.motion.Vsy, speed);
     out.camber = wheel.motion.gamma;
     out.steer = wheel.steer;
     out.spin = wheel.spin;

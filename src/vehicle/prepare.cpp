@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "base/elementary.h"
 #include "tread/vehicle.h"
 #include "tyre/four_tyres.h"
 #include "vehicle/tyre_load.h"
@@ -55,12 +56,12 @@ Vehicle::Corner cornerOf(const VehicleParams& params, const VehicleParams& level
 
     // The track is measured at the contacts, which lie below the hubs in the plane of the leaning wheels.
     const double camber = axle.suspension.camber;
-    const double beside = 0.5 * axle.track + radius * std::sin(camber);
+    const double beside = 0.5 * axle.track + radius * sine(camber);
 
     Vehicle::Corner corner;
     corner.hub_B = {front ? params.front_axle_distance : -rear_axle_distance,
                     sideSign(wheel) * beside - params.lateral_offset,
-                    radius * std::cos(camber) - params.centre_of_gravity_height};
+                    radius * cosine(camber) - params.centre_of_gravity_height};
     corner.static_force = level_load - axle.unsprung_mass * gravity;
     corner.lateral_slope = sideSign(wheel) * axle.suspension.roll_centre_height / (0.5 * axle.track);
     corner.unsprung_mass = axle.unsprung_mass;
@@ -71,6 +72,24 @@ Vehicle::Corner cornerOf(const VehicleParams& params, const VehicleParams& level
     corner.temperature = surroundings.temperature;
     corner.aligning_stiffness = aligningStiffness(tyre, load, front ? params.steering.caster_trail : 0);
     return corner;
+}
+
+// Of a positive definite matrix, by Gauss and Jordan without a search for pivots; in one order of operations on every
+// machine, which Eigen's inverse has not.
+Eigen::Matrix<double, 6, 6> inverseOf(const Eigen::Matrix<double, 6, 6>& matrix) {
+    Eigen::Matrix<double, 6, 6> m = matrix;
+    for (int k = 0; k < 6; ++k) {
+        const double pivot = 1 / m(k, k);
+        m(k, k) = 1;
+        for (int j = 0; j < 6; ++j) m(k, j) *= pivot;
+        for (int i = 0; i < 6; ++i) {
+            if (i == k) continue;
+            const double factor = m(i, k);
+            m(i, k) = 0;
+            for (int j = 0; j < 6; ++j) m(i, j) -= factor * m(k, j);
+        }
+    }
+    return m;
 }
 
 }  // namespace
@@ -105,7 +124,7 @@ Vehicle prepare(const VehicleParams& unloaded, double gravity) {
         j << 0, 0, 1, corner.hub_B.y(), -corner.hub_B.x(), 0;
         mass -= corner.unsprung_mass * j * j.transpose();
     }
-    vehicle.inverse_mass = mass.inverse();
+    vehicle.inverse_mass = inverseOf(mass);
     return vehicle;
 }
 

@@ -38,7 +38,7 @@ constexpr Usual kTyreDeflection{0.0005, 0.3, true};
 constexpr Usual kBraking{0.1, 10, true};
 
 // The values of a number at which another that is `per` of it is usual: the ends in the order of their size.
-Usual times(double factor, const Usual& usual) {
+Usual multiple(double factor, const Usual& usual) {
     return {factor * usual.lowest, factor * usual.highest, true};
 }
 Usual over(double factor, const Usual& usual) {
@@ -58,7 +58,7 @@ public:
         const double size = car_.wheelbase * 0.5 * (car_.front.track + car_.rear.track);
         const double behind = car_.wheelbase - car_.front_axle_distance;
         if (sound({"mass", "wheelbase", "front.track", "rear.track"})) {
-            judge("mass", car_.mass, "kg", times(std::pow(size, 1.5), kDensity),
+            judge("mass", car_.mass, "kg", multiple(std::pow(size, 1.5), kDensity),
                   "for wheelbase and tracks of this car");
         }
         if (sound({"mass", "inertia.yaw", "wheelbase", "front_axle_distance"})) {
@@ -72,7 +72,7 @@ public:
         if (sound({"brakes.full_pedal_torque", "front.tyre.parameters.Ro", "rear.tyre.parameters.Ro"}) &&
             car_.brakes.full_pedal_torque != 0) {
             judge("brakes.full_pedal_torque", car_.brakes.full_pedal_torque, "N m",
-                  times(radius * car_.mass * kStandardGravity, kBraking), "for wheels and weight of this car");
+                  multiple(radius * car_.mass * kStandardGravity, kBraking), "for wheels and weight of this car");
         }
         return std::move(found_);
     }
@@ -103,7 +103,7 @@ private:
                       {squared * kBounce.lowest * kBounce.lowest, squared * kBounce.highest * kBounce.highest, true},
                       for_load);
             }
-            const Usual damping = times(2 * std::sqrt(suspension.spring * sprung), kDampingRatio);
+            const Usual damping = multiple(2 * std::sqrt(suspension.spring * sprung), kDampingRatio);
             if (suspension.spring_curve.empty() && sound({spring})) {
                 judgeDamping(damper + "bump", suspension.damper.bump, suspension.damper.bump_curve, damping);
                 judgeDamping(damper + "rebound", suspension.damper.rebound, suspension.damper.rebound_curve, damping);

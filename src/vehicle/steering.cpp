@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/delay_line.h"
+#include "base/elementary.h"
 #include "base/lag.h"
 #include "vehicle/aligning_compliance.h"
 
@@ -34,11 +35,10 @@ Mean meanAngle(const SteeringParams& params, double hand) {
 // The turn centre lies on the rear axle's extension, wheelbase / tan(mean) to the left.
 RoadWheels wheelsAt(const SteeringParams& params, double mean, double track, double wheelbase) {
     if (params.ackermann == 0) return {{mean, mean}, {1, 1}};
-    const double tangent = std::tan(mean);
-    const double offset = params.ackermann * 0.5 * track / wheelbase * tangent;
-    const auto perMean = [tangent](double x) { return (1 + tangent * tangent) / (x * x + tangent * tangent); };
-    return {{std::atan(tangent / (1 - offset)), std::atan(tangent / (1 + offset))},
-            {perMean(1 - offset), perMean(1 + offset)}};
+    const double slope = tangent(mean);
+    const double offset = params.ackermann * 0.5 * track / wheelbase * slope;
+    const auto perMean = [slope](double x) { return (1 + slope * slope) / (x * x + slope * slope); };
+    return {{arctan(slope / (1 - offset)), arctan(slope / (1 + offset))}, {perMean(1 - offset), perMean(1 + offset)}};
 }
 
 RoadWheels wheelsAtSteeringWheel(const SteeringParams& params, double hand, double track, double wheelbase) {
@@ -135,7 +135,7 @@ double steeringWheelTorque(const SteeringState& state, const SteeringParams& par
     const double slope = meanAngle(params, afterPlay(state.angle, params.play)).slope;
     const RoadWheelAngles& share = state.wheels.per_mean;
     double own = params.damping * state.rate;
-    if (params.friction != 0) own += params.friction * std::tanh(state.rate / kFrictionSpeed);
+    if (params.friction != 0) own += params.friction * hyperbolicTangent(state.rate / kFrictionSpeed);
     return own - slope * (left_moment * share.left + right_moment * share.right);
 }
 

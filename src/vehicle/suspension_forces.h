@@ -2,10 +2,8 @@
 // LaneSuspension (lane_cars.h), which have no curves.
 #pragma once
 
-#include <cmath>
-
+#include "base/elementary.h"
 #include "tread/suspension.h"
-#include "tyre/lanes.h"
 
 namespace tread {
 
@@ -55,16 +53,11 @@ Line<T> damperForce(const Params& damper, const T& rate) {
 
 template <class T>
 Line<T> dryFriction(const T& friction, const T& rate) {
-    Line<T> force{0, 0};
-    if (!any(friction != T(0))) return force;
-    for (std::size_t i = 0; i < kLanesOf<T>; ++i) {
-        const double most = lane(friction, i);
-        if (most == 0) continue;
-        const double slide = std::tanh(lane(rate, i) / kDamperFrictionSpeed);
-        setLane(force.value, i, most * slide);
-        setLane(force.slope, i, most / kDamperFrictionSpeed * (1 - slide * slide));
-    }
-    return force;
+    const auto rubs = friction != T(0);
+    if (!any(rubs)) return {0, 0};
+    const T slide = hyperbolicTangent(T(rate / kDamperFrictionSpeed));
+    return {select(rubs, T(friction * slide), T(0)),
+            select(rubs, T(friction / kDamperFrictionSpeed * (1.0 - slide * slide)), T(0))};
 }
 
 template <class T, class Params>

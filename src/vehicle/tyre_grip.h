@@ -1,8 +1,8 @@
 // What a tyre can hold along the road, and what it may not store beyond that.
 #pragma once
 
+#include "base/lanes.h"
 #include "tread/tyre.h"
-#include "tyre/lanes.h"
 
 namespace tread {
 

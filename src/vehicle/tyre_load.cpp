@@ -1,6 +1,6 @@
 #include "vehicle/tyre_load.h"
 
-#include <cmath>
+#include "base/elementary.h"
 
 namespace tread {
 namespace {
@@ -17,7 +17,7 @@ constexpr double kRimLossSpeed = 1.0;  // m/s at which the loss is three quarter
 ForceAndSlope rimForce(double stiffness, double radius, double deflection, double fall) {
     const double beyond = deflection - kRimDeflection * radius;
     const ForceAndSlope rim = onset(beyond, kRimStiffness * stiffness, kRimOnset * radius);
-    const double loss = 1 + kRimLoss * std::tanh(fall / kRimLossSpeed);
+    const double loss = 1 + kRimLoss * hyperbolicTangent(fall / kRimLossSpeed);
     return {loss * rim.value, loss * rim.slope};
 }
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "base/lanes.h"
 #include "tread/tyre.h"
-#include "tyre/lanes.h"
 
 namespace tread {
 struct ForceAndSlope {

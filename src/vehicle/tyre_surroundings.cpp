@@ -1,7 +1,6 @@
 #include "tread/tyre_surroundings.h"
 
-#include <cmath>
-
+#include "base/elementary.h"
 #include "vehicle/tyre_conditions.h"
 
 namespace tread {
@@ -35,7 +34,7 @@ TyreWarmth warmth(const TyreTemperatureParams& params, double warming) {
 
 TyreShift shiftOf(const TyreSurroundingsParams& params, bool left) {
     // A wheel steered to the left slips to the right. Outwards is to the left (negative) on the left.
-    return {.slip = std::tan(params.ply_steer), .camber = left ? -params.conicity : params.conicity};
+    return {.slip = tangent(params.ply_steer), .camber = left ? -params.conicity : params.conicity};
 }
 
 }  // namespace tread

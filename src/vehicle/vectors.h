@@ -1,10 +1,10 @@
 // Vectors over the numbers with which a car is computed: Eigen's for double, and for lanes, of which each holds another
 // car, vectors with the same names and the same order of operations. Eigen's own templates are not instantiated for
-// lanes: the linker could take those of one instruction set for another (tyre/lanes.h).
+// lanes: the linker could take those of one instruction set for another (base/lanes.h).
 #pragma once
 
+#include "base/elementary.h"
 #include "tread/vector.h"
-#include "tyre/elementary.h"
 
 namespace tread {
 inline namespace TREAD_ISA {

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/turn.h"
 #include "vehicle/body.h"
 #include "vehicle/contact.h"
 #include "vehicle/strut.h"
@@ -35,13 +36,13 @@ constexpr double kLeastShare = 0.1;
 WheelContact hang(const BodyWheel& wheel, const BodyMotion& body, const RoadContact& ground, double steer,
                   double compression) {
     Vector3 axis_B = wheel.left_B;
-    if (steer != 0) axis_B = Eigen::AngleAxisd(steer, -wheel.down_B) * wheel.left_B;
+    if (steer != 0) axis_B = turnAbout(-wheel.down_B, steer) * wheel.left_B;
     const Vector3 hub_B = wheel.top_B + (wheel.strut.length - compression) * wheel.down_B;
     if (ground.exists) return wheelContact(hub_B, axis_B, body, ground);
     RoadContact below = ground;
     const Vector3 lowest_B = hub_B + wheel.tyre.parameters.Ro * wheel.down_B;
-    below.point_W = body.position_W + body.to_world * lowest_B;
-    below.normal_W = -(body.to_world * wheel.down_B);
+    below.point_W = body.position_W + times(body.to_world, lowest_B);
+    below.normal_W = -times(body.to_world, wheel.down_B);
     below.velocity_W.setZero();
     return wheelContact(hub_B, axis_B, body, below);
 }
@@ -68,7 +69,7 @@ WheelContact stand(BodyWheelState& state, const BodyWheel& wheel, const BodyMoti
         push.deflection = wheel.tyre.parameters.Ro - contact.radius;
         push.closing = deflectionRate(contact, velocityAt(body, hub_B));
         const Vector3 road_W = ground.point_W - dt * ground.velocity_W;
-        const Vector3 hub_W = before.position_W + before.to_world * contact.hub_B;
+        const Vector3 hub_W = before.position_W + times(before.to_world, contact.hub_B);
         push.before = wheel.tyre.parameters.Ro - (hub_W - road_W).dot(ground.normal_W) / contact.cosine;
         push.lift = push.share / contact.cosine;
     }
@@ -168,7 +169,7 @@ void handOver(Wrench& wrench, BodyWheelState& state, const BodyWheel& wheel, con
     state.mz = tyre.Mz;
     state.camber = contact.camber;
     state.contact_B = toArray(contact.point_B);
-    state.force_W = toArray(body.to_world * (rest + side));
+    state.force_W = toArray(times<Vector3>(body.to_world, rest + side));
     state.steer_torque = -wheel.down_B.dot((contact.point_B - contact.hub_B).cross(rest + side) +
                                            tyre.Mz * contact.normal_B + tyre.Mx * contact.forward_B);
     const double rolling_speed = wheel.tyre.parameters.Re * state.spin;
@@ -182,8 +183,8 @@ Accelerations accelerationsOf(const WheeledBody& body, const BodyMotion& motion,
     Vector3 spin;
     for (int k = 0; k < 3; ++k) spin[k] = body.inverse_inertia[k] > 0 ? w[k] / body.inverse_inertia[k] : 0;
     const Vector3 moment = wrench.moment_B - w.cross(spin);
-    const Vector3 a = motion.to_world * wrench.force_B / body.mass + gravity_W;
-    const Vector3 alpha = motion.to_world * body.inverse_inertia.cwiseProduct(moment);
+    const Vector3 a = times(motion.to_world, wrench.force_B) / body.mass + gravity_W;
+    const Vector3 alpha = times<Vector3>(motion.to_world, body.inverse_inertia.cwiseProduct(moment));
     return {body.linear_factor_W.cwiseProduct(a), body.angular_factor_W.cwiseProduct(alpha)};
 }
 

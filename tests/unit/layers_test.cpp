@@ -154,7 +154,7 @@ TEST(Layers, FindPrivateAndVectorCodeInPublicHeaders) {
     EXPECT_NE(faults("include/tread/tyre.h", "#include <immintrin.h>"), "");
     EXPECT_NE(faults("include/tread/tyre.h", "typedef double V __attribute__((vector_size(32)));"), "");
     EXPECT_NE(faults("include/tread/vehicle.h", "    BasicTyreScaling<Lanes> lambda;"), "");
-    EXPECT_EQ(faults("src/tyre/lanes.h", "typedef double V __attribute__((vector_size(32)));"), "");
+    EXPECT_EQ(faults("src/base/lanes.h", "typedef double V __attribute__((vector_size(32)));"), "");
 }
 
 TEST(Layers, FindSourcesThatAreIncludedAndFilesWithoutLayer) {

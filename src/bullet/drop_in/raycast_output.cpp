@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "bullet/convert.h"
 #include "bullet/drop_in/raycast_parts.h"
-#include "tyre/elementary.h"
 
 namespace tread {
 
@@ -22,7 +22,7 @@ struct SlipShown {
     double ratio;
     double sideways;  // tangent of the slip angle; ISO 8855: positive when the wheel moves to the left
 
-    double angle() const { return std::atan(sideways); }
+    double angle() const { return arctan(sideways); }
 };
 SlipShown slipOf(const BodyWheelState& wheel, const TyreParams& tyre) {
     const double speed = std::max(std::abs(wheel.motion.Vx), kSlowest);

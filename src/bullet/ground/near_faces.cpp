@@ -10,6 +10,7 @@
 
 #include "bullet/convert.h"
 #include "tread/describe.h"
+#include "vehicle/vectors.h"
 
 namespace tread {
 
@@ -37,7 +38,7 @@ struct Gather : btTriangleCallback {
     Gather(NearFaces& n, std::size_t& c, const btTransform& pose, bool halves)
         : near(n), count(c), origin(fromBullet(pose.getOrigin())), axes(fromBullet(pose.getBasis())), halved(halves) {}
     void processTriangle(btVector3* corners, int part, int triangle) override {
-        for (std::size_t k = 0; k < 3; ++k) face.corners_W[k] = origin + axes * fromBullet(corners[k]);
+        for (std::size_t k = 0; k < 3; ++k) face.corners_W[k] = origin + times(axes, fromBullet(corners[k]));
         const auto& [a, b, c] = face.corners_W;
         face.low_W = a.cwiseMin(b).cwiseMin(c);
         face.high_W = a.cwiseMax(b).cwiseMax(c);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
+
 namespace tread {
 
 inline namespace TREAD_BULLET_PRECISION {
@@ -19,7 +21,7 @@ Vector3 upward(const NearFaces::Face& face, const Vector3& normal) {
 
 // What the faces make of a normal; zero when none of them is the one that the ray met.
 Vector3 blend(const NearFaces& near, const Vector3& point, const Vector3& normal, const Rounding& rounding) {
-    const double sharp = std::cos(rounding.angle), reach = rounding.reach;
+    const double sharp = cosine(rounding.angle), reach = rounding.reach;
     Vector3 sum = Vector3::Zero();
     bool met = false;
     for (const NearFaces::Face& face : near.faces) {

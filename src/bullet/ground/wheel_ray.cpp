@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/elementary.h"
 #include "bullet/convert.h"
 #include "bullet/ground/ground_search.h"
 
@@ -18,8 +19,8 @@ namespace {
 // Height of a rough surface: bumps about a metre long, the same whenever one comes there.
 double bump(const Vector3& at, double amplitude) {
     if (amplitude == 0) return 0;
-    return amplitude * (0.5 * std::sin(6.1 * at.x() + 2.3 * at.y() + 1.7 * at.z()) +
-                        0.5 * std::sin(-2.9 * at.x() + 5.3 * at.y() + 3.1 * at.z() + 1));
+    return amplitude * (0.5 * sine(6.1 * at.x() + 2.3 * at.y() + 1.7 * at.z()) +
+                        0.5 * sine(-2.9 * at.x() + 5.3 * at.y() + 3.1 * at.z() + 1));
 }
 
 // m/s: what is faster was put elsewhere. Bullet takes the way of a kinematic body within a step for its velocity, also

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "base/concat.h"
+#include "base/elementary.h"
 #include "base/number_text.h"
 #include "base/text_file.h"
 #include "host/failure.h"
@@ -123,7 +124,7 @@ void Instance::make() {
 void Instance::start() {
     make();
     const StartSettings& start = values_.parameters.start;
-    const double c = std::cos(start.heading), s = std::sin(start.heading);
+    const double c = cosine(start.heading), s = sine(start.heading);
     for (std::size_t i = 0; i < kWheels; ++i) {
         const Vector3& hub = car_->vehicle().corners[i].hub_B;
         values_.wheel_centre[i] = {start.x + c * hub.x() - s * hub.y(), start.y + s * hub.x() + c * hub.y(), 0};

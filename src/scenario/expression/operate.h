@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/elementary.h"
+#include "base/power.h"
 #include "scenario/expression/functions.h"
 #include "scenario/expression/term.h"
 
@@ -24,7 +26,7 @@ inline double operate(Operation operation, double a, double b) {
         case Operation::divide:
             return a / b;
         case Operation::power:
-            return std::pow(a, b);
+            return power(a, b);
         case Operation::less:
             return a < b;
         case Operation::at_most:
@@ -55,21 +57,21 @@ inline double operate(Function function, double a, double b) {
         case Function::sqrt:
             return std::sqrt(a);
         case Function::sin:
-            return std::sin(a);
+            return sineCosineFar(a).sine;
         case Function::cos:
-            return std::cos(a);
+            return sineCosineFar(a).cosine;
         case Function::tan:
-            return std::tan(a);
+            return tangentFar(a);
         case Function::atan:
-            return std::atan(a);
+            return arctan(a);
         case Function::atan2:
-            return std::atan2(a, b);
+            return arctan2(a, b);
         case Function::hypot:
-            return std::hypot(a, b);
+            return hypotenuse(a, b);
         case Function::lower:
-            return std::fmin(a, b);
+            return b < a || std::isnan(a) ? b : a;
         case Function::higher:
-            return std::fmax(a, b);
+            return a < b || std::isnan(a) ? b : a;
         default:
             return std::numeric_limits<double>::quiet_NaN();
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/delay_line.h"
+#include "base/elementary.h"
 #include "base/lag.h"
 
 namespace tread {
@@ -78,7 +79,7 @@ BrakeTorques advance(BrakeState& state, const BrakeParams& params, const BrakeIn
         const DiscParams& disc = discOf(params, axle);
         const double heating = state.heating[i];
         double friction = disc.friction.empty() ? 1 : disc.friction(params.ambient_temperature + heating);
-        if (disc.fade != 0) friction *= std::exp(-disc.fade * heating);
+        if (disc.fade != 0) friction *= exponential(-disc.fade * heating);
         const auto torque = [&](double share, double parking) {
             const double hydraulic = std::max(torqueOf(params, share, axle) - in.recovered[axle], 0.0);
             return friction * (hydraulic + (axle == 0 ? 0 : 0.5 * params.parking_torque * parking)) + in.commanded[i] +

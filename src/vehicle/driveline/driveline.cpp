@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "vehicle/driveline/coupling.h"
 #include "vehicle/driveline/differential.h"
 #include "vehicle/driveline/gearbox.h"
@@ -22,7 +23,7 @@ double meanSpin(const PerWheel<double>& spin, double front_share) {
 }
 
 double follow(double value, double target, double time_constant, double dt) {
-    return time_constant == 0 ? target : target + (value - target) * std::exp(-dt / time_constant);
+    return time_constant == 0 ? target : target + (value - target) * exponential(-dt / time_constant);
 }
 
 double motorInertia(const DrivelineParams& params) {
