@@ -12,7 +12,7 @@
 
 #include "base/power.h"
 
-namespace tread {
+namespace tread::elementary_test {
 namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
@@ -237,4 +237,4 @@ TEST(Elementary, LanesHaveTheBitsOfNumbers) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::elementary_test

@@ -19,7 +19,7 @@
 #include "tread/load.h"
 #include "tread/road_surface.h"
 
-namespace tread {
+namespace tread::mover_test {
 namespace {
 
 constexpr double kLongest = 2;  // s of each scenario: past the beginning of all manoeuvres, and quickly driven
@@ -209,4 +209,4 @@ TEST(DrivenTogether, ACallMayDriveOthersTogether) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::mover_test

@@ -10,7 +10,7 @@
 #include "places/places.h"
 #include "shared/source_files.h"
 
-namespace tread {
+namespace tread::own_functions_test {
 namespace {
 
 // Folders of src that compute a run.
@@ -58,4 +58,4 @@ TEST(OwnFunctions, OthersAreFound) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::own_functions_test
