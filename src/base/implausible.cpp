@@ -20,6 +20,7 @@ std::string rounded(double value) {
     if (value == 0 || !std::isfinite(value)) return numberText(value);
     const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)))) - 2;
     const double unit = std::pow(10.0, std::abs(exponent));
+    if (!std::isfinite(unit)) return numberText(value);  // too small to be rounded so
     return numberText(exponent < 0 ? std::round(value * unit) / unit : std::round(value / unit) * unit);
 }
 

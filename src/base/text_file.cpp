@@ -4,7 +4,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <memory>
 #include <system_error>
 #include <utility>
@@ -71,25 +70,41 @@ std::size_t mostBytes() {
     return bytes > 0 ? static_cast<std::size_t>(bytes) : kUsual;
 }
 
-// False, with the reason, where the file ends in a fault or beyond the most bytes.
-bool readAll(std::FILE* file, std::string& text, std::string& fault) {
+// At most one byte more than `most`; false, with the reason, where the file ends in a fault.
+bool readUpTo(std::FILE* file, std::size_t most, std::string& text, std::string& fault) {
     constexpr std::size_t kReadBytes = 1 << 20;
-    const std::size_t most = mostBytes();
-    for (std::size_t size = 1; text.size() != size;) {
+    for (std::size_t size = 1; text.size() != size && text.size() <= most;) {
         size = text.size();
-        text.resize(size + kReadBytes);
-        text.resize(size + std::fread(text.data() + size, 1, kReadBytes, file));
+        text.resize(std::min(size + kReadBytes, most) + 1);
+        const std::size_t wanted = text.size() - size;
+        text.resize(size + std::fread(text.data() + size, 1, wanted, file));
         if (std::ferror(file) != 0) {
             fault = std::generic_category().message(errno);
             return false;
         }
-        if (text.size() > most) {
-            fault = "it holds more than " + std::to_string(most) +
-                    " bytes; set the variable TREAD_LARGEST_FILE to a larger number of bytes to read it";
-            return false;
-        }
     }
     return true;
+}
+
+// False, with the reason, where the file ends in a fault or beyond the most bytes.
+bool readAll(std::FILE* file, std::string& text, std::string& fault) {
+    const std::size_t most = mostBytes();
+    if (!readUpTo(file, most, text, fault)) return false;
+    if (text.size() <= most) return true;
+    fault = "it holds more than " + std::to_string(most) +
+            " bytes; set the variable TREAD_LARGEST_FILE to a larger number of bytes to read it";
+    return false;
+}
+
+struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, Close>;
+
+File opened(const std::filesystem::path& path) {
+    File file(std::fopen(path.c_str(), "rb"));
+    while (!file && errno == EINTR) file.reset(std::fopen(path.c_str(), "rb"));
+    return file;
 }
 
 }  // namespace
@@ -102,8 +117,7 @@ std::optional<std::string> readWholeFile(const std::filesystem::path& path, std:
         fault = kNotRegular;
         return {};
     }
-    const auto close = [](std::FILE* file) { std::fclose(file); };
-    const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
+    const File file = opened(path);
     if (!file) {
         fault = std::generic_category().message(errno);
         return {};
@@ -126,14 +140,12 @@ std::optional<std::string> readTextFile(const std::filesystem::path& file, std::
         fault = kNotRegular;
         return {};
     }
-    std::ifstream stream(file, std::ios::binary);
-    std::string text(kLargestFile + 1, '\0');
-    if (stream) stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (!stream.is_open() || stream.bad()) {
+    const File stream = opened(file);
+    std::string text;
+    if (!stream || !readUpTo(stream.get(), kLargestFile, text, fault)) {
         fault = "found a file that cannot be read; check its permissions";
         return {};
     }
-    text.resize(static_cast<std::size_t>(stream.gcount()));
     return text;
 }
 

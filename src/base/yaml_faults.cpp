@@ -10,7 +10,7 @@
 namespace tread {
 namespace {
 
-constexpr std::size_t kFewKeys = 3;  // so many strange keys tell a file of another kind, and are named
+constexpr std::size_t kFewKeys = 3;  // so many strange keys tell a file of another kind
 
 bool isPartOfName(char c) {
     return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -65,20 +65,24 @@ void YamlReader::gatherMissing(const YamlPlace& place, std::size_t faults_before
 
 bool YamlReader::rejectsKind(const YamlPlace& place, const YamlDocument& document,
                              std::span<const std::string_view> names) const {
-    if (document.root().kind != YamlNode::Kind::map) return false;
+    // Whatever the file is, nothing of it is told: whoever reads the message may not be whoever may read the file.
+    const auto reject = [&](const char* what) {
+        complain(place, "found " + quote(place.node->text) + ", " + what + ", expected a file with " + listed(names) +
+                            "; name another file");
+        return true;
+    };
+    if (document.root().kind == YamlNode::Kind::nothing) return false;
+    if (document.root().kind != YamlNode::Kind::map) return reject("which has no \"key: value\" lines");
     std::vector<std::string_view> strange;
     const std::vector<std::size_t>& children = document.root().children;
     for (std::size_t i = 0; i < children.size(); i += 2) {
         const std::string_view key = document.nodes[children[i]].text;
         if (std::find(names.begin(), names.end(), key) == names.end() && !closest(key, names)) strange.push_back(key);
     }
-    if (strange.size() < kFewKeys || 4 * strange.size() < children.size())
-        return false;  // two nodes are a key and its value
-    std::string keys;
-    for (std::size_t i = 0; i < kFewKeys; ++i) keys += (i > 0 ? ", " : "") + quote(strange[i]);
-    complain(place, "found " + quote(place.node->text) + ", a file of another kind (with " + keys +
-                        "), expected a file with " + listed(names) + "; name another file");
-    return true;
+    const std::size_t keys = children.size() / 2;  // two nodes are a key and its value
+    const bool is_other =
+        keys > 0 && (strange.size() == keys || (strange.size() >= kFewKeys && 2 * strange.size() >= keys));
+    return is_other && reject("a file of another kind");
 }
 
 }  // namespace tread

@@ -1,11 +1,8 @@
 #include "campaign/database.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <charconv>
 #include <limits>
 #include <system_error>
@@ -32,13 +29,22 @@ std::string listOf(const std::vector<std::string>& names) {
 }
 
 struct Statement {
-    Statement(sqlite3* database, const std::string& text) {
-        if (sqlite3_prepare_v2(database, text.c_str(), -1, &handle, nullptr) != SQLITE_OK)
-            throw FileError(fmt::format("cannot read the results: {}", sqlite3_errmsg(database)));
+    Statement(sqlite3* from, const std::string& text) : database(from) {
+        if (sqlite3_prepare_v2(database, text.c_str(), -1, &handle, nullptr) != SQLITE_OK) fail();
     }
     ~Statement() { sqlite3_finalize(handle); }
     Statement(const Statement&) = delete;
     Statement& operator=(const Statement&) = delete;
+    bool hasRow() const {
+        const int step = sqlite3_step(handle);
+        if (step != SQLITE_ROW && step != SQLITE_DONE) fail();
+        return step == SQLITE_ROW;
+    }
+    [[noreturn]] void fail() const {
+        throw FileError(fmt::format("cannot read the results: {}", sqlite3_errmsg(database)));
+    }
+
+    sqlite3* database;
     sqlite3_stmt* handle = nullptr;
 };
 
@@ -57,12 +63,9 @@ std::string sqlText(std::string_view text) {
     return doubled(text, '\'');
 }
 
-DatabaseWriter::DatabaseWriter(const std::filesystem::path& file, const Plan& plan) : file_(file), part_(file) {
-    part_ += ".part";  // whoever merges holds the claim to do so
-    std::error_code ignored;
-    std::filesystem::remove(part_, ignored);
-    if (sqlite3_open_v2(part_.c_str(), &database_, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr) != SQLITE_OK)
-        fail();
+DatabaseWriter::DatabaseWriter(const std::filesystem::path& file, const Plan& plan) : name_(file), file_(file) {
+    // Nobody else writes to it, so it needs no locks.
+    if (sqlite3_open_v2(file_.part().c_str(), &database_, SQLITE_OPEN_READWRITE, "unix-none") != SQLITE_OK) fail();
     // The file is new and gets its name only when it is whole: a journal would guard nothing.
     execute("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA page_size = 4096; PRAGMA encoding = 'UTF-8'");
     execute("BEGIN");
@@ -109,8 +112,6 @@ DatabaseWriter::DatabaseWriter(const std::filesystem::path& file, const Plan& pl
 
 DatabaseWriter::~DatabaseWriter() {
     close();
-    std::error_code ignored;
-    std::filesystem::remove(part_, ignored);
 }
 
 void DatabaseWriter::add(const std::vector<std::string>& cells) {
@@ -138,16 +139,7 @@ void DatabaseWriter::finish() {
     insert_ = nullptr;
     execute("COMMIT");
     close();
-    const int file = open(part_.c_str(), O_RDONLY | O_CLOEXEC);
-    const bool synced = file >= 0 && fsync(file) == 0;
-    const int error = errno;
-    if (file >= 0) ::close(file);
-    std::error_code renamed;
-    if (synced) std::filesystem::rename(part_, file_, renamed);
-    if (!synced || renamed) {
-        throw FileError(fmt::format("cannot write '{}': {}", file_.string(),
-                                    synced ? renamed.message() : std::generic_category().message(error)));
-    }
+    file_.finish();
 }
 
 void DatabaseWriter::execute(const std::string& statement) {
@@ -159,9 +151,7 @@ void DatabaseWriter::fail() {
     const std::string reason = system != 0 ? std::generic_category().message(system)
                                            : std::string(database_ ? sqlite3_errmsg(database_) : "no memory");
     close();
-    std::error_code ignored;
-    std::filesystem::remove(part_, ignored);
-    throw FileError(fmt::format("cannot write '{}': {}", file_.string(), reason));
+    throw FileError(fmt::format("cannot write '{}': {}", name_.string(), reason));
 }
 
 void DatabaseWriter::close() {
@@ -185,7 +175,7 @@ DatabaseReader::~DatabaseReader() {
 std::vector<double> DatabaseReader::numbers(const std::string& column, const std::string& condition) const {
     const Statement select(database_, selectOf(column, condition));
     std::vector<double> values;
-    while (sqlite3_step(select.handle) == SQLITE_ROW) {
+    while (select.hasRow()) {
         const bool none = sqlite3_column_type(select.handle, 0) == SQLITE_NULL;
         values.push_back(none ? std::numeric_limits<double>::quiet_NaN() : sqlite3_column_double(select.handle, 0));
     }
@@ -195,7 +185,7 @@ std::vector<double> DatabaseReader::numbers(const std::string& column, const std
 std::vector<std::string> DatabaseReader::texts(const std::string& column, const std::string& condition) const {
     const Statement select(database_, selectOf(column, condition));
     std::vector<std::string> values;
-    while (sqlite3_step(select.handle) == SQLITE_ROW) {
+    while (select.hasRow()) {
         const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(select.handle, 0));
         values.emplace_back(text ? text : "");
     }

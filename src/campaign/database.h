@@ -15,13 +15,14 @@
 #include <vector>
 
 #include "campaign/plan.h"
+#include "store/whole_file.h"
 
 struct sqlite3;
 struct sqlite3_stmt;
 
 namespace tread::campaign {
 
-// A database in the making, under a temporary name until finish(). The same rows give the same bytes.
+// A database in the making, as a whole file. The same rows give the same bytes.
 class DatabaseWriter {
 public:
     DatabaseWriter(const std::filesystem::path& file, const Plan& plan);  // throws FileError
@@ -33,7 +34,8 @@ public:
     void finish();
 
 private:
-    std::filesystem::path file_, part_;
+    std::filesystem::path name_;
+    WholeFile file_;
     sqlite3* database_ = nullptr;
     sqlite3_stmt* insert_ = nullptr;
     std::vector<bool> is_text_;  // by column

@@ -9,7 +9,8 @@
 #include "base/number_text.h"
 #include "base/trimmed.h"
 #include "log/csv.h"
-#include "store/durable_file.h"
+#include "store/result_folder.h"
+#include "store/whole_file.h"
 #include "tread/problem.h"
 
 namespace tread::campaign {
@@ -53,12 +54,8 @@ Path pieceFile(const Path& folder, const Plan& plan, std::uint64_t piece) {
 }
 
 void openFolder(const Path& folder, const Plan& plan) {
-    std::error_code error;
-    std::filesystem::create_directories(folder / "pieces", error);
-    if (error) {
-        throw FileError(
-            fmt::format("cannot create the folder {}: {}; choose another with -o", folder.string(), error.message()));
-    }
+    makeFolder(folder);
+    makeFolder(folder / "pieces");
     const Path file = inputsFile(folder);
     if (std::filesystem::exists(file)) {
         const std::string before = readBytes(file);
@@ -71,7 +68,7 @@ void openFolder(const Path& folder, const Plan& plan) {
         throw LoadError({{folder.string(), 0, 0, "",
                           "found results without inputs.yaml, expected an empty folder; choose another with -o"}});
     }
-    writeDurably(file, plan.identity);
+    writeFile(file, plan.identity);
 }
 
 std::string firstDifference(std::string_view before, std::string_view now) {
@@ -99,6 +96,8 @@ std::vector<bool> piecesPresent(const Path& folder, const Plan& plan) {
         const std::uint64_t piece = first / plan.runs_per_piece;
         if (name == pieceFile(folder, plan, piece).filename()) present[piece] = true;
     }
+    if (error && error != std::errc::no_such_file_or_directory)
+        throw FileError(fmt::format("cannot read the folder {}: {}", (folder / "pieces").string(), error.message()));
     return present;
 }
 

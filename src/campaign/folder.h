@@ -29,7 +29,7 @@ void openFolder(const Path& folder, const Plan& plan);
 // The first lines that differ in two texts, in words; empty when they are equal.
 std::string firstDifference(std::string_view before, std::string_view now);
 
-// Which pieces have a file, damaged or not.
+// Which pieces have a file, damaged or not. Throws FileError.
 std::vector<bool> piecesPresent(const Path& folder, const Plan& plan);
 
 // Removes what killed processes have left in the folder under temporary names.

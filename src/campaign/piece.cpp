@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "campaign/row.h"
 #include "store/sha256.h"
 
 namespace tread::campaign {
@@ -46,6 +47,12 @@ bool readPiece(const Plan& plan, std::uint64_t number, std::string_view text, Pi
         return false;
     }
     piece = {std::string(body.substr(0, split)), std::string(body.substr(split))};
+    const std::size_t cells = columnNames(plan).size();
+    for (const std::string_view line : linesIn(piece.rows)) {
+        if (cellsOf(line).size() == cells) continue;
+        fault = "it has a row with another number of cells";
+        return false;
+    }
     return true;
 }
 

@@ -1,22 +1,16 @@
 #include "campaign/result.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <charconv>
 #include <chrono>
-#include <cstdio>
-#include <memory>
-#include <system_error>
 #include <thread>
-#include <utility>
 
 #include "campaign/database.h"
 #include "campaign/piece.h"
 #include "log/csv.h"
 #include "store/claims.h"
-#include "store/durable_file.h"
+#include "store/result_folder.h"
+#include "store/whole_file.h"
 
 namespace tread::campaign {
 namespace {
@@ -61,43 +55,6 @@ void countSeconds(Tally& tally, const Piece& piece) {
     }
 }
 
-// A text that grows beyond memory, under a temporary name until finish().
-class GrowingFile {
-public:
-    GrowingFile(Path file, std::string_view head) : file_(std::move(file)), part_(file_) {
-        part_ += ".part";
-        stream_.reset(std::fopen(part_.c_str(), "wb"));
-        if (!stream_) fail();
-        write(head);
-    }
-    void write(std::string_view text) {
-        if (std::fwrite(text.data(), 1, text.size(), stream_.get()) != text.size()) fail();
-    }
-    void finish() {
-        if (std::fflush(stream_.get()) != 0 || fsync(fileno(stream_.get())) != 0) fail();
-        stream_.reset();
-        if (std::rename(part_.c_str(), file_.c_str()) != 0) fail();
-    }
-    ~GrowingFile() {
-        std::error_code ignored;
-        std::filesystem::remove(part_, ignored);
-    }
-    GrowingFile(const GrowingFile&) = delete;
-    GrowingFile& operator=(const GrowingFile&) = delete;
-
-private:
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
-    Path file_, part_;
-    std::unique_ptr<std::FILE, Close> stream_;
-
-    [[noreturn]] void fail() {
-        const int error = errno;
-        throw FileError(fmt::format("cannot write '{}': {}", file_.string(), std::generic_category().message(error)));
-    }
-};
-
 }  // namespace
 
 Tally tally(const Plan& plan, const std::vector<Path>& folders) {
@@ -122,8 +79,9 @@ Tally merge(const Plan& plan, const std::vector<Path>& folders, const Path& targ
         }
         if (before.missing > 0) return tally(plan, folders);
     }
-    GrowingFile table(target / "results.csv", csvLine(columnNames(plan)));
-    GrowingFile timings(target / "timings.csv", "run,seconds\n");
+    WholeFile table(target / "results.csv"), timings(target / "timings.csv");
+    table.write(csvLine(columnNames(plan)));
+    timings.write("run,seconds\n");
     DatabaseWriter database(target / "results.sqlite", plan);
     const Tally found = eachPiece(plan, folders, [&](const Piece& piece, Tally& tally) {
         for (const std::string_view line : linesIn(piece.rows)) {
@@ -136,9 +94,16 @@ Tally merge(const Plan& plan, const std::vector<Path>& folders, const Path& targ
         timings.write(piece.timings);
     });
     if (found.missing > 0 && !partial) return found;
+    // Whoever was killed here has left files of two merges.
+    const bool had_results = std::filesystem::exists(target / "results.csv");
+    if (had_results) {
+        markIncomplete(target);
+        removeResult(target / "report.html");
+    }
     database.finish();
     timings.finish();
     table.finish();
+    if (had_results || isIncomplete(target)) removeResult(target / kIncomplete);
     removeAllLeftovers(target);
     return found;
 }

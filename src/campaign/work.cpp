@@ -13,7 +13,7 @@
 #include "log/csv.h"
 #include "run/simulate.h"
 #include "run/together.h"
-#include "store/durable_file.h"
+#include "store/whole_file.h"
 
 namespace tread::campaign {
 namespace {
@@ -51,7 +51,7 @@ public:
         } catch (const Interrupted&) {
             return false;
         }
-        if (keep && log.samples() > 0) writeDurably(logFile(folder_, run.number), binaryLog(log));
+        if (keep && log.samples() > 0) writeFile(logFile(folder_, run.number), binaryLog(log));
         done.seconds = ownSeconds() - begin;
         const std::scoped_lock lock(guard_);
         seconds_ += done.seconds;
@@ -72,7 +72,7 @@ public:
             piece.rows += runs[i].row;
             piece.timings += fmt::format("{},{:.6f}\n", plan_.firstOf(number) + i, runs[i].seconds);
         }
-        writeDurably(pieceFile(folder_, plan_, number), pieceText(plan_, number, piece));
+        writeFile(pieceFile(folder_, plan_, number), pieceText(plan_, number, piece));
     }
 
     double seconds() const { return seconds_; }

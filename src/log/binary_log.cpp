@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <new>
@@ -34,6 +35,19 @@ std::string unpacked(std::string_view bytes, const std::string& file) {
     const std::size_t got = ZSTD_decompress(text.data(), text.size(), bytes.data(), bytes.size());
     if (ZSTD_isError(got) || got != text.size()) refuse(file, "a damaged Zstandard frame");
     return text;
+}
+
+// What every log promises, and the reader of CSV demands.
+void expectTime(const Log& log, const std::string& file) {
+    const Channel& time = log.channels.front();
+    if (time.name != "time" || time.unit != "s") refuse(file, "no time in seconds in the first column");
+    if (time.values.empty()) refuse(file, "no rows");
+    for (std::size_t i = 0; i < time.values.size(); ++i) {
+        if (!std::isfinite(time.values[i]) || (i > 0 && time.values[i] <= time.values[i - 1]))
+            refuse(file, "a time that does not increase");
+    }
+    for (const Channel& channel : log.channels)
+        if (channel.name.empty() || channel.unit.empty()) refuse(file, "a column without a name or a unit");
 }
 
 }  // namespace
@@ -93,6 +107,7 @@ Log parseBinaryLog(std::string_view bytes, const std::string& file) {
             channel.values.push_back(std::bit_cast<double>(littleEndian(bits)));
         }
     }
+    expectTime(log, file);
     return log;
 }
 

@@ -8,6 +8,7 @@
 #include "log/csv.h"
 #include "log/csv_header.h"
 #include "log/csv_lines.h"
+#include "store/result_folder.h"
 
 namespace tread {
 namespace {
@@ -131,6 +132,7 @@ std::string readBytes(const std::filesystem::path& path) {
 }
 
 Log readLog(const std::filesystem::path& path) {
+    expectComplete(path);
     const std::string bytes = readBytes(path);
     return isBinaryLog(bytes) ? parseBinaryLog(bytes, path.string()) : parseLog(bytes, path.string());
 }

@@ -1,9 +1,4 @@
-#include <unistd.h>
-
 #include <cassert>
-#include <cerrno>
-#include <system_error>
-#include <utility>
 
 #include "base/number_text.h"
 #include "log/csv.h"
@@ -14,22 +9,32 @@ namespace {
 
 constexpr std::size_t kFlushBytes = 1 << 16;  // a crash of the whole process loses at most this much
 
-std::string reasonOf(int error) {
-    return std::generic_category().message(error);
+void appendRow(std::string& text, std::span<const double> row) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        if (i > 0) text += ',';
+        appendNumber(text, row[i]);
+    }
+    text += '\n';
 }
+
+void expectSound(const std::vector<Column>& columns, const std::filesystem::path& path) {
+    const std::string fault = columnFault(columns);
+    if (!fault.empty()) throw FileError("cannot write '" + path.string() + "': " + fault);
+}
+
+// The log has ended when it goes out of scope, whatever became of it.
+struct Ending {
+    std::optional<WholeFile>& file;
+    ~Ending() { file.reset(); }
+};
 
 }  // namespace
 
-LogWriter::LogWriter(std::filesystem::path path, const std::vector<Column>& columns)
-    : path_(std::move(path)), part_(path_), incomplete_(path_), columns_(columns.size()) {
-    part_ += ".part";
+LogWriter::LogWriter(const std::filesystem::path& path, const std::vector<Column>& columns)
+    : incomplete_(path), columns_(columns.size()) {
     incomplete_.replace_extension(".incomplete.csv");
-    if (const std::string fault = columnFault(columns); !fault.empty()) {
-        throw FileError("cannot write '" + path_.string() + "': " + fault);
-    }
-    file_.reset(std::fopen(part_.c_str(), "wb"));
-    if (!file_) throw FileError("cannot write '" + part_.string() + "': " + reasonOf(errno));
-    std::setvbuf(file_.get(), nullptr, _IONBF, 0);  // one buffer is enough, and ours knows where rows end
+    expectSound(columns, path);
+    file_.emplace(path);
     buffer_ = headerRow(columns);
     header_bytes_ = buffer_.size();
 }
@@ -40,30 +45,25 @@ LogWriter::~LogWriter() {
 
 void LogWriter::write(std::span<const double> row) {
     assert(row.size() == columns_ && file_);
-    for (std::size_t i = 0; i < row.size(); ++i) {
-        if (i > 0) buffer_ += ',';
-        appendNumber(buffer_, row[i]);
-    }
-    buffer_ += '\n';
+    appendRow(buffer_, row);
     if (buffer_.size() >= kFlushBytes) flush();
 }
 
 void LogWriter::finish() {
     assert(file_);
     flush();
-    // The rows must be on the disk before the name is: some file systems report a full disk only here or on closing.
-    if (fsync(fileno(file_.get())) != 0) fail(reasonOf(errno));
-    close();
-    std::error_code error;
-    std::filesystem::rename(part_, path_, error);
-    if (error) fail(error.message());
+    try {
+        file_->finish();
+        file_.reset();
+    } catch (const FileError& error) {
+        fail(error);
+    }
 }
 
 std::string LogWriter::keepIncomplete() {
     assert(file_);
     try {
         flush();
-        close();
     } catch (const FileError& error) {
         return error.what();
     }
@@ -71,51 +71,50 @@ std::string LogWriter::keepIncomplete() {
 }
 
 void LogWriter::flush() {
-    const std::size_t written = std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get());
-    if (written == buffer_.size()) {
-        row_bytes_ += written;
+    try {
+        file_->write(buffer_);
+        file_->flush();
+        row_bytes_ += buffer_.size();
         buffer_.clear();
-        return;
+    } catch (const FileError& error) {
+        const std::size_t row_end = buffer_.rfind('\n', file_->written() - row_bytes_ - 1);
+        if (file_->written() > row_bytes_ && row_end != std::string::npos) row_bytes_ += row_end + 1;
+        fail(error);
     }
-    const int error = errno;
-    const std::size_t row_end = std::string_view(buffer_).substr(0, written).rfind('\n');
-    if (row_end != std::string_view::npos) row_bytes_ += row_end + 1;
-    fail(reasonOf(error));
-}
-
-void LogWriter::close() {
-    if (std::fclose(file_.release()) != 0) fail(reasonOf(errno));
 }
 
 // Cuts off a torn last row and gives the rest the name that says so; without a whole row the file goes.
 std::string LogWriter::nameIncomplete() {
-    std::error_code error;
-    if (row_bytes_ <= header_bytes_) {
-        std::filesystem::remove(part_, error);
-        return "no row was written";
+    const Ending ending{file_};
+    if (row_bytes_ <= header_bytes_) return "no row was written";
+    try {
+        file_->keepAs(incomplete_, row_bytes_);
+    } catch (const FileError& error) {
+        return std::string("no row was kept: ") + error.what();
     }
-    if (std::filesystem::file_size(part_, error) > row_bytes_) std::filesystem::resize_file(part_, row_bytes_, error);
-    if (!error) std::filesystem::rename(part_, incomplete_, error);
-    if (!error) return "the rows so far are in '" + incomplete_.string() + "'";
-    return "the rows so far stay in '" + part_.string() + "', which cannot become '" + incomplete_.string() +
-           "': " + error.message();
+    return "the rows so far are in '" + incomplete_.string() + "'";
 }
 
-void LogWriter::fail(const std::string& reason) {
-    file_.reset();
-    throw FileError("cannot write '" + path_.string() + "': " + reason + "; " + nameIncomplete());
+void LogWriter::fail(const FileError& error) {
+    throw FileError(error.what() + ("; " + nameIncomplete()));
 }
 
 void writeLog(const std::filesystem::path& path, const Log& log) {
     std::vector<Column> columns;
     for (const Channel& channel : log.channels) columns.push_back({channel.name, channel.unit});
-    LogWriter writer(path, columns);
+    expectSound(columns, path);
+    WholeFile file(path);
+    std::string text = headerRow(columns);
     std::vector<double> row(columns.size());
     for (std::size_t sample = 0; sample < log.samples(); ++sample) {
         for (std::size_t i = 0; i < row.size(); ++i) row[i] = log.channels[i].values[sample];
-        writer.write(row);
+        appendRow(text, row);
+        if (text.size() < kFlushBytes) continue;
+        file.write(text);
+        text.clear();
     }
-    writer.finish();
+    file.write(text);
+    file.finish();
 }
 
 }  // namespace tread

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "log/csv.h"
+#include "store/whole_file.h"
 
 namespace tread {
 namespace {

@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <random>
 #include <thread>
 
 #include "base/number_text.h"
+#include "cli/killed.h"
 #include "cli/tread_run.h"
 #include "log/csv.h"
 #include "shared/file_size_limit.h"
@@ -137,26 +137,25 @@ TEST_F(TreadCampaign, KilledAtAnyMomentItGoesOnToTheSameBytes) {
     ASSERT_EQ(drive("whole").status, 0);
     const char* const asked = std::getenv("TREAD_KILLS");
     const int wanted = asked ? std::atoi(asked) : 20;
-    std::mt19937 random(7);
-    std::uniform_int_distribution<int> delay(0, 300);  // ms
     int finished = 0;
     std::string name = "killed0";
-    for (int kills = 0; kills < wanted;) {
-        Running program(call(name, {"--threads", "2"}), scratch.path("stdout"), scratch.path("stderr"));
-        std::this_thread::sleep_for(std::chrono::milliseconds(delay(random)));
-        program.send(SIGKILL);
-        if (program.waitForStatus() != 0) ++kills;
-        if (!isDone(name)) continue;
-        EXPECT_EQ(bytesOf(name), bytesOf("whole"));
-        name = "killed" + std::to_string(++finished);
-    }
+    killAtRandom(
+        wanted, std::chrono::milliseconds(300),
+        [&] {
+            return call(name, {"--threads", "2"});
+        },
+        [&] {
+            if (!isDone(name)) return;
+            EXPECT_EQ(bytesOf(name), bytesOf("whole"));
+            name = "killed" + std::to_string(++finished);
+        });
     const Result last = drive(name);
     EXPECT_EQ(last.status, 0) << last.err;
     EXPECT_EQ(last.err, "");
     EXPECT_EQ(bytesOf(name), bytesOf("whole"));
     EXPECT_EQ(lines(name).size(), 1u + kRuns);
     for (const auto& entry : fs::recursive_directory_iterator(folder(name)))
-        EXPECT_NE(entry.path().extension(), ".tmp") << "left by a killed process";
+        EXPECT_NE(entry.path().extension(), ".part") << "left by a killed process";
 }
 
 TEST_F(TreadCampaign, CtrlCKeepsWhatIsDone) {

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <random>
+#include <regex>
 
 #include "cli/logs.h"
 #include "cli/program.h"
@@ -383,6 +386,43 @@ TEST_F(Check, AnIncludedFileOfAnotherKindIsOneFault) {
     EXPECT_EQ(firstLine(result.out), "1 fault in 1 file") << result.out;
     EXPECT_NE(result.out.find(bad + ":" + place(text, kScenarios) + ": front.tyre: found "), std::string::npos);
     EXPECT_NE(result.out.find("a file of another kind"), std::string::npos) << result.out;
+}
+
+// Each number of a file is exchanged by what no car has, each line left out.
+TEST_F(Check, AndRunRefuseTheSameFiles) {
+    const std::string scenario = scratch.file(
+        "short.yaml", "title: short\nstart: {speed: 15 km/h}\nphases:\n  - {name: on, until: {duration: 0.01 s}}\n");
+    const auto refusals = [&](const std::vector<std::string>& run) {
+        const Result checked = runProgram({"check", run[1] == car ? run[2] : run[1]}), driven = runProgram(run);
+        EXPECT_TRUE(checked.status == 0 || checked.status == 2) << checked.out;
+        EXPECT_TRUE(driven.status >= 0 && driven.status <= 3) << driven.err;
+        EXPECT_EQ(checked.status == 2, driven.status == 2) << checked.out << driven.err;
+    };
+    const auto expectSame = [&](const std::string& file, bool is_car) {
+        SCOPED_TRACE(file);
+        if (is_car) refusals({"run", file, scenario, "-o", scratch.path("out")});
+        else refusals({"run", car, file, "-o", scratch.path("out"), "--set", "scenario.time_limit=0.01"});
+    };
+    for (const std::string& folder : {kVehicles, kScenarios}) {
+        for (const auto& entry : std::filesystem::directory_iterator(folder))
+            if (entry.path().extension() == ".yaml") expectSame(entry.path().string(), folder == kVehicles);
+    }
+    const std::regex number(R"((^|[^\w.])-?[0-9]+(\.[0-9]+)?)");
+    std::mt19937 random(3);
+    for (const bool is_car : {true, false}) {
+        const std::string text = contentOf(is_car ? car : kScenarios + "double_lane_change.yaml");
+        for (std::size_t begin = 0; begin < text.size();) {
+            const std::size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
+            const std::string line = text.substr(begin, end - begin);
+            const std::string values[] = {"", "$010e-308", "$01-1", "$010", "$011e308", "$01x"};
+            const std::string& value = values[random() % std::size(values)];
+            const std::string other =
+                value.empty() ? "" : std::regex_replace(line, number, value, std::regex_constants::format_first_only);
+            if (random() % 3 == 0)
+                expectSame(scratch.file("other.yaml", text.substr(0, begin) + other + text.substr(end)), is_car);
+            begin = end;
+        }
+    }
 }
 
 // ---- All faults at once, and no other ------------------------------------------------------------------------------

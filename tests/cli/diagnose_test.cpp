@@ -1,11 +1,14 @@
 // `tread diagnose` and `tread identify` before they compute anything: what they refuse, and what they say of the data.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "cli/killed.h"
 #include "cli/program.h"
 #include "log/csv.h"
 #include "places/places.h"
@@ -181,11 +184,13 @@ TEST_F(DiagnoseCommand, CheckSaysWhatTheDrivesCouldShowWithoutADiagnosis) {
     EXPECT_NE(text.out.find("brake_gain", hidden), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(scratch.path("out/diagnosis.json")));
 
-    const nlohmann::json json = nlohmann::json::parse(checked({"--json"}).out);
+    const std::string with_cache = checked({"--json"}).out;
+    const nlohmann::json json = nlohmann::json::parse(with_cache);
     EXPECT_EQ(json.at("can_be_found"), nlohmann::json::array({"steering_delay"}));
     EXPECT_EQ(json.at("cannot_be_seen"), nlohmann::json::array({"brake_gain"}));
     EXPECT_GT(json.at("expected_evidence").at("steering_delay"), 6);
-    EXPECT_LT(json.at("simulations").get<int>(), 240) << "sensitivities were kept by the first check";
+    EXPECT_GT(std::filesystem::remove_all(scratch.path("out/cache")), 0u);
+    EXPECT_EQ(checked({"--json"}).out, with_cache) << "the answer does not depend on what was kept";
 }
 
 TEST_F(DiagnoseCommand, WarnsOfImplausibleNumbersOfTheCarAndRefusesThemWithStrict) {
@@ -268,7 +273,8 @@ TEST_F(DiagnoseCommand, AllDiagnosesOfAFolderInPartsGiveOneTable) {
     EXPECT_EQ(all.status, 3) << all.err;
     EXPECT_NE(all.out.find(" of 2 diagnoses answered, 1 failed"), std::string::npos) << all.out;
     const std::string table = contentOf(scratch.path("out/diagnoses.csv"));
-    EXPECT_TRUE(table.starts_with("name,inputs,failure,answered,verdict,answer,causes,closed [-],remaining [-]\nfirst,"))
+    EXPECT_TRUE(
+        table.starts_with("name,inputs,failure,answered,verdict,answer,causes,closed [-],remaining [-]\nfirst,"))
         << table;
     EXPECT_NE(table.find("\nsecond,"), std::string::npos) << table;
     EXPECT_NE(table.find("a.csv"), std::string::npos) << table;
@@ -279,6 +285,64 @@ TEST_F(DiagnoseCommand, AllDiagnosesOfAFolderInPartsGiveOneTable) {
     EXPECT_EQ(runProgram({"diagnose", "--all", scratch.path("cars"), "-o", scratch.path("out")}).status, 3);
     EXPECT_EQ(contentOf(scratch.path("out/diagnoses.csv")), table);
     EXPECT_EQ(std::filesystem::last_write_time(scratch.path("out/first/diagnosis.json")), written);
+}
+
+TEST_F(DiagnoseCommand, AllKilledAtAnyMomentInTwoPartsGoOnToTheSameBytes) {
+    for (const std::string name : {"first", "second"}) {
+        std::filesystem::create_directories(scratch.path("cars/" + name));
+        recorded("cars/" + name + "/a.csv", slalom(name == "first" ? 1.5 : 1.2));
+        scratch.file("cars/" + name + "/diagnosis.yaml",
+                     "vehicle: " + sourceFile("vehicles/compact.yaml") +
+                         "\nrecordings:\n  - {log: a.csv, speed: followed}\neffects: [steering_delay]\n");
+    }
+    const auto call = [&](const std::string& out, const std::vector<std::string>& more = {}) {
+        std::vector<std::string> words{"diagnose", "--all", scratch.path("cars"), "-o", scratch.path(out)};
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    };
+    // All but times: those of the clock, and what is kept for a next diagnosis.
+    const auto resultsIn = [&](const std::string& out) {
+        std::map<std::string, std::string> files;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(scratch.path(out))) {
+            const std::string name = entry.path().lexically_relative(scratch.path(out)).string();
+            if (!entry.is_regular_file() || name.find("cache/") != std::string::npos || name == "claims") continue;
+            std::string text = contentOf(entry.path());
+            if (name.ends_with("diagnosis.json")) {
+                auto json = nlohmann::json::parse(text);
+                json.erase("seconds");
+                text = json.dump();
+            }
+            files[name] = name.ends_with("report.html") ? "a page" : text;
+        }
+        return files;
+    };
+    const auto started = std::chrono::steady_clock::now();
+    ASSERT_LE(runProgram(call("whole")).status, 1);
+    const auto whole_call =
+        std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - started);
+    int turn = 0;
+    killAtRandom(
+        8, whole_call,
+        [&] {
+            return call("killed", {"--shard", ++turn % 2 ? "1/2" : "2/2"});
+        },
+        [] {});
+    ASSERT_LE(runProgram(call("killed")).status, 1);
+    EXPECT_EQ(resultsIn("killed"), resultsIn("whole"));
+}
+
+TEST_F(DiagnoseCommand, FolderThatCannotBeWrittenIsToldBeforeTheWork) {
+    recorded("a.csv", slalom(1.5));
+    diagnosis("effects: [steering_delay]\n");
+    const std::string file = scratch.file("file", "");
+    for (const auto& words :
+         std::vector<std::vector<std::string>>{{"diagnose", scratch.path("diagnosis.yaml"), "-o", file + "/out"},
+                                               {"diagnose", scratch.path("diagnosis.yaml"), "-o", "/proc/out"}}) {
+        const Result result = runProgram(words);
+        EXPECT_EQ(result.status, 2);
+        EXPECT_NE(result.err.find("\ntread: cannot create the folder "), std::string::npos) << result.err;
+        EXPECT_EQ(result.out, "");
+    }
 }
 
 TEST_F(DiagnoseCommand, AllOfAFolderWithoutDiagnosesIsRefused) {

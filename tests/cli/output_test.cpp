@@ -30,6 +30,7 @@ const std::vector<Way> kWays{
     {"Plot", {"tyre", kTyreFile, "--plot"}},
     {"Overlay", {"compare", "log.csv", "log.csv", "--report"}},
     {"Schema", {"schema", "tyre", "-o"}},
+    {"Import", {"import", "log.csv", "-o"}},
     {"Fmu", {"fmu", sourceFile("vehicles/compact.yaml"), "-o"}},
 };
 
@@ -74,6 +75,9 @@ TEST_P(OutputFiles, AreWhole) {
     EXPECT_EQ(write(output.path("link")).status, 0);
     EXPECT_TRUE(std::filesystem::is_symlink(output.path("link"))) << "a link stays a link";
     EXPECT_EQ(contentOf(output.path("old")), content);
+    std::filesystem::permissions(output.path("old"), std::filesystem::perms(0640));
+    EXPECT_EQ(write(output.path("old")).status, 0);
+    EXPECT_EQ(std::filesystem::status(output.path("old")).permissions(), std::filesystem::perms(0640));
     EXPECT_EQ(output.names(), (std::vector<std::string>{"link", "new", "old"}));
 }
 

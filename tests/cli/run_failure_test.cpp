@@ -32,20 +32,6 @@ phases:
     EXPECT_NEAR(readLog(out("log.incomplete.csv")).channels[0].values.back(), 1.5, 0.011);
 }
 
-TEST_F(TreadRun, FailureWithAFullDiskTellsBoth) {
-    car();
-    scenario(replaced(kScenario, "duration: 0.2 s", "speed_above: 300 km/h") + "time_limit: 0.1 s\nlog: {rate: 20}\n");
-    std::filesystem::create_directories(out());
-    std::filesystem::create_symlink("/dev/full", out("log.csv.part"));
-    const Result result = run();
-    EXPECT_EQ(result.status, 3);
-    expectStart(result.err, "tread run: the manoeuvre did not end within 0.1 s: ");
-    EXPECT_TRUE(
-        result.err.ends_with("; cannot write '" + out("log.csv") + "': No space left on device; no row was written\n"))
-        << result.err;
-    EXPECT_EQ(results(), Names{"run.yaml"});
-}
-
 TEST_F(TreadRun, StartSpeedThatTheCarCannotHoldFails) {
     car();
     scenario(replaced(kScenario, "80 km/h", "250 km/h"));

@@ -81,8 +81,8 @@ TEST_F(TreadRun, TyreFileThatNamesItselfIsRefused) {
 TEST_F(TreadRun, OtherCarAsTyreIsRefusedInOneSentence) {
     scratch.file("other.yaml", carText());
     expectCarRefused(carText(kTyre, "tyre: other.yaml"), "other.yaml",
-                     "front.tyre: found \"other.yaml\", a file of another kind (with \"mass\", \"inertia\", "
-                     "\"wheelbase\"), expected a file with name, side, parameters, lambda or notes; name another file");
+                     "front.tyre: found \"other.yaml\", a file of another kind, expected a file with "
+                     "name, side, parameters, lambda or notes; name another file");
 }
 
 TEST_F(TreadRun, AliasBombIsRefusedAtOnce) {

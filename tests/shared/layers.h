@@ -16,7 +16,7 @@ using Path = std::filesystem::path;
 
 // A file may include from its own layer and from those to its left.
 inline const std::vector<std::string> kOrder{"base",      "inference", "road",     "tyre",   "vehicle",   "host",
-                                             "fmu",       "bullet",    "log",      "store",  "import",    "scenario",
+                                             "fmu",       "bullet",    "store",    "log",    "import",    "scenario",
                                              "run",       "compare",   "metrics",  "series", "recording", "diagnose",
                                              "calibrate", "blind",     "campaign", "sheet",  "report",    "tools"};
 
@@ -63,7 +63,7 @@ struct Library {
     std::vector<std::string> beginnings;
     std::vector<std::string> layers;
 };
-inline const std::vector<std::string> kLab(std::find(kOrder.begin(), kOrder.end(), "log"), kOrder.end());
+inline const std::vector<std::string> kLab(std::find(kOrder.begin(), kOrder.end(), "store"), kOrder.end());
 inline const std::vector<Library> kLibraries{
     {"Bullet", {"bt", "Bullet", "LinearMath/"}, {"bullet", "run", "tools"}},
     {"yaml-cpp", {"yaml-cpp/"}, {"base"}},

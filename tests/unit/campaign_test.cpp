@@ -342,7 +342,9 @@ TEST(CampaignPiece, DamageIsNoticed) {
     CampaignFile file;
     const Plan plan = planWith(file);
     ASSERT_EQ(plan.pieces(), 1u);
-    const Piece piece{"0,a\n1,b\n", "0,0.1\n1,0.2\n"};
+    std::vector<std::string> cells(columnNames(plan).size());
+    cells[5] = "a message";
+    const Piece piece{csvLine(cells) + csvLine(cells), "0,0.1\n1,0.2\n"};
     const std::string text = pieceText(plan, 0, piece);
     Piece read;
     std::string fault;

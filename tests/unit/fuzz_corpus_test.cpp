@@ -1,16 +1,24 @@
 // Replays the corpora of the fuzzers: what once was, or could be, a crash.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "blind/answers/answer.h"
+#include "campaign/piece.h"
+#include "campaign/row.h"
+#include "fuzz/binary_log_entry.h"
 #include "fuzz/csv_entry.h"
+#include "fuzz/expression_entry.h"
 #include "fuzz/height_field_entry.h"
 #include "fuzz/tir_entry.h"
 #include "fuzz/yaml_entry.h"
 #include "places/places.h"
 #include "shared/scratch.h"
+#include "store/sha256.h"
 
 namespace tread::fuzz_corpus_test {
 namespace {
@@ -53,6 +61,82 @@ TEST(FuzzCorpus, EveryTyrePropertyFileIsTakenOrRefusedInWords) {
     const auto [files, taken] = replay("tir", fuzz::readHostileTir);
     EXPECT_GE(files, 14u);
     EXPECT_EQ(taken, (std::vector<std::string>{"latin1.tir", "plain.tir", "tables.tir", "units.tir", "windows.tir"}));
+}
+
+TEST(FuzzCorpus, EveryBinaryLogIsTakenOrRefusedInWords) {
+    const auto [files, taken] = replay("binary_log", fuzz::readHostileBinaryLog);
+    EXPECT_GE(files, 9u);
+    EXPECT_EQ(taken, (std::vector<std::string>{"plain.tlog"}));
+}
+
+TEST(FuzzCorpus, EveryExpressionIsTakenOrRefusedInWords) {
+    const auto [files, taken] = replay("expression", fuzz::readHostileExpression);
+    EXPECT_GE(files, 12u);
+    EXPECT_EQ(taken, (std::vector<std::string>{"sound.txt", "unit.txt"}));
+}
+
+// ---- Whole files, damaged where their structure is ------------------------------------------------------------------
+
+// Calls `take` with the text after each of some hundred blows: lines and bytes that are lost, doubled, exchanged.
+void damaged(const std::string& whole, auto&& take) {
+    std::mt19937 random(1);
+    const auto anywhere = [&](const std::string& text) { return random() % (text.size() + 1); };
+    for (int round = 0; round < 300; ++round) {
+        std::string text = whole;
+        for (int blow = 0; blow <= round % 3; ++blow) {
+            const std::size_t at = anywhere(text), end = std::min(text.size(), at + 1 + random() % 20);
+            const std::string piece = text.substr(at, end - at);
+            const std::size_t kind = random() % 5;
+            if (kind == 0) text.erase(at, end - at);
+            else if (kind == 1) text.insert(anywhere(text), piece);
+            else if (kind == 2) text.resize(at);
+            else if (kind == 3 && at < text.size()) text[at] = static_cast<char>(random());
+            else text.insert(at, round % 2 ? "18446744073709551616" : "-1e-308");
+        }
+        take(text);
+    }
+}
+
+TEST(DamagedFiles, BinaryLogsAreTakenOrRefusedInWords) {
+    damaged(contentOf(sourceFile("tests/fuzz/corpus/binary_log/plain.tlog")), fuzz::readHostileBinaryLog);
+}
+
+TEST(DamagedFiles, ExpressionsAreTakenOrRefusedInWords) {
+    damaged(contentOf(sourceFile("tests/fuzz/corpus/expression/sound.txt")), fuzz::readHostileExpression);
+}
+
+TEST(DamagedFiles, PiecesOfCampaignsAreTakenOrTold) {
+    campaign::Plan plan;
+    plan.runs = plan.runs_per_piece = 2;
+    plan.hash = sha256("");
+    const std::string rows = "0,car,stop,0,ok,,\n1,car,stop,0,ok,,\n", timings = "0,0.1\n1,0.1\n";
+    const std::string whole = campaign::pieceText(plan, 0, {rows, timings});
+    campaign::Piece piece;
+    std::string fault;
+    ASSERT_TRUE(campaign::readPiece(plan, 0, whole, piece, fault)) << fault;
+    EXPECT_EQ(piece.rows, rows);
+    const auto read = [&](const std::string& text) {
+        fault.clear();
+        if (!campaign::readPiece(plan, 0, text, piece, fault)) EXPECT_FALSE(fault.empty());
+        else EXPECT_EQ(campaign::cellsOf(campaign::linesIn(piece.rows).front()).size(), campaign::kFixedColumns);
+    };
+    damaged(whole, read);
+    // With a checksum that fits what is damaged.
+    damaged(rows + timings, [&](const std::string& body) { read(campaign::pieceText(plan, 0, {body, ""})); });
+}
+
+TEST(DamagedFiles, AnswersAreTakenOrRefusedInWords) {
+    blind::answers::CaseAnswer answer;
+    answer.name = "case";
+    answer.causes = {"grip"};
+    answer.expected_evidence = {{"grip", 3}};
+    damaged(blind::answers::answerText(answer), [](const std::string& text) {
+        try {
+            blind::answers::parseAnswer(text, "answer.json");
+        } catch (const LoadError& error) {
+            EXPECT_EQ(error.problems().front().file, "answer.json");
+        }
+    });
 }
 
 }  // namespace

@@ -541,9 +541,21 @@ TEST_F(YamlFiles, IncludedFileOfAnotherKindIsOneFaultWhereItIsNamed) {
     const Texts texts = faultsOf(wheel);
     ASSERT_EQ(texts.size(), 1u);
     EXPECT_TRUE(texts[0].starts_with(wheel +
-                                     ":1:7: tyre: found \"tyres/a.yaml\", a file of another kind (with \"mass\", "
-                                     "\"inertia\", \"wheelbase\"), expected a file with "))
+                                     ":1:7: tyre: found \"tyres/a.yaml\", a file of another kind, expected a file "
+                                     "with "))
         << texts[0];
+}
+
+TEST_F(YamlFiles, NothingIsToldOfAnIncludedFileThatIsNone) {
+    for (const std::string text : {"root:x:0:0:root\nsecret:x:1:1:daemon\n", "- secret\n- b\n", "PASSWORD: secret\n",
+                                   "a: b: \"secret\n", "secret"}) {
+        write("tyres/a.yaml", text);
+        const Texts texts = faultsOf(write("wheel.yaml", "name: x\ntyre: tyres/a.yaml\n"));
+        ASSERT_EQ(texts.size(), 1u) << text;
+        EXPECT_NE(texts[0].find("tyres/a.yaml"), std::string::npos) << texts[0];
+        EXPECT_EQ(texts[0].find("secret"), std::string::npos) << texts[0];
+        EXPECT_EQ(texts[0].find("PASSWORD"), std::string::npos) << texts[0];
+    }
 }
 
 TEST_F(YamlFiles, MissingIncludeNamesWhoIncludedItAndWhatWasTried) {

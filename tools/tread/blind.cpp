@@ -14,9 +14,12 @@
 #include "kind_of_file.h"
 #include "log/csv.h"
 #include "output.h"
+#include "output_folder.h"
+#include "recording/diagnosis_folders.h"
 #include "refuse.h"
 #include "report/blind_report.h"
 #include "shared_work.h"
+#include "store/result_folder.h"
 #include "store/sha256.h"
 #include "terminal.h"
 #include "tread/load.h"
@@ -55,6 +58,13 @@ std::string madeOf(const SealedKey& key) {
                        enumNames(key.world)[static_cast<std::size_t>(key.world)], key.vehicle, by);
 }
 
+// What a call that was killed has made.
+void removeCases(const Path& folder) {
+    std::error_code ignored;
+    for (const std::string& name : recording::diagnosisFolders(folder))
+        std::filesystem::remove_all(folder / name, ignored);
+}
+
 }  // namespace
 
 int blindMake(const BlindMakeOptions& options) {
@@ -62,7 +72,8 @@ int blindMake(const BlindMakeOptions& options) {
     const Path folder = options.output;
     const Path key_file = options.key.empty() ? Path(withoutSlash(options.output) + ".key.json") : Path(options.key);
     std::error_code error;
-    if (std::filesystem::exists(folder) && !std::filesystem::is_empty(folder, error))
+    const bool was_killed = isIncomplete(folder);
+    if (std::filesystem::exists(folder) && !std::filesystem::is_empty(folder, error) && !was_killed)
         refuse(options.output, "found a folder that is not empty, expected a new or empty one for the cases");
     if (std::filesystem::exists(key_file))
         refuse(key_file.string(),
@@ -76,11 +87,14 @@ int blindMake(const BlindMakeOptions& options) {
     order.drawing = {.world = worldNamed(options.world), .frozen = options.frozen};
     order.vehicle = options.vehicle;
     order.tread_version = TREAD_VERSION;
+    const OutputFolder output(folder);
+    if (was_killed) removeCases(folder);
     Progress progress(options.cases, "cases");
     const SealedKey key =
         makeCases(order, loadVehicle(options.vehicle), effectCatalogue(), folder, [&](int done) { progress.at(done); });
     const std::string sealed = keyText(key), hash = sha256(sealed);
     writeFile(key_file, sealed);
+    output.complete();
     if (options.json) {
         printJson(
             {{"cases", options.cases}, {"folder", folder.string()}, {"key", key_file.string()}, {"key_sha256", hash}});
@@ -93,6 +107,10 @@ int blindMake(const BlindMakeOptions& options) {
 
 int blindScore(const BlindScoreOptions& options) {
     expectKind(options.cases, {"folder"});
+    if (isIncomplete(options.cases))
+        refuse(options.cases,
+               "found a folder that is marked as incomplete: the call that makes its cases was killed or "
+               "has not ended; make them again");
     // The hash is that of the key file as it is; its contents are parsed only when all cases are answered.
     const std::string sealed = readBytes(options.key);
     const References references = options.no_references ? References::left_out : References::used;

@@ -8,6 +8,7 @@
 #include "campaign/result.h"
 #include "campaign_inputs.h"
 #include "log/csv.h"
+#include "store/result_folder.h"
 #include "terminal.h"
 #include "tread/problem.h"
 
@@ -44,10 +45,7 @@ campaign::Probe probed(const campaign::Plan& plan, const Path& folder, const Sto
 void beginCampaign(const campaign::Plan& plan, const Path& folder, bool may_probe, const Stop& stop) {
     expectSameProgram(plan, folder.string());
     openFolder(folder, plan);
-    std::error_code error;
-    if (plan.inputs.campaign.logs) std::filesystem::create_directories(folder / "logs", error);
-    if (error)
-        throw FileError(fmt::format("cannot create the folder {}: {}", (folder / "logs").string(), error.message()));
+    if (plan.inputs.campaign.logs) makeFolder(folder / "logs");
     const std::vector<bool> present = piecesPresent(folder, plan);
     if (may_probe && std::find(present.begin(), present.end(), true) == present.end()) probed(plan, folder, stop);
 }

@@ -14,6 +14,7 @@
 #include "campaign_inputs.h"
 #include "log/csv.h"
 #include "output.h"
+#include "store/result_folder.h"
 #include "terminal.h"
 #include "tread/problem.h"
 
@@ -88,9 +89,8 @@ int campaignSlurm(const CampaignSlurmOptions& options) {
         std::clamp<std::uint64_t>(options.tasks > 0 ? static_cast<std::uint64_t>(options.tasks) : wanted, 1, most);
 
     const Path slurm = folder / "slurm";
+    makeFolder(slurm);
     std::error_code error;
-    std::filesystem::create_directories(slurm, error);
-    if (error) throw FileError(fmt::format("cannot create the folder {}: {}", slurm.string(), error.message()));
     const std::string program = std::filesystem::read_symlink("/proc/self/exe", error).string();
     const std::string call = fmt::format("{} campaign {} --threads {}", quoted(error ? "tread" : program),
                                          quoted(folder.string()), options.cpus);

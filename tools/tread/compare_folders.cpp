@@ -16,16 +16,13 @@
 #include "output_folder.h"
 #include "report/folders_report.h"
 #include "report/junit.h"
+#include "store/result_folder.h"
 
 namespace tread::program {
 namespace {
 
 // What makes a folder a run, and what a baseline keeps of it: all but the page.
 constexpr std::array kKept{"run.yaml", "log.csv", "metrics.json", "series.csv"};
-
-bool isIncomplete(const Path& folder) {
-    return std::filesystem::exists(folder / kIncomplete);
-}
 
 bool isRun(const Path& folder) {
     return isIncomplete(folder) || std::any_of(kKept.begin(), kKept.end(), [&](const char* name) {
@@ -48,7 +45,7 @@ std::map<std::string, Path> runsIn(const Path& root) {
 }
 
 // What becomes a baseline is whole. Throws LoadError.
-void expectComplete(const std::map<std::string, Path>& runs) {
+void expectWholeRuns(const std::map<std::string, Path>& runs) {
     for (const auto& [name, folder] : runs) {
         if (!isIncomplete(folder)) continue;
         throw LoadError({{folder.string(), 0, 0, "",
@@ -193,21 +190,13 @@ std::vector<JUnitCase> casesOf(const std::vector<ComparedRun>& runs) {
     return cases;
 }
 
-[[noreturn]] void cannot(const std::string& what, const Path& path, const std::error_code& error) {
-    throw FileError(fmt::format("cannot {} {}: {}", what, path.string(), error.message()));
-}
-
 void copyRun(const Path& from, const Path& to) {
-    std::error_code error;
-    std::filesystem::create_directories(to, error);
-    if (error) cannot("create the folder", to, error);
+    const OutputFolder output(to);
     for (const char* name : kKept) {
-        std::filesystem::remove(to / name, error);
-        if (error) cannot("remove", to / name, error);
-        if (!std::filesystem::exists(from / name)) continue;
-        std::filesystem::copy_file(from / name, to / name, error);
-        if (error) cannot("write", to / name, error);
+        if (std::filesystem::exists(from / name)) writeFile(to / name, readBytes(from / name));
+        else output.remove(name);
     }
+    output.complete();
 }
 
 // Of a run that is no more: its files, and its folder unless something else is in it.
@@ -255,7 +244,7 @@ int compareFolders(const CompareOptions& options) {
     std::map<std::string, Path> reference;
     if (std::filesystem::exists(options.reference)) reference = runsIn(options.reference);
     const std::map<std::string, Path> candidate = runsIn(options.candidate);
-    if (options.update) expectComplete(candidate);
+    if (options.update) expectWholeRuns(candidate);
     const std::vector<ComparedRun> runs = FolderComparison(options).compare(reference, candidate);
     const auto compared = std::count_if(runs.begin(), runs.end(), [](const auto& run) { return run.compared(); });
     if (compared == 0 && !(options.update && !candidate.empty())) {

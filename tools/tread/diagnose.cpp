@@ -57,7 +57,13 @@ Diagnosis diagnoseInto(const DiagnosisInputs& inputs, const Path& out, tread::di
     const OutputFolder output(out);
     options.cache = out / "cache";
     const Diagnosis diagnosis = diagnosisOf(inputs, options);
-    writeDiagnosis(inputs, diagnosis, out);
+    try {
+        writeDiagnosis(inputs, diagnosis, out);
+    } catch (const FileError&) {  // perhaps the disk is full: what is kept for a next diagnosis gives way
+        std::error_code ignored;
+        if (std::filesystem::remove_all(options.cache, ignored) == 0) throw;
+        writeDiagnosis(inputs, diagnosis, out);
+    }
     output.complete();
     return diagnosis;
 }

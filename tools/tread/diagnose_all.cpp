@@ -19,8 +19,9 @@
 #include "report/html.h"
 #include "shared_work.h"
 #include "store/described_json.h"
-#include "store/durable_file.h"
+#include "store/result_folder.h"
 #include "store/sha256.h"
+#include "store/whole_file.h"
 #include "terminal.h"
 
 namespace tread::program {
@@ -123,13 +124,15 @@ public:
             tread::diagnose::Options options;
             options.threads = threads_;
             row = rowOf(diagnoseInto(inputs, out_ / names_[i], options));
+        } catch (const FileError&) {
+            throw;  // of this call, not of the diagnosis
         } catch (const std::exception& error) {
             row.failure = error.what();
         }
         row.name = names_[i];
         row.inputs = inputsOf(folderOf(i), request_.vehicle);
-        std::filesystem::create_directories(out_ / names_[i]);
-        writeDurably(rowFile(i), jsonText(tread::jsonOf(row)));
+        makeFolder(out_ / names_[i]);
+        writeFile(rowFile(i), jsonText(tread::jsonOf(row)));
     }
 
     // The rows, in the order of their names; none while one is missing.
@@ -238,9 +241,7 @@ int diagnoseAll(const DiagnoseRequest& request) {
     Cases cases(request, out);
     const int beside = std::min(threads, static_cast<int>(cases.count()));
     cases.useThreads(threads / beside);
-    std::error_code error;
-    std::filesystem::create_directories(out, error);
-    if (error) throw FileError(fmt::format("cannot create the folder {}: {}", out.string(), error.message()));
+    makeFolder(out);
     listenToSignals();
     WorkDone done;
     {

@@ -15,7 +15,7 @@ bool isMcapName(const Path& file) {
 }
 
 void writeMcapFile(const Path& target, const Log& log, const std::string& source) {
-    OutputFile file(target);
+    WholeFile file(target);
     writeMcap(log, source, std::string(kMcapOfTread) + TREAD_VERSION,
               [&](std::string_view bytes) { file.write(bytes); });
     file.finish();

@@ -10,8 +10,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "log/csv.h"
-#include "output.h"
+#include "store/result_folder.h"
 
 namespace tread::program {
 namespace {
@@ -34,9 +33,12 @@ long holderOf(int file) {
     return 0;
 }
 
-// Some file systems of networks know no locks: there the folder is used without one.
-bool hasNoLocks(int error) {
-    return error == ENOLCK || error == EOPNOTSUPP || error == ENOSYS || error == EINVAL;
+// Whether another call holds the folder. Some file systems of networks know no locks: there it is used without one.
+bool isHeld(int folder) {
+    int locked = 0;
+    do locked = flock(folder, LOCK_EX | (waits ? 0 : LOCK_NB));
+    while (locked != 0 && errno == EINTR);
+    return locked != 0 && errno == EWOULDBLOCK;
 }
 
 }  // namespace
@@ -46,14 +48,9 @@ void waitForFolders() {
 }
 
 OutputFolder::OutputFolder(const Path& folder) : folder_(folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) {
-        throw FileError(
-            fmt::format("cannot create the folder {}: {}; choose another with -o", folder.string(), error.message()));
-    }
+    makeFolder(folder);
     held_ = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (held_ >= 0 && flock(held_, LOCK_EX | (waits ? 0 : LOCK_NB)) != 0 && !hasNoLocks(errno)) {
+    if (held_ >= 0 && isHeld(held_)) {
         const long holder = holderOf(held_);
         close(held_);
         const std::string who = holder > 0 ? fmt::format("process {}", holder) : "another call";
@@ -61,9 +58,7 @@ OutputFolder::OutputFolder(const Path& folder) : folder_(folder) {
                                     who, folder.string()));
     }
     try {
-        writeFile(folder / kIncomplete,
-                  "A call of tread is writing into this folder, or was killed while doing so: files may be missing or "
-                  "from another run.\n");
+        markIncomplete(folder);
     } catch (...) {
         if (held_ >= 0) close(held_);
         throw;
@@ -75,12 +70,7 @@ OutputFolder::~OutputFolder() {
 }
 
 void OutputFolder::remove(const std::string& name) const {
-    std::error_code error;
-    std::filesystem::remove(folder_ / name, error);
-    if (error) {
-        throw FileError(fmt::format("cannot remove {}, left by an earlier call: {}; choose another folder with -o",
-                                    (folder_ / name).string(), error.message()));
-    }
+    removeResult(folder_ / name);
 }
 
 void OutputFolder::complete() const {

@@ -11,13 +11,10 @@ namespace tread::program {
 // --wait: from now on a folder that another call holds is waited for.
 void waitForFolders();
 
-// What a folder holds while a call writes into it, and keeps when that call was killed.
-inline constexpr const char* kIncomplete = "INCOMPLETE";
-
 class OutputFolder {
 public:
-    // Makes the folder, holds it and marks it. Throws FileError: it cannot be made or written, or another call holds
-    // it.
+    // Makes the folder, holds it and marks it (store/result_folder.h). Throws FileError: it cannot be made or written,
+    // or another call holds it.
     explicit OutputFolder(const Path& folder);
     ~OutputFolder();
     OutputFolder(const OutputFolder&) = delete;

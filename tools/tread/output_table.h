@@ -18,7 +18,7 @@ public:
     void finish() { file_.finish(); }
 
 private:
-    OutputFile file_;
+    WholeFile file_;
     const InputTable& input_;
     const Columns& added_;
 };

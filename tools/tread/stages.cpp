@@ -2,6 +2,7 @@
 
 #include "diagnose/answer/diagnosis.h"
 #include "log/csv.h"
+#include "store/result_folder.h"
 
 namespace tread::program {
 
@@ -12,7 +13,7 @@ using tread::diagnose::answer::Overlay;
 void writeStages(const std::vector<Overlay>& overlays, const Path& folder) {
     for (const Overlay& overlay : overlays) {
         const Path here = folder / overlay.recording;
-        std::filesystem::create_directories(here);
+        makeFolder(here);
         writeLog(here / "measured.csv", overlay.measured);
         writeLog(here / "nominal.csv", overlay.nominal);
         writeLog(here / "calibrated.csv", overlay.calibrated);

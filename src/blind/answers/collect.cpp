@@ -8,7 +8,8 @@
 #include "diagnose/catalogue/effect.h"
 #include "log/csv.h"
 #include "recording/diagnosis_folders.h"
-#include "store/durable_file.h"
+#include "store/result_folder.h"
+#include "store/whole_file.h"
 #include "tread/load.h"
 
 namespace tread::blind::answers {
@@ -55,13 +56,13 @@ fs::path driveFile(const fs::path& answers, const std::string& name, const std::
 
 // The answer is written last and in one step: an existing answer is complete.
 void keep(const fs::path& answers, const CaseAnswer& answer, const std::vector<Overlay>& overlays) {
-    fs::create_directories(answers / answer.name);
+    makeFolder(answers / answer.name);
     for (const Overlay& overlay : overlays) {
         if (!overlay.hold_out) continue;
         writeLog(driveFile(answers, answer.name, overlay.recording, "nominal"), overlay.nominal);
         writeLog(driveFile(answers, answer.name, overlay.recording, "extended"), overlay.extended);
     }
-    writeDurably(answerFile(answers, answer.name), answerText(answer));
+    writeFile(answerFile(answers, answer.name), answerText(answer));
 }
 
 void answerCase(const fs::path& cases, const fs::path& answers, const std::string& name, const Diagnoser& diagnose,
@@ -72,6 +73,8 @@ void answerCase(const fs::path& cases, const fs::path& answers, const std::strin
         Diagnosis diagnosis = diagnose(cases / name / "diagnosis.yaml", threads);
         answer = answerOf(name, diagnosis);
         overlays = std::move(diagnosis.overlays);
+    } catch (const FileError&) {
+        throw;  // of this call, not of the diagnosis
     } catch (const std::exception& error) {
         answer.name = name;
         answer.program = programHash();
@@ -113,7 +116,7 @@ std::vector<Overlay> keptOverlays(const fs::path& answers, const std::string& na
 bool answerCases(const fs::path& cases, const fs::path& answers, const Diagnoser& diagnose, int threads,
                  const WorkOptions& options) {
     const std::vector<std::string> names = caseNames(cases);
-    fs::create_directories(answers);
+    makeFolder(answers);
     const auto isAnswered = [&](std::uint64_t i) { return fs::exists(answerFile(answers, names[i])); };
     const Pieces pieces{.count = names.size(),
                         .isDone = [&](std::uint64_t i, std::string&) { return isAnswered(i); },

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 
 #include "blind/detectability/case_detectability.h"
 #include "blind/detectability/detectable_effects.h"
@@ -14,6 +13,7 @@
 #include "diagnose/catalogue/effect.h"
 #include "log/csv.h"
 #include "run/simulate.h"
+#include "store/result_folder.h"
 #include "tread/load.h"
 
 namespace tread::blind::make {
@@ -58,13 +58,6 @@ std::uint64_t caseSeed(std::uint64_t seed, int index, Stream stream) {
     return seedOf(seedOf(seed, 16 + static_cast<std::uint64_t>(index)), stream);
 }
 
-void writeText(const std::filesystem::path& file, const std::string& text) {
-    std::ofstream out(file, std::ios::binary);
-    out << text;
-    out.close();
-    if (!out) throw FileError("cannot write " + file.string());
-}
-
 std::string diagnosisYaml(const std::vector<CaseRecording>& recordings, bool compared) {
     std::string text = "vehicle: vehicle.yaml\nchannels:\n";
     for (const InstrumentSheet& sheet : instrumentSheets())
@@ -98,13 +91,13 @@ std::vector<CaseKind> kindsOf(const Order& order) {
 
 void writeCase(const std::filesystem::path& place, const VehicleParams& nominal,
                const std::vector<CaseRecording>& recordings, const Driven& driven, const Driven& before) {
-    std::filesystem::create_directories(before ? place / "reference" : place);
+    makeFolder(before ? place / "reference" : place);
     for (const CaseRecording& one : recordings) {
         writeLog(place / (one.name + ".csv"), driven(one));
         if (before) writeLog(place / "reference" / (one.name + ".csv"), before(one));
     }
-    writeText(place / "vehicle.yaml", vehicleYaml(nominal));
-    writeText(place / "diagnosis.yaml", diagnosisYaml(recordings, before != nullptr));
+    writeFile(place / "vehicle.yaml", vehicleYaml(nominal));
+    writeFile(place / "diagnosis.yaml", diagnosisYaml(recordings, before != nullptr));
 }
 
 std::vector<CaseRecording> recordingsOf(const std::vector<Drive>& drives, std::uint64_t seed, int index) {

@@ -40,13 +40,15 @@ std::vector<Column> columnsToDrive(const Replays& replays, Drives drives, const 
 
 // The finite difference of a column. It is taken with the opposite step when the drive fails; nothing when both fail
 // (D18).
-std::optional<Eigen::VectorXd> difference(const Replays& replays, const RecordedDrive& drive, const Column& column,
-                                          const Subject& subject, const Log& motion, const Eigen::VectorXd& here) {
+DrivenColumn difference(const Replays& replays, const RecordedDrive& drive, const Column& column,
+                        const Subject& subject, const Log& motion, const Eigen::VectorXd& here) {
     const Parameter& parameter = replays.parameters[column.parameter];
+    int simulations = 0;
     for (const double by : {column.by, -column.by}) {
         if (by == 0) break;
         Subject there = subject;
         move(there, parameter, by);
+        simulations += parameter.instruments_only ? 0 : 1;
         const std::optional<Log> driven =
             parameter.instruments_only ? std::optional(motion) : motionAt(replays, drive, there);
         if (!driven) continue;
@@ -54,13 +56,14 @@ std::optional<Eigen::VectorXd> difference(const Replays& replays, const Recorded
         if (parameter.of_both) {
             Deviation moved = replays.origin();
             moved(column.parameter) = by;
+            simulations += drive.reference ? 1 : 0;
             const std::optional<Eigen::VectorXd> in_reference = changeByReference(replays, drive, moved);
             if (!in_reference) continue;
             if (in_reference->size() > 0) change += *in_reference;
         }
-        if (change.allFinite()) return change / by;
+        if (change.allFinite()) return {change / by, simulations};
     }
-    return std::nullopt;
+    return {std::nullopt, simulations};
 }
 
 void repeatsAnswerAlike(const Replays& replays, Drives drives, const std::vector<Eigen::Index>& parameters,
@@ -107,10 +110,15 @@ Sensitivities sensitivities(const Replays& replays, Drives drives, const Deviati
         const Column& one = columns[i];
         const RecordedDrive& drive = drives[one.drive];
         const Eigen::VectorXd& here = of_drives[one.drive];
-        const auto column = keptColumn(kept[one.drive], replays.parameters[one.parameter], one.by, here.size(), [&] {
-            return difference(replays, drive, one, subjects[one.drive], *motions[one.drive], here);
-        });
-        if (column) result.columns[one.drive].col(one.parameter) = *column;
+        bool made = false;
+        const DrivenColumn column =
+            keptColumn(kept[one.drive], replays.parameters[one.parameter], one.by, here.size(), [&] {
+                made = true;
+                return difference(replays, drive, one, subjects[one.drive], *motions[one.drive], here);
+            });
+        // A kept column counts like a new one: the answer does not depend on what was kept.
+        if (!made) replays.simulations.add(column.simulations);
+        if (column.values) result.columns[one.drive].col(one.parameter) = *column.values;
         const std::scoped_lock lock(guard);
         progress(++done / static_cast<double>(columns.size()));
     });

@@ -1,17 +1,17 @@
 #include "diagnose/model/sensitivity_cache.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cstdint>
-#include <fstream>
-#include <iterator>
+#include <cstdlib>
 #include <span>
+#include <string>
+#include <vector>
 
+#include "base/text_file.h"
 #include "base/write_yaml.h"
 #include "store/sha256.h"
+#include "store/whole_file.h"
 
 namespace tread::diagnose::model {
 namespace {
@@ -19,8 +19,8 @@ namespace {
 using Path = std::filesystem::path;
 
 std::string bytesOf(const Path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
+    std::string fault;
+    return readWholeFile(file, fault).value_or("");
 }
 
 // Builds of the same version may compute different values, so the program itself is hashed. Empty when it cannot be
@@ -57,28 +57,36 @@ std::string recordingText(const RecordedDrive& drive) {
     return text;
 }
 
-std::optional<Eigen::VectorXd> read(const Path& file, Eigen::Index rows) {
+// A file holds the values of the column, then the number of its simulations.
+DrivenColumn read(const Path& file, Eigen::Index rows) {
     const std::string bytes = bytesOf(file);
-    Eigen::VectorXd column(rows);
-    const std::span<double> values(column.data(), rows);
-    if (bytes.size() != values.size_bytes() || rows == 0) return std::nullopt;
+    Eigen::VectorXd all(rows + 1);
+    const std::span<double> values(all.data(), all.size());
+    if (bytes.size() != values.size_bytes() || rows == 0) return {};
     std::copy(bytes.begin(), bytes.end(), reinterpret_cast<char*>(values.data()));
-    if (!column.allFinite()) return std::nullopt;
-    return column;
+    if (!all.allFinite()) return {};
+    std::error_code ignored;
+    std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now(), ignored);
+    return {all.head(rows), static_cast<int>(all(rows))};
 }
 
-// Written under another name and then renamed, so that an interruption leaves no incomplete column.
-void write(const Path& file, const Eigen::VectorXd& column) {
-    static std::atomic<std::uint64_t> count{0};
-    const Path part = file.string() + "." + std::to_string(getpid()) + "." + std::to_string(count++) + ".part";
-    std::error_code error;
-    std::filesystem::create_directories(file.parent_path(), error);
-    std::ofstream stream(part, std::ios::binary);
-    const auto bytes = std::as_bytes(std::span<const double>(column.data(), column.size()));
-    stream.write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
-    stream.close();
-    if (stream) std::filesystem::rename(part, file, error);
-    if (!stream || error) std::filesystem::remove(part, error);
+// A disk without room costs simulations, not the answer.
+void write(const Path& file, const DrivenColumn& column) {
+    Eigen::VectorXd all(column.values->size() + 1);
+    all << *column.values, static_cast<double>(column.simulations);
+    const std::span<const double> values(all.data(), all.size());
+    std::error_code ignored;
+    std::filesystem::create_directories(file.parent_path(), ignored);
+    try {
+        writeFile(file, {reinterpret_cast<const char*>(values.data()), values.size_bytes()});
+    } catch (const FileError&) {
+        return;
+    }
+    static std::atomic<std::uintmax_t> added{0};
+    const std::uintmax_t most = largestCache(), sum = added += values.size_bytes();
+    if (sum < most / 8) return;
+    added = 0;
+    trimCache(file.parent_path().parent_path(), most);
 }
 
 }  // namespace
@@ -94,8 +102,8 @@ Path columnFolder(const Replays& replays, const RecordedDrive& drive, const Subj
     return replays.cache / sha256(text);
 }
 
-std::optional<Eigen::VectorXd> keptColumn(const Path& folder, const Parameter& parameter, double by, Eigen::Index rows,
-                                          const std::function<std::optional<Eigen::VectorXd>()>& make) {
+DrivenColumn keptColumn(const Path& folder, const Parameter& parameter, double by, Eigen::Index rows,
+                        const std::function<DrivenColumn()>& make) {
     if (folder.empty() || parameter.instruments_only) return make();
     std::string text;
     for (const Parameter::Move& move : parameter.moves) {
@@ -104,10 +112,41 @@ std::optional<Eigen::VectorXd> keptColumn(const Path& folder, const Parameter& p
     }
     add(text, std::array{by});
     const Path file = folder / sha256(text);
-    if (std::optional<Eigen::VectorXd> column = read(file, rows)) return column;
-    const std::optional<Eigen::VectorXd> column = make();
-    if (column) write(file, *column);
+    DrivenColumn column = read(file, rows);
+    if (column.values) return column;
+    column = make();
+    if (column.values) write(file, column);
     return column;
+}
+
+std::uintmax_t largestCache() {
+    constexpr std::uintmax_t kUsual = std::uintmax_t{1} << 30;
+    const char* const given = std::getenv("TREAD_LARGEST_CACHE");
+    return given ? std::strtoull(given, nullptr, 10) : kUsual;
+}
+
+void trimCache(const Path& cache, std::uintmax_t most) {
+    struct Kept {
+        std::filesystem::file_time_type used;
+        std::uintmax_t bytes;
+        Path file;
+    };
+    std::vector<Kept> all;
+    std::uintmax_t sum = 0;
+    std::error_code error, ignored;
+    std::filesystem::recursive_directory_iterator entry(cache, error);
+    for (; !error && entry != std::filesystem::recursive_directory_iterator(); entry.increment(error)) {
+        if (!entry->is_regular_file(ignored)) continue;
+        const std::uintmax_t bytes = entry->file_size(ignored);
+        if (ignored) continue;
+        all.push_back({entry->last_write_time(ignored), bytes, entry->path()});
+        sum += bytes;
+    }
+    std::sort(all.begin(), all.end(), [](const Kept& a, const Kept& b) { return a.used < b.used; });
+    for (const Kept& kept : all) {
+        if (sum <= most) break;
+        if (std::filesystem::remove(kept.file, ignored)) sum -= kept.bytes;
+    }
 }
 
 }  // namespace tread::diagnose::model

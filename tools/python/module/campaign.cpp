@@ -36,7 +36,7 @@ Ran ran(const Plan& plan, const Path& folder, int threads, const Watch& watch) {
     const campaign::Worked worked = campaign::work(plan, folder, program::measureOf(watch.stop), work);
     if (worked.stopped || !worked.complete) throw Stopped();
     const Tally found = merge(plan, {folder}, folder, false);
-    program::writeFile(folder / "report.html", program::campaignPage(plan, folder, found));
+    writeFile(folder / "report.html", program::campaignPage(plan, folder, found));
     return {folder, program::campaignAnswer(plan, found)};
 }
 

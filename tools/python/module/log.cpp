@@ -69,7 +69,7 @@ std::string reportOf(const LoggedRun& run) {
 }
 
 void save(const LoggedRun& run, const Path& file) {
-    if (file.extension() == ".tlog") return program::writeFile(file, binaryLog(run.log));
+    if (file.extension() == ".tlog") return writeFile(file, binaryLog(run.log));
     if (file.extension() == ".csv") return writeLog(file, run.log);
     throw LoadError({{file.string(), 0, 0, "", "found another kind of file, expected .csv or .tlog"}});
 }
@@ -136,8 +136,8 @@ void bindLog(py::module_& module) {
     module.def("read_log", &read, py::arg("file"), unguarded);
     module.def("make_log", &made, py::arg("channels"));
     module.def(
-        "write_text", [](const Path& file, const std::string& text) { program::writeFile(file, text); },
-        py::arg("file"), py::arg("text"), unguarded);
+        "write_text", [](const Path& file, const std::string& text) { writeFile(file, text); }, py::arg("file"),
+        py::arg("text"), unguarded);
 }
 
 }  // namespace tread::python
