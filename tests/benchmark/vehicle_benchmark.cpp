@@ -65,9 +65,10 @@ BENCHMARK(everythingRun)->Name("headless/step_steer_80_everything")->Unit(benchm
 void campaignRun(benchmark::State& state, bool together) {
     constexpr std::size_t kRuns = 64;
     const Scenario scenario = shared::scenario("step_steer_80");
+    const VehicleParams nominal = shared::compact();
     std::vector<double> simulated(kRuns);
     const auto run = [&](std::size_t i) {
-        VehicleParams car = shared::compact();
+        VehicleParams car = nominal;
         car.mass *= 1 + 0.001 * static_cast<double>(i);
         simulated[i] += simulate(car, scenario, MovedBy::itself).channels.front().values.back();
     };
