@@ -5,6 +5,7 @@
 #include <numeric>
 #include <vector>
 
+#include "base/keep_memory.h"
 #include "base/parallel.h"
 #include "run/together.h"
 #include "shared/bullet_scene.h"
@@ -63,11 +64,13 @@ BENCHMARK(everythingRun)->Name("headless/step_steer_80_everything")->Unit(benchm
 
 // The same by 64 cars that differ, as in a campaign: on one thread, one after the other and in lanes.
 void campaignRun(benchmark::State& state, bool together) {
+    keepMemory();
     constexpr std::size_t kRuns = 64;
     const Scenario scenario = shared::scenario("step_steer_80");
+    const VehicleParams nominal = shared::compact();
     std::vector<double> simulated(kRuns);
     const auto run = [&](std::size_t i) {
-        VehicleParams car = shared::compact();
+        VehicleParams car = nominal;
         car.mass *= 1 + 0.001 * static_cast<double>(i);
         simulated[i] += simulate(car, scenario, MovedBy::itself).channels.front().values.back();
     };

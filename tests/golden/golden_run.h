@@ -23,7 +23,7 @@ VehicleParams car();
 // The run as the program now drives it, rounded to the digits that a golden log keeps.
 Log run(const std::string& name, const VehicleParams& car);
 
-// Against the golden log: as narrow as another compiler and another processor allow.
+// Against the golden log: as narrow as another order of roundings allows.
 Comparison compareToGolden(const std::string& name, const Log& log);
 
 }  // namespace tread::golden

@@ -152,7 +152,7 @@ TEST(DrivenTogether, RunsOfDifferentStepsCarsAndLengthsAreAsAlone) {
 TEST(DrivenTogether, AllRunsOfWhichEachPushesItsCarAreAsAlone) {
     Scenario scenario = loadScenario(sourceFile("scenarios/step_steer_80.yaml"));
     scenario.time_limit = 0.5;
-    const auto run = [&](std::size_t i) {
+    const auto drive = [&](std::size_t i) {
         DrivenRun run;
         const Pushing pushing = [i](double time, const VehicleInput&, const VehicleOutput&) {
             return Push{.force = {0, 100.0 * static_cast<double>(i) * time, 0}, .moment = {10, 0, 20}};
@@ -166,8 +166,8 @@ TEST(DrivenTogether, AllRunsOfWhichEachPushesItsCarAreAsAlone) {
         return run;
     };
     std::vector<DrivenRun> together(10);
-    drivenTogether(together.size(), 1, [&](std::size_t i) { together[i] = run(i); });
-    for (std::size_t i = 0; i < together.size(); ++i) expectSame(run(i), together[i], std::to_string(i));
+    drivenTogether(together.size(), 1, [&](std::size_t i) { together[i] = drive(i); });
+    for (std::size_t i = 0; i < together.size(); ++i) expectSame(drive(i), together[i], std::to_string(i));
     EXPECT_NE(together[1].log.channels[1].values.size(), 0u);
 }
 

@@ -1,8 +1,6 @@
 // The program `tread`: reads the command line, runs one command, and turns every failure into one message and an exit
 // status.
 
-#include <malloc.h>
-
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
@@ -13,6 +11,7 @@
 #include <vector>
 
 #include "base/did_you_mean.h"
+#include "base/keep_memory.h"
 #include "base/number_text.h"
 #include "command_line.h"
 #include "commands.h"
@@ -99,20 +98,11 @@ int dispatch(int argc, char** argv) {
     return status;
 }
 
-// Logs and matrices come and go by the thousand: the memory that one leaves is kept for the next, instead of being
-// handed back to the system and fetched again page by page.
-void keepMemory() {
-#ifdef __GLIBC__
-    mallopt(M_MMAP_THRESHOLD, 1 << 25);  // bytes: the most that the C library takes
-    mallopt(M_TRIM_THRESHOLD, 1 << 30);
-#endif
-}
-
 }  // namespace
 }  // namespace tread::program
 
 int main(int argc, char** argv) {
-    tread::program::keepMemory();
+    tread::keepMemory();
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then reported by the write that fails
     try {
         return tread::program::dispatch(argc, argv);
