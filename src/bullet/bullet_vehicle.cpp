@@ -39,8 +39,10 @@ struct BulletVehicle::Implementation {
     Vector3 wind = Vector3::Zero();
     Substep substep{0.001, Substep::kLongest};  // s: 60 Hz and 1000 Hz then differ by rounding of the step alone
     BodyLink link;
+    ChassisMotion shown;  // pose of the body when it was looked at last
     PlannedPose planned;
 
+    void look() { shown = poseOf(chassis, axes); }
     void expectMotion() {
         expectWhatBodyHas(link, chassis);
         planned = PlannedPose(chassis, motion, motion, 0);
@@ -69,10 +71,12 @@ BulletVehicle::BulletVehicle(const VehicleParams& params, btRigidBody& chassis, 
                                .next = {},
                                .wind = Vector3::Zero(),
                                .link = {},
+                               .shown = {},
                                .planned = {}}) {
     self_->setMass();
     switchOffGyroscopicForces(chassis);
-    self_->motion = poseOf(chassis, self_->axes);
+    self_->look();
+    self_->motion = self_->shown;
     self_->motion.velocity_W = fromBullet(chassis.getLinearVelocity());
     self_->motion.angular_velocity_W = fromBullet(chassis.getAngularVelocity());
     self_->expectMotion();
@@ -102,6 +106,7 @@ void BulletVehicle::restore(const ChassisMotion& motion, const VehicleState& sta
     self_->chassis.setInterpolationWorldTransform(pose);
     self_->chassis.setLinearVelocity(toBullet(motion.velocity_W));
     self_->chassis.setAngularVelocity(toBullet(motion.angular_velocity_W));
+    self_->look();
     self_->expectMotion();
 }
 
@@ -121,7 +126,8 @@ VehicleOutput BulletVehicle::output() const {
 
 void BulletVehicle::observe() {
     Implementation& s = *self_;
-    if (s.planned.isShownBy(s.chassis, s.link, s.axes)) {
+    s.look();
+    if (s.planned.isShownBy(s.chassis, s.shown, s.link)) {
         s.planned.giveTo(s.motion);
     } else {
         takeMotion(s.motion, s.link, s.chassis, s.axes);
@@ -143,9 +149,8 @@ void BulletVehicle::plan(double dt) {
     }
     s.input = s.next;
 
-    const ChassisMotion from = poseOf(s.chassis, s.axes);
-    s.planned = PlannedPose(s.chassis, from, end, dt);
-    giveMotion(s.chassis, s.link, from, end, dt);
+    s.planned = PlannedPose(s.chassis, s.shown, end, dt);
+    giveMotion(s.chassis, s.link, s.shown, end, dt);
     s.motion.velocity_W = end.velocity_W;
     s.motion.angular_velocity_W = end.angular_velocity_W;
 }

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "bullet/convert.h"
-#include "host/mean_velocity.h"
 
 namespace tread {
 
@@ -19,28 +18,32 @@ namespace {
 constexpr double kRoundings = 16;
 constexpr double kRounding = kRoundings * std::numeric_limits<double>::epsilon();
 
+double sizeOf(const Vector3& a) {
+    return a.lpNorm<1>();
+}
+bool isWithin(const Vector3& difference, double rounding) {
+    return difference.lpNorm<Eigen::Infinity>() <= rounding;
+}
+
 }  // namespace
 
 PlannedPose::PlannedPose(const btRigidBody& body, const ChassisMotion& from, const ChassisMotion& to, double dt)
     : position_W_(to.position_W), orientation_(to.orientation) {
     if (dt > 0) {
-        velocity_rounding_ =
-            kRounding * ((to.position_W - from.position_W).norm() / dt + fromBullet(body.getLinearVelocity()).norm() +
-                         dt * fromBullet(body.getGravity()).norm());
-        angular_velocity_rounding_ = kRounding * (meanAngularVelocity(from.orientation, to.orientation, dt).norm() +
-                                                  fromBullet(body.getAngularVelocity()).norm());
+        velocity_rounding_ = kRounding * (sizeOf(fromBullet(body.getLinearVelocity())) + sizeOf(to.velocity_W) +
+                                          dt * sizeOf(fromBullet(body.getGravity())));
+        angular_velocity_rounding_ =
+            kRounding * (sizeOf(fromBullet(body.getAngularVelocity())) + sizeOf(to.angular_velocity_W));
     }
-    position_rounding_ = kRounding * (from.position_W.norm() + to.position_W.norm()) + dt * velocity_rounding_;
+    position_rounding_ = kRounding * (sizeOf(from.position_W) + sizeOf(to.position_W)) + dt * velocity_rounding_;
     turn_rounding_ = kRounding + dt * angular_velocity_rounding_;
 }
 
-bool PlannedPose::isShownBy(const btRigidBody& body, const BodyLink& link, const Quaternion& axes) const {
-    const auto within = [](const Vector3& difference, double rounding) { return difference.norm() <= rounding; };
-    const ChassisMotion shown = poseOf(body, axes);
+bool PlannedPose::isShownBy(const btRigidBody& body, const ChassisMotion& shown, const BodyLink& link) const {
     const Vector3 half_turn = (shown.orientation * orientation_.conjugate()).vec();
-    return within(shown.position_W - position_W_, position_rounding_) && within(2 * half_turn, turn_rounding_) &&
-           within(fromBullet(body.getLinearVelocity()) - link.velocity, velocity_rounding_) &&
-           within(fromBullet(body.getAngularVelocity()) - link.angular_velocity, angular_velocity_rounding_);
+    return isWithin(shown.position_W - position_W_, position_rounding_) && isWithin(2 * half_turn, turn_rounding_) &&
+           isWithin(fromBullet(body.getLinearVelocity()) - link.velocity, velocity_rounding_) &&
+           isWithin(fromBullet(body.getAngularVelocity()) - link.angular_velocity, angular_velocity_rounding_);
 }
 
 void PlannedPose::giveTo(ChassisMotion& motion) const {

@@ -15,9 +15,8 @@ public:
     // Before the body is given its motion from its own pose to another over dt; `dt` of 0: it is there and stays.
     PlannedPose(const btRigidBody& body, const ChassisMotion& from, const ChassisMotion& to, double dt);
 
-    // Whether the body moved as planned; velocities are those of the link. `axes` turns the motion's axes into the
-    // body's.
-    bool isShownBy(const btRigidBody& body, const BodyLink& link, const Quaternion& axes) const;
+    // Whether the body moved as planned; velocities are those of the link. `shown`: its own pose.
+    bool isShownBy(const btRigidBody& body, const ChassisMotion& shown, const BodyLink& link) const;
 
     void giveTo(ChassisMotion& motion) const;
 
@@ -30,7 +29,7 @@ private:
     double angular_velocity_rounding_ = 0;  // rad/s
 };
 
-// The body's own pose, in the motion's axes; no velocities.
+// The body's own pose; no velocities. `axes` turns the motion's axes into the body's.
 ChassisMotion poseOf(const btRigidBody& body, const Quaternion& axes);
 }  // namespace TREAD_BULLET_PRECISION
 }  // namespace tread
