@@ -2,6 +2,7 @@
 # machine.
 #   cmake -DEMULATOR=... -DPROGRAM=... -DROOT=... -DPART=whole|begin -DOUT=... [-DUPDATE=ON] -P bits.cmake
 # With UPDATE the record is renewed.
+cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${OUT})
 file(MAKE_DIRECTORY ${OUT})
 execute_process(COMMAND ${EMULATOR} ${PROGRAM} ${ROOT} ${OUT} ${PART} RESULT_VARIABLE status)

@@ -1,5 +1,6 @@
 # The log that the program writes is the one on record.
 #   cmake -DPROGRAM=... -DROOT=... -DOUT=... -P program.cmake
+cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND ${PROGRAM} run ${ROOT}/vehicles/compact.yaml ${ROOT}/scenarios/double_lane_change.yaml -o ${OUT} --quiet
     RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
