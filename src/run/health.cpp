@@ -56,18 +56,6 @@ void checkHealth(const VehicleOutput& output, double time) {
                                   time, kNumbers);
         }
     }
-    eachState(output, [&](const double& value, double most, const char* unit) {
-        if (std::abs(value) <= most) return;
-        VehicleOutput named;  // its numbers lie where those of `output` do
-        const auto offset = reinterpret_cast<const char*>(&value) - reinterpret_cast<const char*>(&output);
-        for (const Number& number : numbers(named)) {
-            if (reinterpret_cast<const char*>(number.value) - reinterpret_cast<const char*>(&named) != offset) continue;
-            throw SimulationError(fmt::format("the simulation broke down at t = {:.4g} s: {} is {:.3g} {}, more than "
-                                              "{:g} {} ({})",
-                                              time, number.path, value, unit, most, unit, kReason),
-                                  time, kNumbers);
-        }
-    });
     if (std::abs(c.roll) > kTipped || std::abs(c.pitch) > kTipped) {
         throw SimulationError(
             fmt::format("the car rolled over at t = {:.4g} s: chassis.roll is {:.0f} deg, chassis.pitch {:.0f} deg",
@@ -87,6 +75,18 @@ void checkHealth(const VehicleOutput& output, double time) {
                                           time, std::hypot(c.x, c.y, c.z)),
                               time, kNumbers);
     }
+    eachState(output, [&](const double& value, double most, const char* unit) {
+        if (std::abs(value) <= most) return;
+        VehicleOutput named;  // its numbers lie where those of `output` do
+        const auto offset = reinterpret_cast<const char*>(&value) - reinterpret_cast<const char*>(&output);
+        for (const Number& number : numbers(named)) {
+            if (reinterpret_cast<const char*>(number.value) - reinterpret_cast<const char*>(&named) != offset) continue;
+            throw SimulationError(fmt::format("the simulation broke down at t = {:.4g} s: {} is {:.3g} {}, more than "
+                                              "{:g} {} ({})",
+                                              time, number.path, value, unit, most, unit, kReason),
+                                  time, kNumbers);
+        }
+    });
 }
 
 }  // namespace tread
