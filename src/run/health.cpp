@@ -57,18 +57,6 @@ void checkHealth(const VehicleOutput& output, double time) {
                                   time, kNumbers);
         }
     }
-    eachState(output, [&](const double& value, double most, const char* unit) {
-        if (std::abs(value) <= most) return;
-        VehicleOutput named;  // its numbers lie where those of `output` do
-        const auto offset = reinterpret_cast<const char*>(&value) - reinterpret_cast<const char*>(&output);
-        for (const Number& number : numbers(named)) {
-            if (reinterpret_cast<const char*>(number.value) - reinterpret_cast<const char*>(&named) != offset) continue;
-            throw SimulationError(fmt::format("the simulation broke down at t = {:.4g} s: {} is {:.3g} {}, more than "
-                                              "{:g} {} ({})",
-                                              time, number.path, value, unit, most, unit, kReason),
-                                  time, kNumbers);
-        }
-    });
     if (std::abs(c.roll) > kTipped || std::abs(c.pitch) > kTipped) {
         throw SimulationError(
             fmt::format("the car rolled over at t = {:.4g} s: chassis.roll is {:.0f} deg, chassis.pitch {:.0f} deg",
@@ -89,6 +77,18 @@ void checkHealth(const VehicleOutput& output, double time) {
                                           time, distance),
                               time, kNumbers);
     }
+    eachState(output, [&](const double& value, double most, const char* unit) {
+        if (std::abs(value) <= most) return;
+        VehicleOutput named;  // its numbers lie where those of `output` do
+        const auto offset = reinterpret_cast<const char*>(&value) - reinterpret_cast<const char*>(&output);
+        for (const Number& number : numbers(named)) {
+            if (reinterpret_cast<const char*>(number.value) - reinterpret_cast<const char*>(&named) != offset) continue;
+            throw SimulationError(fmt::format("the simulation broke down at t = {:.4g} s: {} is {:.3g} {}, more than "
+                                              "{:g} {} ({})",
+                                              time, number.path, value, unit, most, unit, kReason),
+                                  time, kNumbers);
+        }
+    });
 }
 
 }  // namespace tread
