@@ -10,7 +10,7 @@
 #include "tread/equilibrium.h"
 #include "tread/road_surface.h"
 
-namespace tread {
+namespace tread::bullet_vehicle_snapshot_test {
 namespace {
 
 constexpr double kStep = 1 / 120.0;  // s, of several substeps
@@ -61,4 +61,4 @@ TEST(BulletVehicleSnapshot, IsDrivenAgainBitForBit) {
 }
 
 }  // namespace
-}  // namespace tread
+}  // namespace tread::bullet_vehicle_snapshot_test
