@@ -174,8 +174,7 @@ NormalEquations marginalised(const NormalEquations& equations, const std::vector
     if (out.empty()) return equations;
     const Factor factor = factorOfPriorAnd(equations.products(out, out));
     const Eigen::MatrixXd half = factor.matrixL().solve(equations.products(out, Eigen::all));
-    NormalEquations left{equations.products - squareOf(half),
-                         equations.log_determinant + logDeterminant(factor)};
+    NormalEquations left{equations.products - squareOf(half), equations.log_determinant + logDeterminant(factor)};
     for (const Index i : out) {
         left.products.row(i).setZero();
         left.products.col(i).setZero();
