@@ -107,8 +107,8 @@ Roughness::Roughness(const RoughnessParams& params, double contact_length)
     const double step = 1 / (static_cast<double>(kNodes) * kSpacing);  // cycles/m
     // Of each profile, the waves that are to add up to the profile itself in the real part and to the averaged one in
     // the imaginary part.
-    std::array<std::vector<ComplexNumber>, kProfiles> waves;
-    waves.fill(std::vector<ComplexNumber>(kNodes));
+    std::array<ComplexNumbers, kProfiles> waves;
+    waves.fill({std::vector<double>(kNodes), std::vector<double>(kNodes)});
 
     // Every third frequency belongs to one profile: their sums have the wanted PSD exactly, not only in the mean.
     Random random(static_cast<std::uint64_t>(params.seed));
@@ -125,15 +125,18 @@ Roughness::Roughness(const RoughnessParams& params, double contact_length)
         const double share = sinc(n * contact_length) * (profile == 0 ? 1 : across);
         // A cos(wave + phase), half as the wave k and half as the wave -k.
         const double real = 0.5 * amplitude * phase.cosine, imaginary = 0.5 * amplitude * phase.sine;
-        waves[profile][k] = {real - share * imaginary, imaginary + share * real};
-        waves[profile][kNodes - k] = {real + share * imaginary, share * real - imaginary};
+        ComplexNumbers& sum = waves[profile];
+        sum.real[k] = real - share * imaginary;
+        sum.imaginary[k] = imaginary + share * real;
+        sum.real[kNodes - k] = real + share * imaginary;
+        sum.imaginary[kNodes - k] = share * real - imaginary;
     }
 
     for (std::size_t profile = 0; profile < kProfiles; ++profile) {
         sumWaves(waves[profile]);
         for (std::size_t i = 0; i < kNodes; ++i) {
-            itself_[i][profile] = waves[profile][i].real;
-            averaged_[i][profile] = waves[profile][i].imaginary;
+            itself_[i][profile] = waves[profile].real[i];
+            averaged_[i][profile] = waves[profile].imaginary[i];
         }
     }
 }

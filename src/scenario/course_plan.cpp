@@ -24,10 +24,12 @@ void moveToStart(std::vector<SmoothPoint>& line) {
     const double length = hypotenuse(next.x - origin.x, next.y - origin.y);
     const double heading = arctan2(next.y - origin.y, next.x - origin.x) - 0.5 * line.front().curvature * length;
     const double c = cosine(heading), s = sine(heading);
-    for (SmoothPoint& point : line) {
-        const double dx = point.place.x - origin.x, dy = point.place.y - origin.y;
-        point.place = {c * dx + s * dy, c * dy - s * dx};
-    }
+    // x and y apart, for the reason that road/fourier.h gives.
+    std::vector<double> ahead;
+    for (const SmoothPoint& point : line)
+        ahead.push_back(c * (point.place.x - origin.x) + s * (point.place.y - origin.y));
+    for (SmoothPoint& point : line) point.place.y = c * (point.place.y - origin.y) - s * (point.place.x - origin.x);
+    for (std::size_t i = 0; i < line.size(); ++i) line[i].place.x = ahead[i];
 }
 
 SpeedLimits resolved(SpeedLimits limits, const KnownGrip& grip) {
