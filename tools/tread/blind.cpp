@@ -58,6 +58,12 @@ std::string madeOf(const SealedKey& key) {
                        enumNames(key.world)[static_cast<std::size_t>(key.world)], key.vehicle, by);
 }
 
+void expectNoKey(const Path& file) {
+    if (!std::filesystem::exists(file)) return;
+    refuse(file.string(),
+           "found an existing key file, which may be sealed; expected none: name another file with --key");
+}
+
 // What a call that was killed has made.
 void removeCases(const Path& folder) {
     std::error_code ignored;
@@ -72,12 +78,11 @@ int blindMake(const BlindMakeOptions& options) {
     const Path folder = options.output;
     const Path key_file = options.key.empty() ? Path(withoutSlash(options.output) + ".key.json") : Path(options.key);
     std::error_code error;
+    removeLeftovers(folder);
     const bool was_killed = isIncomplete(folder);
     if (std::filesystem::exists(folder) && !std::filesystem::is_empty(folder, error) && !was_killed)
         refuse(options.output, "found a folder that is not empty, expected a new or empty one for the cases");
-    if (std::filesystem::exists(key_file))
-        refuse(key_file.string(),
-               "found an existing key file, which may be sealed; expected none: name another file with --key");
+    if (!was_killed) expectNoKey(key_file);
 
     Order order;
     order.cases = options.cases;
@@ -93,6 +98,8 @@ int blindMake(const BlindMakeOptions& options) {
     const SealedKey key =
         makeCases(order, loadVehicle(options.vehicle), effectCatalogue(), folder, [&](int done) { progress.at(done); });
     const std::string sealed = keyText(key), hash = sha256(sealed);
+    // The call that was killed may have written the same key.
+    if (std::filesystem::exists(key_file) && readBytes(key_file) != sealed) expectNoKey(key_file);
     writeFile(key_file, sealed);
     output.complete();
     if (options.json) {
