@@ -19,19 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A stop from low speed: a run of a few milliseconds that has metrics.
-const std::string kStop = R"(title: A short stop
-manoeuvre: straight_braking
-start: {speed: 15 km/h}
-phases:
-  - {name: straight, until: {duration: 0.1 s}}
-  - name: brake
-    throttle: {constant: {value: 0}}
-    clutch: {constant: {value: 1}}
-    brake: {ramp: {to: 1, rate: 20}}
-    until: {speed_below: 0.02, duration: 5 s}
-)";
-
 const std::string kCampaign = R"(title: Stops
 vehicles: [car.yaml]
 scenarios: [stop.yaml]
@@ -47,7 +34,7 @@ class TreadCampaign : public TreadRun {
 protected:
     void SetUp() override {
         car();
-        scratch.file("stop.yaml", kStop);
+        scratch.file("stop.yaml", kShortStop);
         campaign();
     }
     std::string campaign(const std::string& text = kCampaign) const { return scratch.file("campaign.yaml", text); }

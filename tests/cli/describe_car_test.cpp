@@ -108,6 +108,13 @@ TEST(DescribeCar, TextPageAndJsonSayTheSame) {
     }
 }
 
+TEST(DescribeCar, TheNameOfAShippedCarIsEnough) {
+    std::filesystem::current_path(sourceFile(""));  // where the shipped cars are looked for
+    const Result sheet = runProgram({"describe", "compact"});
+    EXPECT_EQ(sheet.status, 0) << sheet.err;
+    EXPECT_EQ(sheet.out, runProgram({"describe", compactFile()}).out);
+}
+
 TEST(DescribeCar, ASettingChangesTheCar) {
     const auto sheet = [](const std::vector<std::string>& more) {
         std::vector<std::string> words{"describe", compactFile(), "--json"};

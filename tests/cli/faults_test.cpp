@@ -100,18 +100,7 @@ std::ostream& operator<<(std::ostream& out, const Command& command) {
     return out << command.name;
 }
 
-const std::string kShort = R"(title: A short stop
-manoeuvre: straight_braking
-start: {speed: 15 km/h}
-log: {rate: 50, channels: [chassis.*, driver.*]}
-phases:
-  - {name: straight, until: {duration: 0.1 s}}
-  - name: brake
-    throttle: {constant: {value: 0}}
-    clutch: {constant: {value: 1}}
-    brake: {ramp: {to: 1, rate: 20}}
-    until: {speed_below: 0.02, duration: 5 s}
-)";
+const std::string kShort = kShortStop + "log: {rate: 50, channels: [chassis.*, driver.*]}\n";
 
 const std::string kStops = R"(title: Stops
 vehicles: [car.yaml]

@@ -390,6 +390,14 @@ TEST(FmuCommand, AnswersInASentenceAndRefusesFaults) {
     EXPECT_NE(faulty.err.find("did you mean \"mass\"?"), std::string::npos) << faulty.err;
 }
 
+TEST(FmuCommand, TakesTheNameOfAShippedCar) {
+    const Scratch scratch;
+    std::filesystem::current_path(sourceFile(""));  // where the shipped cars are looked for
+    ASSERT_EQ(runProgram({"fmu", "compact", "-o", scratch.path("a.fmu")}).status, 0);
+    ASSERT_EQ(runProgram({"fmu", "vehicles/compact.yaml", "-o", scratch.path("b.fmu")}).status, 0);
+    EXPECT_EQ(contentOf(scratch.path("a.fmu")), contentOf(scratch.path("b.fmu")));
+}
+
 TEST(FmuObject, ShowsTheFunctionsOfTheStandardAndNeedsTheCLibraryAlone) {
     const std::string object = std::filesystem::path(programFile()).replace_filename("tread_fmu.so");
     const Result names = runOther("/usr/bin/nm", {"-D", "--defined-only", object});

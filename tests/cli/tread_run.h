@@ -42,6 +42,19 @@ phases:
     until: {duration: 0.2 s}
 )";
 
+// A stop from low speed: a run of a few milliseconds that has metrics.
+inline const std::string kShortStop = R"(title: A short stop
+manoeuvre: straight_braking
+start: {speed: 15 km/h}
+phases:
+  - {name: straight, until: {duration: 0.1 s}}
+  - name: brake
+    throttle: {constant: {value: 0}}
+    clutch: {constant: {value: 1}}
+    brake: {ramp: {to: 1, rate: 20}}
+    until: {speed_below: 0.02, duration: 5 s}
+)";
+
 // How the car's text names its tyre.
 inline const std::string kTyre = "tyre: " + kSource + "/vehicles/tyres/car_205_60R15.yaml";
 

@@ -149,7 +149,8 @@ void addIdentify(CLI::App& app, IdentifyRequest& o) {
 }
 
 void addDescribe(CLI::App& app, DescribeOptions& o) {
-    addName(app, "what", o.what, "whose fields; or a vehicle file: its data sheet", describableNames(false))
+    addName(app, "what", o.what, "whose fields; or a vehicle file, or the name of a shipped one: its data sheet",
+            describableNames(false))
         ->required();
     app.add_option("path", o.path, "path of one field, for example phases.0: only this field and what it contains");
     addFile(app, "--report", o.report, "page of the data sheet to write (HTML)");
@@ -169,7 +170,7 @@ void addSchema(CLI::App& app, SchemaOptions& o) {
 }
 
 void addFmu(CLI::App& app, FmuOptions& o) {
-    addFile(app, "vehicle", o.vehicle, "vehicle file (YAML)")->required();
+    addFile(app, "vehicle", o.vehicle, "vehicle file (YAML), or the name of a shipped one: compact")->required();
     addFile(app, "-o,--output", o.output, "FMU to write (default: <vehicle>.fmu in the current folder)");
     app.add_option("--fmi", o.fmi, "version of FMI: 2 or 3 (default: 2)")->check(CLI::IsMember({2, 3}));
     addSettings(app, o.settings, "path=value, for example mass=\"1.4 t\": start value of a parameter");

@@ -14,6 +14,7 @@
 #include "describable.h"
 #include "describe_car.h"
 #include "output.h"
+#include "shipped_file.h"
 #include "tread/problem.h"
 
 namespace tread::program {
@@ -150,9 +151,11 @@ bool looksLikeFile(const std::string& what) {
 
 }  // namespace
 
-int describe(const DescribeOptions& options) {
+int describe(const DescribeOptions& given) {
     const std::vector<std::string_view> names = describableNames(false);
-    const bool named = std::find(names.begin(), names.end(), options.what) != names.end();
+    const bool named = std::find(names.begin(), names.end(), given.what) != names.end();
+    DescribeOptions options = given;
+    if (!named) options.what = shippedFile(given.what, "vehicles");
     if (!named && looksLikeFile(options.what)) {
         if (options.path.empty()) return describeCar(options);
         throw LoadError({{"tread describe", 0, 0, "",

@@ -7,6 +7,7 @@
 #include "host/parameters.h"
 #include "output.h"
 #include "plausibility.h"
+#include "shipped_file.h"
 #include "tread/load.h"
 
 namespace tread::program {
@@ -37,12 +38,13 @@ std::string contentOf(const Path& file) {
 }  // namespace
 
 int fmu(const FmuOptions& options) {
-    VehicleParams car = loadVehicle(options.vehicle);
+    const std::string vehicle = shippedFile(options.vehicle, "vehicles");
+    VehicleParams car = loadVehicle(vehicle);
     host::setParameters(car, options.settings, "--set");
-    warnOfImplausible(implausibleIn(car, options.vehicle, {{options.settings, "--set"}}));
+    warnOfImplausible(implausibleIn(car, vehicle, {{options.settings, "--set"}}));
     const auto version = options.fmi == 3 ? tread::fmu::FmiVersion::fmi3 : tread::fmu::FmiVersion::fmi2;
     const Path output =
-        options.output.empty() ? Path(options.vehicle).filename().replace_extension(".fmu") : Path(options.output);
+        options.output.empty() ? Path(vehicle).filename().replace_extension(".fmu") : Path(options.output);
     const std::string bytes = tread::fmu::packed(car, contentOf(objectFile()), version);
     writeFile(output.string(), bytes);
     say(fmt::format("Wrote {}: FMI {} for co-simulation, linux x86-64, {:.1f} MB.\n", output.string(),
