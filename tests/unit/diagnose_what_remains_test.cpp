@@ -1,4 +1,4 @@
-// Whether a remainder is larger than ordinary, against the largest densities of the rows under both priors of sizes.
+// Whether a remainder is larger than ordinary, against the densities of the rows under both priors of sizes.
 #include "diagnose/select/what_remains.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,6 @@
 
 #include "base/random.h"
 #include "shared/linear_drives.h"
-#include "shared/most_probable_sizes.h"
 
 namespace tread::diagnose_what_remains_test {
 namespace {
@@ -23,13 +22,18 @@ using diagnose::select::Remains;
 using diagnose::select::whatRemains;
 using linear_drives::LinearDrive;
 using linear_drives::logDensity;
-using linear_drives::mostProbableSizes;
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr Disturbed kFirst = Disturbed::lateral, kSecond = Disturbed::yaw_error;
+
+Sizes ordinarySizes() {
+    Sizes sizes;
+    sizes.fill(1);
+    return sizes;
+}
 
 MatrixXd normals(Index rows, Index columns, Random& random) {
     MatrixXd all(rows, columns);
@@ -53,18 +57,34 @@ std::vector<LinearDrive> drawn(double first, double second) {
     return all;
 }
 
-// (D33), with rows of their full covariance.
-double beyondOrdinary(const std::vector<LinearDrive>& drives) {
-    const auto density = [&](const Sizes& sizes) { return logDensity(drives, {0}, sizes); };
-    const Sizes large = mostProbableSizes(density, kFirst, kSecond, kLargePrior),
-                ordinary = mostProbableSizes(density, kFirst, kSecond, kOrdinaryPrior);
-    double difference = density(large) - density(ordinary);
-    for (const Disturbed kind : {kFirst, kSecond}) {
-        const double up = std::max(0.0, std::log(large[placeOf(kind)])),
-                     narrow = std::max(0.0, std::log(ordinary[placeOf(kind)]));
-        difference += -0.5 * up * up + 0.5 * narrow * narrow / (0.5 * 0.5);
+// Logarithm of the Bayes factor, integrated over both sizes on a grid, with rows of their full covariance. Half of
+// each prior lies above the usual size; below it, both are the same.
+double bayesFactor(const std::vector<LinearDrive>& drives) {
+    constexpr double kStep = 0.1, kLowest = -3.5, kHighest = 4;  // of the logarithm of a size
+    const auto prior = [](double log_size, double spread) {
+        const double within = log_size > 0 ? spread : kLargePrior.spread;
+        return std::exp(-0.5 * std::pow(log_size / within, 2)) / within;
+    };
+    struct Point {
+        double log_density, large, ordinary;
+    };
+    std::vector<Point> points;
+    for (double a = kLowest; a < kHighest; a += kStep) {
+        for (double b = kLowest; b < kHighest; b += kStep) {
+            Sizes sizes = ordinarySizes();
+            sizes[placeOf(kFirst)] = std::exp(a), sizes[placeOf(kSecond)] = std::exp(b);
+            points.push_back({logDensity(drives, {0}, sizes),
+                              prior(a, kLargePrior.spread) * prior(b, kLargePrior.spread),
+                              prior(a, kOrdinaryPrior.spread) * prior(b, kOrdinaryPrior.spread)});
+        }
     }
-    return difference;
+    double most = -1e300, large = 0, ordinary = 0;
+    for (const Point& one : points) most = std::max(most, one.log_density);
+    for (const Point& one : points) {
+        large += std::exp(one.log_density - most) * one.large;
+        ordinary += std::exp(one.log_density - most) * one.ordinary;
+    }
+    return std::log(large / ordinary);
 }
 
 Remains remainsOf(const std::vector<LinearDrive>& drives) {
@@ -74,15 +94,14 @@ Remains remainsOf(const std::vector<LinearDrive>& drives) {
     return whatRemains(car, model, model.fit.rows);
 }
 
-// The search for the sizes ends when their logarithms move by less than 0.05; the density is flat at its maximum.
-constexpr double kNearMaximum = 0.05;  // nats
+// The Gaussian in the logarithms of the sizes that (D33) puts in place of the integral is an approximation.
+constexpr double kOfApproximation = 0.5;  // nats
 
 TEST(WhatRemains, IsBeyondOrdinaryByTheEvidenceOfLargerSizes) {
     for (const auto& [first, second] : {std::pair{1.0, 1.0}, {2.0, 0.1}, {4.0, 1.0}, {0.2, 9.0}, {12.0, 12.0}}) {
         const std::vector<LinearDrive> drives = drawn(first, second);
         const Remains found = remainsOf(drives);
-        const double expected = beyondOrdinary(drives);
-        EXPECT_NEAR(found.beyond_ordinary, expected, kNearMaximum) << first << ", " << second;
+        EXPECT_NEAR(found.beyond_ordinary, bayesFactor(drives), kOfApproximation) << first << ", " << second;
         const double nats = std::max(found.material() ? found.beyond_ordinary : 0, found.strain);
         EXPECT_NEAR(found.probability(), 1 / (1 + 9 * std::exp(-nats)), 1e-12);
         EXPECT_EQ(found.seen(), (found.beyond_ordinary > 6 && found.material()) || found.strain > 6);
@@ -98,7 +117,7 @@ TEST(WhatRemains, IsSeenWhereItIsManyTimesTheUsual) {
 // No more and no less likely than before the drives.
 TEST(WhatRemains, OfLessThanUsualSizeSaysNothingAboutAnUnknownCause) {
     const Remains found = remainsOf(drawn(0.2, 0.2));
-    EXPECT_NEAR(found.beyond_ordinary, 0, kNearMaximum);
+    EXPECT_NEAR(found.beyond_ordinary, 0, kOfApproximation);
     EXPECT_NEAR(found.probability(), 0.1, 0.01);
 }
 

@@ -68,6 +68,11 @@ constexpr bool isReading(Disturbed kind) {
     return kind >= kReadingErrors.front();
 }
 
+// Known from the data sheet of an instrument. The roll angle drifts with the tilt of the road.
+constexpr bool isInstruments(Disturbed kind) {
+    return isReading(kind) && kind != Disturbed::angle_reading;
+}
+
 // The error of readings that a channel can have.
 Disturbed readingErrorOf(std::string_view channel);
 

@@ -14,12 +14,8 @@ constexpr double kLeastSize = 0.03;  // usual sizes; a kind this small does not 
 constexpr int kMostSteps = 12;
 constexpr double kSettled = 0.1;  // change of the logarithm of a size
 
-// Squared impulses that a model leaves, and the number of them that the data determine, by kind.
-struct Left {
-    Sizes squares{}, determined{};
-};
-
-Left leftOf(const Uncertainty& uncertainty, std::size_t drive, const inference::DisturbedProducts& here,
+// In one drive. `root`: of the information about the parameters from all drives.
+Left leftIn(const Uncertainty& uncertainty, std::size_t drive, const inference::DisturbedProducts& here,
             const Eigen::MatrixXd& root) {
     Left left;
     const Eigen::VectorXd squares = here.estimates.rightCols(1).cwiseAbs2();
@@ -46,8 +42,8 @@ double logPrior(const Sizes& sizes, const SizesPrior& prior) {
     return sum;
 }
 
-Sizes improvedSizes(const Uncertainty& uncertainty, const std::vector<DriveProducts>& products, const Sizes& sizes,
-                    int threads, const SizesPrior& prior) {
+Left leftBy(const Uncertainty& uncertainty, const std::vector<DriveProducts>& products, const Sizes& sizes,
+            int threads) {
     const std::size_t drives = products.size();
     std::vector<inference::DisturbedProducts> each(drives);
     inParallel(drives, threads, [&](std::size_t d) {
@@ -58,15 +54,23 @@ Sizes improvedSizes(const Uncertainty& uncertainty, const std::vector<DriveProdu
     for (const inference::DisturbedProducts& one : each) information += one.products.topLeftCorner(free, free);
     const Eigen::MatrixXd root = inference::factorOfPriorAnd(information).matrixL();
     std::vector<Left> lefts(drives);
-    inParallel(drives, threads, [&](std::size_t d) { lefts[d] = leftOf(uncertainty, d, each[d], root); });
+    inParallel(drives, threads, [&](std::size_t d) { lefts[d] = leftIn(uncertainty, d, each[d], root); });
+    Left all;
+    for (std::size_t k = 0; k < kDisturbances; ++k)
+        for (const Left& left : lefts)
+            all.squares[k] += left.squares[k], all.determined[k] += std::max(0.0, left.determined[k]);
+    return all;
+}
+
+Sizes improvedSizes(const Uncertainty& uncertainty, const std::vector<DriveProducts>& products, const Sizes& sizes,
+                    int threads, const SizesPrior& prior) {
+    const Left left = leftBy(uncertainty, products, sizes, threads);
     Sizes better = sizes;
     for (std::size_t k = 0; k < kDisturbances; ++k) {
         const double log_size = std::log(sizes[k]), off = prior.pull(static_cast<Disturbed>(k), log_size);
-        double squares = 0, determined = 0;
-        for (const Left& left : lefts) squares += left.squares[k], determined += std::max(0.0, left.determined[k]);
-        const double curvature = squares + determined + (log_size == 0 ? 0 : off / log_size);
+        const double curvature = left.information(k) + (log_size == 0 ? 0 : off / log_size);
         if (curvature < 1e-9) continue;
-        better[k] *= std::exp((squares - determined - off) / curvature);
+        better[k] *= std::exp((left.squares[k] - left.determined[k] - off) / curvature);
         better[k] = std::max(better[k], kLeastSize);
     }
     return better;

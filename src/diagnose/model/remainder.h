@@ -12,11 +12,14 @@ struct SizesPrior {
     double spread = 1;  // standard deviation of the logarithm
     bool above_only = false;
 
-    double pull(double log_size) const { return above_only && log_size < 0 ? 0 : log_size / (spread * spread); }
-    // The same for a kind: instruments are better known than roads, wind and forces.
-    double pull(Disturbed kind, double log_size) const {
-        const double share = isReading(kind) ? kSettings.reading_spread : 1;
-        return pull(log_size) / (share * share);
+    // Of a kind: instruments are better known than roads, wind and forces.
+    double spreadOf(Disturbed kind) const { return isInstruments(kind) ? kSettings.reading_spread * spread : spread; }
+    double pull(double log_size) const { return pull(log_size, spread); }
+    double pull(Disturbed kind, double log_size) const { return pull(log_size, spreadOf(kind)); }
+
+private:
+    double pull(double log_size, double within) const {
+        return above_only && log_size < 0 ? 0 : log_size / (within * within);
     }
 };
 inline constexpr SizesPrior kWidePrior{kSettings.size_spread, false};
@@ -25,9 +28,19 @@ inline constexpr SizesPrior kLargePrior{kSettings.size_spread, true}, kOrdinaryP
 // Logarithm of the prior density of sizes.
 double logPrior(const Sizes& sizes, const SizesPrior& prior);
 
-// Sizes closer to the maximum of the evidence of a model at its best point. `products`: per drive, of the columns of
-// its free parameters, then its residual. One step towards the fixed point of MacKay (1992) for variances; the
-// parameters are marginalised (D26a).
+// What a model leaves, by kind: squared impulses, and the number of them that the data determine. Their difference is
+// the gradient of the evidence in the logarithm of a size, their sum the information about it.
+struct Left {
+    Sizes squares{}, determined{};
+
+    double information(std::size_t kind) const { return squares[kind] + determined[kind]; }
+};
+// `products`: per drive, of the columns of the free parameters, then the residual. The parameters are marginalised.
+Left leftBy(const Uncertainty& uncertainty, const std::vector<DriveProducts>& products, const Sizes& sizes,
+            int threads);
+
+// Sizes closer to the maximum of the evidence of a model at its best point. One step towards the fixed point of MacKay
+// (1992) for variances (D26a).
 Sizes improvedSizes(const Uncertainty& uncertainty, const std::vector<DriveProducts>& products, const Sizes& sizes,
                     int threads, const SizesPrior& prior = kWidePrior);
 

@@ -31,6 +31,22 @@ Sizes sizesUnder(const model::SizesPrior& prior, const Calibration& car, const F
     return sizes;
 }
 
+// What the freedom to be large costs: the density of the wide prior over that of the narrow one, as far as the data
+// determine a size, and as probable as it is that the size is above the usual one. At most 0.
+double costOfFreedom(const Sizes& sizes, const model::Left& left) {
+    double nats = 0;
+    for (std::size_t k = 0; k < model::kDisturbances; ++k) {
+        const auto kind = static_cast<model::Disturbed>(k);
+        const double information = left.information(k);
+        const auto width = [&](const model::SizesPrior& prior) {
+            return std::sqrt(1 + information * std::pow(prior.spreadOf(kind), 2));
+        };
+        const double above = 0.5 * std::erfc(-std::log(sizes[k]) * std::sqrt(0.5 * information));
+        nats += std::log1p(above * (width(model::kOrdinaryPrior) / width(model::kLargePrior) - 1));
+    }
+    return nats;
+}
+
 // Nats by which Student's t with four degrees of freedom and the same variance is likelier than the normal
 // distribution, for the numbers that moved far enough to tell.
 double strainOf(const Fit& fit) {
@@ -103,9 +119,11 @@ Remains whatRemains(const Calibration& car, const Candidate& model, const Rows& 
     Remains remains;
     remains.strain = strainOf(fit);
     remains.excess = largestExcess(car, rows);
-    remains.beyond_ordinary = logEvidenceWith(fit, car.uncertainty, wide) + model::logPrior(wide, model::kLargePrior) -
-                              ordinary -
-                              0.5 * ratio * (model::kLargePrior.pull(ratio) - model::kOrdinaryPrior.pull(ratio));
+    const double of_ratio = 0.5 * ratio * (model::kOrdinaryPrior.pull(ratio) - model::kLargePrior.pull(ratio)) +
+                            (ratio > 0 ? std::log(model::kOrdinaryPrior.spread / model::kLargePrior.spread) : 0);
+    remains.beyond_ordinary =
+        logEvidenceWith(fit, car.uncertainty, wide) + model::logPrior(wide, model::kLargePrior) - ordinary + of_ratio +
+        costOfFreedom(wide, model::leftBy(car.uncertainty, fit.products, wide, car.problem.replays.threads));
     remains.of_law = std::max(0.0, model.law.gain);
     if (model.law.gain > kSettings.clear) remains.law = model.law;
     return remains;
