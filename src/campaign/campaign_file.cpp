@@ -4,6 +4,7 @@
 
 #include "base/read_yaml.h"
 #include "base/setting.h"
+#include "store/named_file.h"
 
 namespace tread::campaign {
 namespace {
@@ -14,15 +15,14 @@ std::string listing(std::string_view) {
 
 }  // namespace
 
-CampaignFile loadCampaign(const std::filesystem::path& file, const std::vector<std::string>& settings) {
+CampaignFile loadCampaign(const std::filesystem::path& file, const std::vector<std::string>& settings,
+                          const ShippedFiles& shipped) {
     CampaignFile campaign = readYaml<CampaignFile>(file);
     applySettings(campaign, settings, "--set", listing);
-    const auto place = [&](std::string& name) {
-        if (!name.empty()) name = (file.parent_path() / name).lexically_normal().string();
-    };
-    for (std::string& name : campaign.vehicles) place(name);
-    for (std::string& name : campaign.scenarios) place(name);
-    for (Correlated& group : campaign.correlated) place(group.identified);
+    const std::filesystem::path folder = file.parent_path();
+    for (std::string& name : campaign.vehicles) name = namedFile(folder, name, shipped, "vehicles");
+    for (std::string& name : campaign.scenarios) name = namedFile(folder, name, shipped, "scenarios");
+    for (Correlated& group : campaign.correlated) group.identified = namedFile(folder, group.identified);
     if (campaign.title.empty()) campaign.title = file.stem().string();
     return campaign;
 }

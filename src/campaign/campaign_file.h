@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "scenario/accept.h"
+#include "store/named_file.h"
 #include "tread/describe.h"
 
 namespace tread::campaign {
@@ -158,8 +159,10 @@ struct CampaignFile {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(title), About{"", "what the campaign is, in a few words"});
         field(TREAD_FIELD(description), About{"", "what it is after, and where its numbers come from"});
-        field(TREAD_FIELD(vehicles), About{"", "vehicle files, relative to this file"});
-        field(TREAD_FIELD(scenarios), About{"", "scenario files, relative to this file; each car drives each"});
+        field(TREAD_FIELD(vehicles),
+              About{"", "vehicle files, relative to this file, or names of shipped ones, such as compact"});
+        field(TREAD_FIELD(scenarios),
+              About{"", "scenario files, relative to this file, or names of shipped ones; each car drives each"});
         field(TREAD_FIELD(settings), About{"", "changes for all runs, each path=value, as for --set"});
         field(TREAD_FIELD(factors), About{"", "what differs from run to run"});
         field(TREAD_FIELD(correlated), About{"", "numbers that are drawn together"});
@@ -185,7 +188,8 @@ struct CampaignFile {
 };
 static_assert(describesEveryMember<CampaignFile>());
 
-// Throws LoadError. File names are resolved relative to the folder of the file.
-CampaignFile loadCampaign(const std::filesystem::path& file, const std::vector<std::string>& settings = {});
+// Throws LoadError. File names are resolved relative to the folder of the file, those of shipped files if told how.
+CampaignFile loadCampaign(const std::filesystem::path& file, const std::vector<std::string>& settings = {},
+                          const ShippedFiles& shipped = {});
 
 }  // namespace tread::campaign

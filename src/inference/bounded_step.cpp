@@ -59,7 +59,7 @@ Eigen::VectorXd boundedStep(const QuadraticModel& model, double damping, const B
     for (Index change = 0; change < kMostChanges * n; ++change) {
         const std::vector<Index> open = openOf(held);
         const Eigen::VectorXd left = slope - hessian * step;
-        const Eigen::VectorXd further = hessian(open, open).llt().solve(left(open));
+        const Eigen::VectorXd further = Factor(hessian(open, open)).solve(left(open));
         const Meeting met = firstMeeting(open, further, step, down, up);
         step(open) += met.share * further;
         if (const Index i = met.parameter; i >= 0) {

@@ -9,7 +9,7 @@ Factor factorOfPriorAnd(const Eigen::MatrixXd& information) {
 }
 
 double logDeterminant(const Factor& factor) {
-    return 2 * factor.matrixLLT().diagonal().array().log().sum();
+    return 2 * factor.lower().diagonal().array().log().sum();
 }
 
 QuadraticModel quadraticModel(const NormalEquations& equations, Eigen::VectorXd at) {

@@ -8,8 +8,6 @@
 
 namespace tread::inference {
 
-using Factor = Eigen::LLT<Eigen::MatrixXd>;
-
 // Cholesky factor of I + information, the Hessian of the negative log posterior.
 Factor factorOfPriorAnd(const Eigen::MatrixXd& information);
 

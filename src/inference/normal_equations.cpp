@@ -9,29 +9,6 @@
 namespace tread::inference {
 namespace {
 
-// Inverse of the lower triangular factor. Its columns are zero above the diagonal, which saves two thirds of the work.
-Eigen::MatrixXd inverseOf(const Factor& factor) {
-    constexpr Index kBlock = 64;  // columns solved at once
-    const Eigen::MatrixXd lower = factor.matrixL();
-    const Index n = lower.rows();
-    Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(n, n);
-    for (Index first = 0; first < n; first += kBlock) {
-        const Index left = n - first;
-        auto columns = inverse.block(first, first, left, std::min(kBlock, left));
-        columns.setIdentity();
-        lower.bottomRightCorner(left, left).triangularView<Eigen::Lower>().solveInPlace(columns);
-    }
-    return inverse;
-}
-
-// Products of columns with one another: symmetric, so that half of them need not be computed.
-Eigen::MatrixXd squareOf(const Eigen::MatrixXd& columns) {
-    Eigen::MatrixXd square = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
-    square.selfadjointView<Eigen::Lower>().rankUpdate(columns.transpose());
-    square.triangularView<Eigen::StrictlyUpper>() = square.transpose();
-    return square;
-}
-
 // Products of columns that change by v step', but for the last. `with`: their products with v.
 void addToSquares(Eigen::MatrixXd& products, const Eigen::VectorXd& with, double square, const Eigen::VectorXd& step) {
     const Index n = step.size();
@@ -49,7 +26,7 @@ void setLast(Eigen::MatrixXd& products, const Eigen::VectorXd& with) {
 }  // namespace
 
 DriveProducts productsOf(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& disturbances) {
-    return {squareOf(columns), squareOf(disturbances), disturbances.transpose() * columns};
+    return {squareOf(columns), squareOf(disturbances), transposedTimes(disturbances, columns)};
 }
 
 DriveProducts extended(const DriveProducts& products, const Eigen::MatrixXd& columns,
@@ -57,12 +34,12 @@ DriveProducts extended(const DriveProducts& products, const Eigen::MatrixXd& col
     const Index old = products.columns.cols(), all = old + further.cols();
     DriveProducts result{Eigen::MatrixXd(all, all), products.disturbances, Eigen::MatrixXd(products.mixed.rows(), all)};
     result.columns.topLeftCorner(old, old) = products.columns;
-    result.columns.topRightCorner(old, further.cols()) = columns.transpose() * further;
+    result.columns.topRightCorner(old, further.cols()) = transposedTimes(columns, further);
     result.columns.bottomLeftCorner(further.cols(), old) =
         result.columns.topRightCorner(old, further.cols()).transpose();
     result.columns.bottomRightCorner(further.cols(), further.cols()) = squareOf(further);
     result.mixed.leftCols(old) = products.mixed;
-    result.mixed.rightCols(further.cols()) = disturbances.transpose() * further;
+    result.mixed.rightCols(further.cols()) = transposedTimes(disturbances, further);
     return result;
 }
 
@@ -113,12 +90,12 @@ NormalEquations normalEquations(const DriveProducts& products, const Eigen::Vect
 }
 
 MarginalProducts::MarginalProducts(const DriveProducts& products, Metric metric) : metric_(std::move(metric)) {
-    half_ = metric_.factor.matrixL().solve(metric_.sizes.asDiagonal() * products.mixed);
+    half_ = metric_.factor.half(metric_.sizes.asDiagonal() * products.mixed);
     equations_ = {products.columns - squareOf(half_), logDeterminant(metric_.factor)};
 }
 
 Eigen::VectorXd MarginalProducts::halfOf(const Eigen::VectorXd& mixed) const {
-    return metric_.factor.matrixL().solve(metric_.sizes.cwiseProduct(mixed));
+    return metric_.factor.half(metric_.sizes.cwiseProduct(mixed));
 }
 
 void MarginalProducts::updateByRankOne(const ColumnProducts& by, const Eigen::VectorXd& step) {
@@ -139,7 +116,7 @@ void MarginalProducts::scaleColumns(const Eigen::VectorXd& factors) {
 }
 
 double squaresIn(const Metric& metric, const Eigen::VectorXd& residual, const Eigen::VectorXd& mixed) {
-    const Eigen::VectorXd half = metric.factor.matrixL().solve(metric.sizes.cwiseProduct(mixed));
+    const Eigen::VectorXd half = metric.factor.half(metric.sizes.cwiseProduct(mixed));
     return residual.squaredNorm() - half.squaredNorm();
 }
 
@@ -151,10 +128,9 @@ Eigen::VectorXd inMetric(const Metric& metric, const Eigen::VectorXd& residual, 
 DisturbedProducts disturbedProducts(const DriveProducts& products, const Eigen::VectorXd& sizes) {
     const auto scale = sizes.asDiagonal();
     const Factor factor = factorOfPriorAnd(scale * products.disturbances * scale);
-    const Eigen::MatrixXd inverse = inverseOf(factor);
-    const Eigen::MatrixXd half = inverse.triangularView<Eigen::Lower>() * (scale * products.mixed);
-    return {products.columns - squareOf(half), inverse.transpose().triangularView<Eigen::Upper>() * half,
-            inverse.colwise().squaredNorm()};
+    const Eigen::MatrixXd half = factor.half(scale * products.mixed);
+    return {products.columns - squareOf(half), solvedByTransposed(factor.lower(), half),
+            inverseOf(factor.lower()).colwise().squaredNorm()};
 }
 
 NormalEquations operator+(NormalEquations a, const NormalEquations& b) {
@@ -173,7 +149,7 @@ NormalEquations sumOf(const std::vector<NormalEquations>& all) {
 NormalEquations marginalised(const NormalEquations& equations, const std::vector<Index>& out) {
     if (out.empty()) return equations;
     const Factor factor = factorOfPriorAnd(equations.products(out, out));
-    const Eigen::MatrixXd half = factor.matrixL().solve(equations.products(out, Eigen::all));
+    const Eigen::MatrixXd half = factor.half(equations.products(out, Eigen::all));
     NormalEquations left{equations.products - squareOf(half), equations.log_determinant + logDeterminant(factor)};
     for (const Index i : out) {
         left.products.row(i).setZero();

@@ -11,6 +11,8 @@
 #include <span>
 #include <vector>
 
+#include "inference/products.h"
+
 namespace tread::inference {
 
 using Index = Eigen::Index;
@@ -59,7 +61,7 @@ struct NormalEquations {
 // The metric of disturbances with the standard deviations `sizes`.
 struct Metric {
     Eigen::VectorXd sizes;
-    Eigen::LLT<Eigen::MatrixXd> factor;  // of I + diag(s) D'D diag(s)
+    Factor factor;  // of I + diag(s) D'D diag(s)
 };
 Metric metricOf(const Eigen::MatrixXd& disturbances, const Eigen::VectorXd& sizes);
 

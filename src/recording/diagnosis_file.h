@@ -10,6 +10,7 @@
 #include "recording/instruments.h"
 #include "recording/subject.h"
 #include "scenario/wind.h"
+#include "store/named_file.h"
 #include "tread/describe.h"
 #include "tread/road_params.h"
 
@@ -130,7 +131,7 @@ struct DiagnosisFile {
     double windows = 6;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(vehicle), About{"", "file of the nominal car, relative to this file"});
+        field(TREAD_FIELD(vehicle), About{"", "file of the nominal car, relative to this file, or the name of a shipped one"});
         field(TREAD_FIELD(vehicle_settings), About{"", "changes to the nominal car, each path=value"});
         field(
             TREAD_FIELD(import),
@@ -164,11 +165,13 @@ struct DiagnosisFile {
 };
 static_assert(describesEveryMember<DiagnosisFile>());
 
-// Throws LoadError. File names are resolved relative to the file's folder, those of logs relative to `data` if given.
-DiagnosisFile loadDiagnosis(const std::filesystem::path& file, const std::filesystem::path& data = {});
+// Throws LoadError. File names are resolved relative to the file's folder, those of logs relative to `data` if given,
+// that of a shipped car if told how.
+DiagnosisFile loadDiagnosis(const std::filesystem::path& file, const std::filesystem::path& data = {},
+                            const ShippedFiles& shipped = {});
 
 // The same without checking that the logs exist.
-DiagnosisFile checkedDiagnosis(const std::filesystem::path& file);
+DiagnosisFile checkedDiagnosis(const std::filesystem::path& file, const ShippedFiles& shipped = {});
 
 // ---- Files that it names. Each function throws LoadError that lists every fault. ----
 

@@ -16,10 +16,6 @@ namespace {
 
 using Path = std::filesystem::path;
 
-std::string beside(const Path& folder, const std::string& name) {
-    return name.empty() ? name : (folder / name).lexically_normal().string();
-}
-
 // Faults that cannot be seen in the file alone: paths of numbers, names of channels and effects, missing files.
 struct Faults {
     const Path& file;
@@ -122,16 +118,16 @@ void nameRecordings(DiagnosisFile& diagnosis) {
     }
 }
 
-DiagnosisFile load(const Path& file, const Path& data, bool with_logs) {
+DiagnosisFile load(const Path& file, const Path& data, const ShippedFiles& shipped, bool with_logs) {
     std::vector<Problem> problems;
     DiagnosisFile diagnosis = readYaml<DiagnosisFile>(file, problems);
     const Path folder = file.parent_path();
-    diagnosis.vehicle = beside(folder, diagnosis.vehicle);
-    diagnosis.import = beside(folder, diagnosis.import);
-    diagnosis.own_effects = beside(folder, diagnosis.own_effects);
+    diagnosis.vehicle = namedFile(folder, diagnosis.vehicle, shipped, "vehicles");
+    diagnosis.import = namedFile(folder, diagnosis.import);
+    diagnosis.own_effects = namedFile(folder, diagnosis.own_effects);
     for (Recording* recording : allRecordings(diagnosis)) {
         for (std::string* log : {&recording->log, &recording->reference})
-            *log = beside(data.empty() ? folder : data, *log);
+            *log = namedFile(data.empty() ? folder : data, *log);
     }
     nameRecordings(diagnosis);
     Faults faults{file};
@@ -143,12 +139,12 @@ DiagnosisFile load(const Path& file, const Path& data, bool with_logs) {
 
 }  // namespace
 
-DiagnosisFile loadDiagnosis(const Path& file, const Path& data) {
-    return load(file, data, true);
+DiagnosisFile loadDiagnosis(const Path& file, const Path& data, const ShippedFiles& shipped) {
+    return load(file, data, shipped, true);
 }
 
-DiagnosisFile checkedDiagnosis(const Path& file) {
-    return load(file, {}, false);
+DiagnosisFile checkedDiagnosis(const Path& file, const ShippedFiles& shipped) {
+    return load(file, {}, shipped, false);
 }
 
 Subject nominalSubject(const DiagnosisFile& file) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <utility>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -27,7 +28,8 @@ namespace {
 using Fiber = boost::context::fiber;
 
 constexpr std::size_t kMostLanes = 8;
-constexpr std::size_t kStack = 8 << 20;  // bytes, as a thread has; only what is used takes memory
+constexpr std::size_t kSeatsPerLane = 2;  // of two kinds of steps, one always fills the lanes
+constexpr std::size_t kStack = 8 << 20;   // bytes, as a thread has; only what is used takes memory
 constexpr std::array<double, 3> kGravity_W{0, 0, -kStandardGravity};
 
 thread_local Convoy* convoy_of_thread = nullptr;
@@ -55,6 +57,8 @@ struct Convoy::Seat {
     Rider* rider = nullptr;
     std::optional<StepInputs> inputs{};  // of a step that it waits for
     double dt = 0;
+
+    double step() const { return dt / inputs->steps(); }
 };
 
 Convoy* Convoy::ofThread() {
@@ -62,7 +66,7 @@ Convoy* Convoy::ofThread() {
 }
 
 std::size_t Convoy::most() {
-    return lanesOfProcessor() ? lanesOfProcessor()->lanes : 1;
+    return lanesOfProcessor() ? kSeatsPerLane * lanesOfProcessor()->lanes : 1;
 }
 
 Convoy::Convoy(std::size_t seats)
@@ -105,9 +109,9 @@ void Convoy::run(const std::function<bool()>& doNext) {
     }
     for (driven_ = seats_.size(); driven_ > 0;) {
         for (std::size_t i = 0; i < seats_.size(); ++i) {
-            if (seats_[i]->fiber) resume(i);
+            if (seats_[i]->fiber && !seats_[i]->inputs) resume(i);
         }
-        stepAll();
+        stepSome();
         const Clock::time_point now = Clock::now();
         if (driven_ > 0) share_ += std::chrono::duration<double>(now - looked_).count() / static_cast<double>(driven_);
         looked_ = now;
@@ -155,7 +159,7 @@ void Convoy::leave(Rider& rider) {
 
 void Convoy::move(Rider& rider) {
     rider.lane_.motion = numbersOf(rider.motion_);
-    kind_->move(block_.get(), rider.seat_, rider.lane_);
+    kind_->move(block_.get(), rider.place_, rider.lane_);
     rider.moved_ = false;
 }
 
@@ -168,22 +172,26 @@ void Convoy::step(Rider& rider, const StepInputs& inputs, double dt) {
 
 void Convoy::fetch(Rider& rider) {
     if (rider.in_lane_ && rider.moved_) move(rider);
-    if (!rider.whole_) kind_->store(block_.get(), rider.seat_, rider.lane_);
+    if (!rider.whole_) kind_->store(block_.get(), rider.place_, rider.lane_);
     rider.whole_ = true;
 }
 
-// Out of its lane: it moves alone until it is loaded again.
+// Out of its lane, for another car or to move alone.
 void Convoy::putOut(Rider& rider) {
     fetch(rider);
-    if (rider.in_lane_) loaded_[rider.seat_] = nullptr;
+    if (rider.in_lane_) loaded_[rider.place_] = nullptr;
     rider.in_lane_ = false;
 }
 
-void Convoy::load(std::size_t lane, Rider& rider) {
-    const bool own = lane == rider.seat_;
+bool Convoy::isIn(const Rider& rider, std::size_t lane) const {
+    return rider.in_lane_ && rider.place_ == lane;
+}
+
+// `rider` is in no lane yet, or is repeated in a further one.
+void Convoy::fillLane(std::size_t lane, Rider& rider) {
     LaneCar car = rider.lane_;
     fetch(rider);
-    if (!own) {
+    if (rider.in_lane_) {
         spare_[lane] = rider.state_;
         car.state = &spare_[lane];
     }
@@ -193,75 +201,106 @@ void Convoy::load(std::size_t lane, Rider& rider) {
     kind_->prepare(block_.get(), lane, car);
     kind_->load(block_.get(), lane, car);
     loaded_[lane] = &rider;
-    if (own) rider.in_lane_ = true, rider.moved_ = rider.blown_ = false;
+    if (!rider.in_lane_) rider.place_ = lane, rider.in_lane_ = true, rider.moved_ = rider.blown_ = false;
 }
 
-// Gives every lane a car: its own, or the first of those that move together once more.
-void Convoy::takeLanes(const std::vector<std::size_t>& together) {
-    std::size_t next = 0;
+// Puts these cars into lanes and all others out; what lanes are left repeat one of them.
+void Convoy::giveLanes(const std::vector<std::size_t>& together) {
+    const auto goes = [&](const Rider& rider) {
+        return std::find(together.begin(), together.end(), rider.seat_) != together.end();
+    };
     for (std::size_t lane = 0; lane < kind_->lanes; ++lane) {
-        const bool own = next < together.size() && together[next] == lane;
-        if (own) ++next;
-        Rider& rider = *seats_[own ? lane : together.front()]->rider;
-        if (loaded_[lane] != &rider) {
-            if (Rider* before = loaded_[lane]; before && before->seat_ == lane) putOut(*before);
-            load(lane, rider);
-        } else if (own) {
-            if (rider.moved_) move(rider);
-            const Vector3& w = rider.wind_W_;
-            if (rider.blown_) kind_->blow(block_.get(), lane, {w.x(), w.y(), w.z()});
-            rider.blown_ = false;
+        if (loaded_[lane] && isIn(*loaded_[lane], lane) && !goes(*loaded_[lane])) putOut(*loaded_[lane]);
+    }
+    std::size_t lane = 0;
+    for (const std::size_t i : together) {
+        Rider& rider = *seats_[i]->rider;
+        if (!rider.in_lane_) {
+            while (loaded_[lane] && isIn(*loaded_[lane], lane)) ++lane;
+            fillLane(lane, rider);
         }
+        if (rider.moved_) move(rider);
+        const Vector3& w = rider.wind_W_;
+        if (rider.blown_) kind_->blow(block_.get(), rider.place_, {w.x(), w.y(), w.z()});
+        rider.blown_ = false;
+    }
+    for (lane = 0; lane < kind_->lanes; ++lane) {
+        if (!loaded_[lane] || !goes(*loaded_[lane])) fillLane(lane, *seats_[together.front()]->rider);
     }
 }
 
 void Convoy::stepTogether(const std::vector<std::size_t>& together) {
-    takeLanes(together);
+    giveLanes(together);
     const Seat& first = *seats_[together.front()];
     const int steps = first.inputs->steps();
     for (int k = 0; k < steps; ++k) {
         std::fill(begin_.begin(), begin_.end(), first.inputs->after(k));
         std::fill(end_.begin(), end_.end(), first.inputs->after(k + 1));
         for (const std::size_t i : together) {
-            begin_[i] = seats_[i]->inputs->after(k);
-            end_[i] = seats_[i]->inputs->after(k + 1);
+            begin_[seats_[i]->rider->place_] = seats_[i]->inputs->after(k);
+            end_[seats_[i]->rider->place_] = seats_[i]->inputs->after(k + 1);
         }
         kind_->step(block_.get(), begin_.data(), end_.data(), kGravity_W, first.dt / steps);
     }
     for (const std::size_t i : together) {
         Rider& rider = *seats_[i]->rider;
-        kind_->glance(block_.get(), i, rider.lane_);
+        kind_->glance(block_.get(), rider.place_, rider.lane_);
         rider.motion_ = motionOf(rider.lane_.motion);
         rider.whole_ = false;
     }
 }
 
-// The steps that fibers wait for: the most that are alike in lanes.
-void Convoy::stepAll() {
-    const auto alike = [](const Seat& a, const Seat& b) {
-        return a.inputs && b.inputs && a.dt == b.dt && a.inputs->steps() == b.inputs->steps();
+void Convoy::stepAlone(std::size_t seat) {
+    Seat& here = *seats_[seat];
+    putOut(*here.rider);
+    here.rider->moveAlone(*here.inputs, here.dt);
+}
+
+// Of those that wait with steps alike: if some fill the lanes, these, and rather those of the last time, who are in
+// lanes; else those with the shortest steps, who settle, so that the others have more company when they go on.
+std::vector<std::size_t> Convoy::nextSeats() const {
+    struct Group {
+        const Seat* first;
+        std::size_t count;
     };
-    std::vector<std::size_t> together;
-    for (std::size_t i = 0; i < seats_.size() && 2 * together.size() <= seats_.size(); ++i) {
-        std::vector<std::size_t> like;
-        for (std::size_t k = i; k < seats_.size(); ++k) {
-            if (alike(*seats_[i], *seats_[k])) like.push_back(k);
-        }
-        if (like.size() > together.size()) together = std::move(like);
+    const auto alike = [](const Seat& a, const Seat& b) {
+        return a.dt == b.dt && a.inputs->steps() == b.inputs->steps();
+    };
+    std::array<Group, kSeatsPerLane * kMostLanes> groups;
+    std::size_t known = 0;
+    for (const auto& seat : seats_) {
+        if (!seat->inputs) continue;
+        const auto end = groups.begin() + static_cast<std::ptrdiff_t>(known);
+        const auto same = std::find_if(groups.begin(), end, [&](const Group& one) { return alike(*one.first, *seat); });
+        if (same != end) ++same->count;
+        else groups[known++] = {seat.get(), 1};
     }
-    if (together.size() < kLanesPay) together.clear();
-    if (!together.empty()) stepTogether(together);
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < seats_.size(); ++i) {
-        Seat& seat = *seats_[i];
-        const bool moved = next < together.size() && together[next] == i;
-        if (moved) ++next;
-        if (seat.inputs && !moved) {
-            putOut(*seat.rider);
-            seat.rider->moveAlone(*seat.inputs, seat.dt);
-        }
-        seat.inputs.reset();
+    const Group* best = nullptr;
+    for (const Group& one : std::span(groups).first(known)) {
+        const bool full = one.count >= kind_->lanes, filled = best && best->count >= kind_->lanes;
+        const bool shorter = best && one.first->step() < best->first->step();
+        if (!best || (full && (!filled || one.first->step() == stepped_)) || (!full && !filled && shorter)) best = &one;
     }
+    std::vector<std::size_t> next;
+    if (!best) return next;
+    next.reserve(kind_->lanes);
+    for (const bool in_lane : {true, false}) {
+        for (std::size_t i = 0; i < seats_.size() && next.size() < kind_->lanes; ++i) {
+            const Seat& seat = *seats_[i];
+            if (seat.inputs && seat.rider->in_lane_ == in_lane && alike(seat, *best->first)) next.push_back(i);
+        }
+    }
+    return next;
+}
+
+void Convoy::stepSome() {
+    const std::vector<std::size_t> next = nextSeats();
+    if (next.empty()) return;
+    stepped_ = seats_[next.front()]->step();
+    if (next.size() >= kLanesPay) stepTogether(next);
+    else
+        for (const std::size_t i : next) stepAlone(i);
+    for (const std::size_t i : next) seats_[i]->inputs.reset();
 }
 
 }  // namespace tread

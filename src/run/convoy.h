@@ -1,7 +1,8 @@
 // Cars of several runs on one thread, each step of which is computed at once in lanes (vehicle/fleet/lane_kind.h).
 //
-// Each run is a fiber: it computes until its car is to move, and waits; when all wait, those whose steps are alike are
-// computed together, the others alone, and all go on. A car does the same bit for bit whoever rides with it.
+// Each run is a fiber: it computes until its car is to move, and waits. When all wait, some whose steps are alike are
+// computed together and go on. Cars that settle take other steps than cars that are driven, so there are more fibers
+// than lanes: either kind waits until it fills them. A car does the same bit for bit whoever rides with it.
 #pragma once
 
 #include <chrono>
@@ -42,12 +43,16 @@ private:
     void run(const std::function<bool()>& doNext);
     void resume(std::size_t seat);
     void wait();
-    void stepAll();
+    void stepSome();
+    std::vector<std::size_t> nextSeats() const;
+    void stepAlone(std::size_t seat);
     void stepTogether(const std::vector<std::size_t>& together);
-    void takeLanes(const std::vector<std::size_t>& together);
+    void giveLanes(const std::vector<std::size_t>& together);
+    void fillLane(std::size_t lane, Rider& rider);
     void load(std::size_t lane, Rider& rider);
     void move(Rider& rider);
     void putOut(Rider& rider);
+    bool isIn(const Rider& rider, std::size_t lane) const;
 
     using Clock = std::chrono::steady_clock;
 
@@ -56,6 +61,7 @@ private:
     std::vector<std::unique_ptr<Seat>> seats_;
     std::size_t driving_ = 0;          // whose fiber runs
     std::size_t driven_ = 0;           // fibers that have not ended
+    double stepped_ = 0;               // s, length of the last steps
     std::vector<Rider*> loaded_;       // whose car is in each lane; nullptr: none, or one that is gone
     std::vector<VehicleState> spare_;  // of cars that repeat another's
     std::vector<VehicleInput> begin_, end_;

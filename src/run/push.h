@@ -17,4 +17,10 @@ struct Push {
 // Push over the coming step of the world, asked once for each.
 using Pushing = std::function<Push(double time, const VehicleInput& driver, const VehicleOutput& car)>;
 
+// One that depends on the time alone: nothing of the car has to be looked at for it.
+struct PushingOverTime {
+    std::function<Push(double time)> at;
+    Push operator()(double time, const VehicleInput&, const VehicleOutput&) const { return at(time); }
+};
+
 }  // namespace tread

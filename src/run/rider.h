@@ -57,8 +57,9 @@ private:
     Substep substep_{0.001, Substep::kLongest};  // as in BulletVehicle
 
     // In a convoy.
-    Convoy* convoy_ = nullptr;     // that has kept a seat for it
-    std::size_t seat_ = 0;         // and lane
+    Convoy* convoy_ = nullptr;  // that has kept a seat for it
+    std::size_t seat_ = 0;
+    std::size_t place_ = 0;        // its lane, where it is in one
     std::vector<double> numbers_;  // of the vehicle, for lanes
     std::optional<GroundNumbers> plane_{};
     LaneCar lane_{};

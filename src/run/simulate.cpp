@@ -224,7 +224,8 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
         glance(sample.car, car->motion(), car->stateAtGlance(), car->vehicle(), kGravityOfRuns_W);
     };
     const bool sees_everything = sample.isObserved() || hasConditions(scenario);
-    const bool rows_at_glance = !pushing && sample.isSeenBy(glanceAt);
+    const bool pushed_unseen = !pushing || pushing.target<PushingOverTime>();
+    const bool rows_at_glance = pushed_unseen && sample.isSeenBy(glanceAt);
 
     sample.driver = rest.input;
     recorder.begin(sample.columns());

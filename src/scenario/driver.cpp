@@ -56,6 +56,7 @@ void Driver::beginPhase() {
     if (conditions_[phase_]) conditions_[phase_]->begin();
     feet_.begin(seen_.car.vx, held_.throttle);
     hands_.begin(held_.steering_wheel_angle, way_);
+    phase_end_ = endByClock();
 }
 
 // Where the car is on the course. From step to step the nearest place is looked for ahead of the last one, so that a
@@ -106,10 +107,9 @@ void Driver::look(double time, const ChassisOutput& chassis, double steering_whe
     if (!ended_ && happened(phase().until, seen_)) next(time);
 
     // A phase that ends by the clock is over from then on, though the hands go on only in the coming step.
-    const auto end = endByClock();
-    const bool over = end && !last() && time >= *end - kTimeRounding;
+    const bool over = phase_end_ && !last() && time >= *phase_end_ - kTimeRounding;
     place_->manoeuvre.phase = static_cast<double>(phase_ + (over ? 2 : 1));
-    place_->manoeuvre.phase_start = over ? *end : phase_start_;
+    place_->manoeuvre.phase_start = over ? *phase_end_ : phase_start_;
 }
 
 std::optional<double> Driver::endByClock() const {
@@ -171,9 +171,7 @@ VehicleInput Driver::signals(double time) const {
 }
 
 VehicleInput Driver::inputAt(double time) {
-    for (auto end = endByClock(); end && !last() && time > *end + kTimeRounding; end = endByClock()) {
-        next(std::max(*end, phase_start_));
-    }
+    while (phase_end_ && !last() && time > *phase_end_ + kTimeRounding) next(std::max(*phase_end_, phase_start_));
     VehicleInput input = signals(time);
     if (const auto* follow = std::get_if<FollowSpeed>(&phase().throttle)) {
         input.longitudinal_force = follower_.force(*follow, seen_.car.vx, time - phase_start_, time - seen_time_);
@@ -184,8 +182,7 @@ VehicleInput Driver::inputAt(double time) {
 }
 
 bool Driver::finished(double time) const {
-    const auto end = endByClock();
-    return ended_ || (last() && end && time >= *end - kTimeRounding);
+    return ended_ || (last() && phase_end_ && time >= *phase_end_ - kTimeRounding);
 }
 
 std::string Driver::waitsFor() const {

@@ -56,7 +56,7 @@ public:
 private:
     const Phase& phase() const { return scenario_.phases[phase_]; }
     bool last() const { return phase_ + 1 == scenario_.phases.size(); }
-    std::optional<double> endByClock() const;  // s
+    std::optional<double> endByClock() const;  // s, of the phase that begins
     void next(double time);
     void beginPhase();
     VehicleInput signals(double time) const;
@@ -69,9 +69,10 @@ private:
     std::unique_ptr<Place> place_ = std::make_unique<Place>();    // where conditions find it, also of a moved driver
     std::vector<std::optional<MomentaryExpression>> conditions_;  // of each phase
     std::size_t phase_ = 0;
-    double phase_start_ = 0;  // s
-    bool ended_ = false;      // the last phase, by a condition
-    VehicleInput held_;       // at the start of the phase
+    double phase_start_ = 0;                // s
+    std::optional<double> phase_end_ = {};  // s, by the clock
+    bool ended_ = false;                    // the last phase, by a condition
+    VehicleInput held_;                     // at the start of the phase
     Observed seen_;
     double seen_steering_wheel_ = 0;  // rad
     double seen_time_ = 0;            // s

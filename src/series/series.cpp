@@ -201,7 +201,10 @@ MetricDefinition highestMetric(const Scenario& scenario) {
     std::string unit;
     for (const Number& one : numbers(copy))
         if (one.path == number) unit = one.about.unit;
-    return {"highest_" + number, "Highest " + number + " that passes", unit, "highest value that passes"};
+    std::string words = number;
+    for (char& c : words)
+        if (c == '.' || c == '_') c = ' ';
+    return {"highest_" + number, "Highest " + words + " that passes", unit, "highest value that passes"};
 }
 
 std::vector<Metric> highestOf(const Scenario& scenario, const SeriesResult& found) {

@@ -99,6 +99,19 @@ TEST_F(TreadCampaign, OneTableWhateverThreadsAndShards) {
     EXPECT_EQ(bytesOf("joined"), bytesOf("one"));
 }
 
+TEST_F(TreadCampaign, TakesNamesOfShippedCarsAndScenariosAndFilesBesideItFirst) {
+    campaign("title: Stops\nvehicles: [compact, car.yaml]\nscenarios: [straight_braking_100]\n");
+    fs::create_directory(scratch.path("compact"));  // is no file of a car
+    const Result driven = drive("out");
+    ASSERT_EQ(driven.status, 0) << driven.err;
+    EXPECT_EQ(lines("out")[1].substr(0, 31), "0,compact,straight_braking_100,");
+    EXPECT_EQ(lines("out")[2].substr(0, 27), "1,car,straight_braking_100,");
+    campaign("title: Stops\nvehicles: [compakt]\nscenarios: [./straight_braking_100]\n");
+    const Result unknown = drive("none");
+    expectFault(unknown, scratch.path("compakt"));
+    expectFault(unknown, scratch.path("straight_braking_100"));
+}
+
 TEST_F(TreadCampaign, DatabaseHasViewsAndDefinitions) {
     ASSERT_EQ(drive("out", {"--set", "samples=2"}).status, 0);
     sqlite3* database = nullptr;

@@ -65,6 +65,19 @@ TEST_F(DiagnoseCommand, RefusesALogShorterThanASecond) {
     expectRefused(checked(), "a shorter drive cannot separate causes");
 }
 
+TEST_F(DiagnoseCommand, TakesTheNameOfAShippedCar) {
+    recorded("a.csv", slalom());
+    diagnosis();
+    const Result by_path = checked();
+    scratch.file("diagnosis.yaml",
+                 "vehicle: compact\nrecordings:\n  - {log: a.csv, speed: followed}\neffects: [steering_ratio]\n");
+    const Result by_name = checked();
+    EXPECT_EQ(by_name.status, by_path.status);
+    EXPECT_EQ(by_name.out, by_path.out);
+    EXPECT_EQ(checked({"--vehicle", "compact"}).out, by_path.out);
+    expectRefused(checked({"--vehicle", "compakt"}), "compakt");
+}
+
 TEST_F(DiagnoseCommand, RefusesAnUnknownEffectAndNamesTheOneThatWasMeant) {
     recorded("a.csv", slalom());
     diagnosis("effects: [tyre_relaxatoin]\n");

@@ -53,6 +53,29 @@ TEST(Push, MomentToTheLeftTurnsToTheLeftByTheYawInertia) {
                 0.02 * kStep * kMoment / reference::compact().inertia.yaw);
 }
 
+// What depends on the time alone leaves the run with less to look at, and every row as it is.
+TEST(Push, OverTimeAloneGivesTheSameRows) {
+    for (const MovedBy by : {MovedBy::bullet, MovedBy::itself}) {
+        Scenario scenario;
+        scenario.start.speed = kSpeed;
+        scenario.step = 4 * kStep;
+        scenario.log.channels = {"chassis.ax", "chassis.ay", "chassis.roll", "chassis.yaw_rate", "*.spin"};
+        scenario.phases.resize(1);
+        scenario.phases[0].until.duration = 1;
+        const auto at = [](double time) {
+            return Push{.force = {100, 400 * time, 0}, .moment = {50, 0, 200 - 300 * time}};
+        };
+        Log over_time, asked;
+        simulate(reference::compact(), scenario, recorderInto(over_time), PushingOverTime{at}, by);
+        simulate(
+            reference::compact(), scenario, recorderInto(asked),
+            [&](double time, const VehicleInput&, const VehicleOutput&) { return at(time); }, by);
+        ASSERT_EQ(over_time.channels.size(), 9u);
+        for (std::size_t c = 0; c < asked.channels.size(); ++c)
+            EXPECT_EQ(over_time.channels[c].values, asked.channels[c].values) << asked.channels[c].name;
+    }
+}
+
 TEST(Push, NoneLeavesTheRunAsItIs) {
     const Log none = straight({}), nothing = straight(constant({}));
     for (std::size_t c = 0; c < none.channels.size(); ++c)

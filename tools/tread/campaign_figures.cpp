@@ -30,27 +30,33 @@ constexpr std::size_t kMostPoints = 1200;  // of a scatter plot
 constexpr std::size_t kMostBars = 40;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-std::string titleOf(const MetricHere& metric) {
-    return metric.about->title.empty() ? metric.about->name : metric.about->title;
-}
-
-std::optional<Interval> intervalFor(const std::string& condition, const std::string& unit) {
+// Takes in a condition on a metric.
+void want(MetricHere& metric, const std::string& condition) {
     std::string fault;
-    const auto parsed = parseCondition(condition, fault);
-    return parsed ? intervalOf(*parsed, unit, fault) : std::nullopt;
+    metric.condition = condition;
+    const std::optional<Condition> parsed = parseCondition(condition, fault);
+    if (!parsed) return;
+    metric.wanted = intervalOf(*parsed, metric.about->unit, fault);
+    const std::string& text = parsed->first;
+    const std::size_t number_ends = text.find_last_of("0123456789.");
+    const std::size_t unit =
+        number_ends == std::string::npos ? number_ends : text.find_first_not_of(' ', number_ends + 1);
+    if (unit != std::string::npos) metric.shown = displayUnitAs(metric.about->unit, text.substr(unit));
 }
 
 }  // namespace
+
+std::string titleOf(const MetricHere& metric) {
+    return metric.about->title.empty() ? metric.about->name : metric.about->title;
+}
 
 std::vector<MetricHere> metricsOf(const Plan& plan, std::size_t scenario) {
     std::vector<MetricHere> all;
     for (const std::size_t i : plan.metrics_of_scenario[scenario]) {
         const MetricDefinition& about = plan.metrics[i];
-        MetricHere here{&about, about.name + " [" + about.unit + "]", {}, {}};
+        MetricHere here{&about, about.name + " [" + about.unit + "]", {}, {}, {about.unit, 1}};
         for (const AcceptLine& line : plan.inputs.scenarios[scenario].scenario.accept.lines) {
-            if (line.metric != about.name) continue;
-            here.wanted = intervalFor(line.condition, about.unit);
-            here.condition = line.condition;
+            if (line.metric == about.name) want(here, line.condition);
         }
         all.push_back(std::move(here));
     }
@@ -125,7 +131,7 @@ Chart histogram(const Plan& plan, const DatabaseReader& data, std::size_t scenar
     const std::string& name = plan.inputs.scenarios[scenario].name;
     Chart chart;
     chart.title = titleOf(metric);
-    chart.x = {titleOf(metric), metric.about->unit};
+    chart.x = {titleOf(metric), metric.shown.unit};
     chart.y = {"runs", "-", 0.0};
     std::vector<std::vector<double>> sets;
     double low = kInfinity, high = -kInfinity;
@@ -133,7 +139,8 @@ Chart histogram(const Plan& plan, const DatabaseReader& data, std::size_t scenar
     for (std::size_t v = 0; v < std::min(kMostInAFigure, plan.inputs.vehicles.size()); ++v) {
         std::vector<double> values = data.numbers(metric.column, where(plan.inputs.vehicles[v].name, name));
         std::erase_if(values, [](double value) { return !std::isfinite(value); });
-        for (const double value : values) {
+        for (double& value : values) {
+            value *= metric.shown.scale;
             low = std::min(low, value);
             high = std::max(high, value);
         }
@@ -169,7 +176,7 @@ Chart histogram(const Plan& plan, const DatabaseReader& data, std::size_t scenar
             if (!std::isfinite(limit) || (named && metric.wanted->lowest == metric.wanted->highest)) continue;
             Series line;
             line.name = named ? "" : "wanted " + metric.condition;
-            line.x = {limit, limit};
+            line.x = {limit * metric.shown.scale, limit * metric.shown.scale};
             line.y = {0, tallest};
             line.colour = Colour::vermillion;
             line.dashed = true;
@@ -256,7 +263,7 @@ Chart scatter(const FactorHere& factor, const MetricHere& metric, const std::vec
     Chart chart;
     chart.title = titleOf(metric);
     chart.x = {factor.name, axisUnit(factor.unit, scale)};
-    chart.y = {titleOf(metric), metric.about->unit};
+    chart.y = {titleOf(metric), metric.shown.unit};
     Series points;
     points.line = false;
     points.markers = true;
@@ -266,14 +273,14 @@ Chart scatter(const FactorHere& factor, const MetricHere& metric, const std::vec
     for (std::size_t i = 0; i < values.size(); i += step) {
         if (!std::isfinite(factor.values[i]) || !std::isfinite(values[i])) continue;
         points.x.push_back(factor.values[i] * scale);
-        points.y.push_back(values[i]);
+        points.y.push_back(values[i] * metric.shown.scale);
     }
     chart.series.push_back(std::move(points));
-    campaign::ClassMeans means = campaign::classMeans(factor.values, values, factor.kind);
+    const campaign::ClassMeans means = campaign::classMeans(factor.values, values, factor.kind);
     Series mean;
     mean.name = "mean";
     for (const double x : means.factor) mean.x.push_back(x * scale);
-    mean.y = std::move(means.metric);
+    for (const double y : means.metric) mean.y.push_back(y * metric.shown.scale);
     mean.colour = Colour::vermillion;
     mean.markers = factor.words.empty() ? false : true;
     mean.line = factor.words.empty();

@@ -8,6 +8,7 @@
 #include "campaign/database.h"
 #include "campaign/plan.h"
 #include "report/html.h"
+#include "report/text.h"
 #include "scenario/condition.h"
 
 namespace tread::program {
@@ -18,7 +19,11 @@ struct MetricHere {
     std::string column;
     std::optional<Interval> wanted;
     std::string condition;
+    DisplayUnit shown;  // the unit of the condition, if the page can show it; else that of the metric
 };
+
+// The title of a metric; of one without, its name.
+std::string titleOf(const MetricHere& metric);
 
 // Rows of a scenario, and of one vehicle unless its name is empty, as SQL.
 std::string where(const std::string& vehicle, const std::string& scenario);

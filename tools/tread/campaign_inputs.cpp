@@ -18,6 +18,7 @@
 #include "log/csv.h"
 #include "run_inputs.h"
 #include "scenario/replay.h"
+#include "shipped_file.h"
 #include "store/sha256.h"
 #include "tread/load.h"
 
@@ -128,7 +129,7 @@ Plan readFile(const std::string& file, const std::vector<std::string>& settings)
     CampaignInputs inputs;
     inputs.tread_version = TREAD_VERSION;
     inputs.program = blind::key::programHash().diagnosis;
-    inputs.campaign = campaign::loadCampaign(file, settings);
+    inputs.campaign = campaign::loadCampaign(file, settings, shippedFileNamed);
     Faults faults(file);
     expectOneEach(inputs.campaign.vehicles, "vehicles", faults);
     expectOneEach(inputs.campaign.scenarios, "scenarios", faults);

@@ -58,8 +58,10 @@ void collectWorst(std::vector<Bad>& all, const Plan& plan, const DatabaseReader&
         for (std::size_t i = 0; i < values.size(); ++i) {
             if (!std::isfinite(values[i])) continue;
             const double excess = std::max(metric.wanted->lowest - values[i], values[i] - metric.wanted->highest) / sd;
-            all.push_back({excess, static_cast<std::uint64_t>(runs[i]), vehicles[i], name, metric.about->name,
-                           withUnit(formatNumber(values[i], 4), metric.about->unit), metric.condition});
+            const std::string value = formatNumber(values[i] * metric.shown.scale, 4);
+            all.push_back({excess, static_cast<std::uint64_t>(runs[i]), vehicles[i], name, titleOf(metric),
+                           value + (metric.shown.unit == "-" ? "" : " " + prettyUnit(metric.shown.unit)),
+                           metric.condition});
         }
         const auto worse = [](const Bad& a, const Bad& b) {
             return a.excess != b.excess ? a.excess > b.excess : a.run < b.run;

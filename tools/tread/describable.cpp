@@ -23,6 +23,7 @@
 #include "recording/subject_paths.h"
 #include "run_inputs.h"
 #include "scenario/expression/functions.h"
+#include "shipped_file.h"
 #include "tread/load.h"
 #include "tyres_of.h"
 
@@ -127,7 +128,7 @@ FileReading readOwnEffectsFile(const Path& file) {
 
 // The logs may be in a folder that is given only to the diagnosis, so their existence is not checked.
 FileReading readDiagnosisFile(const Path& file) {
-    effectsToConsider(checkedDiagnosis(file));
+    effectsToConsider(checkedDiagnosis(file, shippedFileNamed));
     return {};
 }
 

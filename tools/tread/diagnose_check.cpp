@@ -24,6 +24,7 @@
 #include "recording/choose_windows.h"
 #include "recording/diagnosis_file.h"
 #include "recording/further_instruments.h"
+#include "shipped_file.h"
 #include "terminal.h"
 
 namespace tread::program {
@@ -137,10 +138,11 @@ DiagnosisInputs readDiagnosisInputs(const Path& file, const Path& data, const st
                                     const std::vector<std::string>& without) {
     DiagnosisInputs inputs;
     expectKind(file, {"diagnosis"});
-    expectKind(vehicle, {"vehicle"});
-    inputs.file = loadDiagnosis(file, data);
+    const std::string car = shippedFile(vehicle, "vehicles");
+    expectKind(car, {"vehicle"});
+    inputs.file = loadDiagnosis(file, data, shippedFileNamed);
     holdOut(inputs.file, without);
-    if (!vehicle.empty()) inputs.file.vehicle = vehicle, inputs.file.vehicle_settings.clear();
+    if (!vehicle.empty()) inputs.file.vehicle = car, inputs.file.vehicle_settings.clear();
     expectKind(inputs.file.vehicle, {"vehicle"});
     inputs.recorded = readRecordings(inputs.file);
     chooseWindows(inputs.file, inputs.recorded);

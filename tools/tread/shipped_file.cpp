@@ -31,13 +31,19 @@ Path shippedFolder(const std::string& name) {
     return {};
 }
 
+std::optional<Path> shippedFileNamed(const std::string& name, const std::string& folder) {
+    const Path within = folder, top = *within.begin();
+    const Path there = shippedFolder(top.string());
+    const Path file = there / within.lexically_relative(top) / (name + ".yaml");
+    if (there.empty() || !std::filesystem::exists(file)) return std::nullopt;
+    return file;
+}
+
 std::string shippedFile(const std::string& given, const std::string& folder) {
     const Path path = given;
     if (given.empty() || path.has_parent_path() || path.has_extension() || std::filesystem::exists(path)) return given;
-    const Path within = folder, top = *within.begin();
-    const Path there = shippedFolder(top.string());
-    const Path file = there / within.lexically_relative(top) / (given + ".yaml");
-    return !there.empty() && std::filesystem::exists(file) ? file.string() : given;
+    const std::optional<Path> shipped = shippedFileNamed(given, folder);
+    return shipped ? shipped->string() : given;
 }
 
 }  // namespace tread::program

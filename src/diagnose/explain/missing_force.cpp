@@ -4,6 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/parallel.h"
+#include "inference/products.h"
+
 namespace tread::diagnose::explain {
 namespace {
 
@@ -65,24 +68,25 @@ Reading reading(const Calibration& car, std::size_t drive, const Sizes& sizes) {
     const Eigen::MatrixXd& directions = uncertainty.directions[drive];
     const Eigen::VectorXd large = uncertainty.sizesOf(drive, sizes);
     const Eigen::VectorXd usual = uncertainty.sizesOf(drive, uncertainty.sizes);
-    const Eigen::MatrixXd scaled = directions * large.asDiagonal();
-    const Eigen::MatrixXd together = scaled.transpose() * scaled;
+    const Eigen::MatrixXd products = inference::squareOf(directions);
+    const Eigen::MatrixXd together = large.asDiagonal() * products * large.asDiagonal();
     const inference::Factor factor = inference::factorOfPriorAnd(together);
     const VehicleParams& vehicle = car.problem.replays.nominal().vehicle;
     const AxleArm front = AxleArm::front(vehicle), rear = AxleArm::rear(vehicle);
     const Eigen::VectorXd left = model::residual(car.drives(), uncertainty, car.nominal, drive);
     Reading result;
-    result.force = heightsOf(disturbing, large, factor.solve(scaled.transpose() * left));
+    result.force = heightsOf(disturbing, large, factor.solve(large.cwiseProduct(directions.transpose() * left)));
     result.by_chance = Eigen::VectorXd::Zero(result.force.size());
     result.front.squares = front.squares(result.force), result.rear.squares = rear.squares(result.force);
     result.front.by_chance = result.rear.by_chance = Eigen::VectorXd::Zero(result.front.squares.size());
     // Covariance of the projections by chance: white noise gives D'D in the metric of the directions; usual
     // disturbances and tolerances add their own.
-    const Eigen::MatrixXd pushed = scaled.transpose() * directions * usual.asDiagonal();
+    const Eigen::MatrixXd pushed = usual.asDiagonal() * products * large.asDiagonal();
     const Eigen::MatrixXd tolerated =
-        scaled.transpose() * car.about.columns[drive].leftCols(std::ssize(car.about.nuisances));
-    const Eigen::MatrixXd spread = factor.solve(
-        factor.solve(together + pushed * pushed.transpose() + tolerated * tolerated.transpose()).transpose());
+        inference::transposedTimes(car.about.columns[drive].leftCols(std::ssize(car.about.nuisances)), directions) *
+        large.asDiagonal();
+    const Eigen::MatrixXd spread =
+        factor.solve(factor.solve(together + inference::squareOf(pushed) + inference::squareOf(tolerated)).transpose());
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(spread);
     for (Eigen::Index i = 0; i < directions.cols(); ++i) {
         const double variance = std::max(0.0, axes.eigenvalues()(i));
@@ -151,10 +155,12 @@ MissingForce missingForce(const Calibration& car) {
     const Sizes sizes = readingSizes(car.uncertainty);
     AxleSquares axles;
     Clarity clarity;
-    for (std::size_t d = 0; d < car.drives().size(); ++d) {
-        const Reading here = reading(car, d, sizes);
-        axles.addClear(here);
-        clarity.add(here, car.drives()[d], car.uncertainty.disturbing[d]);
+    std::vector<Reading> readings(car.drives().size());
+    inParallel(readings.size(), car.problem.replays.threads,
+               [&](std::size_t d) { readings[d] = reading(car, d, sizes); });
+    for (std::size_t d = 0; d < readings.size(); ++d) {
+        axles.addClear(readings[d]);
+        clarity.add(readings[d], car.drives()[d], car.uncertainty.disturbing[d]);
     }
     return {clarity.shares(), axles.shares(), clarity.when};
 }

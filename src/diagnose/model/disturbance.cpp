@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "base/parallel.h"
 #include "diagnose/model/sensitivities.h"
 #include "diagnose/settings.h"
 #include "inference/ornstein_uhlenbeck.h"
 #include "log/resample.h"
+#include "run/together.h"
 #include "tread/tyre.h"
 
 namespace tread::diagnose::model {
@@ -36,21 +39,22 @@ double peakOf(Eigen::Index hat) {
 
 // Pushes shaped like hat `first` and every kApart-th hat after it.
 Pushing pushes(const VehicleParams& car, Disturbed kind, Eigen::Index first) {
-    return [=, &car](double time, const VehicleInput&, const VehicleOutput&) {
+    const double usual = usualSize(kind, car);
+    return PushingOverTime{[=](double time) {
         const double since = time - peakOf(first), period = kApart * kHat;
         const double near = std::max(0.0, std::round(since / period)) * period;
         const double size = hat(since, near);
         switch (kind) {
             case Disturbed::longitudinal:
-                return Push{.force = {size * usualSize(kind, car), 0, 0}};
+                return Push{.force = {size * usual, 0, 0}};
             case Disturbed::lateral:
-                return Push{.force = {0, size * usualSize(kind, car), 0}};
+                return Push{.force = {0, size * usual, 0}};
             case Disturbed::yaw:
-                return Push{.moment = {0, 0, size * usualSize(kind, car)}};
+                return Push{.moment = {0, 0, size * usual}};
             default:
-                return Push{.moment = {size * usualSize(kind, car), 0, 0}};
+                return Push{.moment = {size * usual, 0, 0}};
         }
-    };
+    }};
 }
 
 // A drive as replayed without disturbances, about which it is linearised.
@@ -82,17 +86,47 @@ double speedLost(const Course& course, const Eigen::VectorXd& change, double ove
     return kept > kLeastKept * course.by_start_speed(first) ? change(row) / kept : 0;
 }
 
+// A replay with pushes of one kind.
+struct PushedReplay {
+    std::size_t drive;
+    Disturbed kind;
+    Eigen::Index first;           // hat
+    Eigen::VectorXd change = {};  // of the rows; empty when the simulation fails
+};
+
+constexpr std::array kPushed{Disturbed::longitudinal, Disturbed::lateral, Disturbed::yaw, Disturbed::roll};
+
+// Those of each drive in turn, kind by kind.
+std::vector<PushedReplay> pushedReplays(const Replays& replays, const std::vector<Subject>& subjects,
+                                        const std::vector<Course>& courses) {
+    std::vector<PushedReplay> all;
+    for (std::size_t d = 0; d < courses.size(); ++d) {
+        if (courses[d].motion.channels.empty()) continue;
+        for (const Disturbed kind : kPushed) {
+            for (Eigen::Index first = 0; first < std::min(kApart, courses[d].hats); ++first)
+                all.push_back({d, kind, first});
+        }
+    }
+    drivenTogether(all.size(), replays.threads, [&](std::size_t i) {
+        PushedReplay& one = all[i];
+        const Course& course = courses[one.drive];
+        const Subject& subject = subjects[one.drive];
+        const std::optional<Log> motion =
+            motionAt(replays, course.drive, subject, {.pushing = pushes(subject.vehicle, one.kind, one.first)});
+        if (motion) one.change = recording::readings(course.drive, *motion, subject.instruments) - course.rows;
+    });
+    return all;
+}
+
 // Change of the rows by a push of one kind at each hat; one column per hat. A replay contains every kApart-th push: by
 // the time the next one comes, a push is forgotten except for the speed it has cost, which goes on as a change of the
-// start speed.
-Eigen::MatrixXd pushed(const Replays& replays, const Subject& subject, const Course& course, Disturbed kind) {
+// start speed. `all`: replays of all drives.
+Eigen::MatrixXd pushed(const std::vector<PushedReplay>& all, std::size_t drive, const Course& course, Disturbed kind) {
     Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(course.rows.size(), course.hats);
-    for (Eigen::Index first = 0; first < std::min(kApart, course.hats); ++first) {
-        const std::optional<Log> motion =
-            motionAt(replays, course.drive, subject, {.pushing = pushes(subject.vehicle, kind, first)});
-        if (!motion) continue;
-        Eigen::VectorXd change = recording::readings(course.drive, *motion, subject.instruments) - course.rows;
-        for (Eigen::Index which = first; which < course.hats; which += kApart) {
+    for (const PushedReplay& replay : all) {
+        if (replay.drive != drive || replay.kind != kind || replay.change.size() == 0) continue;
+        Eigen::VectorXd change = replay.change;
+        for (Eigen::Index which = replay.first; which < course.hats; which += kApart) {
             const double begins = peakOf(which) - kHat, over = begins + kApart * kHat;
             auto column = columns.col(which);
             const double slower = speedLost(course, change, over);
@@ -199,6 +233,55 @@ void append(Disturbances& result, Disturbed kind, const Eigen::MatrixXd& errors,
     }
 }
 
+Course unknownCourse(const RecordedDrive& drive) {
+    return {.drive = drive,
+            .motion = {},
+            .rows = Eigen::VectorXd::Zero(drive.rows()),
+            .by_start_speed = Eigen::VectorXd::Zero(drive.rows()),
+            .hats = std::lround(std::ceil(drive.duration() / kHat)) + 1,
+            .speed = showsSpeed(drive)};
+}
+
+// Leaves the course as it is when the simulation fails.
+void drive(Course& course, const Replays& replays, const Subject& subject) {
+    std::optional<Log> motion = motionAt(replays, course.drive, subject);
+    if (!motion) return;
+    course.motion = std::move(*motion);
+    course.rows = recording::readings(course.drive, course.motion, subject.instruments);
+    course.by_start_speed = startSpeedColumn(replays, course.drive, subject, course.rows);
+}
+
+// Disturbances that change nothing but by the start speed.
+Disturbances bare(const Course& course) {
+    Disturbances result;
+    for (const Disturbed kind : kDisturbedKinds) {
+        for (Eigen::Index i = 0; i < course.hats; ++i) {
+            result.kinds.push_back(kind);
+            result.times.push_back(peakOf(i));
+        }
+    }
+    result.columns = Eigen::MatrixXd::Zero(course.rows.size(), course.hats * std::ssize(kDisturbedKinds));
+    result.correlation_factor = inference::correlationFactor(course.hats, kHat, kSettings.correlation_time);
+    result.by_start_speed = course.by_start_speed;
+    return result;
+}
+
+void fill(Disturbances& result, const std::vector<PushedReplay>& replays, std::size_t drive, const Course& course,
+          const VehicleParams& car) {
+    const Eigen::Index hats = course.hats;
+    const auto of = [&](Disturbed kind) { return result.columns.middleCols(placeOf(kind) * hats, hats); };
+    std::vector<Eigen::MatrixXd> errors;
+    for (const Disturbed kind : kPushed) {
+        of(kind) = pushed(replays, drive, course, kind);
+        errors.emplace_back(of(kind) * errorHeights(course, car, kind));
+    }
+    of(Disturbed::steering) = trembling(course, car, of(Disturbed::lateral), of(Disturbed::yaw));
+    for (const Disturbed kind : kDisturbedKinds) of(kind) = (of(kind) * result.correlation_factor).eval();
+    for (std::size_t k = 0; k < errors.size(); ++k) append(result, kForceErrors[k], errors[k], kErrorHat);
+    for (const recording::ObservedChannel& channel : course.drive.channels)
+        append(result, readingErrorOf(channel.name), misread(course.drive, channel, car), kDriftHat);
+}
+
 }  // namespace
 
 Disturbed readingErrorOf(std::string_view channel) {
@@ -248,39 +331,21 @@ Eigen::VectorXd Disturbances::heights(const Eigen::VectorXd& impulses) const {
 }
 
 Disturbances disturbances(const Replays& replays, const RecordedDrive& drive, const Subject& subject) {
-    std::optional<Log> motion = motionAt(replays, drive, subject);
-    Course course{.drive = drive,
-                  .motion = motion ? std::move(*motion) : Log{},
-                  .rows = Eigen::VectorXd::Zero(drive.rows()),
-                  .by_start_speed = Eigen::VectorXd::Zero(drive.rows()),
-                  .hats = std::lround(std::ceil(drive.duration() / kHat)) + 1,
-                  .speed = showsSpeed(drive)};
-    const Eigen::Index hats = course.hats, random = hats * std::ssize(kDisturbedKinds);
-    Disturbances result;
-    for (const Disturbed kind : kDisturbedKinds) {
-        for (Eigen::Index i = 0; i < hats; ++i) {
-            result.kinds.push_back(kind);
-            result.times.push_back(peakOf(i));
-        }
-    }
-    result.columns = Eigen::MatrixXd::Zero(drive.rows(), random);
-    result.correlation_factor = inference::correlationFactor(hats, kHat, kSettings.correlation_time);
-    result.by_start_speed = course.by_start_speed;
-    if (!motion) return result;
-    course.rows = recording::readings(drive, course.motion, subject.instruments);
-    result.by_start_speed = course.by_start_speed = startSpeedColumn(replays, drive, subject, course.rows);
-    const auto of = [&](Disturbed kind) { return result.columns.middleCols(placeOf(kind) * hats, hats); };
-    std::vector<Eigen::MatrixXd> errors;
-    for (const Disturbed kind : {Disturbed::longitudinal, Disturbed::lateral, Disturbed::yaw, Disturbed::roll}) {
-        of(kind) = pushed(replays, subject, course, kind);
-        errors.emplace_back(of(kind) * errorHeights(course, subject.vehicle, kind));
-    }
-    of(Disturbed::steering) = trembling(course, subject.vehicle, of(Disturbed::lateral), of(Disturbed::yaw));
-    for (const Disturbed kind : kDisturbedKinds) of(kind) = (of(kind) * result.correlation_factor).eval();
-    for (std::size_t k = 0; k < errors.size(); ++k) append(result, kForceErrors[k], errors[k], kErrorHat);
-    for (const recording::ObservedChannel& channel : drive.channels)
-        append(result, readingErrorOf(channel.name), misread(drive, channel, subject.vehicle), kDriftHat);
-    return result;
+    return std::move(disturbances(replays, {&drive}, {subject}).front());
+}
+
+std::vector<Disturbances> disturbances(const Replays& replays, const std::vector<const RecordedDrive*>& drives,
+                                       const std::vector<Subject>& subjects) {
+    std::vector<Course> courses;
+    for (const RecordedDrive* drive : drives) courses.push_back(unknownCourse(*drive));
+    drivenTogether(drives.size(), replays.threads, [&](std::size_t d) { drive(courses[d], replays, subjects[d]); });
+    const std::vector<PushedReplay> pushes = pushedReplays(replays, subjects, courses);
+    std::vector<Disturbances> all(drives.size());
+    inParallel(drives.size(), replays.threads, [&](std::size_t d) {
+        all[d] = bare(courses[d]);
+        if (!courses[d].motion.channels.empty()) fill(all[d], pushes, d, courses[d], subjects[d].vehicle);
+    });
+    return all;
 }
 
 }  // namespace tread::diagnose::model

@@ -95,5 +95,8 @@ struct Disturbances {
 
 // Disturbances of a drive, linear about its replay by `subject`.
 Disturbances disturbances(const Replays& replays, const RecordedDrive& drive, const Subject& subject);
+// Of several drives, each with its subject.
+std::vector<Disturbances> disturbances(const Replays& replays, const std::vector<const RecordedDrive*>& drives,
+                                       const std::vector<Subject>& subjects);
 
 }  // namespace tread::diagnose::model

@@ -21,7 +21,7 @@ Left leftIn(const Uncertainty& uncertainty, std::size_t drive, const inference::
     const Eigen::VectorXd squares = here.estimates.rightCols(1).cwiseAbs2();
     // Freedom that the parameters take from the impulses.
     const Eigen::MatrixXd taken =
-        root.triangularView<Eigen::Lower>().solve(here.estimates.leftCols(here.estimates.cols() - 1).transpose());
+        inference::solvedBy(root, here.estimates.leftCols(here.estimates.cols() - 1).transpose());
     const std::vector<Disturbed>& kinds = uncertainty.disturbing[drive].kinds;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         const auto at = static_cast<Eigen::Index>(i);
@@ -52,7 +52,7 @@ Left leftBy(const Uncertainty& uncertainty, const std::vector<DriveProducts>& pr
     const Eigen::Index free = products.front().columns.cols() - 1;
     Eigen::MatrixXd information = Eigen::MatrixXd::Zero(free, free);
     for (const inference::DisturbedProducts& one : each) information += one.products.topLeftCorner(free, free);
-    const Eigen::MatrixXd root = inference::factorOfPriorAnd(information).matrixL();
+    const Eigen::MatrixXd root = inference::factorOfPriorAnd(information).lower();
     std::vector<Left> lefts(drives);
     inParallel(drives, threads, [&](std::size_t d) { lefts[d] = leftIn(uncertainty, d, each[d], root); });
     Left all;

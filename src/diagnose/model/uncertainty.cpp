@@ -6,7 +6,6 @@
 #include "base/parallel.h"
 #include "diagnose/model/sensitivities.h"
 #include "recording/sliding.h"
-#include "run/together.h"
 
 namespace tread::diagnose::model {
 Eigen::VectorXd Uncertainty::sizesOf(std::size_t drive, const Sizes& with) const {
@@ -34,10 +33,21 @@ Uncertainty uncertaintyAt(const Replays& replays, Drives drives, const Deviation
     uncertainty.disturbing.resize(drives.size());
     uncertainty.directions.resize(drives.size());
     uncertainty.bare.resize(drives.size());
-    drivenTogether(drives.size(), replays.threads, [&](std::size_t d) {
-        const bool stays = known && (renewed.empty() || !renewed[d]);
-        uncertainty.disturbing[d] =
-            stays ? known->disturbing[d] : disturbances(replays, drives[d], replays.subjectAt(at, drives[d]));
+    std::vector<const RecordedDrive*> driven;
+    std::vector<Subject> subjects;
+    std::vector<std::size_t> places;
+    for (std::size_t d = 0; d < drives.size(); ++d) {
+        if (known && (renewed.empty() || !renewed[d])) {
+            uncertainty.disturbing[d] = known->disturbing[d];
+            continue;
+        }
+        driven.push_back(&drives[d]);
+        subjects.push_back(replays.subjectAt(at, drives[d]));
+        places.push_back(d);
+    }
+    std::vector<Disturbances> found = disturbances(replays, driven, subjects);
+    for (std::size_t i = 0; i < found.size(); ++i) uncertainty.disturbing[places[i]] = std::move(found[i]);
+    inParallel(drives.size(), replays.threads, [&](std::size_t d) {
         const Disturbances& disturbing = uncertainty.disturbing[d];
         Eigen::MatrixXd all(disturbing.columns.rows(), disturbing.columns.cols() + 1);
         all << disturbing.columns, disturbing.by_start_speed;

@@ -30,7 +30,7 @@ Eigen::MatrixXd plainProducts(const Calibration& car) {
     for (std::size_t d = 0; d < car.nominal.size(); ++d) {
         const Eigen::MatrixXd columns =
             model::columnsAndResidual(car.drives(), car.uncertainty, car.about.about, knobs, car.nominal, d);
-        products += columns.transpose() * columns;
+        products += inference::squareOf(columns);
     }
     return products;
 }

@@ -80,11 +80,14 @@ std::vector<DriveProducts> atBest(const Uncertainty& uncertainty, std::vector<Dr
     const Eigen::Index n = sum.products.cols() - 1;
     const Eigen::VectorXd best =
         inference::factorOfPriorAnd(sum.products.topLeftCorner(n, n)).solve(sum.products.topRightCorner(n, 1));
-    Eigen::MatrixXd move = Eigen::MatrixXd::Identity(n + 1, n + 1);
-    move.topRightCorner(n, 1) = -best;
     for (DriveProducts& one : products) {
-        one.columns = (move.transpose() * one.columns * move).eval();
-        one.mixed = (one.mixed * move).eval();
+        // C' = M'C M and m' = m M for the identity M but for its last column (-best, 1).
+        const Eigen::VectorXd all = one.columns.leftCols(n) * best;
+        const Eigen::VectorXd explained = all.head(n);
+        one.columns(n, n) += best.dot(explained) - 2 * all(n);
+        one.columns.topRightCorner(n, 1) -= explained;
+        one.columns.bottomLeftCorner(1, n) = one.columns.topRightCorner(n, 1).transpose();
+        one.mixed.rightCols(1) -= one.mixed.leftCols(n) * best;
     }
     return products;
 }

@@ -99,17 +99,29 @@ struct Fitter {
         for (inference::MarginalProducts& one : now.marginal) one.scaleColumns(factors);
     }
 
-    // Negative log posterior of a point, up to constants (D20).
-    double misfit(const Moving& now, const Rows& rows, const Deviation& at) const {
+    // Negative log posterior of a point, up to constants (D20). `squares`: of what it leaves, of each drive.
+    double misfit(const Moving& now, const std::vector<double>& squares, const Deviation& at) const {
         double sum = at(free).squaredNorm();
         if (now.fit.prior == SizePrior::none) sum -= (1 - kLeastPrior) * at(knobs).squaredNorm();
+        return 0.5 * std::accumulate(squares.begin(), squares.end(), sum);
+    }
+
+    // Squares that the fit leaves at its point: among its products.
+    static std::vector<double> squaresOf(const Moving& now) {
+        std::vector<double> squares;
+        for (const inference::MarginalProducts& one : now.marginal)
+            squares.push_back(one.equations().products.bottomRightCorner(1, 1).value());
+        return squares;
+    }
+
+    std::vector<double> squaresOf(const Moving& now, const Rows& rows) const {
         std::vector<double> squares(rows.size());
         inParallel(rows.size(), replays.threads, [&](std::size_t d) {
             const Eigen::VectorXd left = model::residual(drives, uncertainty, rows, d);
             squares[d] =
                 inference::squaresIn(now.marginal[d].metric(), left, uncertainty.directions[d].transpose() * left);
         });
-        return 0.5 * std::accumulate(squares.begin(), squares.end(), sum);
+        return squares;
     }
 
     // Computes the columns of the knobs again by finite differences.
@@ -211,12 +223,13 @@ Trial tryStep(Moving& now, const Fitter& fitter) {
     const Eigen::VectorXd step = inference::boundedStep(here, now.damping, fitter.bounds);
     const double promised = inference::gainOf(here, step);
     if (promised < kEnough) return {promised, 0};
-    const double before = fitter.misfit(now, fit.rows, fit.at);
+    const double before = fitter.misfit(now, Fitter::squaresOf(now), fit.at);
     Deviation next = fit.at;
     next(fit.free) = here.at + step;
     std::optional<Rows> there = model::rowsAt(fitter.replays, fitter.drives, next);
     if (there) fitter.learn(now, *there, step);
-    const double after = there ? fitter.misfit(now, fitter.imperfect(*there, next, fit.imperfection), next) : kInfinity;
+    const auto squaresThere = [&] { return fitter.squaresOf(now, fitter.imperfect(*there, next, fit.imperfection)); };
+    const double after = there ? fitter.misfit(now, squaresThere(), next) : kInfinity;
     const double gained = before - after;
     if (gained > 0) fitter.moveTo(now, next, std::move(*there)), fit.gained += gained;
     if (gained > kGood * promised) now.damping *= kEased;

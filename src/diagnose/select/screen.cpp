@@ -42,17 +42,17 @@ bool isFree(const Fit& fit, const std::vector<Eigen::Index>& knobs) {
     return std::find_first_of(fit.knobs.begin(), fit.knobs.end(), knobs.begin(), knobs.end()) != fit.knobs.end();
 }
 
-// The recording with the largest part of the second effect's signature that the first cannot imitate.
-std::string mostTelling(const Calibration& car, const Screen& screen, std::size_t a, std::size_t b) {
+// The recording with the largest part of the second effect's signature that the first cannot imitate. `equations`: of
+// each drive.
+std::string mostTelling(const Calibration& car, const Screen& screen,
+                        const std::vector<model::NormalEquations>& equations, std::size_t a, std::size_t b) {
     const Eigen::Index i = placesOf(car.problem, a).front(), j = placesOf(car.problem, b).front();
     const double slope = screen.products(i, j) / screen.products(i, i);
     const Eigen::Index offset = std::ssize(car.about.nuisances);
     std::string recording;
     double most = -1;
-    for (std::size_t d = 0; d < car.products.size(); ++d) {
-        const model::NormalEquations one =
-            model::normalEquations(car.uncertainty, d, car.products[d], car.uncertainty.sizes);
-        const auto at = [&](Eigen::Index r, Eigen::Index c) { return one.products(offset + r, offset + c); };
+    for (std::size_t d = 0; d < equations.size(); ++d) {
+        const auto at = [&](Eigen::Index r, Eigen::Index c) { return equations[d].products(offset + r, offset + c); };
         const double energy = at(j, j) - 2 * slope * at(i, j) + slope * slope * at(i, i);
         if (energy > most) most = energy, recording = car.drives()[d].name;
     }
@@ -150,6 +150,8 @@ double cosine(const Problem& problem, const Eigen::MatrixXd& products, std::size
 std::vector<answer::ConfusablePair> confusablePairs(const Calibration& car, const Screen& screen,
                                                     const std::vector<double>& expected_evidence) {
     const Problem& problem = car.problem;
+    const std::vector<model::NormalEquations> equations =
+        model::equationsOfEach(car.uncertainty, car.products, car.uncertainty.sizes, problem.replays.threads);
     std::vector<answer::ConfusablePair> pairs;
     for (std::size_t a = 0; a < problem.effects.size(); ++a) {
         for (std::size_t b = a + 1; b < problem.effects.size(); ++b) {
@@ -157,8 +159,8 @@ std::vector<answer::ConfusablePair> confusablePairs(const Calibration& car, cons
             if (least < kSettings.clear) continue;
             const double alike = cosine(problem, screen.products, a, b), apart = least * (1 - alike * alike);
             if (apart >= kSettings.clear || alike < kAlike) continue;
-            pairs.push_back(
-                {problem.effects[a].name, problem.effects[b].name, alike, apart, mostTelling(car, screen, a, b)});
+            pairs.push_back({problem.effects[a].name, problem.effects[b].name, alike, apart,
+                             mostTelling(car, screen, equations, a, b)});
         }
     }
     std::sort(pairs.begin(), pairs.end(), [](const auto& x, const auto& y) { return x.separation < y.separation; });
