@@ -91,8 +91,6 @@ public:
     RandomDriving() {
         setRoads();
         fleet_.reset(Start{.speed = 15, .input = {}});
-        const tread_start start{sizeof start, 0, 0, 0, 15, nullptr};
-        EXPECT_EQ(tread_car_start(hosted_.get(), &start), TREAD_OK);
     }
 
     // One second of all cars.
@@ -148,12 +146,15 @@ private:
             fleet_.setWind(car, Vector3(random(-10, 10), random(-10, 10), 0));
             fleet_.reset(car, {.speed = random(0, 25), .input = {}});
         }
-        setPlanes({random(-0.05, 0.05), random(-0.05, 0.05), 1}, random(0.2, 1.1));
+        startHosted(random(0.2, 1.1));
     }
 
-    void setPlanes(const std::array<double, 3>& normal, double friction) {
-        const tread_plane plane{sizeof plane, {0, 0, 0}, {normal[0], normal[1], normal[2]}, {}, friction, 1};
-        for (int wheel = 0; wheel < 4; ++wheel) EXPECT_EQ(tread_car_set_plane(hosted_.get(), wheel, &plane), TREAD_OK);
+    void startHosted(double friction) {
+        const tread_plane plane{sizeof plane, {0, 0, 0}, {0, 0, 1}, {}, friction, 1};
+        for (int wheel = 0; wheel < 4; ++wheel) ASSERT_EQ(tread_car_set_plane(hosted_.get(), wheel, &plane), TREAD_OK);
+        const tread_start start{sizeof start, 0, 0, random(-3, 3), random(0, 20), nullptr};
+        ASSERT_EQ(tread_car_start(hosted_.get(), &start), TREAD_OK) << tread_car_error(hosted_.get());
+        hosted_steps_ = 0;
     }
 
     // Cars go back to where they were, and go on.
@@ -191,11 +192,7 @@ private:
         for (std::size_t car = 0; car < fleet_.size(); ++car)
             if (isLost(fleet_.output(car))) fleet_.reset(car, {.speed = random(0, 25), .input = {}});
         if (isLost(bullet_.vehicle->output())) bullet_.vehicle->restore(fresh_.motion, fresh_.state, fresh_.input);
-        if (!isLost(hosted())) return;
-        setPlanes({0, 0, 1}, 1);  // on a slope a car cannot hold every speed
-        const tread_start start{sizeof start, 0, 0, random(-3, 3), random(0, 20), nullptr};
-        ASSERT_EQ(tread_car_start(hosted_.get(), &start), TREAD_OK) << tread_car_error(hosted_.get());
-        hosted_steps_ = 0;
+        if (isLost(hosted())) startHosted(1);
     }
 
     void add(const VehicleOutput& output, int number) {
