@@ -9,7 +9,13 @@ double advance(DelayLine& line, double begin, double end, double delay, double d
     auto& past = line.past;
     const double interval = delay / DelayLine::kIntervals;
     constexpr double kRounding = 1e-9;  // a point that lies at the end of the step belongs to it
+    constexpr double kMost = 1e12;      // points of a step, whose numbers and places are still told apart
     const double points = std::floor((line.age + dt) / interval + kRounding);
+    if (!(points < kMost)) {
+        past.fill(end);
+        line.age = 0;
+        return end;  // no delay
+    }
     const auto after = [&](std::size_t i) { return i + 1 < past.size() ? i + 1 : 0; };
     // Of more points than the line holds only the last matter.
     for (double i = std::max(points - (DelayLine::kIntervals + 1.0), 0.0) + 1; i <= points; ++i) {

@@ -104,6 +104,13 @@ struct Nearest {
     T value;
     BitsOf<T> bits;
 
+    // The bits of the number after it, of any x: those of a value that is no number may be all ones.
+    BitsOf<T> next() const {
+        if constexpr (std::is_same_v<T, double>)
+            return static_cast<std::int64_t>(static_cast<std::uint64_t>(bits) + 1u);
+        else return bits + 1;
+    }
+
 private:
     static constexpr double kShift = 6755399441055744.0;
     Nearest(const T&, const T& shifted) : value(shifted - kShift), bits(std::bit_cast<BitsOf<T>>(shifted)) {}
@@ -147,7 +154,7 @@ SineCosine<T> sineCosine(const T& x) {
     const auto sine = (s_bits & ~odd) | (c_bits & odd);
     const auto cosine = (c_bits & ~odd) | (s_bits & odd);
     const auto s_sign = (n.bits << 62) & INT64_MIN;
-    const auto c_sign = ((n.bits + 1) << 62) & INT64_MIN;
+    const auto c_sign = (n.next() << 62) & INT64_MIN;
     return {std::bit_cast<T>(sine ^ s_sign), std::bit_cast<T>(cosine ^ c_sign)};
 }
 

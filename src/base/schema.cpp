@@ -6,6 +6,7 @@
 #include "base/concat.h"
 #include "base/json_string.h"
 #include "base/number_text.h"
+#include "base/possible.h"
 #include "base/quantity_pattern.h"
 
 namespace tread::detail {
@@ -75,15 +76,16 @@ std::string SchemaBuilder::numberOrQuantity(std::string_view unit, const Limits&
 }
 
 std::string SchemaBuilder::number(const About& about) {
-    return concat({"{", description(about), numberOrQuantity(about.unit, about.limits), "}"});
+    return concat({"{", description(about), numberOrQuantity(about.unit, possibleLimits(about)), "}"});
 }
 
 std::string SchemaBuilder::wholeNumber(const About& about) const {
-    return concat({"{", description(about), R"("type": "integer")", limitsSchema(about.limits), "}"});
+    return concat({"{", description(about), R"("type": "integer")", limitsSchema(possibleLimits(about)), "}"});
 }
 
 std::string SchemaBuilder::curve(const About& about) {
-    const std::string x = numberOrQuantity(about.argument, kAny), y = numberOrQuantity(about.unit, about.limits);
+    const std::string x = numberOrQuantity(about.argument, kAny),
+                      y = numberOrQuantity(about.unit, possibleLimits(about));
     return concat({"{", description(about),
                    R"("type": "array", "items": {"type": "array", "minItems": 2, "maxItems": 2, )", R"("items": [{)", x,
                    "}, {", y, "}]}}"});

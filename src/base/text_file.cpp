@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <system_error>
 #include <utility>
+
+#include "base/byte_limit.h"
 
 namespace tread {
 namespace {
@@ -63,19 +64,12 @@ bool isNotRegular(const std::filesystem::file_status& status) {
            !std::filesystem::is_directory(status);
 }
 
-std::size_t mostBytes() {
-    constexpr std::size_t kUsual = std::size_t{1} << 30;
-    const char* const given = std::getenv("TREAD_LARGEST_FILE");
-    const unsigned long long bytes = given ? std::strtoull(given, nullptr, 10) : 0;
-    return bytes > 0 ? static_cast<std::size_t>(bytes) : kUsual;
-}
-
 // At most one byte more than `most`; false, with the reason, where the file ends in a fault.
 bool readUpTo(std::FILE* file, std::size_t most, std::string& text, std::string& fault) {
-    constexpr std::size_t kReadBytes = 1 << 20;
+    constexpr std::size_t kReadBytes = 1 << 16;  // at first; then as many as there are
     for (std::size_t size = 1; text.size() != size && text.size() <= most;) {
         size = text.size();
-        text.resize(std::min(size + kReadBytes, most) + 1);
+        text.resize(std::min(size + std::max(size, kReadBytes), most) + 1);
         const std::size_t wanted = text.size() - size;
         text.resize(size + std::fread(text.data() + size, 1, wanted, file));
         if (std::ferror(file) != 0) {
@@ -88,7 +82,7 @@ bool readUpTo(std::FILE* file, std::size_t most, std::string& text, std::string&
 
 // False, with the reason, where the file ends in a fault or beyond the most bytes.
 bool readAll(std::FILE* file, std::string& text, std::string& fault) {
-    const std::size_t most = mostBytes();
+    const std::size_t most = byteLimit("TREAD_LARGEST_FILE", std::size_t{1} << 30);
     if (!readUpTo(file, most, text, fault)) return false;
     if (text.size() <= most) return true;
     fault = "it holds more than " + std::to_string(most) +

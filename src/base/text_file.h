@@ -16,7 +16,7 @@ inline constexpr std::size_t kLargestFile = 4u << 20;
 
 // All bytes of a file, or of standard input for "-"; nothing, and the reason in `fault`, when they cannot be had. Files
 // are regular, since pipes block and devices never end, and hold at most 1 GB, or as many bytes as the variable
-// TREAD_LARGEST_FILE says.
+// TREAD_LARGEST_FILE says (a LoadError when that is no number).
 std::optional<std::string> readWholeFile(const std::filesystem::path& file, std::string& fault);
 
 // The bytes of a file that people wrote, at most one more than kLargestFile; nothing, and what to do in `fault`, when

@@ -6,6 +6,7 @@
 
 #include "base/did_you_mean.h"
 #include "base/number_text.h"
+#include "base/possible.h"
 #include "base/text_file.h"
 #include "base/units.h"
 
@@ -31,6 +32,14 @@ std::string found(const YamlPlace& place) {
 
 std::string unitName(std::string_view unit) {
     return unit.empty() || unit == "-" ? "a pure number" : "a number in " + std::string(unit);
+}
+
+// Complains about a number that no car can have.
+bool canBe(const YamlReader& reader, const YamlPlace& place, double value, std::string_view unit, const Usual& usual) {
+    if (isPossible(usual, value)) return true;
+    const std::string_view written = place.node ? std::string_view(place.node->text) : std::string_view();
+    reader.complain(place, impossibleText(value, written, unit, usual));
+    return false;
 }
 
 }  // namespace
@@ -90,13 +99,17 @@ bool YamlReader::convert(const YamlPlace& place, std::string_view unit, const Li
 
 void YamlReader::number(const YamlPlace& place, const About& about, double& value) const {
     if (place.node) {
-        convert(place, about.unit, about.limits, value);
+        double read = value;
+        const bool is_fine = convert(place, about.unit, about.limits, read);
+        if (is_fine && canBe(*this, place, read, about.unit, about.usual)) value = read;
     } else if (std::isnan(value)) {
         complain(place, "found no value, expected " + unitName(about.unit) + " (" + std::string(about.meaning) +
                             "); add \"" + lastName(place.path) + ": <number>\"");
     } else if (session_.check_absent && !about.limits.allow(value)) {
         complain(place, "found " + numberText(value) + ", expected " + unitName(about.unit) + " " +
                             limitsText(about.limits) + "; correct the value");
+    } else if (session_.check_absent) {
+        canBe(*this, place, value, about.unit, about.usual);
     }
 }
 
@@ -117,7 +130,7 @@ void YamlReader::wholeNumber(const YamlPlace& place, const About& about, int& va
     const bool all_digits = error == std::errc{} && end == digits.data() + digits.size();
     if (!all_digits) return expected(place, what, "write digits only");
     if (!about.limits.allow(whole)) return expected(place, what, "correct the value");
-    value = whole;
+    if (canBe(*this, place, whole, about.unit, about.usual)) value = whole;
 }
 
 void YamlReader::yesNo(const YamlPlace& place, bool& value) const {
@@ -152,8 +165,11 @@ void YamlReader::curve(const YamlPlace& place, const About& about, Curve& value)
         }
         Curve::Point xy{};
         const YamlPlace x = child(point, 0, "x");
-        const bool x_is_fine = convert(x, about.argument, kAny, xy.x);
-        const bool y_is_fine = convert(child(point, 1, "y"), about.unit, about.limits, xy.y);
+        const YamlPlace y = child(point, 1, "y");
+        const bool x_is_fine =
+            convert(x, about.argument, kAny, xy.x) && canBe(*this, x, xy.x, about.argument, about.usual_argument);
+        const bool y_is_fine =
+            convert(y, about.unit, about.limits, xy.y) && canBe(*this, y, xy.y, about.unit, about.usual);
         if (!x_is_fine || !y_is_fine) continue;
         if (!curve.points.empty() && xy.x <= curve.points.back().x) {
             complain(x, "found x = " + numberText(xy.x) + " after " + numberText(curve.points.back().x) +

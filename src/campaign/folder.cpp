@@ -1,8 +1,12 @@
 #include "campaign/folder.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <system_error>
 
@@ -42,6 +46,23 @@ std::string placeOf(const std::vector<std::string_view>& lines, std::size_t line
     return place;
 }
 
+// Calls that begin in one folder look into it one after the other, where its file system knows locks.
+class OneAtATime {
+public:
+    explicit OneAtATime(const Path& folder) : folder_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+        while (folder_ >= 0 && flock(folder_, LOCK_EX) != 0 && errno == EINTR) {
+        }
+    }
+    ~OneAtATime() {
+        if (folder_ >= 0) close(folder_);
+    }
+    OneAtATime(const OneAtATime&) = delete;
+    OneAtATime& operator=(const OneAtATime&) = delete;
+
+private:
+    int folder_;
+};
+
 }  // namespace
 
 Path inputsFile(const Path& folder) {
@@ -56,6 +77,7 @@ Path pieceFile(const Path& folder, const Plan& plan, std::uint64_t piece) {
 void openFolder(const Path& folder, const Plan& plan) {
     makeFolder(folder);
     makeFolder(folder / "pieces");
+    const OneAtATime only(folder);
     const Path file = inputsFile(folder);
     if (std::filesystem::exists(file)) {
         const std::string before = readBytes(file);

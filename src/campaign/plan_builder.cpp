@@ -6,6 +6,7 @@
 
 #include "base/did_you_mean.h"
 #include "base/number_text.h"
+#include "base/possible.h"
 #include "base/units.h"
 #include "base/write_yaml.h"
 #include "base/yaml_position.h"
@@ -154,9 +155,12 @@ private:
                 Subject copy = cell.nominal;
                 const FieldFound found = fieldAt(copy, name);
                 const double actual = variable.relative ? value * found.value : value;
-                if (found.about.limits.allow(actual)) continue;
-                return complain(path, fmt::format("{} becomes {}, expected a value {}", name, numberText(actual),
-                                                  limitsText(found.about.limits)));
+                if (!found.about.limits.allow(actual))
+                    return complain(path, fmt::format("{} becomes {}, expected a value {}", name, numberText(actual),
+                                                      limitsText(found.about.limits)));
+                if (!isPossible(found.about.usual, actual))
+                    return complain(path,
+                                    name + ": " + impossibleText(actual, "", found.about.unit, found.about.usual));
             }
         }
     }

@@ -11,6 +11,7 @@
 #include "host/failure.h"
 #include "host/settled.h"
 #include "tread/load.h"
+#include "vehicle/sound_state.h"
 
 namespace tread::host {
 namespace {
@@ -84,7 +85,7 @@ void Car::start(const Start& start) {
     now_.state = rest.state;
     now_.input = now_.next = withinLimits(rest.input);
     now_.ramps = false;
-    now_.time = 0;
+    now_.time = now_.time_rest = 0;
     pace_.carry(0);
     now_.yaw = yawOf(now_.motion.orientation);
     now_.link = {now_.motion.velocity_W, now_.motion.angular_velocity_W};
@@ -138,9 +139,17 @@ void Car::move(ChassisMotion& motion, double duration) {
         followYaw(motion);
     }
     if (steps.count > 0) now_.input = now_.next;
-    now_.time += duration;
+    count(duration);
     ground_.throwIfFaulty();
     checkHealth();
+}
+
+// Compensated summation (W. Kahan, Further remarks on reducing truncation errors, Communications of the ACM 8, 1965):
+// after k equal steps of the host the time is k times the step, with no more than the rounding of this product.
+void Car::count(double duration) {
+    const double more = duration + now_.time_rest, sum = now_.time + more;
+    now_.time_rest = more - (sum - now_.time);
+    now_.time = sum;
 }
 
 void Car::followYaw(const ChassisMotion& motion) {
@@ -199,7 +208,10 @@ std::vector<std::byte> Car::bytes() const {
 }
 
 void Car::restore(std::span<const std::byte> bytes) {
-    restore(snapshotOf(bytes, identity()));
+    const Snapshot snapshot = snapshotOf(bytes, identity());
+    if (!isSound(snapshot.state, vehicle_.params) || !(std::abs(snapshot.carried) <= kLongestStep))
+        refuse("found a state that no car can have: a gear, a phase, a delay or a time that does not exist");
+    restore(snapshot);
 }
 
 }  // namespace tread::host

@@ -88,6 +88,7 @@ public:
 
 private:
     void move(ChassisMotion& motion, double duration);
+    void count(double duration);
     void followYaw(const ChassisMotion& motion);
     void checkHealth();
     std::uint64_t identity() const;

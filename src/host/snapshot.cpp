@@ -16,7 +16,7 @@ struct Plain {
     VehicleState state;
     VehicleInput input, next;
     std::array<std::array<double, 11>, kWheels> planes;  // point, normal, velocity, friction, whether there is one
-    double ramps, time, carried, yaw;
+    double ramps, time, time_rest, carried, yaw;
 };
 static_assert(std::is_trivially_copyable_v<Plain>);
 
@@ -77,6 +77,7 @@ std::vector<std::byte> bytesOf(const Snapshot& s, std::uint64_t car) {
     for (std::size_t i = 0; i < kWheels; ++i) plain.planes[i] = toArray(s.planes[i]);
     plain.ramps = s.ramps ? 1 : 0;
     plain.time = s.time;
+    plain.time_rest = s.time_rest;
     plain.carried = s.carried;
     plain.yaw = s.yaw;
 
@@ -115,6 +116,7 @@ Snapshot snapshotOf(std::span<const std::byte> bytes, std::uint64_t car) {
     for (std::size_t i = 0; i < kWheels; ++i) s.planes[i] = toPlane(plain.planes[i]);
     s.ramps = plain.ramps != 0;
     s.time = plain.time;
+    s.time_rest = plain.time_rest;
     s.carried = plain.carried;
     s.yaw = plain.yaw;
     return s;

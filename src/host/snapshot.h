@@ -20,6 +20,7 @@ struct Snapshot {
     VehicleInput next;        // as given since
     bool ramps = false;       // the next step begins with `input`, not with `next`
     double time = 0;          // s
+    double time_rest = 0;     // s, lost of it by rounding
     double carried = 0;       // s, by which the host is ahead
     double yaw = 0;           // rad, counted on over whole turns
     Vector3 wind_W{0, 0, 0};  // m/s

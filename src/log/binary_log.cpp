@@ -18,6 +18,10 @@ constexpr std::string_view kHead = "tread log 1\nrows ";
 constexpr std::string_view kMagic = "\x28\xB5\x2F\xFD";
 constexpr unsigned long long kLargest = 1ull << 30;  // bytes; a hostile frame could claim any size
 
+// No block of Zstandard gives more than 128 KB or takes less than 4 bytes (RFC 8878, 3.1.1.2): a frame that claims more
+// than that for each of its bytes is refused before there is memory for it.
+constexpr unsigned long long kMostPerByte = (128 << 10) / 4;
+
 std::uint64_t littleEndian(std::uint64_t bits) {
     if constexpr (std::endian::native == std::endian::little) return bits;
     else return __builtin_bswap64(bits);
@@ -31,6 +35,7 @@ std::string unpacked(std::string_view bytes, const std::string& file) {
     const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
     if (size == ZSTD_CONTENTSIZE_UNKNOWN || size == ZSTD_CONTENTSIZE_ERROR || size > kLargest)
         refuse(file, "no Zstandard frame that states its size");
+    if (size > kMostPerByte * bytes.size()) refuse(file, "a damaged Zstandard frame");
     std::string text(static_cast<std::size_t>(size), '\0');
     const std::size_t got = ZSTD_decompress(text.data(), text.size(), bytes.data(), bytes.size());
     if (ZSTD_isError(got) || got != text.size()) refuse(file, "a damaged Zstandard frame");

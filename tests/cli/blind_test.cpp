@@ -6,6 +6,7 @@
 
 #include "blind/answers/answer.h"
 #include "blind/key/key.h"
+#include "cli/answered_check.h"
 #include "cli/program.h"
 #include "diagnose/answer/diagnosis.h"
 #include "places/places.h"
@@ -15,15 +16,9 @@
 namespace tread::blind_test {
 namespace {
 
-using blind::answers::answerText;
-using blind::answers::CaseAnswer;
-using blind::key::CaseKey;
-using blind::key::CaseKind;
-using blind::key::keyText;
 using blind::key::parseKey;
 using blind::key::programHash;
 using blind::key::SealedKey;
-using diagnose::answer::Verdict;
 
 std::vector<std::string> make(const Scratch& scratch, std::vector<std::string> more = {}) {
     std::vector<std::string> line{"blind",     "make",
@@ -115,31 +110,11 @@ TEST(BlindCommand, KeyRecordsTheProgramThatMadeTheCases) {
     EXPECT_EQ(key.program, programHash());
 }
 
-// A check of one case whose answer is there already: nothing has to be diagnosed.
-struct AnsweredCheck {
+struct ScoredCheck : AnsweredCheck {
     Scratch scratch;
-    SealedKey key;
-    CaseAnswer answer;
-
-    AnsweredCheck() {
-        key.generator = "another simulator";
-        key.program = answer.program = programHash();
-        CaseKey one;
-        one.name = answer.name = "case_001";
-        one.kind = CaseKind::one;
-        one.effects = answer.causes = {"drag_area"};
-        one.shows["drag_area"] = {.nats = 40, .rival = "mass", .separation = 30};
-        key.cases = {one};
-        answer.verdict = Verdict::explained;
-        answer.effects = {{.name = "drag_area", .probability = 0.98, .parameters = {}}};
-        std::filesystem::create_directories(scratch.path("cases/case_001"));
-        scratch.file("cases/case_001/diagnosis.yaml", "");
-    }
 
     Result scored(const std::string& answers, std::vector<std::string> more = {}) const {
-        std::filesystem::create_directories(scratch.path(answers + "/case_001"));
-        scratch.file(answers + "/case_001/answer.json", answerText(answer));
-        scratch.file("key.json", keyText(key));
+        write(scratch.path("cases"), scratch.path(answers), scratch.path("key.json"));
         std::vector<std::string> line{
             "blind", "score", scratch.path("cases"), scratch.path("key.json"), "-o", scratch.path("out")};
         line.insert(line.end(), more.begin(), more.end());
@@ -148,7 +123,7 @@ struct AnsweredCheck {
 };
 
 TEST(BlindCommand, CheckByOneProgramIsCalledFrozenAndByTwoIsNot) {
-    AnsweredCheck check;
+    ScoredCheck check;
     const Result frozen = check.scored("out/answers");
     ASSERT_EQ(frozen.status, 0) << frozen.err;
     EXPECT_EQ(firstLine(frozen.out).find("Blind check of 1 cases, frozen: one effect named first in 1 of 1"), 0u)
@@ -161,7 +136,7 @@ TEST(BlindCommand, CheckByOneProgramIsCalledFrozenAndByTwoIsNot) {
 }
 
 TEST(BlindCommand, ScoreWithoutReferencesHasAFolderOfItsOwn) {
-    const AnsweredCheck check;
+    const ScoredCheck check;
     const Result scored = check.scored("out/without_references/answers", {"--no-references"});
     ASSERT_EQ(scored.status, 0) << scored.err;
     EXPECT_NE(scored.out.find("diagnosed without references"), std::string::npos) << scored.out;
@@ -170,7 +145,7 @@ TEST(BlindCommand, ScoreWithoutReferencesHasAFolderOfItsOwn) {
 }
 
 TEST(BlindCommand, KeyThatDoesNotSayWhatTheDrivesShowIsRefused) {
-    AnsweredCheck check;
+    ScoredCheck check;
     check.key.cases[0].shows.clear();
     const Result scored = check.scored("out/answers");
     EXPECT_EQ(scored.status, 2);

@@ -190,7 +190,7 @@ TEST_F(TreadCampaign, TwoCallsAtOnceShareTheWork) {
 TEST_F(TreadCampaign, RunThatFailsIsARow) {
     campaign(replaced(kCampaign, "list: [0, 100 kg, 200 kg]}",
                       "list: [0]}\n  - {path: scenario.start.speed, list: [15 km/h, 900 km/h]}\n"
-                      "  - {path: mass, list: [1350 kg, 0.001 kg]}"));
+                      "  - {path: mass, list: [1350 kg, 0.01 kg]}"));
     const Result result = drive("out", {"--set", "samples=1"});
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_TRUE(firstLine(result.out).starts_with("Stops: 4 runs, ")) << result.out;

@@ -127,6 +127,16 @@ TEST_F(DiagnoseCommand, SaysAtOnceThatADriveHeldOutCannotBeRepeated) {
     EXPECT_NE(full.err.find("recording b: found no speed"), std::string::npos) << full.err;
 }
 
+TEST_F(DiagnoseCommand, RefusesALimitOfTheCacheThatIsNoNumberBeforeTheWork) {
+    recorded("a.csv", slalom(1.5));
+    diagnosis("effects: [steering_delay]\n");
+    setenv("TREAD_LARGEST_CACHE", "1 GB", 1);
+    const Result result = runProgram({"diagnose", scratch.path("diagnosis.yaml"), "-o", scratch.path("out")});
+    unsetenv("TREAD_LARGEST_CACHE");
+    expectRefused(result, "TREAD_LARGEST_CACHE: found \"1 GB\", expected a whole number of bytes");
+    EXPECT_FALSE(std::filesystem::exists(scratch.path("out/diagnosis.json")));
+}
+
 TEST_F(DiagnoseCommand, RefusesALogThatIsNotThereWithItsPlaceInTheFile) {
     diagnosis();
     expectRefused(checked(), "diagnosis.yaml:3:");
@@ -255,14 +265,23 @@ TEST_F(DiagnoseCommand, NeverBlamesWhatShortStraightDrivesCannotShow) {
             log.channels[c].values[i] = c == 1 ? 0 : 0.002 * std::sin(double(c) * 31.0 * static_cast<double>(i));
     recorded("a.csv", log);
     diagnosis("effects: [steering_delay, grip]\n");
+    for (const char* const earlier : {"out/logs/b/nominal.csv", "out/logs/b/measured.csv", "out/logs/c/nominal.csv"}) {
+        std::filesystem::create_directories(std::filesystem::path(scratch.path(earlier)).parent_path());
+        scratch.file(earlier, "of an earlier call");
+    }
+    scratch.file("out/logs/c/notes.txt", "mine");
     const Result result =
         runProgram({"diagnose", scratch.path("diagnosis.yaml"), "-o", scratch.path("out"), "--threads", "1"});
     EXPECT_EQ(result.status, 1) << result.err;
     EXPECT_TRUE(result.out.starts_with("Not testable")) << result.out;
     EXPECT_NE(result.out.find("in-sample"), std::string::npos) << result.out;
     EXPECT_NE(result.out.find("NEXT      scenarios/"), std::string::npos) << result.out;
-    for (const char* name : {"diagnosis.json", "report.html", "vehicle_with_effect.yaml", "cache"})
+    for (const char* name :
+         {"diagnosis.json", "report.html", "vehicle_with_effect.yaml", "cache", "logs/a/nominal.csv"})
         EXPECT_TRUE(std::filesystem::exists(scratch.path("out/") + name)) << name;
+    EXPECT_FALSE(std::filesystem::exists(scratch.path("out/logs/b"))) << "a recording of an earlier call";
+    EXPECT_FALSE(std::filesystem::exists(scratch.path("out/logs/c/nominal.csv")));
+    EXPECT_EQ(contentOf(scratch.path("out/logs/c/notes.txt")), "mine");
 }
 
 TEST_F(DiagnoseCommand, AllDiagnosesOfAFolderInPartsGiveOneTable) {

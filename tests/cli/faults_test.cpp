@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/answered_check.h"
+#include "cli/kept_files.h"
 #include "cli/logs.h"
 #include "cli/tread_run.h"
 #include "log/csv.h"
@@ -85,8 +87,6 @@ std::set<long> eachKind(const std::vector<Call>& calls, const std::string& how, 
     return numbers;
 }
 
-using Files = std::map<std::string, std::string>;  // content by name, relative to the folder
-
 struct Command {
     std::string name;
     std::set<std::string> ways;                    // in which its files fail; the time of all tests is bounded
@@ -127,6 +127,8 @@ protected:
                                               {"diagnosis.yaml", kDiagnosis}})
             fs::copy_file(scratch.file("input", text), place(name), fs::copy_options::overwrite_existing);
         writeLog(place("log.csv"), cli::stepSteer());
+        for (const std::string cause : {"mass", "drag_area"})
+            AnsweredCheck(cause).write(place("check"), place("score/answers"), place(cause + ".key.json"));
         Log drive = cli::stepSteer();
         for (Channel& channel : drive.channels) channel.values.resize(150);
         writeLog(place("drive.csv"), drive);
@@ -150,18 +152,7 @@ protected:
     }
 
     Files files() const {
-        Files found;
-        for (const auto& entry : fs::recursive_directory_iterator(place()))
-            if (entry.is_regular_file())
-                found[entry.path().lexically_relative(place()).generic_string()] = contentOf(entry.path());
-        return found;
-    }
-    void restore() const {
-        fs::remove_all(place());
-        for (const auto& [name, content] : before_) {
-            fs::create_directories(fs::path(place(name)).parent_path());
-            std::ofstream(place(name), std::ios::binary) << content;
-        }
+        return filesIn(place());
     }
     bool isVolatile(const std::string& name) const {
         for (const std::string& file : GetParam().volatile_files)
@@ -177,11 +168,6 @@ protected:
         std::istringstream lines(text);
         for (std::string line; std::getline(lines, line);) faults += line.starts_with("warning: ") ? 0 : 1;
         return faults;
-    }
-    static std::string namesOf(const Files& all) {
-        std::string names;
-        for (const auto& [name, content] : all) names += name + " (" + std::to_string(content.size()) + ") ";
-        return names;
     }
 
     // Whatever happened, each file is the old one, the new one, or says what it is; its folder is of one call, or says
@@ -232,7 +218,7 @@ TEST_P(Faults, SpoilNothing) {
     for (const std::string& how : GetParam().ways) {
         for (const long number : eachKind(all, how, GetParam().only)) {
             SCOPED_TRACE(how + " in " + std::to_string(number) + " " + all[static_cast<std::size_t>(number - 1)].what);
-            restore();
+            putBack(before_, place());
             Result result;
             {
                 const Disturbed disturbed(how + ":" + std::to_string(number), "");
@@ -299,6 +285,18 @@ INSTANTIATE_TEST_SUITE_P(
                              "step_steers", "--vehicle", "@car.yaml", "-o", "@cases"},
                             {},
                             {"cases.key.json", "cases/INCOMPLETE"}},
+                    Command{"Score",
+                            {"error", "full", "kill"},
+                            {{"blind", "score", "@check", "@mass.key.json", "-o", "@score"}},
+                            {"blind", "score", "@check", "@drag_area.key.json", "-o", "@score"}},
+                    // The case is empty: its answer says that it cannot be diagnosed.
+                    Command{"Answer",
+                            {"error", "kill"},
+                            {},
+                            {"blind", "score", "@check", "@mass.key.json", "-o", "@scored"},
+                            {},
+                            {},
+                            3},
                     Command{"Campaign", {"error", "full"}, {}, kCampaign, {"timings.csv", "report.html", ".piece"}},
                     Command{"Resume",
                             {"kill"},

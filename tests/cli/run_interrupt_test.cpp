@@ -116,7 +116,7 @@ TEST_F(TreadRun, InterruptIsHeardBetweenRowsThatAreFarApart) {
     car();
     scenario();
     Running program(words({"--set", "scenario.phases.0.until.duration=100000", "--set", "scenario.time_limit=200000",
-                           "--set", "scenario.log.rate=0.00001"}),
+                           "--set", "scenario.log.rate=0.0005"}),
                     scratch.path("stdout"), scratch.path("stderr"));
     ASSERT_TRUE(grows(out("log.csv"), 0));
     program.send(SIGINT);

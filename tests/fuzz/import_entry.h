@@ -35,10 +35,17 @@ inline bool importHostile(auto&& read) {
     }
 }
 
+inline bool importHostileVbo(const std::string& text) {
+    return importHostile([&] { return parseVbo(text, "fuzz.vbo"); });
+}
+
+inline bool importHostileTable(const std::string& text) {
+    return importHostile([&] { return parseForeignCsv(text, "fuzz.csv"); });
+}
+
 // Each text goes through both readers, whatever it looks like.
 inline bool importHostileText(const std::string& text) {
-    const bool vbo = importHostile([&] { return parseVbo(text, "fuzz.vbo"); });
-    const bool table = importHostile([&] { return parseForeignCsv(text, "fuzz.csv"); });
+    const bool vbo = importHostileVbo(text), table = importHostileTable(text);
     return vbo || table;
 }
 

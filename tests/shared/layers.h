@@ -73,6 +73,7 @@ inline const std::vector<Library> kLibraries{
     {"pybind11", {"pybind11/"}, {"tools"}},
     {"OpenGL, GLFW and stb", {"epoxy/", "GLFW/", "stb/"}, {"tools"}},
     {"matio", {"matio.h"}, {"import"}},
+    {"zlib", {"zlib.h"}, {"import"}},
     {"OpenSSL", {"openssl/"}, {"store"}},
     {"SQLite", {"sqlite3.h"}, {"campaign"}},
     {"Zstandard", {"zstd.h"}, {"log"}},

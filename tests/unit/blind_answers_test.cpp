@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <fstream>
 #include <stdexcept>
 
 #include "blind/answers/collect.h"
@@ -99,6 +100,15 @@ TEST(BlindAnswers, EveryCaseIsDiagnosedOnceAlsoWhenItGoesOn) {
     ASSERT_EQ(first.size(), 3u);
     for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(answerText(first[i]), answerText(second[i]));
     EXPECT_EQ(first[1].name, "case_002");
+}
+
+TEST(BlindAnswers, AnswerToAnotherCaseOfTheSameNameIsMadeAgain) {
+    const Scratch scratch;
+    made(scratch, 1);
+    EXPECT_EQ(answersOf(scratch, [](const auto&, int) { return blamed("heavier"); }).front().causes.front(), "heavier");
+    std::ofstream(scratch.path("cases/case_001/diagnosis.yaml"), std::ios::app) << "# another case\n";
+    EXPECT_THROW(blind::answers::keptAnswers(scratch.path("cases"), scratch.path("answers")), LoadError);
+    EXPECT_EQ(answersOf(scratch, [](const auto&, int) { return blamed("lighter"); }).front().causes.front(), "lighter");
 }
 
 TEST(BlindAnswers, ShardsAnswerTheirCasesAndTheLastOneHasAll) {

@@ -7,18 +7,18 @@
 #include <string_view>
 #include <vector>
 
-#include "blind/answers/answer.h"
-#include "campaign/piece.h"
-#include "campaign/row.h"
+#include "fuzz/answer_entry.h"
 #include "fuzz/binary_log_entry.h"
+#include "fuzz/campaign_entry.h"
+#include "fuzz/car_state_entry.h"
 #include "fuzz/csv_entry.h"
 #include "fuzz/expression_entry.h"
 #include "fuzz/height_field_entry.h"
+#include "fuzz/scenario_entry.h"
 #include "fuzz/tir_entry.h"
 #include "fuzz/yaml_entry.h"
 #include "places/places.h"
 #include "shared/scratch.h"
-#include "store/sha256.h"
 
 namespace tread::fuzz_corpus_test {
 namespace {
@@ -75,6 +75,35 @@ TEST(FuzzCorpus, EveryExpressionIsTakenOrRefusedInWords) {
     EXPECT_EQ(taken, (std::vector<std::string>{"sound.txt", "unit.txt"}));
 }
 
+TEST(FuzzCorpus, EveryCampaignAndPieceOfOneIsTakenOrRefusedInWords) {
+    const auto [files, taken] = replay("campaign", fuzz::readHostileCampaign);
+    EXPECT_GE(files, 5u);
+    EXPECT_EQ(taken, (std::vector<std::string>{"everything.yaml", "shipped.yaml"}));
+    const auto [pieces, read] = replay("piece", fuzz::readHostilePiece);
+    EXPECT_GE(pieces, 5u);
+    EXPECT_EQ(read, (std::vector<std::string>{"plain.txt", "quotes.txt"}));
+}
+
+TEST(FuzzCorpus, EveryScenarioIsTakenOrRefusedInWords) {
+    const auto [files, taken] = replay("scenario", fuzz::readHostileScenario);
+    EXPECT_GE(files, 9u);
+    EXPECT_EQ(taken, (std::vector<std::string>{"double_lane_change.yaml", "ride_class_c.yaml", "shipped.yaml",
+                                               "sine_with_dwell_series.yaml", "steering_pulse.yaml",
+                                               "straight_braking_100_abs.yaml"}));
+}
+
+TEST(FuzzCorpus, EveryAnswerToABlindCaseIsTakenOrRefusedInWords) {
+    const auto [files, taken] = replay("answer", fuzz::readHostileAnswer);
+    EXPECT_GE(files, 5u);
+    EXPECT_EQ(taken, (std::vector<std::string>{"plain.json"}));
+}
+
+TEST(FuzzCorpus, EveryStateOfACarIsTakenOrRefusedInWords) {
+    const auto [files, taken] = replay("car_state", fuzz::takeHostileState);
+    EXPECT_GE(files, 4u);
+    EXPECT_EQ(taken, (std::vector<std::string>{"empty.bin"}));
+}
+
 // ---- Whole files, damaged where their structure is ------------------------------------------------------------------
 
 // Calls `take` with the text after each of some hundred blows: lines and bytes that are lost, doubled, exchanged.
@@ -106,23 +135,11 @@ TEST(DamagedFiles, ExpressionsAreTakenOrRefusedInWords) {
 }
 
 TEST(DamagedFiles, PiecesOfCampaignsAreTakenOrTold) {
-    campaign::Plan plan;
-    plan.runs = plan.runs_per_piece = 2;
-    plan.hash = sha256("");
     const std::string rows = "0,car,stop,0,ok,,\n1,car,stop,0,ok,,\n", timings = "0,0.1\n1,0.1\n";
-    const std::string whole = campaign::pieceText(plan, 0, {rows, timings});
-    campaign::Piece piece;
-    std::string fault;
-    ASSERT_TRUE(campaign::readPiece(plan, 0, whole, piece, fault)) << fault;
-    EXPECT_EQ(piece.rows, rows);
-    const auto read = [&](const std::string& text) {
-        fault.clear();
-        if (!campaign::readPiece(plan, 0, text, piece, fault)) EXPECT_FALSE(fault.empty());
-        else EXPECT_EQ(campaign::cellsOf(campaign::linesIn(piece.rows).front()).size(), campaign::kFixedColumns);
-    };
-    damaged(whole, read);
-    // With a checksum that fits what is damaged.
-    damaged(rows + timings, [&](const std::string& body) { read(campaign::pieceText(plan, 0, {body, ""})); });
+    const std::string whole = campaign::pieceText(fuzz::planOfTwoRuns(), 0, {rows, timings});
+    ASSERT_TRUE(fuzz::readHostilePiece(whole));
+    damaged(whole, fuzz::readHostilePiece);
+    damaged(rows + timings, fuzz::readHostilePiece);  // with a checksum that fits what is damaged
 }
 
 TEST(DamagedFiles, AnswersAreTakenOrRefusedInWords) {
@@ -130,13 +147,7 @@ TEST(DamagedFiles, AnswersAreTakenOrRefusedInWords) {
     answer.name = "case";
     answer.causes = {"grip"};
     answer.expected_evidence = {{"grip", 3}};
-    damaged(blind::answers::answerText(answer), [](const std::string& text) {
-        try {
-            blind::answers::parseAnswer(text, "answer.json");
-        } catch (const LoadError& error) {
-            EXPECT_EQ(error.problems().front().file, "answer.json");
-        }
-    });
+    damaged(blind::answers::answerText(answer), fuzz::readHostileAnswer);
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ std::vector<std::byte> afterTurn(double host_step, double duration) {
     for (long i = 0; i < steps; ++i) car.advance(host_step);
     EXPECT_NEAR(car.time(), duration, 1e-9);
     Snapshot end = car.snapshot();
-    end.time = end.carried = 0;
+    end.time = end.time_rest = end.carried = 0;
     return bytesOf(end, 0);
 }
 

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "fuzz/import_entry.h"
+#include "fuzz/mat_entry.h"
 #include "import/formats/mat_whole.h"
 #include "places/places.h"
 
@@ -35,7 +36,10 @@ TEST(ImportCorpus, EveryTextBecomesALogOrIsRefusedInWords) {
 TEST(ImportCorpus, EveryMatlabFileIsJudged) {
     std::size_t files = 0, whole = 0;
     for (const auto& entry : std::filesystem::directory_iterator(sourceFile("tests/fuzz/corpus/mat"))) {
-        whole += matFault(bytesOf(entry.path())).empty();
+        SCOPED_TRACE(entry.path().string());
+        const std::string bytes = bytesOf(entry.path());
+        whole += matFault(bytes).empty();
+        fuzz::importHostileMat(bytes);
         ++files;
     }
     EXPECT_GE(files, 6u);

@@ -146,9 +146,13 @@ int blindScore(const BlindScoreOptions& options) {
     addObtainedClosure(answers, key, options.cases, answers_folder, effectCatalogue());
     const BlindScore scored = score(key, answers);
     const std::string json = scoreJson(scored), made_of = madeOf(key), hash = sha256(sealed);
+    const std::string page =
+        blindReport({.made_of = made_of, .key_sha256 = hash, .version = TREAD_VERSION, .score = scored});
+    waitForFolders();  // calls that share the work end at the same moment, and each writes the same for a moment
+    const OutputFolder held(output);
     writeFile(output / "score.json", json);
-    writeFile(output / "report.html",
-              blindReport({.made_of = made_of, .key_sha256 = hash, .version = TREAD_VERSION, .score = scored}));
+    writeFile(output / "report.html", page);
+    held.complete();
     if (options.json) {
         printJson(nlohmann::json::parse(json));
     } else {

@@ -9,7 +9,7 @@
 namespace tread::program {
 
 // A folder per recording: measured.csv (less what the model lacked in a reference), nominal.csv, calibrated.csv,
-// extended.csv.
+// extended.csv. Those of an earlier call are removed.
 void writeStages(const std::vector<diagnose::answer::Overlay>& overlays, const Path& folder);
 
 }  // namespace tread::program

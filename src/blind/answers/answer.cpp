@@ -5,8 +5,6 @@
 #include "blind/world/instruments.h"
 #include "diagnose/answer/diagnosis.h"
 #include "log/resample.h"
-#include "store/described_json.h"
-#include "tread/problem.h"
 
 namespace tread::blind::answers {
 namespace {
@@ -66,23 +64,6 @@ double obtainedClosure(const std::vector<Overlay>& overlays, const std::map<std:
         extended += squaredGap(overlay.extended, found->second);
     }
     return nominal > 0 ? 1 - extended / nominal : std::numeric_limits<double>::quiet_NaN();
-}
-
-std::string answerText(const CaseAnswer& answer) {
-    return jsonOf(answer).dump(2) + "\n";
-}
-
-CaseAnswer parseAnswer(std::string_view text, const std::string& file) {
-    try {
-        CaseAnswer answer;
-        readJson(answer, nlohmann::ordered_json::parse(text));
-        return answer;
-    } catch (const std::exception& error) {
-        throw LoadError({{file, 0, 0, "",
-                          "found no answer to a blind case, expected one that `tread blind score` wrote (delete it to "
-                          "have the case diagnosed again): " +
-                              std::string(error.what())}});
-    }
 }
 
 }  // namespace tread::blind::answers

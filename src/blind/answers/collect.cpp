@@ -9,6 +9,7 @@
 #include "log/csv.h"
 #include "recording/diagnosis_folders.h"
 #include "store/result_folder.h"
+#include "store/sha256.h"
 #include "store/whole_file.h"
 #include "tread/load.h"
 
@@ -54,9 +55,33 @@ fs::path driveFile(const fs::path& answers, const std::string& name, const std::
     return answers / name / (recording + "." + kind + ".csv");
 }
 
+// Beside the answer: the hash of the case, so that no other case of this name is taken for it.
+fs::path caseFile(const fs::path& answers, const std::string& name) {
+    return answers / name / "case.sha256";
+}
+
+std::string caseHash(const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.is_regular_file()) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    std::string hashes;
+    for (const fs::path& file : files) hashes += sha256(readBytes(file)) + "  " + file.filename().string() + "\n";
+    return sha256(hashes) + "\n";
+}
+
+// Whether there is an answer, and not to another case; one that does not say for which case it is counts.
+bool isAnswerTo(const std::string& hash, const fs::path& answers, const std::string& name) {
+    const fs::path of = caseFile(answers, name);
+    return fs::exists(answerFile(answers, name)) && (!fs::exists(of) || readBytes(of) == hash);
+}
+
 // The answer is written last and in one step: an existing answer is complete.
-void keep(const fs::path& answers, const CaseAnswer& answer, const std::vector<Overlay>& overlays) {
+void keep(const fs::path& answers, const CaseAnswer& answer, const std::string& hash,
+          const std::vector<Overlay>& overlays) {
     makeFolder(answers / answer.name);
+    removeResult(answerFile(answers, answer.name));  // to another case
+    writeFile(caseFile(answers, answer.name), hash);
     for (const Overlay& overlay : overlays) {
         if (!overlay.hold_out) continue;
         writeLog(driveFile(answers, answer.name, overlay.recording, "nominal"), overlay.nominal);
@@ -80,7 +105,7 @@ void answerCase(const fs::path& cases, const fs::path& answers, const std::strin
         answer.program = programHash();
         answer.failure = error.what();
     }
-    keep(answers, answer, overlays);
+    keep(answers, answer, caseHash(cases / name), overlays);
 }
 
 // Held-out drives of a case without disturbance and noise, from the same initial speed.
@@ -117,7 +142,9 @@ bool answerCases(const fs::path& cases, const fs::path& answers, const Diagnoser
                  const WorkOptions& options) {
     const std::vector<std::string> names = caseNames(cases);
     makeFolder(answers);
-    const auto isAnswered = [&](std::uint64_t i) { return fs::exists(answerFile(answers, names[i])); };
+    std::vector<std::string> hashes;
+    for (const std::string& name : names) hashes.push_back(caseHash(cases / name));
+    const auto isAnswered = [&](std::uint64_t i) { return isAnswerTo(hashes[i], answers, names[i]); };
     const Pieces pieces{.count = names.size(),
                         .isDone = [&](std::uint64_t i, std::string&) { return isAnswered(i); },
                         .compute =
@@ -137,6 +164,10 @@ std::vector<CaseAnswer> keptAnswers(const fs::path& cases, const fs::path& answe
     for (const std::string& name : caseNames(cases)) {
         const fs::path file = answerFile(answers, name);
         found.push_back(parseAnswer(readBytes(file), file.string()));
+        if (isAnswerTo(caseHash(cases / name), answers, name)) continue;
+        throw LoadError({{file.string(), 0, 0, "",
+                          "found the answer to another case of this name, which another call has written; name another "
+                          "folder for each set of cases with -o"}});
     }
     return found;
 }

@@ -19,12 +19,14 @@ using Diagnoser = std::function<diagnose::answer::Diagnosis(const std::filesyste
 
 // Has the cases in the folder `cases` diagnosed, each on `threads` threads; several processes may share the work
 // (store/shared_work.h). Each answer is kept in its own folder below `answers`, together with the simulated held-out
-// drives, and stays if it exists: an interrupted check resumes. A case that cannot be diagnosed has a `failure`.
-// Returns whether all cases are answered, not only those of the shard. Throws LoadError when there is no case.
+// drives, and stays if it exists and the case has not changed: an interrupted check resumes. A case that cannot be
+// diagnosed has a `failure`. Returns whether all cases are answered, not only those of the shard. Throws LoadError when
+// there is no case.
 bool answerCases(const std::filesystem::path& cases, const std::filesystem::path& answers, const Diagnoser& diagnose,
                  int threads, const WorkOptions& options);
 
-// The answers to all cases in the folder, sorted by name. Throws FileError when one is missing.
+// The answers to all cases in the folder, sorted by name. Throws FileError when one is missing, LoadError when one is
+// to another case.
 std::vector<CaseAnswer> keptAnswers(const std::filesystem::path& cases, const std::filesystem::path& answers);
 
 // Computes `closure_obtained`: draws the cars of the key again and drives them without noise. Left NaN where catalogue

@@ -59,10 +59,10 @@ void RaycastFleet::updateAction(btCollisionWorld* world, btScalar step) {
         of_awake.push_back(of_all[i]);
     }
     of_awake.emplace_back();
-    const auto drive = [&](std::size_t i) {
-        awake[i]->self_->fetchInputs(of_awake[i + 1]);
-        awake[i]->self_->fetchState(of_awake[i + 1]);
-        awake[i]->self_->drive(world, step);
+    const auto drive = [&cars = awake, &footprints = of_awake, world, step](std::size_t i) {
+        cars[i]->self_->fetchInputs(footprints[i + 1]);
+        cars[i]->self_->fetchState(footprints[i + 1]);
+        cars[i]->self_->drive(world, step);
     };
     std::exception_ptr thrown;
     try {

@@ -75,9 +75,10 @@ bool atItsEnd(const Estimate& estimate) {
 std::vector<ChangedNumber> changedNumbers(const RankedEffect& effect) {
     std::vector<ChangedNumber> numbers;
     for (const auto& [path, estimate] : effect.parameters) {
-        const auto same = std::find_if(numbers.begin(), numbers.end(), [&](const ChangedNumber& one) {
-            return alike(one.estimate, estimate) && meaningOf(one.paths.front()) == meaningOf(path);
-        });
+        const auto isSame = [&where = path, &found = estimate](const ChangedNumber& one) {
+            return alike(one.estimate, found) && meaningOf(one.paths.front()) == meaningOf(where);
+        };
+        const auto same = std::find_if(numbers.begin(), numbers.end(), isSame);
         if (same != numbers.end()) same->paths.push_back(path);
         else numbers.push_back({{path}, estimate});
     }

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "diagnose/model/sensitivity_cache.h"
 #include "diagnose/settings.h"
 #include "recording/reference.h"
 
@@ -51,6 +52,7 @@ Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, 
     problem.replays.replayer = {nominal, file.step, options.simulate};
     problem.replays.threads = options.threads;
     problem.replays.cache = options.cache;
+    if (!options.cache.empty()) largestCache();  // what is wrong with it is told before the work
     const recording::Replayer& replayer = problem.replays.replayer;
     problem.drives = recording::recordedDrives(file, recorded, false, replayer, options.threads);
     problem.held_out = recording::recordedDrives(file, recorded, true, replayer, options.threads);

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cstdlib>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/byte_limit.h"
 #include "base/text_file.h"
 #include "base/write_yaml.h"
 #include "store/sha256.h"
@@ -120,9 +120,7 @@ DrivenColumn keptColumn(const Path& folder, const Parameter& parameter, double b
 }
 
 std::uintmax_t largestCache() {
-    constexpr std::uintmax_t kUsual = std::uintmax_t{1} << 30;
-    const char* const given = std::getenv("TREAD_LARGEST_CACHE");
-    return given ? std::strtoull(given, nullptr, 10) : kUsual;
+    return byteLimit("TREAD_LARGEST_CACHE", std::size_t{1} << 30);
 }
 
 void trimCache(const Path& cache, std::uintmax_t most) {

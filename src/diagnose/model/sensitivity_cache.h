@@ -27,7 +27,8 @@ struct DrivenColumn {
 DrivenColumn keptColumn(const std::filesystem::path& folder, const Parameter& parameter, double by, Eigen::Index rows,
                         const std::function<DrivenColumn()>& make);
 
-// Bytes that a cache may hold: 1 GB, or as many as the variable TREAD_LARGEST_CACHE says.
+// Bytes that a cache may hold: 1 GB, or as many as the variable TREAD_LARGEST_CACHE says. Throws LoadError when that
+// is no number.
 std::uintmax_t largestCache();
 
 // Removes the columns that have not been used for longest until the rest is within `most` bytes. keptColumn() does so

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "import/formats/mat_elements.h"
+
 namespace tread {
 namespace {
 
@@ -39,6 +41,9 @@ std::string version5Fault(std::string_view bytes, bool big) {
         }
         at += kTag;
         if (bytes.size() - at < size) return cutOff(variable, size - (bytes.size() - at));
+        const std::string_view content = bytes.substr(at, size);
+        const std::string fault = type == kMatrix ? matrixFault(content, big) : compressedFault(content, big);
+        if (!fault.empty()) return "is damaged: its variable number " + std::to_string(variable) + " " + fault;
         at += size;
     }
     return {};

@@ -7,8 +7,8 @@
 
 namespace tread {
 
-// What is wrong, as one clause; empty when the variables of a version 4 or 5 file end where the file does. Version 7.3
-// is HDF5, which checks itself.
+// What is wrong, as one clause; empty when the variables of a version 4 or 5 file end where the file does, and hold
+// what they claim. Version 7.3 is HDF5, which checks itself.
 std::string matFault(std::string_view bytes);
 
 }  // namespace tread

@@ -1,10 +1,10 @@
-// libFuzzer over the readers of .vbo files and foreign tables, and all that follows.
+// libFuzzer over the reader of .vbo files, and all that follows.
 #include <cstddef>
 #include <cstdint>
 
 #include "fuzz/import_entry.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-    tread::fuzz::importHostileText({reinterpret_cast<const char*>(bytes), size});
+    tread::fuzz::importHostileVbo({reinterpret_cast<const char*>(bytes), size});
     return 0;
 }

@@ -1,0 +1,10 @@
+// libFuzzer over the reader of foreign tables, and all that follows.
+#include <cstddef>
+#include <cstdint>
+
+#include "fuzz/import_entry.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+    tread::fuzz::importHostileTable({reinterpret_cast<const char*>(bytes), size});
+    return 0;
+}
