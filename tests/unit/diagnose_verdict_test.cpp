@@ -11,7 +11,7 @@
 namespace tread::diagnose_verdict_test {
 namespace {
 
-using kSettings;
+using diagnose::kSettings;
 using diagnose::answer::Diagnosis;
 using diagnose::answer::Verdict;
 using diagnose::catalogue::Effect;
