@@ -3,6 +3,7 @@
 //   TREAD_SOAK_SECONDS=1800 TREAD_SOAK_RUNS=100000 tests_soak
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -36,34 +37,35 @@ constexpr bool kMemoryIsOurs = false;  // a sanitizer keeps what was freed
 constexpr bool kMemoryIsOurs = true;
 #endif
 
-// Of the resident memory from 10 % of the work to its end, bytes: what the allocator keeps apart in its arenas; one
-// lost allocation in each second or run of the whole soak is more.
-constexpr long kGrowth = 2 << 20;
-
-long residentBytes() {
-    std::ifstream file("/proc/self/statm");
-    long all = 0, resident = 0;
-    file >> all >> resident;
-    return resident * sysconf(_SC_PAGESIZE);
+// Bytes that the program has asked for and not given back. The resident memory also holds what the allocator keeps for
+// each thread, which depends on how threads were scheduled; it is printed.
+long bytesInUse() {
+    const struct mallinfo2 all = mallinfo2();
+    return static_cast<long>(all.uordblks + all.hblkhd);
 }
 
-// Resident memory at 10 % of the work and at its end.
+double residentMegabytes() {
+    std::ifstream file("/proc/self/statm");
+    double all = 0, resident = 0;
+    file >> all >> resident;
+    return 1e-6 * resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+// Memory in use at the ends of both rounds of the same work.
 class Memory {
 public:
-    explicit Memory(int work) : work_(work) {}
-    void at(int done) {
-        if (done == (work_ + 9) / 10) early_ = residentBytes();
-    }
+    void at(int round) { in_use_[round] = bytesInUse(), resident_[round] = residentMegabytes(); }
     void expectFlat(const char* what) const {
-        const long late = residentBytes();
-        std::printf("%s: %.1f MB resident at 10 %%, %.1f MB at the end\n", what, 1e-6 * static_cast<double>(early_),
-                    1e-6 * static_cast<double>(late));
-        EXPECT_TRUE(!kMemoryIsOurs || late - early_ <= kGrowth) << what << ": " << late - early_ << " bytes more";
+        std::printf("%s: %ld and %ld bytes in use, %.1f and %.1f MB resident at the ends of both rounds\n", what,
+                    in_use_[0], in_use_[1], resident_[0], resident_[1]);
+        EXPECT_TRUE(!kMemoryIsOurs || in_use_[1] - in_use_[0] <= kGrowth) << what;
     }
 
 private:
-    int work_;
-    long early_ = 0;
+    // What the allocator sets aside for blocks that were freed on another thread.
+    static constexpr long kGrowth = 64 << 10;
+    std::array<long, 2> in_use_{};
+    std::array<double, 2> resident_{};
 };
 
 int wanted(const char* variable, int usual) {
@@ -81,7 +83,6 @@ struct Hash {
 };
 
 // ---- Random driving
-// ----------------------------------------------------------------------------------------------------
 
 constexpr int kCallsPerSecond = 50;  // of the host
 constexpr double kCall = 1.0 / kCallsPerSecond;
@@ -230,14 +231,14 @@ private:
 
 TEST(Soak, RandomDriving) {
     const int seconds = wanted("TREAD_SOAK_SECONDS", 10);
-    Memory memory(2 * seconds);
+    Memory memory;
     std::uint64_t hashes[2];
     for (int round = 0; round < 2; ++round) {
         RandomDriving driving;
         for (int second = 0; second < seconds && !HasFailure(); ++second) {
             driving.second(second);
-            memory.at(round * seconds + second + 1);
         }
+        memory.at(round);
         hashes[round] = driving.hash();
     }
     std::printf("%d s of 11 cars, twice: hash %016llx\n", seconds, static_cast<unsigned long long>(hashes[0]));
@@ -246,7 +247,6 @@ TEST(Soak, RandomDriving) {
 }
 
 // ---- Many short runs
-// -----------------------------------------------------------------------------------------------------
 
 Scenario shortTurn() {
     return readYamlText<Scenario>(R"(start: {speed: 20}
@@ -264,7 +264,7 @@ TEST(Soak, ManyShortRuns) {
     const int runs = wanted("TREAD_SOAK_RUNS", 200);
     const std::vector<VehicleParams> cars{reference::compact(), reference::rearDriveSedan(),
                                           shared::withEverything(reference::compact())};
-    Memory memory(2 * runs);
+    Memory memory;
     std::uint64_t hashes[2];
     for (int round = 0; round < 2; ++round) {
         std::mt19937 random(5);
@@ -281,8 +281,8 @@ TEST(Soak, ManyShortRuns) {
                 ASSERT_EQ(time[k], static_cast<double>(10 * k) * scenario.step) << "the clock";
             for (const Channel& channel : log.channels)
                 for (const double value : channel.values) hash.add(value);
-            memory.at(round * runs + run + 1);
         }
+        memory.at(round);
         hashes[round] = hash.value;
     }
     std::printf("%d short runs, twice: hash %016llx\n", runs, static_cast<unsigned long long>(hashes[0]));
