@@ -1,6 +1,6 @@
 // Long drives and many short ones in one process: finite states, a clock without drift, memory that does not grow, and
 // the same hash of all that was seen when everything is done once more. The gate drives for seconds; for the whole:
-//   TREAD_SOAK_SECONDS=1800 TREAD_SOAK_RUNS=100000 tests_soak
+//   TREAD_SOAK_SECONDS=3600 TREAD_SOAK_RUNS=100000 tests_soak
 
 #include <gtest/gtest.h>
 #include <malloc.h>
