@@ -59,7 +59,7 @@ Diagnosis diagnosisOf(const recording::Subject& nominal, const recording::Diagno
     recording::DiagnosisFile after = file;
     if (before && !file.before.empty()) after.tolerances = before->tolerances;
     const model::Problem problem = model::problemOf(before ? before->car : nominal, after, recorded, effects, options,
-                                                    before ? before->known : model::KnownBefore{});
+                                                    before ? before->left_open : std::vector<recording::KnownWithin>{});
     select::Calibration car =
         select::calibrate(problem, model::nominalCar(problem, partOf(progress, 0.3, 0.4)), partOf(progress, 0.4, 0.6));
     if (before) car.structure_error = before->structure_error;

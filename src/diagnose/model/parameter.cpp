@@ -160,16 +160,13 @@ Subject movedIn(const RecordedDrive& drive, Subject subject, const std::vector<P
     return subject;
 }
 
-std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<KnownWithin>& tolerances, double same,
-                                 const std::map<std::string, double>& beyond) {
+std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<KnownWithin>& tolerances, double same) {
     Subject subject = nominal;
     std::vector<Parameter> found;
     for (const Number& number : numbers(subject)) {
         if (differsFromDriveToDrive(number.path)) continue;
-        double tolerance = toleranceOf(number, nominal.vehicle, tolerances) * (staysTheSame(number.path) ? same : 1);
-        if (const auto one = beyond.find(number.path); one != beyond.end())
-            tolerance = std::hypot(tolerance, std::sqrt(3.0) * one->second);
-        addNuisance(found, number, tolerance, nominal.vehicle);
+        const double factor = staysTheSame(number.path) ? same : 1;
+        addNuisance(found, number, toleranceOf(number, nominal.vehicle, tolerances) * factor, nominal.vehicle);
     }
     return found;
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -58,20 +57,9 @@ void move(Subject& subject, const Parameter& parameter, double units);
 Subject movedIn(const RecordedDrive& drive, Subject subject, const std::vector<Parameter>& parameters,
                 const Eigen::VectorXd& units);
 
-// What is known of a car from drives of the car before it was changed.
-struct KnownBefore {
-    // Numbers that these drives leave open, with what they leave. Their change left them alone (D45c).
-    std::vector<KnownWithin> left_open = {};
-    // By how much the fit moved a number beyond its tolerance, in its SI units, by path: there it stands for something
-    // that the model lacks, and may differ as much in the changed car (D45d).
-    std::map<std::string, double> beyond = {};
-};
-
 // A tolerance t becomes the standard deviation t / sqrt(3) of a uniform distribution. `same`: factor on the tolerances
 // of what stays the same from day to day, that is the car, and the instruments except for their zeros (D15).
-// `beyond`: as in KnownBefore.
-std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<KnownWithin>& tolerances, double same = 1,
-                                 const std::map<std::string, double>& beyond = {});
+std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<KnownWithin>& tolerances, double same = 1);
 
 // What differs from drive to drive, one parameter for each drive: the wind. With references, the wind of both runs
 // (D15).

@@ -70,16 +70,17 @@ Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, 
 }
 
 Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, const recording::Recorded& recorded,
-                  const std::vector<Effect>& effects, const Options& options, const KnownBefore& known) {
+                  const std::vector<Effect>& effects, const Options& options,
+                  const std::vector<KnownWithin>& left_open) {
     const auto differences = [&](Drives drives) {
         const bool same_car = recording::compared(drives);
         Differences all;
-        all.parameters = nuisances(nominal, file.tolerances, same_car ? kSettings.between_days : 1, known.beyond);
+        all.parameters = nuisances(nominal, file.tolerances, same_car ? kSettings.between_days : 1);
         for (Parameter& one : nuisancesOfEachDrive(nominal, file.tolerances, drives))
             all.parameters.push_back(std::move(one));
         all.nuisances.resize(all.parameters.size());
         std::iota(all.nuisances.begin(), all.nuisances.end(), 0);
-        for (Parameter& one : nuisancesOfBoth(nominal, known.left_open)) {
+        for (Parameter& one : nuisancesOfBoth(nominal, left_open)) {
             all.of_both.push_back(std::ssize(all.parameters));
             all.parameters.push_back(std::move(one));
         }

@@ -29,10 +29,11 @@ struct Problem {
 };
 
 // Parameters are all uncertain numbers and the knobs of the given effects. Where a recording has a reference, the gap
-// of the nominal car to the reference is subtracted. `known`: of the nominal car, when its numbers were fitted to
-// drives before the change. Throws std::invalid_argument when nothing can be learnt from a recording.
+// of the nominal car to the reference is subtracted. `left_open`: tolerances of numbers that car and reference share.
+// Throws std::invalid_argument when nothing can be learnt from a recording.
 Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, const recording::Recorded& recorded,
-                  const std::vector<Effect>& effects, const Options& options, const KnownBefore& known = {});
+                  const std::vector<Effect>& effects, const Options& options,
+                  const std::vector<KnownWithin>& left_open = {});
 
 // The same with parameters chosen by the caller.
 struct Differences {

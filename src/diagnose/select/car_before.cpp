@@ -84,15 +84,6 @@ std::vector<recording::KnownWithin> leftOpen(const std::map<std::string, answer:
     return open;
 }
 
-// What exceeds a tolerance is not what the number stands for.
-std::map<std::string, double> beyondTolerance(const std::map<std::string, answer::NuisanceEstimate>& moved) {
-    std::map<std::string, double> beyond;
-    for (const auto& [path, estimate] : moved)
-        if (const double excess = std::abs(estimate.z) - std::sqrt(3.0); excess > 0)
-            beyond[path] = excess * estimate.prior_sd;
-    return beyond;
-}
-
 // Root of the squared residual beyond noise, over the squared motion: the change of each channel since the start
 // (D45b).
 double shareNotFollowed(model::Drives drives, const model::Uncertainty& uncertainty, const Rows& rows) {
@@ -175,7 +166,7 @@ std::optional<CarBefore> carBefore(const model::Subject& nominal, const recordin
         model::move(result.car, parameter, fit->at(p));
         result.moved[parameter.path()] = numberOf(*fit, problem.replays, i);
     }
-    result.known = {leftOpen(result.moved), beyondTolerance(result.moved)};
+    result.left_open = leftOpen(result.moved);
     result.tolerances = tolerancesAfter(nominal, file, result.moved);
     return result;
 }

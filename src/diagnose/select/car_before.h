@@ -19,8 +19,8 @@ struct CarBefore {
     // How well its numbers are known in drives from which no reference is subtracted: as the fit leaves them, and as a
     // car differs from itself on another day.
     std::vector<recording::KnownWithin> tolerances;
-    // Left open are numbers of the tyres: what they are shows when the changed car slides.
-    model::KnownBefore known = {};
+    // Numbers of the tyres that its drives do not determine: what they are shows when the changed car slides.
+    std::vector<recording::KnownWithin> left_open = {};
 };
 // Frees all uncertain numbers. Those that no data sheet tells are as uncertain as the catalogue says: the typical sizes
 // of the effects that move them. Nothing when the file has neither references nor other drives of the car before.
