@@ -97,6 +97,14 @@ TREAD_INLINE inline T arcsine(const T& x) {
     return withSign(select(large, T(std::numbers::pi / 2 - (2.0 * r + (2.0 * small - kLowBits))), T(r + small)), x);
 }
 
+// Sum modulo 2^64: of the bits of values that are no numbers, too.
+template <class Bits>
+TREAD_INLINE inline Bits wrappingSum(const Bits& a, const Bits& b) {
+    if constexpr (std::is_same_v<Bits, std::int64_t>)
+        return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
+    else return a + b;  // lanes wrap
+}
+
 // The integer nearest to x, |x| < 2^51, as a number and in the low bits of an integer: adding 1.5 * 2^52 rounds.
 template <class T>
 struct Nearest {
@@ -104,12 +112,8 @@ struct Nearest {
     T value;
     BitsOf<T> bits;
 
-    // The bits of the number after it, of any x: those of a value that is no number may be all ones.
-    BitsOf<T> next() const {
-        if constexpr (std::is_same_v<T, double>)
-            return static_cast<std::int64_t>(static_cast<std::uint64_t>(bits) + 1u);
-        else return bits + 1;
-    }
+    // The bits of the number after it.
+    BitsOf<T> next() const { return wrappingSum<BitsOf<T>>(bits, BitsOf<T>{} + 1); }
 
 private:
     static constexpr double kShift = 6755399441055744.0;
@@ -210,7 +214,7 @@ private:
 // x 2^n
 template <class T>
 TREAD_INLINE inline T timesPowerOf2(const T& x, const Nearest<T>& n) {
-    return std::bit_cast<T>(std::bit_cast<BitsOf<T>>(x) + (n.bits << 52));
+    return std::bit_cast<T>(wrappingSum<BitsOf<T>>(std::bit_cast<BitsOf<T>>(x), n.bits << 52));
 }
 template <class T>
 TREAD_INLINE inline T heldForExponential(const T& x) {

@@ -134,7 +134,8 @@ ForeignTable readMat(const std::filesystem::path& path) {
         if (elements > kLargestMat / sizeof(double)) {
             throw LoadError({{file, 0, 0, name, "claims " + std::to_string(elements) + " values, more than 2 GB"}});
         }
-        if (Mat_VarReadDataAll(mat.get(), info.get()) != 0) {
+        const bool needed = info->class_type == MAT_C_STRUCT || isNumeric(*info);
+        if (needed && Mat_VarReadDataAll(mat.get(), info.get()) != 0) {
             throw LoadError({{file, 0, 0, name, "could not be read; the file is cut off or damaged there"}});
         }
         flatten.take(info.get(), name);
