@@ -57,7 +57,7 @@ Diagnosis diagnosisOf(const recording::Subject& nominal, const recording::Diagno
 
     // The drives, and the calibrated car: the nominal car with its nuisance parameters fitted to the recordings.
     recording::DiagnosisFile after = file;
-    if (before && !file.before.empty()) after.tolerances = before->tolerances;
+    if (before) after.tolerances = before->tolerances;
     const model::Problem problem = model::problemOf(before ? before->car : nominal, after, recorded, effects, options,
                                                     before ? before->left_open : std::vector<recording::KnownWithin>{});
     select::Calibration car =

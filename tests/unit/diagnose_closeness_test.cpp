@@ -18,15 +18,17 @@ using linear_drives::VectorXd;
 
 constexpr Eigen::Index kRows = 400;  // of 0.05 s: 20 s, of which 20 values count
 
-// Closest cars that leave so many times the noise, with the effects and without one of them.
-bool byChance(double with, double without) {
+// Closest cars that leave so many times the noise, with the effects and without one of them; twice without all.
+bool byChance(double with, double without, double structure_error = 0) {
     const std::vector<linear_drives::LinearDrive> drives{
         {MatrixXd(kRows, 0), MatrixXd(kRows, 0), VectorXd::Zero(kRows), MatrixXd(kRows, 0), {}}};
     const diagnose::model::Problem problem = linear_drives::problemOf(drives);
-    const Calibration car = linear_drives::calibrationOf(problem, drives);
+    Calibration car = linear_drives::calibrationOf(problem, drives);
+    car.structure_error = structure_error;
     const auto leaves = [&](double times) {
         return Closest{problem.replays.origin(), {VectorXd::Constant(kRows, times)}};
     };
+    car.closest = leaves(2);
     return closesByChance(car, {leaves(with), {leaves(with * 10), leaves(without)}});
 }
 
@@ -40,6 +42,15 @@ TEST(Closeness, OfAnEffectMustExceedWhatChanceClosesOfTheRest) {
 
 TEST(Closeness, OfAnyEffectCountsWhereNothingIsLeft) {
     EXPECT_FALSE(byChance(0.9, 1.01));
+    EXPECT_FALSE(byChance(0.9, 0.89)) << "the evidence decides";
+}
+
+TEST(Closeness, OfAnEffectMustExceedTheErrorsOfTheSignatures) {
+    // The car without effects leaves 4 times the rows, the set 0.81 times: 1276 are explained, a tenth of each
+    // signature is wrong, which is 0.64 for each of 20 values.
+    const double explained = (4 - 0.81) * kRows, least = std::sqrt(0.81 + 10 * 0.01 * explained / 20 / kRows);
+    EXPECT_TRUE(byChance(0.9, 0.999 * least, 0.1));
+    EXPECT_FALSE(byChance(0.9, 1.001 * least, 0.1));
 }
 
 }  // namespace

@@ -61,19 +61,6 @@ model::Differences everything(const model::Subject& nominal, const recording::Di
     return all;
 }
 
-// Tolerances of the file, and in their place for each fitted number: what the fit leaves open, and what changes from
-// day to day.
-std::vector<recording::KnownWithin> tolerancesAfter(const model::Subject& nominal, const recording::DiagnosisFile& file,
-                                                    const std::map<std::string, answer::NuisanceEstimate>& moved) {
-    std::map<std::string, double> between_days;  // standard deviations
-    for (const model::Parameter& known : model::nuisances(nominal, file.tolerances, kSettings.between_days))
-        between_days[known.path()] = known.moves.front().by;
-    std::vector<recording::KnownWithin> all = file.tolerances;
-    for (const auto& [path, estimate] : moved)
-        all.push_back({path, 0, std::sqrt(3.0) * std::hypot(estimate.sd, between_days[path])});
-    return all;
-}
-
 // Numbers of the tyres that the fit leaves at least half as uncertain as they were.
 std::vector<recording::KnownWithin> leftOpen(const std::map<std::string, answer::NuisanceEstimate>& moved) {
     std::vector<recording::KnownWithin> open;
@@ -144,6 +131,24 @@ std::optional<Fit> settledFit(const model::Problem& problem, const Progress& pro
 }
 
 }  // namespace
+
+std::vector<recording::KnownWithin> tolerancesAfter(const model::Subject& nominal, const recording::DiagnosisFile& file,
+                                                    const std::map<std::string, answer::NuisanceEstimate>& moved) {
+    std::map<std::string, double> tolerances;
+    for (const model::Parameter& known : model::nuisances(nominal, file.tolerances))
+        tolerances[known.path()] = std::sqrt(3.0) * known.moves.front().by;
+    std::vector<recording::KnownWithin> all = file.tolerances;
+    for (const auto& [path, estimate] : moved) {
+        const bool beyond = std::abs(estimate.z) > std::sqrt(3.0);
+        const double tolerance =
+            beyond ? std::max(tolerances[path], std::abs(estimate.value - estimate.nominal)) : tolerances[path];
+        all.push_back({path, 0,
+                       file.before.empty()
+                           ? tolerance
+                           : std::hypot(std::sqrt(3.0) * estimate.sd, kSettings.between_days * tolerance)});
+    }
+    return all;
+}
 
 std::optional<CarBefore> carBefore(const model::Subject& nominal, const recording::DiagnosisFile& file,
                                    const recording::Recorded& recorded, const std::vector<catalogue::Effect>& effects,

@@ -63,11 +63,14 @@ double gapBeyondNoise(const Calibration& car, const Rows& rows) {
 }
 
 bool closesByChance(const Calibration& car, const Closeness& closeness) {
-    const double independent = independentErrors(car);
-    const double left = gapBeyondNoise(car, closeness.with.rows);
+    const double independent = independentErrors(car), with = squaredGapOf(car, closeness.with.rows);
+    const double explained = std::max(0.0, squaredGapOf(car, car.closest.rows) - with);
+    const double by_signature = car.structure_error * car.structure_error * explained;
+    const double unrelated = std::max(gapBeyondNoise(car, closeness.with.rows), by_signature);
+    if (unrelated == 0) return false;  // what the set leaves is noise, which the evidence takes into account
     return std::any_of(closeness.without.begin(), closeness.without.end(), [&](const Closest& less) {
-        const double closed = squaredGapOf(car, less.rows) - squaredGapOf(car, closeness.with.rows);
-        return 0.5 * closed * independent <= kSettings.effect * left;
+        const double closed = squaredGapOf(car, less.rows) - with;
+        return 0.5 * closed * independent <= kSettings.effect * unrelated;
     });
 }
 

@@ -24,7 +24,7 @@ Closest closestWith(const Calibration& car, const std::vector<std::size_t>& effe
 double gapBeyondNoise(const Calibration& car, const Rows& rows);
 
 // True if one of the effects closes no more of the gap than an effect without meaning may by chance, in view of what
-// the set leaves (D38d).
+// the set leaves and of the errors of its signatures (D38d). Never where there is neither.
 bool closesByChance(const Calibration& car, const Closeness& closeness);
 
 }  // namespace tread::diagnose::select
