@@ -115,9 +115,8 @@ private:
 ForeignTable readMat(const std::filesystem::path& path) {
     const std::string file = path.string();
     ForeignTable table{file, "MATLAB file", {}, {}, {}};
-    if (const std::string fault = matFault(readBytes(path)); !fault.empty()) {
-        throw LoadError({{file, 0, 0, "", fault}});
-    }
+    const MatContents contents = matContents(readBytes(path));
+    if (!contents.fault.empty()) throw LoadError({{file, 0, 0, "", contents.fault}});
     Mat_LogInitFunc("tread", [](int, char*) {});  // its words would stand between ours
     const std::unique_ptr<mat_t, CloseMat> mat(Mat_Open(file.c_str(), MAT_ACC_RDONLY));
     if (!mat)
@@ -125,8 +124,9 @@ ForeignTable readMat(const std::filesystem::path& path) {
             {{file, 0, 0, "", "is not a MATLAB file that can be read, or one of version 7.3 that is cut off"}});
 
     Flatten flatten(table);
-    std::string last;
+    std::size_t variables = 0;
     while (const auto info = std::unique_ptr<matvar_t, FreeVar>(Mat_VarReadNextInfo(mat.get()))) {
+        ++variables;
         const std::string name = info->name ? info->name : "";
         if (name.empty()) continue;  // where MATLAB keeps the parts of objects
         std::size_t elements = 1;
@@ -139,9 +139,13 @@ ForeignTable readMat(const std::filesystem::path& path) {
             throw LoadError({{file, 0, 0, name, "could not be read; the file is cut off or damaged there"}});
         }
         flatten.take(info.get(), name);
-        last = name;
     }
     flatten.finish();
+    if (variables < contents.variables) {
+        table.notes.push_back("variable number " + std::to_string(variables + 1) + " of " +
+                              std::to_string(contents.variables) +
+                              " is of a kind that the MATLAB library cannot read; it and those after it were skipped");
+    }
     if (table.columns.empty()) {
         throw LoadError({{file, 0, 0, "",
                           "holds no real numeric array, expected one variable (or field of a struct) per channel" +

@@ -26,40 +26,41 @@ std::uint32_t word(std::string_view bytes, std::size_t at, bool big) {
     return value;
 }
 
-std::string cutOff(std::size_t variable, std::size_t missing) {
-    return "is cut off within its variable number " + std::to_string(variable) + ": " + std::to_string(missing) +
-           " bytes are missing";
+MatContents cutOff(std::size_t variable, std::size_t missing) {
+    return {"is cut off within its variable number " + std::to_string(variable) + ": " + std::to_string(missing) +
+            " bytes are missing"};
 }
 
-std::string version5Fault(std::string_view bytes, bool big) {
-    std::size_t at = kHeader;
-    for (std::size_t variable = 1; at < bytes.size(); ++variable) {
+MatContents version5(std::string_view bytes, bool big) {
+    std::size_t at = kHeader, variable = 1;
+    for (; at < bytes.size(); ++variable) {
         if (bytes.size() - at < kTag) return cutOff(variable, kTag - (bytes.size() - at));
         const std::uint32_t type = word(bytes, at, big), size = word(bytes, at + 4, big);
         if (type != kMatrix && type != kCompressed) {
-            return "is damaged: at byte " + std::to_string(at) + " there is no variable where one should begin";
+            return {"is damaged: at byte " + std::to_string(at) + " there is no variable where one should begin"};
         }
         at += kTag;
         if (bytes.size() - at < size) return cutOff(variable, size - (bytes.size() - at));
         const std::string_view content = bytes.substr(at, size);
         const std::string fault = type == kMatrix ? matrixFault(content, big) : compressedFault(content, big);
-        if (!fault.empty()) return "is damaged: its variable number " + std::to_string(variable) + " " + fault;
+        if (!fault.empty()) return {"is damaged: its variable number " + std::to_string(variable) + " " + fault};
         at += size;
     }
-    return {};
+    return {{}, variable - 1};
 }
 
-std::string version4Fault(std::string_view bytes) {
+MatContents version4(std::string_view bytes) {
     static constexpr std::array<std::size_t, 6> kBytes{8, 4, 4, 2, 2, 1};  // of a number, by the tens digit of the type
-    std::size_t at = 0;
-    for (std::size_t variable = 1; at < bytes.size(); ++variable) {
+    if (bytes.empty()) return {"is empty"};
+    std::size_t at = 0, variable = 1;
+    for (; at < bytes.size(); ++variable) {
         if (bytes.size() - at < kHeader4) return cutOff(variable, kHeader4 - (bytes.size() - at));
         const bool big = word(bytes, at, false) > 9999;
         const std::uint32_t type = word(bytes, at, big), rows = word(bytes, at + 4, big),
                             columns = word(bytes, at + 8, big), imaginary = word(bytes, at + 12, big),
                             name = word(bytes, at + 16, big), number = type / 10 % 10;
         if (type > 9999 || number >= kBytes.size() || imaginary > 1 || std::max({rows, columns, name}) > kLargest4) {
-            return "is not a MATLAB file that tread can read (neither version 4, 5 nor 7.3)";
+            return {"is not a MATLAB file that tread can read (neither version 4, 5 nor 7.3)"};
         }
         at += kHeader4;
         const std::size_t left = bytes.size() - at, parts = 1 + imaginary;
@@ -67,25 +68,25 @@ std::string version4Fault(std::string_view bytes) {
         const std::size_t numbers = left / (kBytes[number] * parts);
         const bool fits = name <= left && (rows == 0 || columns <= numbers / rows);
         const std::size_t size = fits ? std::size_t{rows} * columns * kBytes[number] * parts + name : 0;
-        if (!fits || size > left) return "is cut off within its variable number " + std::to_string(variable);
+        if (!fits || size > left) return {"is cut off within its variable number " + std::to_string(variable)};
         at += size;
     }
-    return bytes.empty() ? "is empty" : "";
+    return {{}, variable - 1};
 }
 
 }  // namespace
 
-std::string matFault(std::string_view bytes) {
+MatContents matContents(std::string_view bytes) {
     if (bytes.size() >= kHeader) {
         const std::string_view order = bytes.substr(kVersionAt + 2, 2);
         if (order == "IM" || order == "MI") {
             const bool big = order == "MI";
             const bool hdf5 = bytes[kVersionAt + (big ? 0 : 1)] == 2;
-            return hdf5 ? std::string() : version5Fault(bytes, big);
+            return hdf5 ? MatContents{} : version5(bytes, big);
         }
     }
-    if (bytes.starts_with("MATLAB")) return "is cut off within its header";
-    return version4Fault(bytes);
+    if (bytes.starts_with("MATLAB")) return {"is cut off within its header"};
+    return version4(bytes);
 }
 
 }  // namespace tread

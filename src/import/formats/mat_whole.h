@@ -2,13 +2,19 @@
 // memory.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace tread {
 
-// What is wrong, as one clause; empty when the variables of a version 4 or 5 file end where the file does, and hold
-// what they claim. Version 7.3 is HDF5, which checks itself.
-std::string matFault(std::string_view bytes);
+struct MatContents {
+    // What is wrong, as one clause; empty when the variables of a version 4 or 5 file end where the file does, and hold
+    // what they claim. Version 7.3 is HDF5, which checks itself.
+    std::string fault;
+    std::size_t variables = 0;  // of version 4 or 5
+};
+
+MatContents matContents(std::string_view bytes);
 
 }  // namespace tread
