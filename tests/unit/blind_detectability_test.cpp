@@ -80,7 +80,7 @@ const std::vector<Rival> kRivals{{"pair", {0, 1}}, {"single", {2}}};
 TEST(BlindDetectability, NatsAndSeparationAreThoseOfTheDenseFormula) {
     Random random(1);
     const std::vector<DriveColumns> drives{toy(random, 5, 7), toy(random, 9, 4)};
-    const Detectability shown = detectabilities(drives, kRivals, {{"fault", {}}}).at("fault");
+    const Detectability shown = detectabilities(drives, kRivals, {{"fault", {}, {}}}).at("fault");
     EXPECT_NEAR(shown.nats, dense(drives, {}), 1e-10);
     const double pair = dense(drives, {0, 1}), single = dense(drives, {2});
     EXPECT_EQ(shown.rival, pair < single ? "pair" : "single");
@@ -92,7 +92,7 @@ TEST(BlindDetectability, WhoIsExcludedIsNoRival) {
     Random random(1);
     const std::vector<DriveColumns> drives{toy(random, 5, 7)};
     const auto among = [&](const std::vector<std::string>& excluded_rivals) {
-        return detectabilities(drives, kRivals, {{"fault", excluded_rivals}}).at("fault");
+        return detectabilities(drives, kRivals, {{"fault", {}, excluded_rivals}}).at("fault");
     };
     EXPECT_EQ(among({"pair"}).rival, "single");
     EXPECT_EQ(among({"single"}).rival, "pair");
@@ -105,7 +105,7 @@ TEST(BlindDetectability, WhatAToleranceImitatesFullyLeavesNothing) {
     Random random(2);
     DriveColumns drive = toy(random, 6, 6);
     drive.tolerances.col(1) = 1e5 * drive.changes;
-    const Detectability shown = detectabilities({drive}, kRivals, {{"fault", {}}}).at("fault");
+    const Detectability shown = detectabilities({drive}, kRivals, {{"fault", {}, {}}}).at("fault");
     EXPECT_NEAR(shown.nats, 0, 1e-8);
     EXPECT_NEAR(shown.separation, 0, 1e-8);
 }
@@ -116,7 +116,7 @@ TEST(BlindDetectability, WhatAToleranceImitatesIsWorthItsSurprise) {
     DriveColumns drive = toy(random, 6, 6);
     drive.changes *= 1e4;
     drive.tolerances.col(1) = drive.changes / 5;
-    EXPECT_NEAR(detectabilities({drive}, {}, {{"fault", {}}}).at("fault").nats, 12.5, 1e-3);
+    EXPECT_NEAR(detectabilities({drive}, {}, {{"fault", {}, {}}}).at("fault").nats, 12.5, 1e-3);
 }
 
 TEST(BlindDetectability, RivalThatIsTheSameSeparatesByItsSizeAlone) {
@@ -124,17 +124,34 @@ TEST(BlindDetectability, RivalThatIsTheSameSeparatesByItsSizeAlone) {
     DriveColumns drive = toy(random, 6, 6);
     drive.changes *= 1e4;
     drive.rivals.col(2) = drive.changes;
-    const Detectability shown = detectabilities({drive}, kRivals, {{"fault", {}}}).at("fault");
+    const Detectability shown = detectabilities({drive}, kRivals, {{"fault", {}, {}}}).at("fault");
     EXPECT_EQ(shown.rival, "single");
     EXPECT_NEAR(shown.separation, 0.5 / (kRivalSizes * kRivalSizes), 1e-4);
+}
+
+TEST(BlindDetectability, TheSizeOfAnEffectBesideIsFree) {
+    // Beside the effect "single", whose change is the second one: its knob and its change join the tolerances.
+    Random random(8);
+    DriveColumns both = toy(random, 6, 7), one = both;
+    const VectorXd change = both.changes, beside = drawn(random, 13, 1);
+    both.changes.resize(13, 2);
+    both.changes << change, beside;
+    one.tolerances.resize(13, 5);
+    one.tolerances << both.tolerances, kRivalSizes * both.rivals.col(2), kRivalSizes * beside;
+    const auto found = detectabilities({both}, kRivals, {{"fault", {"single"}, {"single"}}, {"single", {}, {}}});
+    EXPECT_NEAR(found.at("fault").nats, dense({one}, {}), 1e-10);
+    EXPECT_NEAR(found.at("fault").separation, dense({one}, {0, 1}), 1e-10);
+    EXPECT_EQ(found.at("fault").rival, "pair");
+    EXPECT_LT(found.at("fault").nats,
+              detectabilities({both}, kRivals, {{"fault", {}, {}}, {"single", {}, {}}}).at("fault").nats);
 }
 
 TEST(BlindDetectability, TwiceTheChangeShowsFourTimes) {
     Random random(4);
     DriveColumns drive = toy(random, 6, 8), twice = drive;
     twice.changes *= 2;
-    const Detectability one = detectabilities({drive}, kRivals, {{"fault", {}}}).at("fault");
-    const Detectability two = detectabilities({twice}, kRivals, {{"fault", {}}}).at("fault");
+    const Detectability one = detectabilities({drive}, kRivals, {{"fault", {}, {}}}).at("fault");
+    const Detectability two = detectabilities({twice}, kRivals, {{"fault", {}, {}}}).at("fault");
     EXPECT_NEAR(two.nats / one.nats, 4, 1e-10);
     EXPECT_NEAR(two.separation / one.separation, 4, 1e-10);
 }
@@ -148,7 +165,7 @@ TEST(BlindDetectability, RepeatsAreDrivesAndAReferenceDoublesTheNoise) {
     for (MatrixXd& noise : doubled.noise) noise *= 2;
     doubled.pushes *= std::numbers::sqrt2;
     const auto nats = [](const std::vector<DriveColumns>& drives) {
-        return detectabilities(drives, {}, {{"fault", {}}}).at("fault").nats;
+        return detectabilities(drives, {}, {{"fault", {}, {}}}).at("fault").nats;
     };
     EXPECT_NEAR(nats({twice}), nats({drive, drive}), 1e-10);
     EXPECT_NEAR(nats({compared}), nats({doubled}), 1e-10);
@@ -169,7 +186,7 @@ TEST(BlindDetectability, EvidenceOfDrawsHasTheExpectedMean) {
         sum += gain, squares += gain * gain;
     }
     const double mean = sum / kDraws, sd = std::sqrt(squares / kDraws - mean * mean);
-    const double nats = detectabilities({drive}, {}, {{"fault", {}}}).at("fault").nats;
+    const double nats = detectabilities({drive}, {}, {{"fault", {}, {}}}).at("fault").nats;
     EXPECT_NEAR(mean, nats, 3 * sd / std::sqrt(kDraws));
     EXPECT_NEAR(sd, std::sqrt(2 * nats), 0.2 * std::sqrt(2 * nats)) << "of a normal distribution";
 }

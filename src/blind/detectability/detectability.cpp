@@ -34,15 +34,32 @@ MatrixXd absorbed(const MatrixXd& all, Index free) {
     return all.bottomRightCorner(others, others) - beside.transpose() * inner.llt().solve(beside);
 }
 
-// Evidence for a change after a rival has absorbed what it can. `left`: products of [rivals changes].
-double besides(const MatrixXd& left, const Rival& rival, Index change) {
-    const auto count = static_cast<Index>(rival.columns.size());
-    std::vector<Index> chosen = rival.columns;
-    chosen.push_back(change);
-    MatrixXd both = left(chosen, chosen);
+// Evidence for a change after other columns have absorbed what they can, kRivalSizes standard deviations each. `left`:
+// products of [rivals changes].
+double besides(const MatrixXd& left, std::vector<Index> columns, Index change) {
+    const auto count = static_cast<Index>(columns.size());
+    columns.push_back(change);
+    MatrixXd both = left(columns, columns);
     both.topRows(count) *= kRivalSizes;
     both.leftCols(count) *= kRivalSizes;
-    return 0.5 * absorbed(both, count)(0, 0);
+    return std::max(0.0, 0.5 * absorbed(both, count)(0, 0));
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Columns of the effects planted beside a fault: of their knobs, and of the changes that they cause. `first`: column of
+// the change by the first fault.
+std::vector<Index> columnsBeside(const Fault& fault, const std::vector<Fault>& faults, const std::vector<Rival>& rivals,
+                                 Index first) {
+    std::vector<Index> columns;
+    for (const Rival& rival : rivals)
+        if (contains(fault.beside, rival.name))
+            columns.insert(columns.end(), rival.columns.begin(), rival.columns.end());
+    for (std::size_t i = 0; i < faults.size(); ++i)
+        if (contains(fault.beside, faults[i].name)) columns.push_back(first + static_cast<Index>(i));
+    return columns;
 }
 
 }  // namespace
@@ -63,12 +80,14 @@ std::map<std::string, Detectability> detectabilities(const MatrixXd& products, I
     std::map<std::string, Detectability> found;
     for (std::size_t i = 0; i < faults.size(); ++i) {
         const Index change = first + static_cast<Index>(i);
-        const double nats = std::max(0.0, 0.5 * left(change, change));
+        const std::vector<Index> beside = columnsBeside(faults[i], faults, rivals, first);
+        const double nats = besides(left, beside, change);
         Detectability& shown = found[faults[i].name] = {.nats = nats, .rival = {}, .separation = nats};
         for (const Rival& rival : rivals) {
-            const std::vector<std::string>& none = faults[i].excluded_rivals;
-            if (std::find(none.begin(), none.end(), rival.name) != none.end()) continue;
-            const double rest = std::max(0.0, besides(left, rival, change));
+            if (contains(faults[i].excluded_rivals, rival.name)) continue;
+            std::vector<Index> columns = beside;
+            columns.insert(columns.end(), rival.columns.begin(), rival.columns.end());
+            const double rest = besides(left, std::move(columns), change);
             if (!shown.rival.empty() && rest >= shown.separation) continue;
             shown.rival = rival.name;
             shown.separation = rest;

@@ -10,11 +10,13 @@
 //   R  responses to the knobs of a rival effect, columns of kRivalSizes typical sizes each,
 //   Sigma = N + B B', for each drive separately,
 // the detectability is
-//   nats       = 1/2 delta' (Sigma + J J')^-1 delta,
-//   separation = 1/2 delta' (Sigma + J J' + R R')^-1 delta, the minimum over all rivals.
+//   P  responses to the effects that are planted beside the fault, whose sizes are as unknown: to their knobs, as of a
+//      rival, and the change that each of them causes, kRivalSizes times,
+//   nats       = 1/2 delta' (Sigma + J J' + P P')^-1 delta,
+//   separation = 1/2 delta' (Sigma + J J' + P P' + R R')^-1 delta, the minimum over all rivals.
 // Both follow from the products G = A' Sigma^-1 A of A = [J R delta], summed over the drives: with the free columns F =
-// J or [J R], delta' (Sigma + F F')^-1 delta = G_dd - G_dF (I + G_FF)^-1 G_Fd (Woodbury); Sigma^-1 is applied in the
-// same way. No matrix of the size rows x rows over all drives is formed.
+// [J P] or [J P R], delta' (Sigma + F F')^-1 delta = G_dd - G_dF (I + G_FF)^-1 G_Fd (Woodbury); Sigma^-1 is applied in
+// the same way. No matrix of the size rows x rows over all drives is formed.
 #pragma once
 
 #include <Eigen/Dense>
@@ -48,10 +50,10 @@ struct Rival {
     std::vector<Eigen::Index> columns;  // of DriveColumns::rivals
 };
 
-// A fault, and the effects that are not its rivals: those that are planted as well, or move the same numbers.
 struct Fault {
     std::string name;
-    std::vector<std::string> excluded_rivals;
+    std::vector<std::string> beside;           // effects that are planted as well
+    std::vector<std::string> excluded_rivals;  // these, and effects that move the same numbers
 };
 
 // Detectability by name of the fault; `faults` in the order of DriveColumns::changes. Without rivals, separation is
