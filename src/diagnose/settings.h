@@ -143,8 +143,8 @@ struct Settings {
                                            "excess of the squared gap over that of a perfect model, in a channel or a "
                                            "drive, above which a remainder is reported"});
         field(TREAD_FIELD(clear), About{"nat",
-                                        "log evidence that an unknown cause must gain over the best model, that "
-                                        "distinguishes two effects, and above which an effect may be visible"});
+                                        "log evidence that distinguishes two effects, and above which an effect may be "
+                                        "visible or a force law is reported"});
         field(TREAD_FIELD(sure),
               About{"-", "probability below which alternatives are named, and that the credible set holds"});
     }

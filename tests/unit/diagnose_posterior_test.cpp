@@ -78,6 +78,18 @@ TEST(Posterior, OfWhatIsStruckOffIsSharedByTheOthers) {
     EXPECT_EQ(result.hypotheses.size(), 2u);
 }
 
+TEST(Posterior, AnotherSetMayBeTheAnswerInsteadUnlessBothActTogether) {
+    const Candidate a = judged({3}, 0), b = judged({7}, 0), both = judged({3, 7}, 0), none = judged({}, 0);
+    const auto alternatives = [&](double of_a, double of_b, double of_both) {
+        return Posterior{.hypotheses = {{&a, of_a}, {&b, of_b}, {&both, of_both}, {&none, 1 - of_a - of_b - of_both}}}
+            .alternativesTo(a);
+    };
+    EXPECT_EQ(alternatives(0.6, 0.3, 0.1), std::vector{&b});
+    EXPECT_TRUE(alternatives(0.3, 0.2, 0.4).empty()) << "b acts beside a";
+    EXPECT_TRUE(alternatives(0.6, 0.04, 0.01).empty()) << "less than a twentieth";
+    EXPECT_TRUE(alternatives(0.85, 0.08, 0.01).empty()) << "a is sure among the sets of one effect";
+}
+
 TEST(Thresholds, WhatIsTestableAndDoesNotShowIsSmallerThanTypical) {
     // Standard deviations between what is expected to gain so many nats, and what gains no more than `effect`.
     for (const double expected : {kTestable, 10 * kTestable, 1000 * kTestable}) {

@@ -50,6 +50,29 @@ double Posterior::ofNothing() const {
     return sum;
 }
 
+std::vector<const Candidate*> Posterior::alternativesTo(const Candidate& named) const {
+    const auto actsBeside = [&](const Hypothesis& other) {
+        std::vector<std::size_t> both = named.effects;
+        for (const std::size_t e : other.candidate->effects)
+            if (!holds(named, e)) both.push_back(e);
+        return std::any_of(hypotheses.begin(), hypotheses.end(), [&](const Hypothesis& one) {
+            return one.probability > other.probability && one.candidate->of(both);
+        });
+    };
+    std::vector<const Candidate*> alternatives;
+    double own = 0, rivals = 0;
+    for (const Hypothesis& one : hypotheses) {
+        if (one.candidate == &named) {
+            own = one.probability;
+        } else if (one.candidate->effects.size() == named.effects.size() && !actsBeside(one)) {
+            rivals += one.probability;
+            if (one.probability >= 0.5 * (1 - kSettings.sure)) alternatives.push_back(one.candidate);
+        }
+    }
+    if (own >= kSettings.sure * (own + rivals)) alternatives.clear();
+    return alternatives;
+}
+
 Posterior posterior(const Calibration& car, const Search& found, const std::vector<bool>& possible) {
     const auto n = static_cast<double>(car.problem.effects.size());
     double strongest = 0;

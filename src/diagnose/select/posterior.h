@@ -20,6 +20,10 @@ struct Posterior {
 
     double of(std::size_t effect) const;  // that it is one of the causes
     double ofNothing() const;
+
+    // Sets of as many effects that may be the answer instead of this one. None where it is sure among them. A set that
+    // is less likely than both together acts beside it, not instead of it.
+    std::vector<const Candidate*> alternativesTo(const Candidate& named) const;
 };
 
 // `possible`: of each candidate of the search, whether it can be the answer (D28), (D29).

@@ -260,20 +260,6 @@ double struckBeyond(const Answer& chosen) {
     return most / chosen.posterior.variance_factor;
 }
 
-// Other sets of as many effects that may be the answer too.
-void tellAlternatives(Diagnosis& diagnosis, const Problem& problem, const Posterior& posterior,
-                      const Candidate& named) {
-    std::set<std::vector<std::string>> alternatives;
-    double own = 0, rivals = 0;
-    for (const Hypothesis& one : posterior.hypotheses) {
-        if (one.candidate->effects.size() != named.effects.size()) continue;
-        (one.candidate == &named ? own : rivals) += one.probability;
-        if (one.candidate == &named || one.probability < 0.5 * (1 - kSettings.sure)) continue;
-        alternatives.insert(problem.namesOf(one.candidate->effects));
-    }
-    if (own < kSettings.sure * (own + rivals)) diagnosis.alternatives.assign(alternatives.begin(), alternatives.end());
-}
-
 Verdict verdictOf(const Diagnosis& diagnosis, const Calibration& car, const Judgement& judgement) {
     const bool remains = judgement.remains.seen();
     if (judgement.named->effects.empty()) {
@@ -312,7 +298,9 @@ Judgement judge(answer::Diagnosis& diagnosis, const Calibration& car, const std:
     std::set<std::string> names = credible(problem, chosen.posterior);
     if (judgement.remains.seen()) names.insert("unknown");
     diagnosis.credible_set.assign(names.begin(), names.end());
-    tellAlternatives(diagnosis, problem, chosen.posterior, named);
+    for (const Candidate* one : chosen.posterior.alternativesTo(named))
+        diagnosis.alternatives.push_back(problem.namesOf(one->effects));
+    std::sort(diagnosis.alternatives.begin(), diagnosis.alternatives.end());
     diagnosis.verdict = verdictOf(diagnosis, car, judgement);
     return judgement;
 }

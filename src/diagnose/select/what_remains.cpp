@@ -95,13 +95,13 @@ double Remains::nats() const {
     return std::max(material() ? beyond_ordinary + of_law : 0, strain);
 }
 
-bool Remains::seen() const {
-    return nats() > kSettings.clear;
-}
-
 double Remains::probability() const {
     const double odds = kSettings.unknown_cause / (1 - kSettings.unknown_cause) * std::exp(nats());
     return std::isfinite(odds) ? odds / (1 + odds) : 1;
+}
+
+bool Remains::seen() const {
+    return probability() >= kSettings.sure;
 }
 
 Remains whatRemains(const Calibration& car, const Candidate& model, const Rows& rows) {

@@ -19,8 +19,8 @@ struct Remains {
 
     bool material() const;
     double nats() const;  // for an unknown cause
-    bool seen() const;
     double probability() const;  // that a cause of no catalogue is part of it
+    bool seen() const;           // as probable as what is claimed
 };
 // `rows`: of the answer, with its sizes free of their prior.
 Remains whatRemains(const Calibration& car, const Candidate& model, const Rows& rows);
