@@ -20,6 +20,7 @@ namespace {
 
 using tread::blind::detectability::detectabilities;
 using tread::blind::detectability::Fault;
+using tread::blind::detectability::faultAmong;
 using tread::blind::detectability::products;
 using tread::blind::detectability::Rival;
 using tread::blind::drives::Drive;
@@ -280,12 +281,12 @@ MatrixXd productsOf(const Pushed& one, const Directions& directions, const Drawn
 std::vector<Fault> faultsOf(const Directions& directions, const Drawn& drawn) {
     std::vector<Fault> faults;
     for (const Drawn::Planted& one : drawn.planted) {
-        faults.push_back({one.effect.name, drawn.key.effects});
+        faults.push_back(faultAmong(drawn.key.effects, one.effect.name));
         for (const tread::diagnose::catalogue::Effect& other : directions.effects) {
             if (sharePaths(one.effect, other)) faults.back().excluded_rivals.push_back(other.name);
         }
     }
-    if (drawn.outsider) faults.push_back({drawn.outsider->name, drawn.key.effects});
+    if (drawn.outsider) faults.push_back(faultAmong(drawn.key.effects, drawn.outsider->name));
     return faults;
 }
 

@@ -37,8 +37,7 @@ std::vector<Fault> faultsOf(const Examination& examination, const DrawnCase& dra
     const std::vector<Effect>& effects = examination.effects;
     std::vector<Fault> faults;
     for (const auto& [name, truth] : drawn.without) {
-        Fault& one = faults.emplace_back(Fault{name, drawn.key.effects, drawn.key.effects});
-        std::erase(one.beside, name);
+        Fault& one = faults.emplace_back(faultAmong(drawn.key.effects, name));
         const auto planted = std::find_if(effects.begin(), effects.end(),
                                           [&, &wanted = name](const Effect& e) { return e.name == wanted; });
         if (planted == effects.end()) continue;

@@ -64,6 +64,12 @@ std::vector<Index> columnsBeside(const Fault& fault, const std::vector<Fault>& f
 
 }  // namespace
 
+Fault faultAmong(const std::vector<std::string>& planted, const std::string& name) {
+    Fault fault{name, planted, planted};
+    std::erase(fault.beside, name);
+    return fault;
+}
+
 MatrixXd products(const DriveColumns& drive) {
     const Index rows = drive.changes.rows(), pushes = drive.pushes.cols();
     MatrixXd all(rows, pushes + drive.tolerances.cols() + drive.rivals.cols() + drive.changes.cols());

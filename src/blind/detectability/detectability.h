@@ -55,6 +55,8 @@ struct Fault {
     std::vector<std::string> beside;           // effects that are planted as well
     std::vector<std::string> excluded_rivals;  // these, and effects that move the same numbers
 };
+// An effect or outsider of a case in which these effects are planted.
+Fault faultAmong(const std::vector<std::string>& planted, const std::string& name);
 
 // Detectability by name of the fault; `faults` in the order of DriveColumns::changes. Without rivals, separation is
 // nats.
