@@ -113,6 +113,11 @@ TEST(Headline, OfAnUnknownCauseSaysWhatRemainsAndWhatIsExplained) {
               "force: lateral, it follows ay|ay|");
     d.unexplained.law.unit.clear();
     EXPECT_TRUE(headline(d).ends_with("missing force: lateral, it is constant"));
+    d.training.remainder = part(0), d.held_out = twoCauses(0.1, 0.2, 0.3, 0.4);
+    EXPECT_EQ(
+        headline(d),
+        "Unknown: nothing of the gap exceeds noise (30 % in the held-out drives), but what remains has a pattern; no "
+        "effect in the catalogue explains it; missing force: lateral, it is constant");
 }
 
 TEST(Headline, OfNothingSaysWhatTheGapConsistsOf) {

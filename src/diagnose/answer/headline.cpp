@@ -82,9 +82,19 @@ std::string doubtOfTolerances(const Diagnosis& d) {
                        far.size() == 1 ? "its tolerance" : "their tolerances");
 }
 
+// "Mostly unknown: 60 % of the gap remains unexplained", or what speaks for an unknown cause where nothing is left that
+// exceeds noise: a pattern.
+std::string unknownPart(const Diagnosis& d) {
+    if (!isDecomposed(d.training)) return "Mostly unknown";
+    if (d.training.remainder.share > 0) return "Mostly unknown: " + remainder(d);
+    const double held_out = isDecomposed(d.held_out) ? d.held_out.remainder.share : 0;
+    return "Unknown: nothing of the gap exceeds noise" +
+           (held_out > 0 ? fmt::format(" ({} in the held-out drives)", percentInWords(held_out)) : "") +
+           ", but what remains has a pattern";
+}
+
 std::string ofUnknown(const Diagnosis& d) {
-    const std::string rest = remainder(d);
-    std::string text = "Mostly unknown" + (rest.empty() ? "" : ": " + rest);
+    std::string text = unknownPart(d);
     if (d.causes.empty()) text += "; no effect in the catalogue explains it";
     else text += fmt::format("; {} {}", ranked(d, causesInOrder(d)), effectOf(d.training.causes));
     if (!d.unexplained.generalised_force.empty())
