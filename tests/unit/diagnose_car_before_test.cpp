@@ -27,24 +27,28 @@ DiagnosisFile fileWithToe() {
 }
 
 // The last one counts.
-double toleranceOfToe(const DiagnosisFile& file, const NuisanceEstimate& moved) {
+double toleranceOf(const std::string& path, const DiagnosisFile& file, const NuisanceEstimate& moved) {
     recording::Subject nominal;
     nominal.vehicle = shared::compact();
-    const std::vector<KnownWithin> all = tolerancesAfter(nominal, file, {{kToe, moved}});
-    return std::find_if(all.rbegin(), all.rend(), [](const KnownWithin& one) { return one.path == kToe; })->absolute;
+    const std::vector<KnownWithin> all = tolerancesAfter(nominal, file, {{path, moved}});
+    return std::find_if(all.rbegin(), all.rend(), [&](const KnownWithin& one) { return one.path == path; })->absolute;
 }
 
 TEST(CarBefore, NumberMovedBeyondItsUncertaintyIsKnownToThatDistance) {
     const DiagnosisFile file = fileWithToe();
-    EXPECT_NEAR(toleranceOfToe(file, kWithin), 0.004, 1e-12) << "as the file tells";
-    EXPECT_NEAR(toleranceOfToe(file, kBeyond), 0.016, 1e-12);
+    EXPECT_NEAR(toleranceOf(kToe, file, kWithin), 0.004, 1e-12) << "as the file tells";
+    EXPECT_NEAR(toleranceOf(kToe, file, kBeyond), 0.016, 1e-12);
 }
 
 TEST(CarBefore, NumbersAreKnownAsTheFitLeavesThemWhereNothingIsSubtracted) {
     DiagnosisFile file = fileWithToe();
     file.before.emplace_back();
-    EXPECT_NEAR(toleranceOfToe(file, kWithin), std::hypot(std::sqrt(3.0) * 0.0005, 0.2 * 0.004), 1e-12);
-    EXPECT_NEAR(toleranceOfToe(file, kBeyond), std::hypot(std::sqrt(3.0) * 0.0005, 0.2 * 0.016), 1e-12);
+    EXPECT_NEAR(toleranceOf(kToe, file, kWithin), std::hypot(std::sqrt(3.0) * 0.0005, 0.2 * 0.004), 1e-12);
+    EXPECT_NEAR(toleranceOf(kToe, file, kBeyond), std::hypot(std::sqrt(3.0) * 0.0005, 0.2 * 0.016), 1e-12);
+    // The road is another one on another day.
+    const std::string bank = "road.bank";
+    file.tolerances.push_back({bank, 0, 0.004});
+    EXPECT_NEAR(toleranceOf(bank, file, kWithin), std::hypot(std::sqrt(3.0) * 0.0005, 0.004), 1e-12);
 }
 
 }  // namespace

@@ -134,18 +134,21 @@ std::optional<Fit> settledFit(const model::Problem& problem, const Progress& pro
 
 std::vector<recording::KnownWithin> tolerancesAfter(const model::Subject& nominal, const recording::DiagnosisFile& file,
                                                     const std::map<std::string, answer::NuisanceEstimate>& moved) {
-    std::map<std::string, double> tolerances;
-    for (const model::Parameter& known : model::nuisances(nominal, file.tolerances))
-        tolerances[known.path()] = std::sqrt(3.0) * known.moves.front().by;
+    const auto tolerances = [&](double same) {
+        std::map<std::string, double> of;
+        for (const model::Parameter& known : model::nuisances(nominal, file.tolerances, same))
+            of[known.path()] = std::sqrt(3.0) * known.moves.front().by;
+        return of;
+    };
+    std::map<std::string, double> whole = tolerances(1), between_days = tolerances(kSettings.between_days);
     std::vector<recording::KnownWithin> all = file.tolerances;
     for (const auto& [path, estimate] : moved) {
         const bool beyond = std::abs(estimate.z) > std::sqrt(3.0);
-        const double tolerance =
-            beyond ? std::max(tolerances[path], std::abs(estimate.value - estimate.nominal)) : tolerances[path];
+        const double by = beyond ? std::abs(estimate.value - estimate.nominal) : 0;
         all.push_back({path, 0,
-                       file.before.empty()
-                           ? tolerance
-                           : std::hypot(std::sqrt(3.0) * estimate.sd, kSettings.between_days * tolerance)});
+                       file.before.empty() ? std::max(whole[path], by)
+                                           : std::hypot(std::sqrt(3.0) * estimate.sd,
+                                                        std::max(between_days[path], kSettings.between_days * by))});
     }
     return all;
 }
