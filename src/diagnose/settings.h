@@ -145,8 +145,9 @@ struct Settings {
         field(TREAD_FIELD(clear), About{"nat",
                                         "log evidence that distinguishes two effects, and above which an effect may be "
                                         "visible or a force law is reported"});
-        field(TREAD_FIELD(sure),
-              About{"-", "probability below which alternatives are named, and that the credible set holds"});
+        field(TREAD_FIELD(sure), About{"-",
+                                       "probability from which an unknown cause is reported, below which alternatives "
+                                       "are named, and that the credible set holds"});
     }
 
     // Prior probability of this many causes of the catalogue, at most three. One, two and three share what no cause

@@ -43,7 +43,21 @@ TEST(ImportCorpus, EveryMatlabFileIsJudged) {
         ++files;
     }
     EXPECT_GE(files, 6u);
-    EXPECT_EQ(whole, 3u) << "versions 4, 5 and the header of 7.3";
+    EXPECT_EQ(whole, 4u) << "versions 4, 5, one with a variable that matio does not read, and the header of 7.3";
+}
+
+TEST(ImportCorpus, VariablesThatTheLibraryDoesNotReadAreTold) {
+    try {
+        readMat(sourceFile("tests/fuzz/corpus/mat/v5_beyond_matio.mat"));
+        FAIL() << "it holds nothing that can be read";
+    } catch (const LoadError& error) {
+        EXPECT_NE(
+            error.problems().front().text.find(
+                "; variable number 1 of 2 is of a kind that the MATLAB library cannot read; it and those after it "
+                "were skipped"),
+            std::string::npos)
+            << error.what();
+    }
 }
 
 }  // namespace

@@ -8,10 +8,10 @@
 //   B  responses to random pushes and to the uncertain initial speed, columns of unit standard deviation,
 //   J  responses to numbers that are known within a tolerance, columns of one standard deviation each,
 //   R  responses to the knobs of a rival effect, columns of kRivalSizes typical sizes each,
+//   P  responses to the effects planted beside the fault, whose sizes are unknown, too: to their knobs, as of a rival,
+//      and the change that each of them causes, kRivalSizes times,
 //   Sigma = N + B B', for each drive separately,
 // the detectability is
-//   P  responses to the effects that are planted beside the fault, whose sizes are as unknown: to their knobs, as of a
-//      rival, and the change that each of them causes, kRivalSizes times,
 //   nats       = 1/2 delta' (Sigma + J J' + P P')^-1 delta,
 //   separation = 1/2 delta' (Sigma + J J' + P P' + R R')^-1 delta, the minimum over all rivals.
 // Both follow from the products G = A' Sigma^-1 A of A = [J R delta], summed over the drives: with the free columns F =
