@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <cstdio>
 #include <mutex>
 #include <set>
@@ -69,6 +70,14 @@ Lock lock(int file) {
     return errno == EWOULDBLOCK ? Lock::of_another : Lock::impossible;
 }
 
+// On some shared file systems, a lock counts only on the machine that took it. What another machine has changed less
+// than an hour ago may therefore still be in the making, even if its lock can be taken.
+bool isOld(const Path& file) {
+    std::error_code error;
+    const auto changed = std::filesystem::last_write_time(file, error);
+    return !error && std::filesystem::file_time_type::clock::now() - changed > std::chrono::hours(1);
+}
+
 // Removes a temporary file when the process that made it has ended: it held a lock until then, which whoever removes
 // the file holds in its place. Without locks only processes of this machine can be asked.
 void removeIfLeft(const Path& file) {
@@ -76,10 +85,19 @@ void removeIfLeft(const Path& file) {
     if (maker.process <= 0) return;
     const int part = open(file.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     if (part < 0) return;
-    const Lock got = lock(part);
-    const bool of_this_machine = got == Lock::impossible && maker.host.ends_with("." + hostName());
-    const bool has_ended = of_this_machine && kill(maker.process, 0) != 0 && errno == ESRCH;
-    if (got == Lock::mine || has_ended) unlink(file.c_str());
+    const bool of_this_machine = maker.host.ends_with("." + hostName());
+    bool has_ended = false;
+    switch (lock(part)) {
+        case Lock::mine:
+            has_ended = of_this_machine || isOld(file);
+            break;
+        case Lock::of_another:
+            break;
+        case Lock::impossible:
+            has_ended = of_this_machine && kill(maker.process, 0) != 0 && errno == ESRCH;
+            break;
+    }
+    if (has_ended) unlink(file.c_str());
     close(part);
 }
 
