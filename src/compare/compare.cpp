@@ -11,6 +11,7 @@
 #include <span>
 
 #include "compare/time_shift.h"
+#include "log/direction.h"
 #include "log/resample.h"
 
 namespace tread {
@@ -23,13 +24,6 @@ bool wraps(const Channel& channel) {
         if (std::abs(channel.values[i] - channel.values[i - 1]) > std::numbers::pi) return true;
     }
     return false;
-}
-
-std::vector<double> unwrapped(std::vector<double> angles) {
-    for (std::size_t i = 1; i < angles.size(); ++i) {
-        angles[i] = angles[i - 1] + std::remainder(angles[i] - angles[i - 1], 2 * std::numbers::pi);
-    }
-    return angles;
 }
 
 struct CommonTime {
@@ -72,7 +66,7 @@ ChannelComparison compareChannel(const Channel& reference, const Channel& candid
 
     const bool wrapped = wraps(reference) || wraps(candidate);
     const std::vector<double> others =
-        resample(candidate_time, wrapped ? unwrapped(candidate.values) : candidate.values, common.candidate);
+        resample(candidate_time, wrapped ? continuous(candidate.values) : candidate.values, common.candidate);
     double squares = 0, sum = 0, sum_squared = 0;
     for (std::size_t i = 0; i < others.size(); ++i) {
         const double here = reference.values[common.first + i], there = others[i];

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/number_text.h"
 #include "import/columns.h"
-#include "import/time_base.h"
 #include "import/formats/unit_spelling.h"
+#include "import/time_base.h"
+#include "log/direction.h"
 #include "log/log_columns.h"
 #include "log/resample.h"
 
@@ -44,11 +46,19 @@ private:
         const Scaling scaling = scalingOf(channel, column);
         const ImportChannel& how = *channel.how;
         const double factor = how.sign * how.scale / how.rolling_radius.value_or(1) / static_cast<double>(columns);
-        const std::vector<double> values = onRows(channel, column, path);
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            const double value = scaling(values[i]);
-            channel.values[i] += factor * (how.curve.empty() ? value : how.curve(value));
-        }
+        std::vector<double> own;
+        for (const double value : column.values) own.push_back(scaling(value));
+        if (isDirection(how.channel)) own = withoutWraps(how, std::move(own));
+        const std::vector<double> values = onRows(channel, column, std::move(own), path);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            channel.values[i] += factor * (how.curve.empty() ? values[i] : how.curve(values[i]));
+    }
+
+    // Between the two samples of a wrap, an interpolated direction would point backwards.
+    std::vector<double> withoutWraps(const ImportChannel& how, std::vector<double> angles) {
+        std::vector<double> direction = continuous(angles);
+        if (direction != angles) note("turns", how.channel, "counted on beyond a whole turn");
+        return direction;
     }
 
     // From the unit of the column to that of the channel, which is fixed for the channels that tread has.
@@ -86,15 +96,16 @@ private:
     }
 
     // The values on the rows of the file's time base. The mapping or else the file says when a column has its own time.
-    std::vector<double> onRows(WholeChannel& channel, const ForeignColumn& column, const std::string& path) {
+    std::vector<double> onRows(WholeChannel& channel, const ForeignColumn& column, std::vector<double> values,
+                               const std::string& path) {
         const ImportChannel& how = *channel.how;
         const bool mapped = !how.time.empty();
         const std::string own_name = mapped ? how.time : map_.time.from.empty() ? "" : column.time;
         if (own_name.empty() || (!mapped && own_name == map_.time.from)) {
-            if (column.values.size() == time_.size()) return column.values;
+            if (values.size() == time_.size()) return values;
             refuse(path, fmt::format("found {} values in column {}, but {} in time: another sampling rate; name the "
                                      "column with its own time (time)",
-                                     column.values.size(), quote(column.name), time_.size()));
+                                     values.size(), quote(column.name), time_.size()));
         }
         ImportTime own;
         own.from = own_name;
@@ -104,24 +115,23 @@ private:
         }
         std::vector<Change> ignored;
         const std::vector<double> own_time = timeOfRows(table_, own, ignored);
-        if (own_time.size() != column.values.size()) {
-            refuse(path_ + ".time",
-                   fmt::format("found {} values in column {}, but {} in column {}, its time", column.values.size(),
-                               quote(column.name), own_time.size(), quote(own_name)));
+        if (own_time.size() != values.size()) {
+            refuse(path_ + ".time", fmt::format("found {} values in column {}, but {} in column {}, its time",
+                                                values.size(), quote(column.name), own_time.size(), quote(own_name)));
         }
         for (std::size_t i = 1; i < own_time.size(); ++i) {
             if (own_time[i] > own_time[i - 1]) continue;
             refuse(path_ + ".time",
                    fmt::format("column {} does not increase at value {}, expected a time", quote(own_name), i + 1));
         }
-        std::vector<double> values;
-        for (const double t : time_) values.push_back(valueAt(own_time, column.values, t));
+        std::vector<double> on_rows;
+        for (const double t : time_) on_rows.push_back(valueAt(own_time, values, t));
         if (!own_time.empty()) {
             channel.first = std::max(channel.first, own_time.front());
             channel.last = std::min(channel.last, own_time.back());
         }
         note("rate", how.channel, "interpolated from its own time " + quote(own_name));
-        return values;
+        return on_rows;
     }
 
     void reportFactors(const ImportChannel& how, std::size_t columns) {

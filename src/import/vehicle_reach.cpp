@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "log/direction.h"
 #include "log/log_columns.h"
 
 namespace tread {
@@ -134,7 +135,7 @@ double fastestChange(std::string_view channel) {
 double largestValue(std::string_view channel) {
     const Quantity* const known = quantity(channel);
     const auto si = logUnit(std::string(channel));
-    if (!known || !si) return kInfinite;
+    if (!known || !si || isDirection(channel)) return kInfinite;
     for (const Reach& reach : known->reaches) {
         if (reach.unit == *si) return reach.most;
     }

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "log/direction.h"
 #include "log/log_columns.h"
 
 namespace tread::recording {
@@ -18,19 +18,6 @@ using Values = std::vector<double>;
 constexpr double kLongestSilence = 0.25;  // s between two values; what the car does within a longer one is unknown
 
 constexpr double kStoodStill = 0.01;  // m or rad; over a longer gap, a car that moved by less stood still
-
-// Turned by whole revolutions so that no step exceeds half of one.
-Values unwrapped(Values angle) {
-    double last = kRequired, turns = 0;
-    for (double& value : angle) {
-        if (!std::isfinite(value)) continue;
-        if (std::isfinite(last))
-            turns -= std::round((value + turns - last) / (2 * std::numbers::pi)) * 2 * std::numbers::pi;
-        value += turns;
-        last = value;
-    }
-    return angle;
-}
 
 // Interpolated between new values, NaN where none came for too long. A value that is repeated exactly was held.
 Values betweenUpdates(const Values& time, const Values& values) {
@@ -87,7 +74,7 @@ void addOf(Log& log, std::string_view source) {
         std::string name = std::string(quantity) + "@" + std::string(source);
         if (!log.find(name)) found.push_back({std::move(name), unit, std::move(values)});
     };
-    const Values heading = shown ? betweenUpdates(time, unwrapped(*shown)) : Values{};
+    const Values heading = shown ? betweenUpdates(time, continuous(*shown)) : Values{};
     if (x && y) {
         Values vx = rateOf(time, betweenUpdates(time, *x)), vy = rateOf(time, betweenUpdates(time, *y));
         if (shown) turn(vx, vy, heading);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "base/read_yaml.h"
 #include "shared/foreign_logs.h"
@@ -171,6 +172,40 @@ TEST(Import, AChannelMayHaveItsOwnTime) {
     EXPECT_EQ(faultsOf([&] { importLog(table, mapOf(map + "}]\n")); }),
               "map.0.from: found 3 values in column \"v\", but 5 in time: another sampling rate; name the column with "
               "its own time (time)");
+}
+
+// A car on a circle, whose heading the file counts from -180 to 180 deg.
+ForeignTable circling(double turns_per_second) {
+    ForeignTable table{"x.mat", "MATLAB file", {}, {}, {}};
+    table.columns.push_back({"t", "", {}, 0, 0, {}});
+    table.columns.push_back({"heading", "", {}, 0, 0, {}});
+    for (int i = 0; i <= 400; ++i) {
+        const double t = 0.01 * i;
+        table.columns[0].values.push_back(t);
+        table.columns[1].values.push_back(std::remainder(360 * turns_per_second * t + 30, 360));
+    }
+    return table;
+}
+
+TEST(Import, ADirectionIsCountedOnBeforeItIsInterpolated) {
+    const Imported result =
+        importLog(circling(0.7), mapOf("time: {from: t}\nrepairs: {rate: 130}\n"
+                                       "map: [{channel: position.heading, from: heading, unit: deg}]\n"));
+    const Log& log = result.logs[0];
+    ASSERT_EQ(log.samples(), 521u);
+    for (std::size_t i = 0; i < log.samples(); ++i) {
+        const double t = valuesOf(log, "time")[i];
+        ASSERT_NEAR(valuesOf(log, "position.heading")[i], (360 * 0.7 * t + 30) * std::numbers::pi / 180, 1e-9);
+    }
+    EXPECT_EQ(countOf(result, "turns", "position.heading"), 401u);
+    EXPECT_EQ(countOf(result, "spikes"), 0u) << text(result.changes);
+}
+
+TEST(Import, ADirectionWithinOneTurnIsLeftAsItIs) {
+    const Imported result =
+        importLog(circling(0.05), mapOf("time: {from: t}\nmap: [{channel: chassis.yaw, from: heading, unit: deg}]\n"));
+    EXPECT_EQ(countOf(result, "turns"), 0u) << text(result.changes);
+    EXPECT_NEAR(valuesOf(result.logs[0], "chassis.yaw")[400], 102 * std::numbers::pi / 180, 1e-12);
 }
 
 TEST(Import, FaultsOfTheMappingComeAllAtOnceWithTheirPath) {

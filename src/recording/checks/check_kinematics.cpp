@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "base/median.h"
+#include "log/direction.h"
 #include "recording/checks/log_checks.h"
 #include "recording/checks/rigid_body.h"
 
@@ -165,7 +166,7 @@ private:
                      *vy = get("chassis.vy"), *sideslip = get("chassis.sideslip");
         if (yaw_rate_ && yaw)
             add({"chassis.yaw_rate", "chassis.yaw", "the derivative of the heading", yaw_rate_,
-                 derivative(checks_.time(), *yaw), 0.05});
+                 derivative(checks_.time(), continuous(*yaw)), 0.05});
         if (ay_ && roll) add({"chassis.roll", "chassis.ay", "ay", roll, *ay_, 0.5, 0});
         if (roll && roll_rate)
             add({"chassis.roll_rate", "chassis.roll", "the derivative of the roll angle", roll_rate,
