@@ -85,7 +85,7 @@ private:
     // Numbers of a type; as many as there should be, or as the bytes say.
     std::string numbers(std::size_t count) {
         static constexpr std::array<std::size_t, 14> kBytes{1, 1, 1, 2, 2, 4, 4, 4, 1, 8, 1, 1, 8, 8};
-        const std::uint32_t type = next() % kBytes.size();
+        const auto type = static_cast<std::uint32_t>(next() % kBytes.size());
         if (next() == 255) count = next();
         return element(type, taken(count * kBytes[type]));
     }
