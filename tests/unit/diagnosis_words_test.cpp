@@ -103,6 +103,11 @@ TEST(Headline, OfAnUnknownCauseSaysWhatRemainsAndWhatIsExplained) {
     EXPECT_EQ(headline(d),
               "Mostly unknown: 60 % of the gap remains unexplained; brake gain (p = 0.97), with roll stiffness (p = "
               "0.80) explains 20 % of the gap; missing force: lateral");
+    d.training = twoCauses(0.6, 0.1, 0.2, 0.1);
+    EXPECT_EQ(headline(d),
+              "Mostly tolerances: they explain 60 % of the gap; 20 % of the gap remains unexplained; brake gain (p = "
+              "0.97), with roll stiffness (p = 0.80) explains 10 % of the gap; missing force: lateral");
+    d.training = twoCauses(0.1, 0.2, 0.6, 0.1);
     d.training.causes = part(-0.3);
     EXPECT_NE(headline(d).find("roll stiffness (p = 0.80) makes the gap 30 % larger; "), std::string::npos);
     d.causes.clear();

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kFar = 3;  // standard deviations of its tolerance beyond which a number is doubtful: 1 in 400
 constexpr std::size_t kMostNumbers = 3;  // such numbers that are named
-constexpr double kMostly = 0.5;  // share of what tolerances and noise leave, above which a cause is the main one
+constexpr double kMostly =
+    0.5;  // share above which something is the main part; a cause of what tolerances and noise leave
 
 bool isDecomposed(const Decomposition& gap) {
     return gap.gap > 0;
@@ -82,11 +83,17 @@ std::string doubtOfTolerances(const Diagnosis& d) {
                        far.size() == 1 ? "its tolerance" : "their tolerances");
 }
 
-// "Mostly unknown: 60 % of the gap remains unexplained", or what speaks for an unknown cause where nothing is left that
-// exceeds noise: a pattern.
+// "Mostly unknown: 60 % of the gap remains unexplained", "Mostly tolerances: they explain 70 % of the gap; 20 % of the
+// gap remains unexplained", or what speaks for an unknown cause where nothing is left that exceeds noise: a pattern.
 std::string unknownPart(const Diagnosis& d) {
     if (!isDecomposed(d.training)) return "Mostly unknown";
-    if (d.training.remainder.share > 0) return "Mostly unknown: " + remainder(d);
+    if (d.training.remainder.share > 0) {
+        const double tolerances = d.training.tolerances.share;
+        return (tolerances > kMostly
+                    ? fmt::format("Mostly tolerances: they explain {} of the gap; ", percentInWords(tolerances))
+                    : "Mostly unknown: ") +
+               remainder(d);
+    }
     const double held_out = isDecomposed(d.held_out) ? d.held_out.remainder.share : 0;
     return "Unknown: nothing of the gap exceeds noise" +
            (held_out > 0 ? fmt::format(" ({} in the held-out drives)", percentInWords(held_out)) : "") +
