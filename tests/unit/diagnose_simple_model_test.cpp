@@ -95,6 +95,35 @@ TEST(DiagnosisOfASimpleCar, WhatActsBeyondALimitIsNotPromisedToACarThatStaysWith
     EXPECT_LT(d.expected_evidence.at("control"), 1);
 }
 
+// An axle whose compliance makes the car understeer only when it is far from that of the file.
+constexpr double kCompliance = 2e-6;
+
+void driveWithCompliance(const VehicleParams& car, const Scenario& scenario, const Recorder& recorder,
+                         const Pushing& pushing) {
+    VehicleParams yielding = car;
+    const double beyond = std::abs(car.front.suspension.steer_by_lateral_force) / kCompliance - 0.7;
+    yielding.steering.play = 2e-4 * std::max(0.0, beyond);
+    simple_car::drive(yielding, scenario, recorder, pushing);
+}
+
+// The calibrated car, whose ratio does what it can of the effect's work, shows nothing of the effect.
+TEST(DiagnosisOfASimpleCar, WhatTheCalibratedCarDoesNotShowIsFoundWhenANumberMovedFarBeyondItsTolerance) {
+    diagnose::Options options = simple_car::options();
+    options.simulate = driveWithCompliance;
+    VehicleParams truth = simple_car::Case{}.nominal.vehicle;
+    truth.front.suspension.steer_by_lateral_force = 2.2 * kCompliance;
+    const std::vector<Scenario> drives{simple_car::slalom(15), simple_car::slalom(20), simple_car::slalom(25)};
+    simple_car::Case made = simple_car::recorded(truth, drives, 4, driveWithCompliance);
+    made.nominal.vehicle.front.suspension.steer_by_lateral_force = 0;
+    made.file.tolerances = {{.path = "steering.ratio", .relative = 0.01}};
+    const Effect compliance{
+        "compliance", "", "", {{.paths = {"front.suspension.steer_by_lateral_force"}, .typical = kCompliance}}};
+    const Diagnosis d = diagnose::diagnosisOf(made.nominal, made.file, made.recorded,
+                                              {effect("drag", "aero.drag_area"), compliance}, options);
+    EXPECT_EQ(d.causes, std::vector<std::string>{"compliance"}) << d.answer;
+    EXPECT_NEAR(std::abs(d.nuisance.at("steering.ratio").z), 0, 2);
+}
+
 TEST(DiagnosisOfASimpleCar, AnswerIsTheSameToTheBitForOneAndTwoThreads) {
     Diagnosis one = diagnosed(14.5, 1), two = diagnosed(14.5, 2);
     one.seconds = two.seconds = 0;

@@ -11,6 +11,7 @@ namespace {
 constexpr int kMostRounds = 3;    // renewals of the linearisation about one candidate
 constexpr double kSettled = 8;    // nats; the linearisation is not renewed after a fit that gained less
 constexpr double kStuck = 0.02;   // units; a knob that moved less counts as stuck at its limit
+constexpr double kFar = 3;        // standard deviations of its tolerance by which a number hardly moves by itself
 constexpr double kFarShort = 25;  // nats by which a fit may fall short of what the screen promised
 constexpr std::size_t kMovedAtOnce = 3, kPointsAround = 2;  // knobs moved for points around the car; points kept
 
@@ -58,20 +59,22 @@ std::optional<double> squaresAt(const Calibration& car, const Deviation& at) {
     return left;
 }
 
-// Of the points with the first knobs of an effect at once or twice their typical sizes, to all sides, those that leave
-// the smallest squares.
+// Of the points around the calibrated car and the nominal one, with the first knobs of an effect at once or twice their
+// typical sizes, to all sides, those that leave the smallest squares.
 std::vector<Deviation> pointsAround(const Calibration& car, std::size_t effect) {
     const std::vector<Eigen::Index>& knobs = car.problem.knobs[effect];
     const std::size_t moved = std::min(knobs.size(), kMovedAtOnce);
     std::vector<std::pair<double, Deviation>> points;
-    for (const double size : {1.0, 2.0}) {
-        for (std::size_t sides = 0; sides < (std::size_t{1} << moved); ++sides) {
-            Deviation at = car.fit.at;
-            for (std::size_t i = 0; i < moved; ++i) {
-                const Parameter& knob = car.problem.replays.parameters[knobs[i]];
-                at(knobs[i]) = std::clamp((sides >> i & 1) != 0 ? -size : size, knob.lowest, knob.highest);
+    for (const Deviation& middle : {car.fit.at, car.problem.replays.origin()}) {
+        for (const double size : {1.0, 2.0}) {
+            for (std::size_t sides = 0; sides < (std::size_t{1} << moved); ++sides) {
+                Deviation at = middle;
+                for (std::size_t i = 0; i < moved; ++i) {
+                    const Parameter& knob = car.problem.replays.parameters[knobs[i]];
+                    at(knobs[i]) = std::clamp((sides >> i & 1) != 0 ? -size : size, knob.lowest, knob.highest);
+                }
+                if (const std::optional<double> left = squaresAt(car, at)) points.emplace_back(*left, at);
             }
-            if (const std::optional<double> left = squaresAt(car, at)) points.emplace_back(*left, at);
         }
     }
     std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -86,6 +89,12 @@ bool othersMovedFurther(const Candidate& single) {
     if (single.log_evidence < kSettings.effect) return false;
     const Eigen::VectorXd moved = single.fit.at(single.fit.knobs).cwiseAbs();
     return moved(0) < moved.maxCoeff();
+}
+
+// Whether numbers stand for an effect: they moved so far that a fit from the calibrated car may end where they do its
+// work.
+bool standsForAnEffect(const Calibration& car) {
+    return (car.fit.at(car.problem.nuisances).array().abs() > kFar).any();
 }
 
 // Where an effect was fitted to keep car and model together; null when it was not.
@@ -117,7 +126,8 @@ bool CandidateFitter::refitNone(const Linearisation& about) {
 std::optional<Candidate> CandidateFitter::single(std::size_t effect, double promised) const {
     std::optional<Candidate> best = fit(car_.about, {effect}, {car_.fit.at});
     if (const Deviation* tried = triedAt(car_, effect)) keepBetter(best, fit(car_.about, {effect}, {*tried}));
-    if (best && best->log_evidence > promised - kFarShort && !othersMovedFurther(*best)) return best;
+    const bool astray = !best || best->log_evidence <= promised - kFarShort || othersMovedFurther(*best);
+    if (!astray && !standsForAnEffect(car_)) return best;
     for (const Deviation& from : pointsAround(car_, effect)) keepBetter(best, fit(car_.about, {effect}, {from}));
     return best;
 }

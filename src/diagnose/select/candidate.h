@@ -30,9 +30,10 @@ public:
     // Fits that model with another linearisation. The result is kept if it is better; tells whether it is.
     bool refitNone(const Linearisation& about);
 
-    // One effect, about the calibrated car. Where the fit falls far short of what the linear model promised, or where
-    // others of its knobs moved further than the first, it may have gone astray: it is then started again from points
-    // around the calibrated car. Nothing when the car cannot be driven with the effect.
+    // One effect, about the calibrated car. The fit may have gone astray where it falls far short of what the linear
+    // model promised, where others of its knobs moved further than the first, or where numbers of the calibrated car
+    // moved far beyond their tolerances: it is then started again from points around that car and the nominal one.
+    // Nothing when the car cannot be driven with the effect.
     std::optional<Candidate> single(std::size_t effect, double promised) const;
 
     // A set of effects, from this start. Nothing when the car cannot be driven there.

@@ -101,10 +101,14 @@ private:
             if (!worthGrowing(best)) break;
             progress_(0.3, "linearising at " + problem_.effects[best.effects.front()].name);
             Linearisation here = fitter_.settle(best);
-            if (fitter_.refitNone(here))
+            if (fitter_.refitNone(here)) {
                 for (Candidate& one : found_)
                     if (one.fitted) one.log_evidence = fitter_.over(one.fit);
-            best.log_evidence = fitter_.over(best.fit);
+                best.log_evidence = fitter_.over(best.fit);
+                // What is possible without the effect is possible with it.
+                std::optional<Candidate> again = fitter_.fit(here, best.effects, endOf(fitter_.none()));
+                if (again && again->log_evidence > best.log_evidence) best = std::move(*again);
+            }
             keepBetter(best);
             fitRivals(best, here, anew(best.fit));
             sort(found_);
