@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "base/numbers.h"
 #include "recording/driver_inputs.h"
@@ -84,14 +85,17 @@ Phase startedLater(Phase phase, double by) {
     return phase;
 }
 
-// The drive, in two phases if its speed is followed at first.
-std::vector<Phase> phasesOf(const RecordedDrive& drive, const Instruments& instruments, double nominal_mass) {
+// The drive, in two phases if its speed is followed at first, by so much faster than recorded.
+std::vector<Phase> phasesOf(const RecordedDrive& drive, const Instruments& instruments, double nominal_mass,
+                            double faster) {
     Phase whole = driven(drive, instruments, nominal_mass);
     const double followed = std::min(drive.recording->followed_for, drive.duration());
     if (followed == 0 || drive.recording->speed == SpeedReplay::followed) return {whole};
     Phase first = whole;
     first.name = "the speed is followed";
-    first.throttle = FollowSpeed{followedSpeed(drive, instruments)};
+    Curve speed = followedSpeed(drive, instruments);
+    for (Curve::Point& point : speed.points) point.y = std::max(0.0, point.y + faster);
+    first.throttle = FollowSpeed{std::move(speed)};
     first.brake = Keep{};
     first.until.duration = followed;
     if (followed == drive.duration()) return {first};
@@ -120,8 +124,8 @@ Scenario replayOf(const RecordedDrive& drive, const Subject& subject, const Repl
     scenario.road = changed(drive.recording->road, subject.road, nominal.road);
     scenario.wind = changed(drive.recording->wind, subject.wind, nominal.wind);
     const Instrument speed = instrumentOf(subject.instruments, speedChannel(drive));
-    scenario.start.speed = drive.speed < kStanding ? 0 : speedBehind(drive.speed, speed);
-    scenario.phases = phasesOf(drive, subject.instruments, nominal.vehicle.mass);
+    scenario.start.speed = drive.speed < kStanding ? 0 : speedBehind(drive.speed, speed) + replayer.faster;
+    scenario.phases = phasesOf(drive, subject.instruments, nominal.vehicle.mass, replayer.faster);
     if (scenario.start.speed == 0) {
         const auto* brake = std::get_if<Table<Pedal>>(&scenario.phases.front().brake);
         scenario.start.brake = brake ? brake->points(0) : kParked;

@@ -16,6 +16,8 @@ struct Replayer {
     Subject nominal;
     double step = 0.002;  // s
     Simulate simulate;
+    // m/s, added to the speed at which a drive starts, and to the speed that it follows before pedals or a command act.
+    double faster = 0;
 };
 
 // The scenario in which the driver's inputs of the drive act on the subject.

@@ -117,6 +117,22 @@ TEST(CommandedForce, WithoutAMeasuredAnswerIsSaid) {
         "expected chassis.vx or chassis.ax among the channels; measure one of them or set speed: followed");
 }
 
+// ---- Drives that start faster ----
+
+const FollowSpeed& followedFirst(const Scenario& scenario) {
+    return std::get<FollowSpeed>(scenario.phases.front().throttle);
+}
+
+TEST(FasterStart, IsReachedBeforeADriveThatBeginsInATurn) {
+    Log log = commanded("command.force", 1);
+    log.channels.push_back({"chassis.yaw_rate", "rad/s", std::vector<double>(log.samples(), 0.2)});
+    const RecordedDrive car = drive(kCommanded, log);
+    const Scenario recorded = replayOf(car, {}, {{}, 0.004, {}}), faster = replayOf(car, {}, {{}, 0.004, {}, 0.5});
+    ASSERT_EQ(faster.phases.size(), 2u) << "into the turn, and the drive";
+    EXPECT_NEAR(faster.start.speed, recorded.start.speed + 0.5, 1e-12);
+    EXPECT_NEAR(followedFirst(faster).profile(1), followedFirst(recorded).profile(1) + 0.5, 1e-12);
+}
+
 // ---- Pedals after a time in which the speed is followed ----
 
 Log pedalled() {
@@ -141,6 +157,20 @@ TEST(FollowedFor, ThePedalsActAfterIt) {
     EXPECT_NEAR(std::get<Table<Angle>>(second.steering).points(1), 0.025, 1e-6);
     EXPECT_NEAR(std::get<Table<Pedal>>(second.throttle).points(0.1), 0, 1e-6);
     EXPECT_NEAR(std::get<Table<Pedal>>(second.brake).points(1), 0.3, 1e-6);
+}
+
+TEST(FasterStart, IsThatOfThePartInWhichThePedalsAct) {
+    const RecordedDrive car = drive({.log = "a.csv", .followed_for = 1.5}, pedalled());
+    const Scenario recorded = replayOf(car, {}, {{}, 0.004, {}}), faster = replayOf(car, {}, {{}, 0.004, {}, 0.5});
+    for (const double t : {0.0, 1.5})
+        EXPECT_NEAR(followedFirst(faster).profile(t), followedFirst(recorded).profile(t) + 0.5, 1e-12) << t;
+}
+
+TEST(FasterStart, OfAStandingCarIsNone) {
+    Log log = pedalled();
+    for (Channel& channel : log.channels)
+        if (channel.name == "chassis.vx") std::fill(channel.values.begin(), channel.values.end(), 0.0);
+    EXPECT_EQ(replayOf(drive({.log = "a.csv"}, log), {}, {{}, 0.004, {}, 0.5}).start.speed, 0);
 }
 
 TEST(FollowedFor, SpeedIsComparedAfterItOnly) {

@@ -17,11 +17,7 @@ std::optional<Log> motionAt(const Replays& replays, const RecordedDrive& drive, 
     try {
         if (variation.faster == 0) return recording::replayed(drive, subject, replays.replayer, variation.pushing);
         recording::Replayer replayer = replays.replayer;
-        replayer.simulate = [&](const VehicleParams& vehicle, Scenario scenario, const Recorder& recorder,
-                                const Pushing& pushing) {
-            scenario.start.speed += variation.faster;
-            replays.replayer.simulate(vehicle, scenario, recorder, pushing);
-        };
+        replayer.faster = variation.faster;
         return recording::replayed(drive, subject, replayer, variation.pushing);
     } catch (const Interrupted&) {
         throw;

@@ -45,7 +45,7 @@ struct Replays {
 
 // How a replay differs from the recorded drive.
 struct Variation {
-    double faster = 0;     // m/s, added to the start speed
+    double faster = 0;     // m/s, added to the start speed (recording::Replayer::faster)
     Pushing pushing = {};  // external forces over the time of the drive
 };
 
