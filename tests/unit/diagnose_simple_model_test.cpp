@@ -47,6 +47,19 @@ TEST(DiagnosisOfASimpleCar, AnotherSteeringRatioIsNamedWithItsSize) {
     EXPECT_GT(d.where.channels.at("chassis.yaw_rate"), 0.9);
 }
 
+// The mass of this car shows in nothing.
+TEST(DiagnosisOfASimpleCar, OneOfTwoEffectsThatChangeTheSameIsNamed) {
+    const simple_car::Case made =
+        simple_car::recorded(14.5, loadVehicle(sourceFile("vehicles/compact.yaml")).aero.drag_area, 3);
+    Effect both = effect("both", "steering.ratio");
+    both.knobs.front().paths.push_back("mass");
+    const Diagnosis d = diagnose::diagnosisOf(made.nominal, made.file, made.recorded,
+                                              {both, effect("ratio", "steering.ratio")}, simple_car::options());
+    EXPECT_EQ(d.verdict, Verdict::explained) << d.answer;
+    EXPECT_EQ(d.causes, std::vector<std::string>{"ratio"});
+    EXPECT_TRUE(d.alternatives.empty());
+}
+
 TEST(DiagnosisOfASimpleCar, NominalCarHasNothingBeyondTolerance) {
     const Diagnosis d = diagnosed(16.5, 2);
     EXPECT_EQ(d.verdict, Verdict::nothing) << d.answer;

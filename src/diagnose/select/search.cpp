@@ -43,11 +43,42 @@ bool contains(const Effects& list, std::size_t value) {
     return std::find(list.begin(), list.end(), value) != list.end();
 }
 
+std::size_t numbersMoved(const Problem& problem, std::size_t effect) {
+    std::size_t count = 0;
+    for (const Eigen::Index knob : problem.knobs[effect]) count += problem.replays.parameters[knob].moves.size();
+    return count;
+}
+
+// Whether two effects change all rows alike, to the bit: that of all sensors and that of one, where only one is read.
+bool changeTheSame(const Calibration& car, std::size_t one, std::size_t other) {
+    const std::vector<Eigen::Index>&knobs = car.problem.knobs[one], &others = car.problem.knobs[other];
+    if (knobs.size() != others.size()) return false;
+    bool any = false;
+    for (const Eigen::MatrixXd& columns : car.about.about.columns) {
+        const Eigen::MatrixXd changes = columns(Eigen::all, knobs);
+        if (changes != columns(Eigen::all, others)) return false;
+        any |= !changes.isZero(0);
+    }
+    return any;
+}
+
+// Effects that are no more than another name of one that moves fewer numbers, or as many and is listed before.
+std::vector<bool> otherNames(const Calibration& car) {
+    std::vector<bool> names(car.problem.effects.size());
+    for (std::size_t e = 0; e < names.size(); ++e) {
+        for (std::size_t of = 0; of < names.size() && !names[e]; ++of) {
+            const std::size_t moved = numbersMoved(car.problem, e), by_it = numbersMoved(car.problem, of);
+            if (of != e && (by_it < moved || (by_it == moved && of < e))) names[e] = changeTheSame(car, of, e);
+        }
+    }
+    return names;
+}
+
 // State of the search.
 class Searcher {
 public:
     Searcher(const Calibration& car, const Progress& progress)
-        : car_(car), problem_(car.problem), progress_(progress), fitter_(car) {}
+        : car_(car), problem_(car.problem), progress_(progress), other_name_(otherNames(car)), fitter_(car) {}
 
     Search run(const Screen& screen) {
         fitSingles(screen);
@@ -67,6 +98,7 @@ private:
         const Effects order = bestFirst(screen.gain);
         for (std::size_t i = 0; i < order.size(); ++i) {
             const std::size_t e = order[i];
+            if (other_name_[e]) continue;
             const double best = screen.gain[order.front()];
             const bool hopeless =
                 screen.gain[e] < std::min(best - kHopeless, kLeastShare * best) || screen.gain[e] < -1;
@@ -157,7 +189,7 @@ private:
         std::optional<Candidate> best;
         std::size_t fits = 0;
         for (const std::size_t e : bestFirst(gains)) {
-            if (contains(from.effects, e)) continue;
+            if (contains(from.effects, e) || other_name_[e]) continue;
             if (gains[e] < 0.5 * enough || fits++ == kFurtherFits) break;
             Effects effects = from.effects;
             effects.push_back(e);
@@ -255,6 +287,7 @@ private:
     const Calibration& car_;
     const Problem& problem_;
     const Progress& progress_;
+    const std::vector<bool> other_name_;  // of another effect, which is sought in its place
     CandidateFitter fitter_;
     std::vector<Candidate> found_;
 };
