@@ -49,14 +49,18 @@ TEST(DiagnosisOfASimpleCar, AnotherSteeringRatioIsNamedWithItsSize) {
 
 // The mass of this car shows in nothing.
 TEST(DiagnosisOfASimpleCar, OneOfTwoEffectsThatChangeTheSameIsNamed) {
+    VehicleParams truth = simple_car::Case{}.nominal.vehicle;
+    truth.steering.play = 3e-4;
     const simple_car::Case made =
-        simple_car::recorded(14.5, loadVehicle(sourceFile("vehicles/compact.yaml")).aero.drag_area, 3);
-    Effect both = effect("both", "steering.ratio");
+        simple_car::recorded(truth, {simple_car::slalom(15), simple_car::slalom(20), simple_car::slalom(25)}, 3);
+    const Effect play{"play", "", "", {{.paths = {"steering.play"}, .typical = 2e-4, .direction = Direction::up}}};
+    Effect both = play;
+    both.name = "both";
     both.knobs.front().paths.push_back("mass");
-    const Diagnosis d = diagnose::diagnosisOf(made.nominal, made.file, made.recorded,
-                                              {both, effect("ratio", "steering.ratio")}, simple_car::options());
+    const Diagnosis d =
+        diagnose::diagnosisOf(made.nominal, made.file, made.recorded, {both, play}, simple_car::options());
     EXPECT_EQ(d.verdict, Verdict::explained) << d.answer;
-    EXPECT_EQ(d.causes, std::vector<std::string>{"ratio"});
+    EXPECT_EQ(d.causes, std::vector<std::string>{"play"});
     EXPECT_TRUE(d.alternatives.empty());
 }
 

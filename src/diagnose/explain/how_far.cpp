@@ -147,19 +147,6 @@ Gaps gapsOf(const Judged& judged, const std::array<Deviation, 3>& stages, std::v
     return gaps;
 }
 
-// A random point from the Gaussian posterior of the fit, cut at the parameters' bounds.
-Deviation drawn(const Replays& replays, const select::Fit& fit, Random& random) {
-    Eigen::VectorXd normal(fit.covariance.rows());
-    for (double& one : normal) one = random.normal();
-    Deviation point = fit.at;
-    point(fit.free) += fit.covariance.llt().matrixL() * normal;
-    for (const Eigen::Index i : fit.free) {
-        const model::Parameter& parameter = replays.parameters[i];
-        point(i) = std::clamp(point(i), parameter.lowest, parameter.highest);
-    }
-    return point;
-}
-
 bool driven(const Rows& rows) {
     return std::all_of(rows.begin(), rows.end(),
                        [](const Eigen::VectorXd& r) { return r.size() > 0 && r.allFinite(); });
@@ -207,7 +194,7 @@ void closure(answer::HowFar& how_far, const Judged& judged, const Gaps& gaps, co
     double before = 0, after = 0;
     for (int draw = 0; draw < kDraws; ++draw) {
         const std::optional<Rows> truth =
-            model::rowsAt(judged.replays, judged.drives, drawn(judged.replays, fit, random));
+            model::rowsAt(judged.replays, judged.drives, select::drawn(judged.replays, fit, random));
         if (!truth) continue;
         const TrueGaps here = gapsTo(*truth, judged, gaps, random);
         before += sum(here.before), after += sum(here.after);

@@ -350,6 +350,18 @@ Start anew(const Fit& fit) {
     return start;
 }
 
+Deviation drawn(const Replays& replays, const Fit& fit, Random& random) {
+    Eigen::VectorXd normal(fit.covariance.rows());
+    for (double& one : normal) one = random.normal();
+    Deviation point = fit.at;
+    point(fit.free) += fit.covariance.llt().matrixL() * normal;
+    for (const Eigen::Index i : fit.free) {
+        const model::Parameter& parameter = replays.parameters[i];
+        point(i) = std::clamp(point(i), parameter.lowest, parameter.highest);
+    }
+    return point;
+}
+
 Fit withUsualImperfections(Fit fit, const Replays& replays) {
     scaled(fit, replays, model::usualImperfection());
     return fit;

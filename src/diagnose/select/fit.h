@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/random.h"
 #include "diagnose/answer/diagnosis.h"
 #include "diagnose/model/imperfection.h"
 #include "diagnose/model/linearisation.h"
@@ -64,6 +65,9 @@ inline Start endOf(const Fit& fit) {
 // The same with the nuisances at their nominal values, which may hold what they did in place of effects. A fit that
 // starts there may find another maximum.
 Start anew(const Fit& fit);
+
+// A random point from the Gaussian posterior of a fit, cut at the bounds of the parameters.
+Deviation drawn(const Replays& replays, const Fit& fit, Random& random);
 
 // The fit with imperfections of their usual sizes; its rows stay.
 Fit withUsualImperfections(Fit fit, const Replays& replays);

@@ -14,14 +14,18 @@ struct HeldOut {
     std::optional<std::vector<double>> gapOf(const Deviation& at) const;
     // True when the drives speak against a model: their gap does not shrink, which is improbable where the model is
     // true, because they show its difference to the one without effects (D38b).
-    bool speakAgainst(const Deviation& with, const Deviation& without) const;
+    bool speakAgainst(const Fit& with, const Deviation& without) const;
+
+private:
+    // Product of two changes of the rows, with disturbances marginalised.
+    double product(const Rows& one, const Rows& other) const;
 };
 HeldOut heldOut(const Calibration& car);
 
-// Squared residuals of drives with the effects of a model and without, squared difference between the two, and variance
-// of the residuals.
+// Squared residuals of drives with the effects of a model and without, squared difference between the two, variance of
+// the residuals, and that of the product of the difference and the errors of the fitted numbers.
 struct HeldOutGap {
-    double with, without, difference, variance;
+    double with, without, difference, variance, by_numbers = 0;
 };
 // True when the gap does not shrink and a true model would leave it so by chance only (D38b).
 bool speaksAgainst(const HeldOutGap& gap);

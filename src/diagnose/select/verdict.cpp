@@ -177,7 +177,7 @@ std::string reasonInTheFit(const Calibration& car, const Candidate& model, const
     if (implausible(car.problem, model.fit)) return kAtItsEnd;
     if (predicted(car, model.fit, none).fails()) return "it does not predict drives that are left out of the fit";
     if (contradicted(car, model, found)) return "one drive supports it and the others contradict it";
-    if (held_out.speakAgainst(model.fit.at, none.at)) return "it does not reduce the gap of the held-out drives";
+    if (held_out.speakAgainst(model.fit, none.at)) return "it does not reduce the gap of the held-out drives";
     return {};
 }
 
