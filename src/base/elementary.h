@@ -100,9 +100,12 @@ TREAD_INLINE inline T arcsine(const T& x) {
 // Sum modulo 2^64: of the bits of values that are no numbers, too.
 template <class Bits>
 TREAD_INLINE inline Bits wrappingSum(const Bits& a, const Bits& b) {
-    if constexpr (std::is_same_v<Bits, std::int64_t>)
+    if constexpr (std::is_same_v<Bits, std::int64_t>) {
         return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
-    else return a + b;  // lanes wrap
+    } else {
+        typedef std::uint64_t Unsigned __attribute__((vector_size(sizeof(Bits))));
+        return (Bits)((Unsigned)a + (Unsigned)b);
+    }
 }
 
 // The integer nearest to x, |x| < 2^51, as a number and in the low bits of an integer: adding 1.5 * 2^52 rounds.

@@ -163,12 +163,14 @@ MatrixXd choleskyOf(MatrixXd symmetric) {
 }
 
 MatrixXd solvedBy(const MatrixXd& lower, MatrixXd b) {
+    if (b.size() == 0) return b;
     if (b.cols() < kMany) lower.triangularView<Eigen::Lower>().solveInPlace(b);
     else solve(lower, b);
     return b;
 }
 
 MatrixXd solvedByTransposed(const MatrixXd& lower, MatrixXd b) {
+    if (b.size() == 0) return b;
     if (b.cols() < kMany) lower.transpose().triangularView<Eigen::Upper>().solveInPlace(b);
     else solveTransposed(lower, b);
     return b;

@@ -39,8 +39,10 @@ inline diagnose::model::Problem problemOf(const std::vector<LinearDrive>& drives
         problem.effects.push_back({.name = name, .question = {}, .source = {}, .knobs = {}});
         problem.knobs.push_back({parameter(name, 8)});
     }
+    static const recording::Recording kRecording;
     for (const LinearDrive& told : drives) {
         recording::RecordedDrive& drive = problem.drives.emplace_back();
+        drive.recording = &kRecording;
         drive.name = "drive " + std::to_string(problem.drives.size());
         drive.measured = told.measured;
         drive.channels = {{.name = "rows", .measured = {}, .times = std::vector<double>(told.measured.size())}};

@@ -85,7 +85,7 @@ TEST(Disturbances, HatsAreCorrelatedAsTheProcessIs) {
         for (Eigen::Index j = 0; j < 20; ++j)
             EXPECT_NEAR(covariance(i, j), std::exp(-0.25 * std::abs(static_cast<double>(i - j)) / 0.5), 1e-12);
     }
-    Eigen::VectorXd impulse = Eigen::VectorXd::Zero(40);
+    Eigen::VectorXd impulse = Eigen::VectorXd::Zero(disturbing.random());
     impulse(20) = 1;
     EXPECT_EQ(disturbing.heights(impulse).head(20).norm(), 0) << "of another kind";
     EXPECT_NEAR(disturbing.heights(impulse)(21), std::exp(-0.5), 1e-12);

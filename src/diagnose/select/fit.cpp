@@ -42,6 +42,7 @@ Eigen::VectorXd scaled(Fit& fit, const Replays& replays, const model::Imperfecti
         factors(fit.numbers() + i) = sizes[part] / fit.imperfection[part];
     }
     fit.imperfection = sizes;
+    if (fit.imperfections.empty()) return factors;
     fit.at(fit.free).array() /= factors.head(all).array();
     for (std::size_t d = 0; d < fit.columns.size(); ++d) {
         fit.columns[d] = (fit.columns[d] * factors.head(all).asDiagonal()).eval();

@@ -62,14 +62,12 @@ bool changeTheSame(const Calibration& car, std::size_t one, std::size_t other) {
     return any;
 }
 
-// Effects that are no more than another name of one that moves fewer numbers, or as many and is listed before.
+// Effects that do in these drives only what one does that moves fewer numbers: they are another name of it.
 std::vector<bool> otherNames(const Calibration& car) {
     std::vector<bool> names(car.problem.effects.size());
     for (std::size_t e = 0; e < names.size(); ++e) {
-        for (std::size_t of = 0; of < names.size() && !names[e]; ++of) {
-            const std::size_t moved = numbersMoved(car.problem, e), by_it = numbersMoved(car.problem, of);
-            if (of != e && (by_it < moved || (by_it == moved && of < e))) names[e] = changeTheSame(car, of, e);
-        }
+        for (std::size_t of = 0; of < names.size() && !names[e]; ++of)
+            names[e] = numbersMoved(car.problem, of) < numbersMoved(car.problem, e) && changeTheSame(car, of, e);
     }
     return names;
 }
