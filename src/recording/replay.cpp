@@ -85,6 +85,10 @@ Phase startedLater(Phase phase, double by) {
     return phase;
 }
 
+bool isFollowedThroughout(const RecordedDrive& drive) {
+    return drive.recording->speed == SpeedReplay::followed || drive.recording->followed_for >= drive.duration();
+}
+
 // The drive, in two phases if its speed is followed at first, by so much faster than recorded.
 std::vector<Phase> phasesOf(const RecordedDrive& drive, const Instruments& instruments, double nominal_mass,
                             double faster) {
@@ -118,14 +122,15 @@ void holdGear(VehicleParams& vehicle, const RecordedDrive& drive) {
 
 Scenario replayOf(const RecordedDrive& drive, const Subject& subject, const Replayer& replayer) {
     const Subject& nominal = replayer.nominal;
+    const double faster = isFollowedThroughout(drive) ? 0 : replayer.faster;
     Scenario scenario;
     scenario.title = drive.name;
     scenario.step = scenario.substep = replayer.step;
     scenario.road = changed(drive.recording->road, subject.road, nominal.road);
     scenario.wind = changed(drive.recording->wind, subject.wind, nominal.wind);
     const Instrument speed = instrumentOf(subject.instruments, speedChannel(drive));
-    scenario.start.speed = drive.speed < kStanding ? 0 : speedBehind(drive.speed, speed) + replayer.faster;
-    scenario.phases = phasesOf(drive, subject.instruments, nominal.vehicle.mass, replayer.faster);
+    scenario.start.speed = drive.speed < kStanding ? 0 : speedBehind(drive.speed, speed) + faster;
+    scenario.phases = phasesOf(drive, subject.instruments, nominal.vehicle.mass, faster);
     if (scenario.start.speed == 0) {
         const auto* brake = std::get_if<Table<Pedal>>(&scenario.phases.front().brake);
         scenario.start.brake = brake ? brake->points(0) : kParked;

@@ -17,6 +17,7 @@ struct Replayer {
     double step = 0.002;  // s
     Simulate simulate;
     // m/s, added to the speed at which a drive starts, and to the speed that it follows before pedals or a command act.
+    // Where the speed is followed throughout, it is none other than the measured one.
     double faster = 0;
 };
 

@@ -166,6 +166,16 @@ TEST(FasterStart, IsThatOfThePartInWhichThePedalsAct) {
         EXPECT_NEAR(followedFirst(faster).profile(t), followedFirst(recorded).profile(t) + 0.5, 1e-12) << t;
 }
 
+TEST(FasterStart, IsNoneWhereTheSpeedIsFollowedThroughout) {
+    for (const Recording& recording :
+         {Recording{.log = "a.csv", .speed = SpeedReplay::followed}, Recording{.log = "a.csv", .followed_for = 20}}) {
+        const RecordedDrive car = drive(recording, pedalled());
+        const Scenario recorded = replayOf(car, {}, {{}, 0.004, {}}), faster = replayOf(car, {}, {{}, 0.004, {}, 0.5});
+        EXPECT_EQ(faster.start.speed, recorded.start.speed);
+        EXPECT_EQ(followedFirst(faster).profile(1), followedFirst(recorded).profile(1));
+    }
+}
+
 TEST(FasterStart, OfAStandingCarIsNone) {
     Log log = pedalled();
     for (Channel& channel : log.channels)
