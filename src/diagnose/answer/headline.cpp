@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kFar = 3;  // standard deviations of its tolerance beyond which a number is doubtful: 1 in 400
 constexpr std::size_t kMostNumbers = 3;  // such numbers that are named
-constexpr double kMostly =
-    0.5;  // share above which something is the main part; a cause of what tolerances and noise leave
+// Share above which a part is the main one: of the gap for tolerances, of what they and noise leave for a cause.
+constexpr double kMostly = 0.5;
 
 bool isDecomposed(const Decomposition& gap) {
     return gap.gap > 0;

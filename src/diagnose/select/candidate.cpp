@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "diagnose/settings.h"
 
@@ -59,20 +60,26 @@ std::optional<double> squaresAt(const Calibration& car, const Deviation& at) {
     return left;
 }
 
+// A car with these knobs at so many times their typical sizes, within bounds. Bit i of `sides`: knob i is negative.
+Deviation withKnobsAt(const Calibration& car, Deviation at, std::span<const Eigen::Index> knobs, double size,
+                      std::size_t sides) {
+    for (std::size_t i = 0; i < knobs.size(); ++i) {
+        const Parameter& knob = car.problem.replays.parameters[knobs[i]];
+        at(knobs[i]) = std::clamp((sides >> i & 1) != 0 ? -size : size, knob.lowest, knob.highest);
+    }
+    return at;
+}
+
 // Of the points around the calibrated car and the nominal one, with the first knobs of an effect at once or twice their
 // typical sizes, to all sides, those that leave the smallest squares.
 std::vector<Deviation> pointsAround(const Calibration& car, std::size_t effect) {
-    const std::vector<Eigen::Index>& knobs = car.problem.knobs[effect];
-    const std::size_t moved = std::min(knobs.size(), kMovedAtOnce);
+    const std::span<const Eigen::Index> all = car.problem.knobs[effect];
+    const std::span<const Eigen::Index> knobs = all.first(std::min(all.size(), kMovedAtOnce));
     std::vector<std::pair<double, Deviation>> points;
     for (const Deviation& middle : {car.fit.at, car.problem.replays.origin()}) {
         for (const double size : {1.0, 2.0}) {
-            for (std::size_t sides = 0; sides < (std::size_t{1} << moved); ++sides) {
-                Deviation at = middle;
-                for (std::size_t i = 0; i < moved; ++i) {
-                    const Parameter& knob = car.problem.replays.parameters[knobs[i]];
-                    at(knobs[i]) = std::clamp((sides >> i & 1) != 0 ? -size : size, knob.lowest, knob.highest);
-                }
+            for (std::size_t sides = 0; sides < (std::size_t{1} << knobs.size()); ++sides) {
+                const Deviation at = withKnobsAt(car, middle, knobs, size, sides);
                 if (const std::optional<double> left = squaresAt(car, at)) points.emplace_back(*left, at);
             }
         }
