@@ -54,10 +54,10 @@ private:
             channel.values[i] += factor * (how.curve.empty() ? values[i] : how.curve(values[i]));
     }
 
-    // Between the two samples of a wrap, an interpolated direction would point backwards.
+    // A wrapped direction cannot be interpolated: between the two samples of a wrap it would point backwards.
     std::vector<double> withoutWraps(const ImportChannel& how, std::vector<double> angles) {
         std::vector<double> direction = continuous(angles);
-        if (direction != angles) note("turns", how.channel, "counted on beyond a whole turn");
+        if (direction != angles) note("turns", how.channel, "unwrapped: jumps by a whole turn removed");
         return direction;
     }
 
