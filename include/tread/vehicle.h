@@ -80,15 +80,19 @@ static_assert(describesEveryMember<LoadParams>());
 struct WheelParams {
     std::optional<TyreParams> tyre{};
     std::optional<TyreSurroundingsParams> tyre_surroundings{};
-    double stiffness = 1;
+    double cornering_stiffness = 1;
+    double slip_stiffness = 1;
     double grip = 1;
     double brake_drag = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(tyre), About{"", "tyre of this wheel alone, or the file that describes it"});
         field(TREAD_FIELD(tyre_surroundings), About{"", "conditions of the tyre of this wheel alone"});
-        field(TREAD_FIELD(stiffness),
-              About{"-", "factor on the slip stiffness of the tyre of this wheel", kPositive}.usually(0.1, 5));
+        field(TREAD_FIELD(cornering_stiffness),
+              About{"-", "factor on the cornering stiffness of the tyre of this wheel", kPositive}.usually(0.1, 5));
+        field(TREAD_FIELD(slip_stiffness),
+              About{"-", "factor on the longitudinal slip stiffness of the tyre of this wheel", kPositive}.usually(0.1,
+                                                                                                                   5));
         field(TREAD_FIELD(grip),
               About{"-", "factor on the friction of the tyre of this wheel", kPositive}.usually(0.02, 3));
         field(

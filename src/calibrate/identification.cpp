@@ -71,7 +71,7 @@ model::Differences differencesOf(const recording::DiagnosisFile& file, const Sub
     model::Differences all;
     all.parameters = model::nuisances(nominal, file.tolerances);
     judgeChoice(file, nominal, all.parameters);
-    for (Parameter& one : model::nuisancesOfEachDrive(nominal, file.tolerances, drives))
+    for (Parameter& one : model::nuisancesOfTheWind(nominal, file.tolerances, drives))
         all.parameters.push_back(std::move(one));
     all.effects = {diagnose::catalogue::Effect{.name = kChosen, .question = {}, .source = {}, .knobs = {}}};
     all.knobs.resize(1);

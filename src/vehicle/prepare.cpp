@@ -49,8 +49,8 @@ Vehicle::Corner cornerOf(const VehicleParams& params, const VehicleParams& level
     const double grip = own.grip * (1 + 0.5 * sideSign(wheel) * surroundings.grip_difference);
     tyre.lambda.mux *= grip;
     tyre.lambda.muy *= grip;
-    tyre.lambda.Kx *= own.stiffness;
-    tyre.lambda.Ky *= own.stiffness;
+    tyre.lambda.Kx *= own.slip_stiffness;
+    tyre.lambda.Ky *= own.cornering_stiffness;
     const TyreCoefficients& p = tyre.parameters;
     const double radius = p.Ro - level_load / radialStiffness(tyre);
 

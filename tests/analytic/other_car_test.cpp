@@ -33,7 +33,7 @@ Params simple() {
     Params p = compact();
     for (Axle* axle : {&p.front, &p.rear}) {
         axle->unsprung_mass = 0;
-        axle->compliance_steer = axle->toe_by_travel = axle->lift_area = 0;
+        axle->compliance_steer = axle->toe = axle->toe_by_travel = axle->camber = axle->lift_area = 0;
         axle->tyre.rolling_resistance = axle->tyre.camber_stiffness = axle->tyre.trail = 0;
     }
     p.drag_area = p.side_area = p.yaw_volume = p.drag_scale = 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "blind/detectability/drive_replay.h"
 #include "blind/other_detectability.h"
 #include "blind/other_draw.h"
 #include "blind/other_match.h"
@@ -212,6 +213,61 @@ TEST(OtherCases, TwoOrThreeStructuresAreDrawnAndKeepTheirNames) {
         EXPECT_EQ(structureOf(names), structure);
         EXPECT_FALSE(structure.brush_tyre && structure.hyperbolic_tyre);
     }
+}
+
+// Changes of all readings of some drives over their noise, by one knob of an effect, here and in tread's car.
+struct Signatures {
+    double product = 0, here = 0, there = 0;  // of both, and of each with itself
+    double cosine() const { return product / std::sqrt(here * there); }
+    double ratio() const { return std::sqrt(here / there); }
+};
+
+Signatures signaturesOf(const tread::diagnose::catalogue::Knob& knob, const std::vector<Drive>& drives) {
+    using tread::blind::detectability::DriveReplay;
+    using tread::blind::detectability::rowsOf;
+    tread::blind::world::Truth as_known, as_changed;
+    as_known.car = as_changed.car = nominal();
+    move(as_changed.car, knob,
+         knob.direction == tread::diagnose::catalogue::Direction::down ? -knob.typical : knob.typical);
+    const Truth changed = withChanges(known(), nominal(), as_changed.car);
+    Signatures sum;
+    for (const Drive& drive : drives) {
+        const Replayed first = replay(known(), drive);
+        const DriveReplay again(drive, as_known);
+        const Eigen::VectorXd here = rowsOf(replay(changed, drive, {.recorded = &first.recorded}).log) -
+                                     rowsOf(replay(known(), drive, {.recorded = &first.recorded}).log),
+                              there = again.rows(as_changed) - again.rows(as_known);
+        for (const InstrumentSheet& sheet : instrumentSheets()) {
+            if (measuresDriver(sheet)) continue;
+            const auto [at, count] = tread::blind::detectability::rowsOfChannel(sheet.channel, here.size());
+            const auto one = here.segment(at, count) / noiseOfMeans(sheet),
+                       other = there.segment(at, count) / noiseOfMeans(sheet);
+            sum.product += one.dot(other);
+            sum.here += one.squaredNorm(), sum.there += other.squaredNorm();
+        }
+    }
+    return sum;
+}
+
+// A number that an effect moves is the same number in both cars: planted here, it does what it does in tread's car.
+// Numbers that hardly show in either are left out.
+TEST(OtherCases, EffectsDoHereWhatTheyDoInTreadsCar) {
+    constexpr double kHardly = 15;
+    const std::vector<Drive> drives{driveNamed("sine_sweep_90"), driveNamed("straight_braking_110"),
+                                    driveNamed("braking_in_turn_90"), driveNamed("slow_ramp_80"),
+                                    driveNamed("acceleration_50")};
+    int seen = 0;
+    for (const auto& effect : plantable(tread::diagnose::catalogue::effectCatalogue(), nominal())) {
+        for (const auto& knob : effect.knobs) {
+            const Signatures both = signaturesOf(knob, drives);
+            if (std::max(both.here, both.there) < kHardly * kHardly) continue;
+            ++seen;
+            EXPECT_GT(both.cosine(), 0.7) << effect.name << ": " << knob.paths.front();
+            EXPECT_GT(both.ratio(), 0.6) << effect.name << ": " << knob.paths.front();
+            EXPECT_LT(both.ratio(), 1.5) << effect.name << ": " << knob.paths.front();
+        }
+    }
+    EXPECT_GT(seen, 60);
 }
 
 // Recorded inputs reproduce the drive, also when the instruments of the driver's inputs have errors.

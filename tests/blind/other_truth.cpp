@@ -25,7 +25,9 @@ void addAxle(std::vector<SharedNumber>& all, const std::string& axle, Axle& a) {
         all.push_back({axle + path, &a.damping, false, 0.5});  // follows the mean of both
     same(".suspension.side_view_slope_braking", a.brake_support);
     same(".suspension.roll_centre_height", a.roll_axis);
+    same(".suspension.toe", a.toe);
     same(".suspension.toe_by_travel", a.toe_by_travel);
+    same(".suspension.camber", a.camber);
     same(".suspension.camber_by_travel", a.camber_by_travel);
     same(".suspension.steer_by_lateral_force", a.compliance_steer);
     factor(".tyre.lambda.Ky", a.tyre.stiffness);
@@ -33,7 +35,6 @@ void addAxle(std::vector<SharedNumber>& all, const std::string& axle, Axle& a) {
     factor(".tyre.lambda.muy", a.tyre.friction);
     factor(".tyre.lambda.Ey", a.tyre.curvature);
     factor(".tyre.lambda.t", a.tyre.trail);
-    factor(".tyre.lambda.Cz", a.tyre.radial_stiffness);
     factor(".tyre.parameters.cFy", a.tyre.carcass);
     factor(".tyre.parameters.cFx", a.tyre.carcass_x);
     factor(".tyre.parameters.pKy2", a.tyre.stiffness_load);
@@ -44,7 +45,8 @@ void addAxle(std::vector<SharedNumber>& all, const std::string& axle, Axle& a) {
 }
 
 void addWheel(std::vector<SharedNumber>& all, const std::string& wheel, WheelFault& fault) {
-    all.push_back({wheel + ".stiffness", &fault.stiffness, true});
+    all.push_back({wheel + ".cornering_stiffness", &fault.stiffness, true});
+    all.push_back({wheel + ".slip_stiffness", &fault.slip_stiffness, true});
     all.push_back({wheel + ".grip", &fault.friction, true});
     all.push_back({wheel + ".brake_drag", &fault.drag_torque, false});
 }

@@ -108,9 +108,10 @@ TEST(Planted, SteeringDelayIsFoundWithItsSize) {
     EXPECT_LT(obtained, d.how_far.closure_high + 0.05);
 }
 
+// By a quarter they would be as likely missed as found: these drives show that to 7 nats, about the least that counts.
 TEST(Planted, BrakesThatPullLessAreFound) {
     Subject truth{.vehicle = nominalCar(), .road = {}, .wind = {}, .instruments = {}};
-    truth.vehicle.brakes.full_pedal_torque *= 0.75;
+    truth.vehicle.brakes.full_pedal_torque *= 0.7;
     const Diagnosis d = diagnosed(truth);
     EXPECT_EQ(d.verdict, Verdict::explained) << d.answer;
     EXPECT_EQ(d.causes, only("brake_gain"));

@@ -13,7 +13,7 @@ namespace {
 
 using diagnose::model::Deviation;
 using diagnose::model::mixture;
-using diagnose::model::nuisancesOfEachDrive;
+using diagnose::model::nuisancesOfTheWind;
 using diagnose::model::Parameter;
 using diagnose::model::Problem;
 using diagnose::model::problemOf;
@@ -45,26 +45,30 @@ Problem windy(simple_car::Case& made, const std::vector<diagnose::catalogue::Eff
     return problemOf(made.nominal, made.file, made.recorded, effects, options);
 }
 
-TEST(WindOfEachDrive, IsAParameterOfThatDriveAlone) {
+TEST(Wind, HasAPartOfTheDayAndOneOfEachDriveAlone) {
     simple_car::Case made;
     const Problem problem = windy(made);
-    std::vector<Parameter> own = nuisancesOfEachDrive(made.nominal, {}, problem.drives);
-    ASSERT_EQ(own.size(), 4u) << "two components in two drives";
-    EXPECT_EQ(own[0].name(), "wind.x in drive 1");
-    EXPECT_NEAR(own[0].moves.front().by, 1.5, 0.01) << "standard deviation, m/s";
-    EXPECT_TRUE(own[0].concerns(problem.drives[0]));
-    EXPECT_FALSE(own[0].concerns(problem.drives[1]));
-    EXPECT_TRUE(nuisancesOfEachDrive(made.nominal, {{"wind.*", 0, 0}}, problem.drives).empty())
+    std::vector<Parameter> winds = nuisancesOfTheWind(made.nominal, {}, problem.drives);
+    ASSERT_EQ(winds.size(), 6u) << "two components of the day and in two drives";
+    EXPECT_EQ(winds[0].name(), "wind.x");
+    EXPECT_TRUE(winds[0].of_the_day);
+    EXPECT_EQ(winds[1].name(), "wind.x in drive 1");
+    EXPECT_NEAR(std::hypot(winds[0].moves.front().by, winds[1].moves.front().by), 1.5, 0.01)
+        << "standard deviation, m/s";
+    for (const std::size_t d : {0u, 1u}) EXPECT_TRUE(winds[0].concerns(problem.drives[d]));
+    EXPECT_TRUE(winds[1].concerns(problem.drives[0]));
+    EXPECT_FALSE(winds[1].concerns(problem.drives[1]));
+    EXPECT_TRUE(nuisancesOfTheWind(made.nominal, {{"wind.*", 0, 0}}, problem.drives).empty())
         << "a file can say that the wind is known";
 
     Deviation at = problem.replays.origin();
     for (Eigen::Index i = 0; i < at.size(); ++i)
         if (problem.replays.parameters[i].name() == "wind.y in drive 2") at(i) = 2;
     EXPECT_EQ(problem.replays.subjectAt(at, problem.drives[0]).wind.y, 0);
-    EXPECT_NEAR(problem.replays.subjectAt(at, problem.drives[1]).wind.y, 3, 0.01);
+    EXPECT_NEAR(problem.replays.subjectAt(at, problem.drives[1]).wind.y, 2 * 1.5 * std::sqrt(0.5), 0.01);
 }
 
-TEST(WindOfEachDrive, ChangesTheRowsOfThatDriveAloneAndCostsNoReplayOfTheOthers) {
+TEST(Wind, OfADriveChangesTheRowsOfThatDriveAloneAndCostsNoReplayOfTheOthers) {
     simple_car::Case made;
     const Problem problem = windy(made);
     std::vector<Eigen::Index> winds;
@@ -90,21 +94,26 @@ TEST(WindOfEachDrive, ChangesTheRowsOfThatDriveAloneAndCostsNoReplayOfTheOthers)
     }
 }
 
-TEST(WindOfEachDrive, MakesACommonWindTogether) {
+TEST(Wind, OfAnEffectIsThatOfTheDayOrThoseOfAllDrives) {
     simple_car::Case made;
     const Problem problem =
         windy(made, {{"wind", "", "", {{.paths = {"wind.x"}, .typical = 4}, {.paths = {"wind.y"}, .typical = 4}}}});
     const auto& all = problem.replays.parameters;
     ASSERT_EQ(problem.knobs.size(), 1u);
     std::vector<Eigen::Index> nuisances = problem.nuisances;
-    for (const Eigen::Index knob : problem.knobs[0]) {
-        const auto shares = mixture(all[knob], all, nuisances);
-        ASSERT_EQ(shares.size(), 2u) << "one of each drive";
-        for (const auto& share : shares) {
-            EXPECT_EQ(all[share.of].path(), all[knob].path());
-            EXPECT_NEAR(share.units * all[share.of].moves.front().by, 4, 1e-12);
+    const auto expectSameWind = [&](std::size_t parts, const char* why) {
+        for (const Eigen::Index knob : problem.knobs[0]) {
+            const auto shares = mixture(all[knob], all, nuisances);
+            ASSERT_EQ(shares.size(), parts) << why;
+            for (const auto& share : shares) {
+                EXPECT_EQ(all[share.of].path(), all[knob].path());
+                EXPECT_NEAR(share.units * all[share.of].moves.front().by, 4, 1e-12);
+            }
         }
-    }
+    };
+    expectSameWind(1, "that of the day");
+    std::erase_if(nuisances, [&](Eigen::Index i) { return all[i].of_the_day; });
+    expectSameWind(2, "one of each drive");
     std::erase_if(nuisances, [&](Eigen::Index i) { return all[i].name() == "wind.x in drive 2"; });
     EXPECT_TRUE(mixture(all[problem.knobs[0][0]], all, nuisances).empty())
         << "the wind of one drive is not the other's";

@@ -189,6 +189,40 @@ TEST(Fit, OfALinearCarIsRidgeRegressionInTheFullCovariance) {
     }
 }
 
+// The linear car with a ratio that acts the more the further it is from the nominal one.
+void driveCurved(const VehicleParams& car, const Scenario& scenario, const Recorder& recorder, const Pushing& pushing) {
+    VehicleParams acting = car;
+    const double nominal = linear_car::nominal().steering.ratio, off = car.steering.ratio / nominal - 1;
+    acting.steering.ratio = nominal * (1 + off + 5 * off * std::abs(off));
+    linear_car::drive(acting, scenario, recorder, pushing);
+}
+
+// Where the columns of the calibrated car are wrong by now, no step is tried with them.
+TEST(Fit, ThatStartsFarFromTheCalibratedCarUsesColumnsOfItsOwnPoint) {
+    VehicleParams truth = linear_car::nominal();
+    truth.steering.play = 1;
+    truth.steering.ratio *= 0.8;
+    const simple_car::Case made = linear_car::recorded(truth, 3, driveCurved);
+    diagnose::Options options = linear_car::options();
+    options.simulate = driveCurved;
+    const Problem problem =
+        problemOf(made.nominal, made.file, made.recorded, {effect("ratio", "steering.ratio")}, options);
+    const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
+    const auto fittedFrom = [&](const diagnose::select::Start& start) {
+        return fitted(problem.replays, problem.drives, car.uncertainty, car.about, {kRatio}, start);
+    };
+    const std::optional<Fit> first = fittedFrom({problem.replays.origin()});
+    ASSERT_TRUE(first);
+    ASSERT_GT(std::abs(first->at(kRatio)), 1);
+    const int before = problem.replays.simulations.value();
+    const std::optional<Fit> again = fittedFrom(endOf(*first));
+    ASSERT_TRUE(again);
+    EXPECT_LT(again->gained, kLastStep);
+    const auto drives = static_cast<int>(problem.drives.size());
+    EXPECT_LE(problem.replays.simulations.value() - before, 3 * drives)
+        << "the start, and the columns there at the beginning and at the end";
+}
+
 TEST(Fit, KnobThatMayOnlyGrowStaysAtItsLimitWhenLessIsTrue) {
     const simple_car::Case made = someCase(0.95, 0.93);
     const Problem problem = problemOfTwo(made, Direction::up);

@@ -11,7 +11,8 @@ Effect tyreAlone(const std::string& axle, const std::string& side) {
     return {.name = "tyre_" + axle + "_" + side,
             .question = "Does the " + axle + " " + side + " tyre differ from the others (worn, of another make, soft)?",
             .source = "guess: wear and make change stiffness and grip by 10 to 20 %",
-            .knobs = {{.paths = {path + ".stiffness"}, .typical = 0.15, .relative = true},
+            .knobs = {{.paths = {path + ".cornering_stiffness"}, .typical = 0.15, .relative = true},
+                      {.paths = {path + ".slip_stiffness"}, .typical = 0.15, .relative = true},
                       {.paths = {path + ".grip"}, .typical = 0.15, .relative = true}},
             .at_limit = true};
 }

@@ -27,7 +27,7 @@ double logCommon(const Imperfection& sizes, const std::array<bool, kParts>& of) 
 
 Part partOf(std::string_view path) {
     // The first pattern that fits counts.
-    static constexpr std::array<std::pair<std::string_view, Part>, 14> kPatterns{{
+    static constexpr std::array<std::pair<std::string_view, Part>, 15> kPatterns{{
         {"instruments.*", Part::instruments},
         {"road.*", Part::surroundings},
         {"wind.*", Part::surroundings},
@@ -40,7 +40,8 @@ Part partOf(std::string_view path) {
         {"*.tyre*", Part::tyre},
         {"*.wheel_inertia", Part::tyre},
         {"*.grip", Part::tyre},
-        {"*.stiffness", Part::tyre},
+        {"*.cornering_stiffness", Part::tyre},
+        {"*.slip_stiffness", Part::tyre},
         {"*", Part::body},
     }};
     return std::find_if(kPatterns.begin(), kPatterns.end(), [&](const auto& one) { return matches(one.first, path); })

@@ -48,15 +48,14 @@ const std::vector<KnownWithin>& usualTolerances() {
     return known;
 }
 
-// Numbers that differ from drive to drive. Wind: measured drives avoid more than 3 m/s; the standard deviation of each
-// component is 1.5 m/s.
-const std::vector<KnownWithin>& usualInEachDrive() {
+// Measured drives avoid more than 3 m/s; the standard deviation of each component is 1.5 m/s.
+const std::vector<KnownWithin>& usualWind() {
     static const std::vector<KnownWithin> known{{"wind.x", 0, 2.6}, {"wind.y", 0, 2.6}};
     return known;
 }
 
-bool differsFromDriveToDrive(const std::string& path) {
-    return std::any_of(usualInEachDrive().begin(), usualInEachDrive().end(),
+bool isWind(const std::string& path) {
+    return std::any_of(usualWind().begin(), usualWind().end(),
                        [&](const KnownWithin& known) { return matches(known.path, path); });
 }
 
@@ -65,7 +64,7 @@ double toleranceOf(const Number& number, const VehicleParams& car, const std::ve
     double tolerance = number.about.tolerance * value;
     // A further instrument is usually known as well as the first one of its quantity.
     const std::string in_first = recording::pathInFirst(number.path);
-    for (const auto* usual : {&usualTolerances(), &usualInEachDrive()}) {
+    for (const auto* usual : {&usualTolerances(), &usualWind()}) {
         for (const KnownWithin& known : *usual) {
             if (matches(known.path, in_first.empty() ? number.path : in_first))
                 tolerance = known.relative * value + atScaleOf(car, known.absolute, number.about.unit);
@@ -164,24 +163,28 @@ std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<Known
     Subject subject = nominal;
     std::vector<Parameter> found;
     for (const Number& number : numbers(subject)) {
-        if (differsFromDriveToDrive(number.path)) continue;
+        if (isWind(number.path)) continue;
         const double factor = staysTheSame(number.path) ? same : 1;
         addNuisance(found, number, toleranceOf(number, nominal.vehicle, tolerances) * factor, nominal.vehicle);
     }
     return found;
 }
 
-std::vector<Parameter> nuisancesOfEachDrive(const Subject& nominal, const std::vector<KnownWithin>& tolerances,
-                                            Drives drives) {
+std::vector<Parameter> nuisancesOfTheWind(const Subject& nominal, const std::vector<KnownWithin>& tolerances,
+                                          Drives drives) {
+    constexpr double kOfADay = 0.5;  // share of the variance that all drives have in common
     Subject subject = nominal;
     std::vector<Parameter> found;
     for (const Number& number : numbers(subject)) {
-        if (!differsFromDriveToDrive(number.path)) continue;
+        if (!isWind(number.path) || drives.empty()) continue;
+        const double tolerance = toleranceOf(number, nominal.vehicle, tolerances);
+        const std::size_t first = found.size();
+        addNuisance(found, number, tolerance * std::sqrt(kOfADay * drives[0].runs), nominal.vehicle);
+        if (found.size() == first) continue;
+        found.back().of_the_day = true;
         for (const RecordedDrive& drive : drives) {
-            const std::size_t before = found.size();
-            addNuisance(found, number, toleranceOf(number, nominal.vehicle, tolerances) * std::sqrt(drive.runs),
-                        nominal.vehicle);
-            if (found.size() > before) found.back().only = drive.recording, found.back().only_name = drive.name;
+            addNuisance(found, number, tolerance * std::sqrt((1 - kOfADay) * drive.runs), nominal.vehicle);
+            found.back().only = drive.recording, found.back().only_name = drive.name;
         }
     }
     return found;

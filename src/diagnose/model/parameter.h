@@ -38,6 +38,7 @@ struct Parameter {
     double physical_lowest = -kInfinity;  // the same by the physical limits alone
     double physical_highest = kInfinity;
     bool instruments_only = false;  // changes the readings only, not the motion
+    bool of_the_day = false;        // wind of all drives: no number of car, road or instruments
     bool of_both = false;           // of the car before and after the change alike: it moves references too
     // The parameter of which this is an imperfection; it moves no number. -1: none.
     Eigen::Index imperfection_of = -1;
@@ -61,10 +62,10 @@ Subject movedIn(const RecordedDrive& drive, Subject subject, const std::vector<P
 // of what stays the same from day to day, that is the car, and the instruments except for their zeros (D15).
 std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<KnownWithin>& tolerances, double same = 1);
 
-// What differs from drive to drive, one parameter for each drive: the wind. With references, the wind of both runs
-// (D15).
-std::vector<Parameter> nuisancesOfEachDrive(const Subject& nominal, const std::vector<KnownWithin>& tolerances,
-                                            Drives drives);
+// The wind: half of its variance is that of a day, the same in all drives, and half that of each drive. With
+// references, the wind of both runs (D15).
+std::vector<Parameter> nuisancesOfTheWind(const Subject& nominal, const std::vector<KnownWithin>& tolerances,
+                                          Drives drives);
 
 // What the references leave open of the car before: numbers that its change left alone (D45c).
 std::vector<Parameter> nuisancesOfBoth(const Subject& before, const std::vector<KnownWithin>& left_open);

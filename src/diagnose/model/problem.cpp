@@ -76,7 +76,7 @@ Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, 
         const bool same_car = recording::compared(drives);
         Differences all;
         all.parameters = nuisances(nominal, file.tolerances, same_car ? kSettings.between_days : 1);
-        for (Parameter& one : nuisancesOfEachDrive(nominal, file.tolerances, drives))
+        for (Parameter& one : nuisancesOfTheWind(nominal, file.tolerances, drives))
             all.parameters.push_back(std::move(one));
         all.nuisances.resize(all.parameters.size());
         std::iota(all.nuisances.begin(), all.nuisances.end(), 0);

@@ -54,7 +54,7 @@ model::Differences everything(const model::Subject& nominal, const recording::Di
                               const std::vector<catalogue::Effect>& effects, model::Drives drives) {
     model::Differences all;
     all.parameters = model::nuisances(nominal, tolerancesWithEffects(nominal, file, effects));
-    for (model::Parameter& one : model::nuisancesOfEachDrive(nominal, file.tolerances, drives))
+    for (model::Parameter& one : model::nuisancesOfTheWind(nominal, file.tolerances, drives))
         all.parameters.push_back(std::move(one));
     all.nuisances.resize(all.parameters.size());
     std::iota(all.nuisances.begin(), all.nuisances.end(), 0);
@@ -170,7 +170,7 @@ std::optional<CarBefore> carBefore(const model::Subject& nominal, const recordin
     for (Eigen::Index i = 0; i < std::ssize(fit->free); ++i) {
         const Eigen::Index p = fit->free[i];
         const model::Parameter& parameter = problem.replays.parameters[p];
-        if (parameter.only) continue;  // not of the car
+        if (parameter.only || parameter.of_the_day) continue;  // not of the car
         model::move(result.car, parameter, fit->at(p));
         result.moved[parameter.path()] = numberOf(*fit, problem.replays, i);
     }

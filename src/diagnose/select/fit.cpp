@@ -13,6 +13,8 @@ namespace {
 
 // Trial steps of a fit, and those after which the columns of the knobs are computed again at the latest.
 constexpr int kMostTrials = 14, kTrialsBeforeRenewal = 6;
+// Distance from the calibrated car, units, from which a fit starts with columns of the knobs at its own point.
+constexpr double kFarFromCalibrated = 0.5;
 constexpr double kEnough = 0.2;  // nats; the fit has converged when the next step promises less
 // A response is rough to within a few nats, since wheels lock and shifts come at instants. A fit also ends after two
 // failed steps in succession that promise less than this.
@@ -401,6 +403,7 @@ std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertain
         remainder == Remainder::estimated ? linearisation.imperfections : std::vector<Eigen::Index>{};
     const Fitter fitter = fitterOf(replays, drives, uncertainty, linearisation, imperfections, knobs);
     Moving now = startOf(fitter, linearisation, start, std::move(*rows), prior, remainder);
+    if (!knobs.empty() && start.at(knobs).norm() > kFarFromCalibrated) fitter.renewKnobs(now);
     climb(now, fitter, knobs.empty());
     if (remainder == Remainder::estimated)
         for (int turn = 0; turn < kMostTurns && !resize(now, fitter); ++turn) climb(now, fitter, true);

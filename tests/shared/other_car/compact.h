@@ -21,6 +21,7 @@ inline Params compact() {
     front.wheel_inertia = 1.0;
     front.compliance_steer = -5e-6;
     front.toe_by_travel = -3 * kDegree;
+    front.camber = -0.5 * kDegree;
     front.camber_by_travel = -12 * kDegree;
     front.lift_area = 0.10;
     front.tyre.loaded_radius = 0.291;
@@ -33,7 +34,9 @@ inline Params compact() {
     rear.unsprung_mass = 34;
     rear.wheel_inertia = 0.95;
     rear.compliance_steer = 0.5e-6;
+    rear.toe = 0.1 * kDegree;
     rear.toe_by_travel = 2 * kDegree;
+    rear.camber = -1.2 * kDegree;
     rear.camber_by_travel = -6 * kDegree;
     rear.lift_area = 0.16;
     rear.tyre.loaded_radius = 0.299;

@@ -19,8 +19,9 @@ struct Axle {
     double unsprung_mass = 0;              // kg, per wheel
     double wheel_inertia = 1;              // kg m2, per wheel
     double compliance_steer = 0;           // rad/N, per lateral force of the wheel
-    double toe_by_travel = 0;              // rad/m, toe-in
-    double camber_by_travel = 0;           // rad/m, positive: top outwards
+    double toe = 0, toe_by_travel = 0;     // rad, at rest, and rad/m, toe-in
+    double camber = 0;                     // rad, at rest, positive: top outwards
+    double camber_by_travel = 0;           // rad/m
     double lift_area = 0;                  // m2
 
     double rollStiffness() const {  // N m/rad, of suspension and tyres in series
@@ -31,6 +32,8 @@ struct Axle {
     double travelByRoll() const {
         return 0.5 * track * tyre.radial_stiffness / (spring + 2 * anti_roll_bar + tyre.radial_stiffness);
     }
+    // Travel of both wheels over that of the body above the axle.
+    double travelByDive() const { return tyre.radial_stiffness / (spring + tyre.radial_stiffness); }
     double pitchRate() const {  // N/m at the axle
         return 2 * spring * tyre.radial_stiffness / (spring + tyre.radial_stiffness);
     }
@@ -46,8 +49,8 @@ struct Axle {
 
 // Faults of one wheel; neutral by default.
 struct WheelFault {
-    double stiffness = 1, friction = 1;  // factors of the values of the tyre
-    double drag_torque = 0;              // N m, of a dragging brake
+    double stiffness = 1, slip_stiffness = 1, friction = 1;  // factors of the values of the tyre
+    double drag_torque = 0;                                  // N m, of a dragging brake
 };
 
 using Line = std::vector<std::array<double, 2>>;  // piecewise linear, {x, y}

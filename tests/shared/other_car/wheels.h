@@ -12,11 +12,16 @@ namespace other_car {
 
 using WheelTyres = std::array<Tyre, 4>;
 
+inline double rightward(std::size_t i) {  // 1 for a wheel on the right, -1 on the left
+    return i % 2 == 0 ? -1 : 1;
+}
+
 // Tyres of the axles with the faults of their wheels.
 inline WheelTyres tyresOf(const Params& p) {
     WheelTyres tyres{p.front.tyre, p.front.tyre, p.rear.tyre, p.rear.tyre};
     for (std::size_t i = 0; i < 4; ++i) {
         tyres[i].stiffness *= p.wheels[i].stiffness;
+        tyres[i].slip_stiffness *= p.wheels[i].slip_stiffness;
         tyres[i].friction *= p.wheels[i].friction;
     }
     return tyres;
@@ -45,15 +50,23 @@ inline void setLoads(const Params& p, const Vector& s, const Input& input, Force
     }
 }
 
+// Travel of wheel i by roll and pitch, m.
+inline double travelOf(const Params& p, std::size_t i, const Vector& s) {
+    const bool front = i < 2;
+    const Axle& a = front ? p.front : p.rear;
+    const double dive = front ? p.front_distance * s[kPitch] : -rearDistance(p) * s[kPitch];
+    return rightward(i) * a.travelByRoll() * rollAt(p, front, s) + a.travelByDive() * dive;
+}
+
 // Steer angle of wheel i relative to the body, rad.
-inline double steerOf(const Params& p, std::size_t i, const Vector& s, const Input& input, double side_force,
-                      double travel) {
+inline double steerOf(const Params& p, std::size_t i, const Vector& s, const Input& input, double side_force) {
     const Axle& a = i < 2 ? p.front : p.rear;
+    const double travel = travelOf(p, i, s);
     const double hand = p.structure.steering_column ? s[kColumn] : steeringWheelAfterLag(p, s, input);
     const double bend = p.structure.curved_roll_steer ? 1 + std::pow(travel / kToeCurve, 2) : 1;
     const double stiffer = p.structure.stiffening_bushes ? 1 + std::abs(side_force) / kBushForce : 1;
     return (i < 2 ? hand / (p.steering_ratio * (1 + p.ratio_curvature * hand * hand)) : 0) +
-           a.compliance_steer * side_force / stiffer + a.toe_by_travel * travel * bend;
+           a.compliance_steer * side_force / stiffer + rightward(i) * (a.toe + a.toe_by_travel * travel * bend);
 }
 
 // Cornering stiffness that determines the relaxation length, N/rad.
@@ -68,8 +81,8 @@ inline void addWheel(const Params& p, const Tyre& tyre, double arm, std::size_t 
     const bool front = i < 2;
     const Axle& a = front ? p.front : p.rear;
     const double x = front ? p.front_distance : -rearDistance(p), y = (i % 2 == 0 ? 0.5 : -0.5) * a.track;
-    const double roll = rollAt(p, front, s), travel = a.travelByRoll() * roll;
-    const double steer = steerOf(p, i, s, input, f.fy[i], travel);
+    const double steer = steerOf(p, i, s, input, f.fy[i]);
+    const double camber = rollAt(p, front, s) + rightward(i) * (a.camber + a.camber_by_travel * travelOf(p, i, s));
     // Velocity of the contact point in wheel axes.
     const double vx = s[kVx] - s[kYawRate] * y, vy = s[kVy] + s[kYawRate] * x + s[kRollRate] * arm;
     const double c = std::cos(steer), n = std::sin(steer);
@@ -79,8 +92,8 @@ inline void addWheel(const Params& p, const Tyre& tyre, double arm, std::size_t 
     f.rate[kAlpha + i] =
         along * tyre.carcass / relaxationStiffness(p, tyre, load) * (-std::atan2(across, along) - s[kAlpha + i]);
     f.rate[kKappa + i] = along * tyre.carcass_x / slipStiffness(tyre, load) * (kappa - s[kKappa + i]);
-    const TyreForce contact = force(tyre, p.structure, f.load[i], p.road_friction, s[kKappa + i], s[kAlpha + i],
-                                    roll + a.camber_by_travel * travel);
+    const TyreForce contact =
+        force(tyre, p.structure, f.load[i], p.road_friction, s[kKappa + i], s[kAlpha + i], camber);
     f.fx[i] = contact.fx;
     f.fy[i] = contact.fy;
     const double body_x = c * contact.fx - n * contact.fy, body_y = n * contact.fx + c * contact.fy;
