@@ -200,7 +200,7 @@ Fitter fitterOf(const Replays& replays, Drives drives, const Uncertainty& uncert
 inference::QuadraticModel quadraticOf(const Fit& fit, const model::NormalEquations& sum) {
     const Eigen::Index knobs = std::ssize(fit.knobs);
     inference::QuadraticModel model = inference::quadraticModel(sum, fit.at(fit.free));
-    if (fit.prior == SizePrior::none) {
+    if (fit.prior == SizePrior::none && knobs > 0) {
         // Takes the prior of the knobs out of what the model adds to information and gradient.
         model.information.diagonal().tail(knobs).array() -= 1 - kLeastPrior;
         model.gradient.tail(knobs) += (1 - kLeastPrior) * model.at.tail(knobs);
