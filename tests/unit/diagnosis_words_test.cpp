@@ -132,6 +132,11 @@ TEST(Headline, OfNothingSaysWhatTheGapConsistsOf) {
         .gap = 3, .tolerances = part(0.6), .causes = {}, .remainder = part(0.03), .noise = part(0.37), .each = {}};
     EXPECT_EQ(headline(d),
               "Nothing found: tolerances explain 60 % of the gap, 37 % is noise, 3 % of the gap remains unexplained");
+    d.effects = {{.name = "drag", .probability = 0.93, .parameters = {}}};
+    EXPECT_TRUE(headline(d).starts_with("Nothing certain, perhaps drag (p = 0.93): tolerances explain 60 %"))
+        << headline(d);
+    d.effects.front().probability = 0.4;
+    EXPECT_TRUE(headline(d).starts_with("Nothing found: "));
     d.nuisance = {{"mass", {.z = -3.5}}, {"wheelbase", {.z = 2.9}}};
     EXPECT_TRUE(headline(d).ends_with("; but mass moved by more than 3 standard deviations of its tolerance"));
     d.nuisance = {{"a", {.z = -3.5}}, {"b", {.z = 5}}, {"c", {.z = 4}}, {"d", {.z = 3.1}}, {"e", {.z = -3.2}}};

@@ -110,10 +110,17 @@ std::string ofUnknown(const Diagnosis& d) {
     return text + (law.empty() ? "" : ", it " + law) + doubtOfTolerances(d);
 }
 
+// "Nothing certain, perhaps mass (p = 0.9)": an effect may be likely and yet not certain enough to be a cause.
+std::string nothingNamed(const Diagnosis& d) {
+    constexpr double kLikely = 0.5;
+    if (d.effects.empty() || d.effects.front().probability <= kLikely) return "Nothing found";
+    return "Nothing certain, perhaps " + certainly(d, d.effects.front().name);
+}
+
 std::string ofNothing(const Diagnosis& d) {
     const Decomposition& gap = d.training;
-    if (!isDecomposed(gap)) return "Nothing found: the model explains the recordings within its tolerances";
-    return fmt::format("Nothing found: tolerances explain {} of the gap, {} is noise, {}{}",
+    if (!isDecomposed(gap)) return nothingNamed(d) + ": the model explains the recordings within its tolerances";
+    return fmt::format("{}: tolerances explain {} of the gap, {} is noise, {}{}", nothingNamed(d),
                        percentInWords(std::max(0.0, gap.tolerances.share)), percentInWords(gap.noise.share),
                        remainder(d), doubtOfTolerances(d));
 }

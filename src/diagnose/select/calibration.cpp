@@ -167,11 +167,11 @@ Deviation clamped(Deviation at, const std::vector<Eigen::Index>& some, const std
 
 std::optional<Closest> closestTo(const Calibration& car, const Deviation& at, const std::vector<Eigen::Index>& knobs) {
     const Replays within = withinTolerances(car);
-    const Deviation from = clamped(at, car.about.nuisances, within.parameters);
+    const Start from{.at = clamped(at, car.about.nuisances, within.parameters), .is_end = true};
     const Linearisation about =
         model::linearisation(car.about.about, car.about.nuisances, knobs, car.of_gap, within.threads);
     std::optional<Fit> fit =
-        fitted(within, car.drives(), car.of_gap, about, knobs, {from}, SizePrior::none, Remainder::usual);
+        fitted(within, car.drives(), car.of_gap, about, knobs, from, SizePrior::none, Remainder::usual);
     if (!fit) return std::nullopt;
     return Closest{std::move(fit->at), std::move(fit->rows)};
 }

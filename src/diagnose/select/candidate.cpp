@@ -147,7 +147,7 @@ std::optional<Candidate> CandidateFitter::fit(const Linearisation& about, const 
         // The second start is needed only when a knob did not leave its limit.
         if (best && (best->fit.at(knobs) - from.at(knobs)).cwiseAbs().minCoeff() > kStuck) break;
         std::optional<Fit> found = fitted(car_.problem.replays, car_.drives(), car_.uncertainty, about, knobs,
-                                          {std::move(at), from.sizes, from.imperfection});
+                                          {std::move(at), from.sizes, from.imperfection, from.is_end});
         if (found) keepBetter(best, Candidate{effects, over(*found), std::move(*found), true});
     }
     return best;

@@ -13,7 +13,7 @@ namespace {
 
 // Trial steps of a fit, and those after which the columns of the knobs are computed again at the latest.
 constexpr int kMostTrials = 14, kTrialsBeforeRenewal = 6;
-// Distance from the calibrated car, units, from which a fit starts with columns of the knobs at its own point.
+// Distance from the calibrated car, units, from which a fit that goes on starts with columns of the knobs at its point.
 constexpr double kFarFromCalibrated = 0.5;
 constexpr double kEnough = 0.2;  // nats; the fit has converged when the next step promises less
 // A response is rough to within a few nats, since wheels lock and shifts come at instants. A fit also ends after two
@@ -345,6 +345,13 @@ Moving startOf(const Fitter& fitter, const Linearisation& linearisation, const S
     return now;
 }
 
+// Whether the columns of the knobs at the calibrated car are wrong for a fit that goes on from another one.
+bool goesOnFarAway(const Start& start, const std::vector<Eigen::Index>& knobs) {
+    double squares = 0;
+    for (const Eigen::Index knob : knobs) squares += start.at(knob) * start.at(knob);
+    return start.is_end && squares > kFarFromCalibrated * kFarFromCalibrated;
+}
+
 }  // namespace
 
 Start anew(const Fit& fit) {
@@ -403,7 +410,7 @@ std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertain
         remainder == Remainder::estimated ? linearisation.imperfections : std::vector<Eigen::Index>{};
     const Fitter fitter = fitterOf(replays, drives, uncertainty, linearisation, imperfections, knobs);
     Moving now = startOf(fitter, linearisation, start, std::move(*rows), prior, remainder);
-    if (!knobs.empty() && start.at(knobs).norm() > kFarFromCalibrated) fitter.renewKnobs(now);
+    if (goesOnFarAway(start, knobs)) fitter.renewKnobs(now);
     climb(now, fitter, knobs.empty());
     if (remainder == Remainder::estimated)
         for (int turn = 0; turn < kMostTurns && !resize(now, fitter); ++turn) climb(now, fitter, true);

@@ -55,11 +55,14 @@ struct Start {
     Deviation at;
     std::optional<Sizes> sizes = {};
     model::Imperfection imperfection = model::usualImperfection();
+    // The end of another fit. Its columns of the knobs are then computed anew where they differ from those of the
+    // calibrated car. At other points, such as trials where the car slides, they may be no better than those.
+    bool is_end = false;
 };
 
 // Where a fit ended, so that another one goes on from there.
 inline Start endOf(const Fit& fit) {
-    return {fit.at, fit.sizes, fit.imperfection};
+    return {fit.at, fit.sizes, fit.imperfection, true};
 }
 
 // The same with the nuisances at their nominal values, which may hold what they did in place of effects. A fit that

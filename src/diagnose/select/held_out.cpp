@@ -9,7 +9,7 @@
 namespace tread::diagnose::select {
 namespace {
 
-constexpr int kDraws = 12;  // draws from the posterior, each one a replay of all these drives
+constexpr int kDraws = 24;  // draws from the posterior, each one a replay of all these drives
 
 Rows less(const Rows& one, const Rows& other) {
     Rows difference = one;
@@ -50,7 +50,7 @@ double HeldOut::product(const Rows& one, const Rows& other) const {
     return sum;
 }
 
-bool HeldOut::speakAgainst(const Fit& with, const Deviation& without) const {
+bool HeldOut::speakAgainst(const Fit& with, const Deviation& without, double variance_factor) const {
     if (uncertainty.noise.empty()) return false;
     const std::optional<Rows> after = model::rowsAt(problem.replays, problem.held_out, with.at);
     const std::optional<Rows> before = model::rowsAt(problem.replays, problem.held_out, without);
@@ -76,7 +76,8 @@ bool HeldOut::speakAgainst(const Fit& with, const Deviation& without) const {
         const double change = product(difference, less(*possible, *after));
         squares += change * change, ++count;
     }
-    if (count > 0) gap.by_numbers = squares / count;
+    if (count > 0) gap.by_numbers = variance_factor * squares / count;
+    if (problem.compared()) gap.by_numbers += std::pow(kSettings.structure * gap.difference, 2);
     return speaksAgainst(gap);
 }
 

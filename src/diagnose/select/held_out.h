@@ -13,8 +13,9 @@ struct HeldOut {
     // Squared gap of each drive; nothing without drives, or when the model cannot be driven in them.
     std::optional<std::vector<double>> gapOf(const Deviation& at) const;
     // True when the drives speak against a model: their gap does not shrink, which is improbable where the model is
-    // true, because they show its difference to the one without effects (D38b).
-    bool speakAgainst(const Fit& with, const Deviation& without) const;
+    // true, because they show its difference to the one without effects (D38b). `variance_factor`: on the variances of
+    // the fitted numbers, B of (D42).
+    bool speakAgainst(const Fit& with, const Deviation& without, double variance_factor) const;
 
 private:
     // Product of two changes of the rows, with disturbances marginalised.

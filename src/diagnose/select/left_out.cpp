@@ -55,8 +55,9 @@ const LeftOut::Fitted& LeftOut::fittedWith(const std::vector<std::size_t>& effec
     const auto [place, is_new] = fitted_.try_emplace({effects.begin(), effects.end()});
     Fitted& result = place->second;
     if (!is_new) return result;
-    const Deviation start = clamped(problem.withOnly(effects, from), car_.about.nuisances, within_.parameters);
-    result.fit = fitted(within_, problem.drives, car_.uncertainty, car_.about, problem.knobsOf(effects), {start},
+    const Start start{.at = clamped(problem.withOnly(effects, from), car_.about.nuisances, within_.parameters),
+                      .is_end = true};
+    result.fit = fitted(within_, problem.drives, car_.uncertainty, car_.about, problem.knobsOf(effects), start,
                         SizePrior::typical, Remainder::usual);
     if (!result.fit) return result;
     result.gaps = gapsLeftOut(car_, within_.parameters, *result.fit);

@@ -123,11 +123,23 @@ std::set<std::string> credible(const Problem& problem, const Posterior& posterio
     return names;
 }
 
-bool implausible(const Problem& problem, const Fit& fit) {
-    return std::any_of(fit.knobs.begin(), fit.knobs.end(), [&](Eigen::Index k) {
+// True when a knob is at an end of its plausible range. Where that end is within the sizes that are usual, the data
+// must want it beyond by more than their uncertainty.
+bool implausible(const Calibration& car, const Fit& fit) {
+    constexpr double kUsual = 2;   // typical sizes
+    constexpr double kBeyond = 2;  // standard deviations
+    const inference::QuadraticModel here = quadraticAt(fit, car.uncertainty);
+    const Eigen::VectorXd slope = here.gradient - here.at;  // of the log posterior
+    for (Eigen::Index i = std::ssize(fit.free) - std::ssize(fit.knobs); i < std::ssize(fit.free); ++i) {
+        const Parameter& knob = car.problem.replays.parameters[fit.free[i]];
+        const double units = fit.at(fit.free[i]);
         // A knob at 0 has found nothing, which is no reason against the others.
-        return fit.at(k) != 0 && problem.replays.parameters[k].implausibleAt(fit.at(k));
-    });
+        if (units == 0 || !knob.implausibleAt(units)) continue;
+        if (std::abs(units) > kUsual) return true;
+        const double outwards = knob.highest - units < units - knob.lowest ? slope(i) : -slope(i);
+        if (outwards * std::sqrt(fit.covariance(i, i)) > kBeyond) return true;
+    }
+    return false;
 }
 
 // The fit of a model in which the sizes of its effects are free of the prior that ranked it.
@@ -170,14 +182,15 @@ constexpr const char* kAtItsEnd = "a number is at the end of its plausible range
 // Why a model cannot be the answer, as far as its fit tells; empty when it can: its numbers are plausible, it predicts
 // the drives that are left out, its effects have the same values in all drives, and those held out do not speak against
 // it.
-std::string reasonInTheFit(const Calibration& car, const Candidate& model, const Search& found,
-                           const HeldOut& held_out) {
+std::string reasonInTheFit(const Calibration& car, const Candidate& model, const Search& found, const HeldOut& held_out,
+                           double variance_factor) {
     const Fit& none = found.none().fit;
     if (model.effects.empty()) return {};
-    if (implausible(car.problem, model.fit)) return kAtItsEnd;
+    if (implausible(car, model.fit)) return kAtItsEnd;
     if (predicted(car, model.fit, none).fails()) return "it does not predict drives that are left out of the fit";
     if (contradicted(car, model, found)) return "one drive supports it and the others contradict it";
-    if (held_out.speakAgainst(model.fit, none.at)) return "it does not reduce the gap of the held-out drives";
+    if (held_out.speakAgainst(model.fit, none.at, variance_factor))
+        return "it does not reduce the gap of the held-out drives";
     return {};
 }
 
@@ -234,12 +247,13 @@ Answer answerOf(const Calibration& car, const Search& found, const HeldOut& held
     while (true) {
         Posterior probable = posterior(car, found, possible);
         const Candidate* named = choose(probable);
-        if (std::string reason = reasonInTheFit(car, *named, found, held_out); !reason.empty()) {
+        if (std::string reason = reasonInTheFit(car, *named, found, held_out, probable.variance_factor);
+            !reason.empty()) {
             strike(named, std::move(reason));
             continue;
         }
         Fit answer = released(car, *named);
-        if (implausible(car.problem, answer)) {
+        if (implausible(car, answer)) {
             strike(named, kAtItsEnd);
             continue;
         }
