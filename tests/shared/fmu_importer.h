@@ -55,6 +55,13 @@ inline std::vector<Tag> tagsOf(const std::string& xml) {
     return tags;
 }
 
+// The C++ library within an FMU keeps memory for exceptions, a leak once nothing refers to it any more.
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr int kHowToLoad = RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE;
+#else
+inline constexpr int kHowToLoad = RTLD_NOW | RTLD_LOCAL;
+#endif
+
 // Unpacked in a folder of its own.
 class Fmu {
 public:
@@ -63,12 +70,6 @@ public:
             std::filesystem::create_directories(std::filesystem::path(scratch_.path(name)).parent_path());
             scratch_.file(name, content);
         }
-#if defined(__SANITIZE_ADDRESS__)
-        // The C++ library within an FMU keeps memory for exceptions, a leak once nothing refers to it any more.
-        constexpr int kHowToLoad = RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE;
-#else
-        constexpr int kHowToLoad = RTLD_NOW | RTLD_LOCAL;
-#endif
         const bool fmi3 = tags.front().attributes.at("fmiversion") == "3.0";
         token = tags.front().attributes.at(fmi3 ? "instantiationtoken" : "guid");
         resources = fmi3 ? scratch_.path("resources/") : "file://" + scratch_.path("resources");
