@@ -123,8 +123,8 @@ std::set<std::string> credible(const Problem& problem, const Posterior& posterio
     return names;
 }
 
-// True when a knob is at an end of its plausible range. Where that end is within the sizes that are usual, the data
-// must want it beyond by more than their uncertainty.
+// True when a knob is at an end of its plausible range. If that end is within the usual sizes, the fit without it must
+// also lie beyond it by more than the uncertainty of the knob.
 bool implausible(const Calibration& car, const Fit& fit) {
     constexpr double kUsual = 2;   // typical sizes
     constexpr double kBeyond = 2;  // standard deviations
