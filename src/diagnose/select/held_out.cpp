@@ -64,6 +64,7 @@ bool HeldOut::speakAgainst(const Fit& with, const Deviation& without, double var
     const Rows difference = less(*after, *before);
     HeldOutGap gap{product(left, left), product(was, was), product(difference, difference), 1};
     gap.variance = std::max(1.0, std::min(gap.with, gap.without) / expected);
+    if (problem.compared()) gap.by_numbers = std::pow(kSettings.structure * gap.difference, 2);
     if (!speaksAgainst(gap)) return false;
 
     // Nor may the numbers of a true model be those of its fit.
@@ -76,8 +77,7 @@ bool HeldOut::speakAgainst(const Fit& with, const Deviation& without, double var
         const double change = product(difference, less(*possible, *after));
         squares += change * change, ++count;
     }
-    if (count > 0) gap.by_numbers = variance_factor * squares / count;
-    if (problem.compared()) gap.by_numbers += std::pow(kSettings.structure * gap.difference, 2);
+    if (count > 0) gap.by_numbers += variance_factor * squares / count;
     return speaksAgainst(gap);
 }
 
