@@ -54,6 +54,9 @@ struct Recording {
     RoadParams road = {};
     WindParams wind = {};
 
+    // s, time until which the replay follows the measured speed: infinity if it does so throughout.
+    double followedUntil() const { return speed == SpeedReplay::followed ? kInfinity : followed_for; }
+
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(log), About{"", "log of the real car (CSV, VBO or MAT), relative to this file"});
         field(TREAD_FIELD(name), About{"", "name in the report; empty: file name of the log"});
@@ -131,7 +134,8 @@ struct DiagnosisFile {
     double windows = 6;
 
     static constexpr void describe(auto& self, auto&& field) {
-        field(TREAD_FIELD(vehicle), About{"", "file of the nominal car, relative to this file, or the name of a shipped one"});
+        field(TREAD_FIELD(vehicle),
+              About{"", "file of the nominal car, relative to this file, or the name of a shipped one"});
         field(TREAD_FIELD(vehicle_settings), About{"", "changes to the nominal car, each path=value"});
         field(
             TREAD_FIELD(import),

@@ -28,6 +28,7 @@ static_assert(describesEveryMember<Instrument>());
 struct InertialUnit {
     double x = 0, y = 0, z = 0;
     double roll = 0, pitch = 0, yaw = 0;
+    double fixed_to_body = 0;
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(x), About{"m", "position forward of the centre of gravity"});
@@ -36,6 +37,11 @@ struct InertialUnit {
         field(TREAD_FIELD(roll), About{"rad", "roll misalignment, positive with the right side down"});
         field(TREAD_FIELD(pitch), About{"rad", "pitch misalignment, positive with the nose down"});
         field(TREAD_FIELD(yaw), About{"rad", "yaw misalignment, positive when turned to the left"});
+        field(TREAD_FIELD(fixed_to_body),
+              About{"-",
+                    "share of the gravity through roll and pitch of the body that the accelerometers read: 1 if fixed "
+                    "to the body, 0 if level or corrected",
+                    kFraction});
     }
 };
 static_assert(describesEveryMember<InertialUnit>());

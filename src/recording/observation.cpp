@@ -35,12 +35,16 @@ const std::vector<double>& column(const Log& motion, const std::string& name) {
     throw std::logic_error("the model's motion has no " + name);
 }
 
-// Acceleration at the position of the inertial unit, with the gravity that a tilted unit reads (level axes, small
-// angles) (D3).
+// Acceleration at the position of the inertial unit, with the gravity that a tilted unit reads (small angles) (D3).
 std::vector<double> acceleration(const Log& motion, const InertialUnit& unit, bool lateral, double rows_per_second) {
     std::vector<double> values = column(motion, lateral ? "chassis.ay" : "chassis.ax");
     const double lean = lateral ? unit.roll : -unit.pitch;
     for (double& value : values) value += kStandardGravity * lean;
+    if (unit.fixed_to_body != 0) {
+        const double share = lateral ? unit.fixed_to_body : -unit.fixed_to_body;
+        const std::vector<double>& angle = column(motion, lateral ? "chassis.roll" : "chassis.pitch");
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] += kStandardGravity * share * angle[i];
+    }
     if (unit.yaw != 0) {
         const std::vector<double>& across = column(motion, lateral ? "chassis.ax" : "chassis.ay");
         for (std::size_t i = 0; i < values.size(); ++i) values[i] += (lateral ? -unit.yaw : unit.yaw) * across[i];

@@ -84,7 +84,7 @@ std::vector<double> ofTheDrive(const Channel& measured, const std::vector<double
 double comparedFrom(const Recording& recording, const std::string& channel) {
     const std::string_view quantity = quantityOf(channel);
     if (quantity != "chassis.vx" && quantity != "chassis.ax") return 0;
-    return recording.speed == SpeedReplay::followed ? kInfinity : recording.followed_for;
+    return recording.followedUntil();
 }
 
 // A channel with its blocks, as far as it is compared.

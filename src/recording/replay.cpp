@@ -86,7 +86,7 @@ Phase startedLater(Phase phase, double by) {
 }
 
 bool isFollowedThroughout(const RecordedDrive& drive) {
-    return drive.recording->speed == SpeedReplay::followed || drive.recording->followed_for >= drive.duration();
+    return drive.recording->followedUntil() >= drive.duration();
 }
 
 // The drive, in two phases if its speed is followed at first, by so much faster than recorded.
@@ -139,7 +139,7 @@ Scenario replayOf(const RecordedDrive& drive, const Subject& subject, const Repl
     if (yaw_rate && beginsInTurn(drive.speed, drive.time, yaw_rate->values)) runIntoTurn(scenario);
     scenario.time_limit = drive.duration() + 1;
     scenario.log.rate = 1 / replayer.step;
-    scenario.log.channels = {"chassis.pitch_rate"};
+    scenario.log.channels = {"chassis.pitch_rate", "chassis.pitch"};
     for (const ObservedQuantity& quantity : observedQuantities()) scenario.log.channels.push_back(quantity.channel);
     return scenario;
 }

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "base/read_yaml.h"
 #include "compare/time_shift.h"
+#include "recording/observation.h"
 #include "run/sensors.h"
 #include "shared/vehicle_run.h"
 
@@ -113,6 +115,33 @@ TEST(Sensors, RollLeaksGravityIntoLateralAcceleration) {
                     -ay * std::sin(kTilt) + (az + kStandardGravity) * std::cos(kTilt) - kStandardGravity, 1e-9);
     }
     EXPECT_GT(leak, 0.1);
+}
+
+// The instruments of a diagnosis read the motion at the centre of gravity; a sensor in the run is part of the body.
+TEST(Sensors, InstrumentFixedToTheBodyReadsWhatSuchASensorDoes) {
+    Scenario scenario = shared::scenario("braking_in_turn");
+    scenario.road.bank = 0.03;
+    scenario.log.channels = {"chassis.ax", "chassis.ay", "chassis.roll", "chassis.pitch"};
+    scenario.log.sensors = readYamlText<LogParams>(
+                               "sensors: [{channel: chassis.ax, name: along, fixed_to_body: true}, "
+                               "{channel: chassis.ay, name: across, fixed_to_body: true}]",
+                               "log.yaml")
+                               .sensors;
+    const Log log = simulate(shared::compact(), scenario);
+    recording::Instruments fixed;
+    fixed.inertial_unit.fixed_to_body = 1;
+    const std::vector<double>& time = channel(log, "time");
+    for (const auto& [quantity, sensor] : {std::pair("chassis.ax", "sensor.along"), {"chassis.ay", "sensor.across"}}) {
+        const std::vector<double> read = recording::readings(log, fixed, quantity, time);
+        const std::vector<double>&level = channel(log, quantity), &shown = channel(log, sensor);
+        double gravity = 0, off = 0;
+        for (std::size_t i = 0; i < time.size(); ++i) {
+            gravity = std::max(gravity, std::abs(shown[i] - level[i]));
+            off = std::max(off, std::abs(read[i] - shown[i]));
+        }
+        EXPECT_GT(gravity, 0.05) << quantity;
+        EXPECT_LT(off, 0.05 * gravity + 0.01) << quantity << ": vertical motion and squares of small angles";
+    }
 }
 
 // At rest nothing but gravity acts: pitch with the nose down leaks it backwards.

@@ -81,6 +81,7 @@ enum Seen {
     kWheels,
     kYawing = kWheels + 4,
     kRolling,
+    kNodding,
     kEngine,
     kSeen
 };
@@ -115,15 +116,19 @@ void observe(Motion& motion, const Car& car, const Input& driver) {
     for (std::size_t i = 0; i < 4; ++i) motion[kWheels + i].push_back(s[kSpin + i]);
     motion[kYawing].push_back(f.rate[kYawRate]);
     motion[kRolling].push_back(f.rate[kRollRate]);
+    motion[kNodding].push_back(car.pitch());
     motion[kEngine].push_back(car.engineSpeed());
 }
 
-// Accelerations at the position of the inertial unit, with gravity by its misalignment.
+// Accelerations at the position of the inertial unit, with gravity by its misalignment and, where it is fixed to the
+// body, by the roll and pitch of the body.
 void mount(Motion& motion, const tread::recording::InertialUnit& unit) {
     for (std::size_t i = 0; i < motion[kAx].size(); ++i) {
         const double turning = motion[kTurning][i] * motion[kTurning][i], yaw = motion[kYawing][i];
-        motion[kAx][i] += -yaw * unit.y - turning * unit.x - kGravity * unit.pitch;
-        motion[kAy][i] += yaw * unit.x - turning * unit.y - motion[kRolling][i] * unit.z + kGravity * unit.roll;
+        motion[kAx][i] +=
+            -yaw * unit.y - turning * unit.x - kGravity * (unit.pitch + unit.fixed_to_body * motion[kNodding][i]);
+        motion[kAy][i] += yaw * unit.x - turning * unit.y - motion[kRolling][i] * unit.z +
+                          kGravity * (unit.roll + unit.fixed_to_body * motion[kLean][i]);
     }
 }
 

@@ -42,7 +42,9 @@ void drive(const VehicleParams& car, const Scenario& scenario, const Recorder& r
     recorder.begin(columns);
     Eigen::Vector2d x(0, 0);
     double speed = scenario.start.speed, roll = 0;
-    const auto rows = static_cast<int>(*scenario.phases.back().until.duration / scenario.step) + 1;
+    double duration = 0;
+    for (const Phase& phase : scenario.phases) duration += *phase.until.duration;
+    const auto rows = static_cast<int>(duration / scenario.step) + 1;
     for (int k = 0; k <= rows; ++k) {
         const double t = k * scenario.step, angle = valueAt(scenario.phases.back().steering, 0, t);
         const Push push = pushing ? pushing(t, {}, {}) : Push{};
@@ -72,7 +74,7 @@ struct Swing {
     Log nominal;
     Problem problem;
 
-    Swing() {
+    explicit Swing(const recording::Recording& recording = {.log = "drive", .name = "drive"}) {
         Scenario scenario = simple_car::slalom(kSpeed);
         Curve angle;
         for (double t = 0; t < kDuration; t += 0.05) angle.points.push_back({t, 0.25 * (1 - std::cos(0.8 * t))});
@@ -86,7 +88,7 @@ struct Swing {
                                  "chassis.ax",
                                  "chassis.ay"};
         drive(made.nominal.vehicle, scenario, recorderInto(nominal), {});
-        made.file.recordings = {{.log = "drive", .name = "drive"}};
+        made.file.recordings = {recording};
         made.file.step = kStep;
         made.recorded.logs = {nominal};
         diagnose::Options options;
@@ -155,6 +157,30 @@ TEST(ErrorsOfForces, DoWhatAForceInProportionToTheAccelerationDoes) {
         first += count;
     }
     EXPECT_EQ(told.kinds[first], Disturbed::speed_reading) << "errors of the readings come next";
+}
+
+// The recorded speed contains what pushes the car back and forth: it is driven at that speed.
+TEST(Disturbances, DoNotChangeASpeedThatIsFollowed) {
+    for (const double followed_until : {3.0, kInfinity}) {
+        const Swing swing(
+            followed_until < kDuration
+                ? recording::Recording{.log = "drive", .name = "drive", .followed_for = followed_until}
+                : recording::Recording{.log = "drive", .name = "drive", .speed = recording::SpeedReplay::followed});
+        const Disturbances told = disturbances(swing.problem.replays, swing.problem.drives.front(), swing.made.nominal);
+        const Index hats = told.hats();
+        const MatrixXd by_height =
+            told.columns.leftCols(hats) *
+            told.correlation_factor.triangularView<Eigen::Lower>().solve(MatrixXd::Identity(hats, hats));
+        for (Index i = 0; i < hats; ++i) {
+            const double largest = by_height.col(i).cwiseAbs().maxCoeff();
+            if (told.times[i] < followed_until) {
+                EXPECT_LT(largest, 1e-12) << told.times[i];
+            } else if (told.times[i] < kDuration - 1) {
+                EXPECT_GT(largest, 1e-4) << told.times[i];
+            }
+        }
+        EXPECT_GT(told.columns.middleCols(hats, hats).cwiseAbs().maxCoeff(), 1e-4) << "of lateral disturbances";
+    }
 }
 
 // A drift of one channel: a line between values 1 s apart, which correlate over 2 s, and nothing in the other channels.

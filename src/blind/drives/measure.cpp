@@ -62,6 +62,34 @@ SensorParams sensorOf(const InstrumentSheet& sheet, const Truth& truth, bool noi
     return sensor;
 }
 
+// Two more sensors in the place of one: level and fixed to the body, without noise and bias.
+constexpr std::string_view kLevel = "level ", kFixed = "fixed ";
+void addBothWays(SensorParams sensor, std::vector<SensorParams>& sensors) {
+    sensor.noise = sensor.bias = 0;
+    sensor.name = std::string(kLevel) + sensor.channel;
+    sensors.push_back(sensor);
+    sensor.name = std::string(kFixed) + sensor.channel;
+    sensor.fixed_to_body = true;
+    sensors.push_back(sensor);
+}
+
+// Adds to each accelerometer the share of the gravity that it reads where the body rolls and pitches, and removes the
+// sensors that tell it.
+void addGravity(Log& log, double share) {
+    for (const InstrumentSheet& sheet : instrumentSheets()) {
+        const Channel* level = log.find(std::string(kLevel) + std::string(sheet.channel));
+        const Channel* fixed = log.find(std::string(kFixed) + std::string(sheet.channel));
+        if (!level || !fixed) continue;
+        const auto reading = std::find_if(log.channels.begin(), log.channels.end(),
+                                          [&](const Channel& channel) { return channel.name == sheet.channel; });
+        for (std::size_t i = 0; i < reading->values.size(); ++i)
+            reading->values[i] += share * (fixed->values[i] - level->values[i]);
+    }
+    std::erase_if(log.channels, [](const Channel& channel) {
+        return channel.name.starts_with(kLevel) || channel.name.starts_with(kFixed);
+    });
+}
+
 // The true car with the differences of this drive.
 Truth inThisDrive(Truth truth, std::uint64_t seed, const Conditions& conditions) {
     if (!truth.own || !conditions.surroundings) return truth;
@@ -81,8 +109,12 @@ Scenario scenarioOf(const Truth& truth, const Drive& drive, std::uint64_t seed, 
     scenario.log.channels = {"driveline.gear"};
     scenario.log.channels.emplace_back(kEngineSpeed);
     const int noise_seed = static_cast<int>(seedOf(seed, noise_stream) >> 34);
-    for (const InstrumentSheet& sheet : instrumentSheets())
-        scenario.log.sensors.push_back(sensorOf(sheet, truth, conditions.noise && !truth.own, noise_seed));
+    for (const InstrumentSheet& sheet : instrumentSheets()) {
+        const SensorParams sensor = sensorOf(sheet, truth, conditions.noise && !truth.own, noise_seed);
+        scenario.log.sensors.push_back(sensor);
+        if (isAccelerometer(sheet.channel) && truth.car.instruments.inertial_unit.fixed_to_body > 0)
+            addBothWays(sensor, scenario.log.sensors);
+    }
     return scenario;
 }
 
@@ -126,6 +158,7 @@ Log readingsOf(const Truth& truth, const Drive& drive, std::uint64_t seed, const
     for (Channel& channel : log.channels) {
         if (channel.name.starts_with(kSensor)) channel.name.erase(0, kSensor.size());
     }
+    addGravity(log, now.car.instruments.inertial_unit.fixed_to_body);
     Random misreading(seedOf(seed, misreading_stream));
     if (now.misread) now.misread(log, misreading);
     return log;

@@ -146,10 +146,12 @@ constexpr PlausibleRange kRanges[] = {
     {"instruments.mountings.*.x", -0.8, 0.8, wheelbase, "within the car"},
     {"instruments.mountings.*.y", -0.4, 0.4, wheelbase, "within the car"},
     {"instruments.mountings.*.z", -0.3, 0.5, wheelbase, "within the car"},
+    {"instruments.mountings.*.fixed_to_body", 0, 1, one, "definition"},
     {"instruments.mountings.*", -0.15, 0.15, one, "9 deg"},
     {"instruments.inertial_unit.x", -0.8, 0.8, wheelbase, "within the car"},
     {"instruments.inertial_unit.y", -0.4, 0.4, wheelbase, "within the car"},
     {"instruments.inertial_unit.z", -0.3, 0.5, wheelbase, "within the car"},
+    {"instruments.inertial_unit.fixed_to_body", 0, 1, one, "definition"},
     {"instruments.inertial_unit.*", -0.15, 0.15, one, "9 deg"},
 };
 

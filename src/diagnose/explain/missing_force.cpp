@@ -125,11 +125,9 @@ struct Clarity {
     answer::Moment when;
 
     void add(const Reading& reading, const recording::RecordedDrive& drive, const model::Disturbances& disturbing) {
-        const bool followed = drive.recording->speed == recording::SpeedReplay::followed;
         for (Eigen::Index i = 0; i < reading.force.size(); ++i) {
             const Disturbed kind = disturbing.kinds[i];
-            // In a drive that follows the measured speed the controller supplies any missing longitudinal force.
-            if (followed && kind == Disturbed::longitudinal) continue;
+            if (model::isFollowed(drive, kind, disturbing.times[i])) continue;
             const double square = reading.force(i) * reading.force(i), chance = reading.by_chance(i) + kUninformed;
             shown[model::placeOf(kind)] += std::max(0.0, std::log(square / chance));
             if (square - chance <= most) continue;

@@ -96,6 +96,12 @@ struct PushedReplay {
 
 constexpr std::array kPushed{Disturbed::longitudinal, Disturbed::lateral, Disturbed::yaw, Disturbed::roll};
 
+// True if the speed is followed at all times of the pushes.
+bool nothingToPush(const PushedReplay& one, const Course& course) {
+    const Eigen::Index last = one.first + (course.hats - 1 - one.first) / kApart * kApart;
+    return isFollowed(course.drive, one.kind, peakOf(last));
+}
+
 // Those of each drive in turn, kind by kind.
 std::vector<PushedReplay> pushedReplays(const Replays& replays, const std::vector<Subject>& subjects,
                                         const std::vector<Course>& courses) {
@@ -107,6 +113,7 @@ std::vector<PushedReplay> pushedReplays(const Replays& replays, const std::vecto
                 all.push_back({d, kind, first});
         }
     }
+    std::erase_if(all, [&](const PushedReplay& one) { return nothingToPush(one, courses[one.drive]); });
     drivenTogether(all.size(), replays.threads, [&](std::size_t i) {
         PushedReplay& one = all[i];
         const Course& course = courses[one.drive];
@@ -138,6 +145,7 @@ Eigen::MatrixXd pushed(const std::vector<PushedReplay>& all, std::size_t drive, 
                 }
             }
             change -= column;
+            if (isFollowed(course.drive, kind, peakOf(which))) column.setZero();
         }
     }
     return columns;
@@ -291,6 +299,10 @@ Disturbed readingErrorOf(std::string_view channel) {
     if (contains(".ax") || contains(".ay")) return Disturbed::acceleration_reading;
     if (contains(".vx") || contains(".vy")) return Disturbed::speed_reading;
     return Disturbed::angle_reading;
+}
+
+bool isFollowed(const RecordedDrive& drive, Disturbed kind, double time) {
+    return kind == Disturbed::longitudinal && time < drive.recording->followedUntil();
 }
 
 double usualSize(Disturbed kind, const VehicleParams& car) {

@@ -42,11 +42,29 @@ bool isFree(const Fit& fit, const std::vector<Eigen::Index>& knobs) {
     return std::find_first_of(fit.knobs.begin(), fit.knobs.end(), knobs.begin(), knobs.end()) != fit.knobs.end();
 }
 
+// Knobs of two effects whose signatures are most alike.
+struct Alike {
+    double cosine = 0;
+    Eigen::Index one = 0, other = 0;  // places in the products
+};
+
+Alike mostAlike(const Problem& problem, const Eigen::MatrixXd& products, std::size_t a, std::size_t b) {
+    Alike most;
+    for (const Eigen::Index i : placesOf(problem, a)) {
+        for (const Eigen::Index j : placesOf(problem, b)) {
+            const double size = std::sqrt(products(i, i) * products(j, j));
+            if (size > 0 && std::abs(products(i, j)) > most.cosine * size)
+                most = {std::abs(products(i, j)) / size, i, j};
+        }
+    }
+    return most;
+}
+
 // The recording with the largest part of the second effect's signature that the first cannot imitate. `equations`: of
 // each drive.
 std::string mostTelling(const Calibration& car, const Screen& screen,
                         const std::vector<model::NormalEquations>& equations, std::size_t a, std::size_t b) {
-    const Eigen::Index i = placesOf(car.problem, a).front(), j = placesOf(car.problem, b).front();
+    const auto [alike, i, j] = mostAlike(car.problem, screen.products, a, b);
     const double slope = screen.products(i, j) / screen.products(i, i);
     const Eigen::Index offset = std::ssize(car.about.nuisances);
     std::string recording;
@@ -137,14 +155,7 @@ std::vector<double> gainsOver(const Calibration& car, const Linearisation& about
 }
 
 double cosine(const Problem& problem, const Eigen::MatrixXd& products, std::size_t a, std::size_t b) {
-    double largest = 0;
-    for (const Eigen::Index i : placesOf(problem, a)) {
-        for (const Eigen::Index j : placesOf(problem, b)) {
-            const double size = std::sqrt(products(i, i) * products(j, j));
-            if (size > 0) largest = std::max(largest, std::abs(products(i, j)) / size);
-        }
-    }
-    return largest;
+    return mostAlike(problem, products, a, b).cosine;
 }
 
 std::vector<answer::ConfusablePair> confusablePairs(const Calibration& car, const Screen& screen,

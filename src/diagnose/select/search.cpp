@@ -240,12 +240,22 @@ private:
         fitRivals(best, linearisedAt(car_, best.fit.at), endOf(best.fit));
     }
 
+    // Whether a single effect can imitate one of a candidate: its fit may lag behind only because it went astray.
+    bool canImitate(const Candidate& single, const Candidate& other) const {
+        if (single.effects.size() != 1) return false;
+        const std::vector<std::string>& alike = problem_.effects[single.effects.front()].alike;
+        return std::any_of(other.effects.begin(), other.effects.end(), [&](std::size_t e) {
+            return std::find(alike.begin(), alike.end(), problem_.effects[e].name) != alike.end();
+        });
+    }
+
     // Fits the rivals of a candidate again, about its point: fits that came from elsewhere may differ by more than
     // their effects do. `start`: of the candidate; the knobs of each rival take the place of its own.
     void fitRivals(const Candidate& best, const Linearisation& here, const Start& start) {
         std::vector<Candidate> rivals;
         for (const Candidate& one : found_)
-            if (one.fitted && !one.of(best.effects) && one.log_evidence > best.log_evidence - kFarBehind)
+            if (one.fitted && !one.of(best.effects) &&
+                (one.log_evidence > best.log_evidence - kFarBehind || canImitate(one, best)))
                 rivals.push_back(one);
         sort(rivals);
         if (rivals.size() > kMostRivals) rivals.resize(kMostRivals);

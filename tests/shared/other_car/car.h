@@ -48,6 +48,8 @@ public:
     const Vector& state() const { return s_; }
     // Roll angle of the body against the horizon, rad.
     double roll() const { return s_[kRoll] + slope(p_, s_).y; }
+    // Pitch angle of the body against the horizon, rad, positive nose down.
+    double pitch() const { return s_[kPitch] - slope(p_, s_).x; }
     Forces forces(const Input& input) const { return settled(input); }
     // Forces of the last stage of the last step.
     const Forces& lastForces() const { return forces_; }
