@@ -26,7 +26,7 @@ std::string badge(const Diagnosis& d) {
         case DiagnosisVerdict::ambiguous:
             return "ambiguous";
         case DiagnosisVerdict::unknown:
-            return d.causes.empty() ? "cause unknown" : "mostly unknown";
+            return d.causes.empty() ? "cause unknown" : "cause mostly unknown";
         case DiagnosisVerdict::not_testable:
             return "not testable";
         case DiagnosisVerdict::partly_explained:

@@ -262,7 +262,7 @@ TEST(DiagnosisReport, DoesNotCallCausesUnknownThatItNames) {
     Diagnosis d = shared::sampleDiagnosis();
     d.verdict = Verdict::unknown;
     ASSERT_FALSE(d.causes.empty());
-    EXPECT_TRUE(contains(page(d), "✗ mostly unknown"));
+    EXPECT_TRUE(contains(page(d), "✗ cause mostly unknown"));
     d.causes.clear();
     EXPECT_TRUE(contains(page(d), "✗ cause unknown"));
 }
