@@ -18,19 +18,21 @@ struct Settings {
     double block = recording::kBlock;
     // Raising it compares more of a slide, where small causes have large consequences.
     double slide_angle = recording::kSlideAngle;
-    // Longer lets disturbances explain slow differences, and so hides offsets.
-    double correlation_time = 0.5;
+    // Longer lets disturbances explain slow differences, and so hides offsets. The hats, half of it apart, must resolve
+    // the roll resonance of a car, 1.5 to 2 Hz. With 0.5 s, the evidence of models without an effect is lower by 480
+    // nats (a car of another simulator), 720 and 30 (two measured cars).
+    double correlation_time = 0.25;
     // Too large hides effects, too small blames them for wind: the sizes are therefore estimated from the drives, and
     // these are the medians of their priors. Those of longitudinal, lateral and steering are medians of 21 development
-    // cars without an unknown cause, 15 of the own world and 6 of another simulator with references (0.028, 0.075 and
-    // 0.0006; the logarithms have standard deviations of 0.3 to 0.4).
+    // cars without an unknown cause, 11 of the own world and 10 of another simulator with references (0.033, 0.050 and
+    // 0.0005; the logarithms have standard deviations of 0.2 to 0.4).
     // That of yaw follows from the lateral force of a good road, 0.04 m/s2. Both axles meet the same road, one 0.1 s
     // after the other, so that their forces differ by 0.6 of one of them; times half a wheelbase, over the inertia
-    // m L^2/4. Gusts do the rest of the lateral force, and push both axles at once. These cars have 0.006 to
-    // 0.075.
+    // m L^2/4. Gusts do the rest of the lateral force, and push both axles at once. These cars have 0.005 to
+    // 0.03.
     // That of roll is what a good road does (ISO 8608, class A): below 2 Hz its left and right tracks differ by 3 mm at
     // 25 m/s, a tilt of 2 mrad, which moves a car of 60 kN m/rad by 120 N m.
-    double longitudinal = 0.03, lateral = 0.08, yaw = 0.025, roll = 0.6, steering = 0.0006;
+    double longitudinal = 0.03, lateral = 0.05, yaw = 0.025, roll = 0.6, steering = 0.0006;
     // In development cases without an unknown cause, fits left errors of 0.6 to 1 % of the forces (four of the own
     // world, three of another simulator with references). They last as long as a manoeuvre. Too large hides effects
     // that act in proportion to the acceleration.
@@ -97,10 +99,10 @@ struct Settings {
                                         "dynamics lie below 5 Hz"});
         field(TREAD_FIELD(slide_angle),
               About{"rad",
-                    "difference between the sideslip angles of car and model, within three correlation times, at which "
-                    "the usable part of a drive ends: about the sideslip angle of a car that still grips"});
+                    "difference between the sideslip angles of car and model, within 1.5 s, at which the comparison of "
+                    "a drive ends: about the sideslip angle of a car that still grips"});
         field(TREAD_FIELD(correlation_time),
-              About{"s", "time in which a disturbance falls to 1/e; the hat functions are half of it apart: guess"});
+              About{"s", "time in which a disturbance falls to 1/e; the hat functions are half of it apart"});
         field(TREAD_FIELD(longitudinal),
               About{"m/s2", "usual longitudinal disturbance, wind and unevenness of a good road"});
         field(TREAD_FIELD(lateral), About{"m/s2", "usual lateral disturbance"});
@@ -162,8 +164,6 @@ struct Settings {
 static_assert(describesEveryMember<Settings>());
 
 inline constexpr Settings kSettings{};
-
-static_assert(recording::kSlideWindow == 3 * kSettings.correlation_time);
 
 // Time, s, over which an error of the model's structure lasts: of the rows within it, one counts.
 inline constexpr double kErrorLasts = 1;

@@ -7,6 +7,7 @@
 #include "diagnose/model/disturbance.h"
 #include "diagnose/model/replays.h"
 #include "diagnose/options.h"
+#include "diagnose/settings.h"
 #include "planted/planted.h"
 #include "recording/recorded_drive.h"
 #include "recording/replay.h"
@@ -27,7 +28,7 @@ using recording::ObservedChannel;
 using recording::RecordedDrive;
 using recording::recordedDrive;
 
-constexpr double kHat = 0.25;  // s, half of the time that a push takes
+constexpr double kHat = diagnose::kSettings.correlation_time / 2;  // s, half of the time that a push takes
 
 Push pushOf(Disturbed kind, double size) {
     switch (kind) {

@@ -203,7 +203,7 @@ TEST_F(KeptSensitivities, GiveTheSameAnswerToTheBitWithFewerSimulations) {
     const Diagnosis second = diagnosed();
     EXPECT_EQ(textOf(first), textOf(second));
     EXPECT_EQ(first.simulations, second.simulations) << "those that were kept count like new ones";
-    EXPECT_LT(driven(), without * 3 / 4) << "what disturbs the drives is not kept";
+    EXPECT_LT(driven(), without * 4 / 5) << "most are of what disturbs the drives, which is not kept";
 }
 
 TEST_F(KeptSensitivities, OfAnInterruptedDiagnosisAreTakenAndTheRestIsMade) {

@@ -20,7 +20,7 @@ constexpr double kErrorHat = kSettings.error_correlation / 2;  // s, the same of
 constexpr double kDriftHat = kSettings.drift_correlation / 2;  // s, the same of the errors of the readings
 // Hats between the pushes of one replay (3 s). After that a car is taken to have forgotten a push except for the speed
 // it has lost. Each more costs one more replay per kind and drive.
-constexpr Eigen::Index kApart = 12;
+constexpr Eigen::Index kApart = 24;
 constexpr double kLeastSlope = 0.1;  // least share of the front tyres' cornering stiffness, left at the limit of grip
 // Least share of a change of start speed that must be left to infer lost speed from it; less is numerical noise.
 constexpr double kLeastKept = 0.02;

@@ -1,5 +1,5 @@
 // Forces of a real drive that the model does not have. Disturbances (wind, road unevenness, tremor of the driver's
-// hand) are Ornstein-Uhlenbeck processes, piecewise linear over time (hat functions 0.25 s apart). Errors of the
+// hand) are Ornstein-Uhlenbeck processes, piecewise linear over time (hat functions 0.125 s apart). Errors of the
 // model's own forces are slower processes in proportion to these forces. Both act as generalised forces on the car.
 // Their effect on the motion is found by replaying the drive with pushes, so it has the right correlation over time and
 // between channels.

@@ -72,7 +72,7 @@ struct Params {
     double drive_scale = 1, drag_scale = 1;
     double drive_efficiency = 0.94;
     double drag_area = 0.66, air_density = 1.2041;
-    double side_area = 0, yaw_volume = 0;  // m2/rad, m3/rad, per sideslip angle of the air
+    double side_area = 0, yaw_volume = 0;  // m2/rad, m3/rad (at mid-wheelbase), per sideslip angle of the air
     double wind_x = 0, wind_y = 0;         // m/s, velocity of the air
     double grade = 0, bank = 0;            // rise over run along x and y
     double road_friction = 1;

@@ -35,7 +35,9 @@ inline PlaneForce airForce(const Params& p, const Vector& s) {
     const auto [x, y] = air(p, s);
     const double pressure = 0.5 * p.air_density * std::hypot(x, y);  // over the speed of the air
     const double sideslip = std::atan2(y, -x), square = pressure * std::hypot(x, y);
-    return {pressure * p.drag_area * x, square * p.side_area * sideslip, square * p.yaw_volume * sideslip};
+    const double aside = pressure * p.drag_area * y + square * p.side_area * sideslip;
+    const double middle = p.front_distance - 0.5 * p.wheelbase;  // of the wheelbase, ahead of the centre of gravity
+    return {pressure * p.drag_area * x, aside, square * p.yaw_volume * sideslip + aside * middle};
 }
 
 }  // namespace other_car
