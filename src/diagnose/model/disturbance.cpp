@@ -18,9 +18,10 @@ namespace {
 constexpr double kHat = kSettings.correlation_time / 2;        // s, distance of hats
 constexpr double kErrorHat = kSettings.error_correlation / 2;  // s, the same of the errors of the model's forces
 constexpr double kDriftHat = kSettings.drift_correlation / 2;  // s, the same of the errors of the readings
-// Hats between the pushes of one replay (3 s). After that a car is taken to have forgotten a push except for the speed
-// it has lost. Each more costs one more replay per kind and drive.
-constexpr Eigen::Index kApart = 24;
+constexpr double kForgotten = 3;  // s, after which a car is taken to have forgotten a push except for the speed it lost
+// Hats between the pushes of one replay. Each more costs one more replay per kind and drive.
+constexpr auto kApart = static_cast<Eigen::Index>(kForgotten / kHat);
+static_assert(kApart * kHat == kForgotten);
 constexpr double kLeastSlope = 0.1;  // least share of the front tyres' cornering stiffness, left at the limit of grip
 // Least share of a change of start speed that must be left to infer lost speed from it; less is numerical noise.
 constexpr double kLeastKept = 0.02;
