@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <map>
 #include <numeric>
+#include <utility>
 
 #include "diagnose/explain/open_question.h"
 #include "diagnose/settings.h"
@@ -20,8 +22,8 @@ using recording::RecordedDrive;
 using select::Calibration;
 using select::Fit;
 
-constexpr int kMostSimulations = 150;  // simulations after which no further manoeuvre is studied in detail
-constexpr double kLoggedRate = 100;    // Hz, sampling rate of imagined recordings
+constexpr std::size_t kStudied = 3;  // manoeuvres that are studied per question
+constexpr double kLoggedRate = 100;  // Hz, sampling rate of imagined recordings
 
 // Gives a log of the model the channels of further instruments; a rehearsal needs only their times.
 void addChannels(Log& log, const std::vector<ObservedChannel>& channels) {
@@ -76,94 +78,127 @@ Rehearsal rehearsed(const Problem& problem, const std::vector<PossibleDrive>& po
     return rehearsal;
 }
 
-// Noise of the rows of a rehearsed drive: for each channel the mean over the recordings.
-RowNoise noiseOf(const RecordedDrive& drive, const Calibration& car) {
+// What the recordings say of the rows of each channel.
+struct ChannelNoise {
+    double deviation = 1;  // of the noise, mean over the recordings
+    double variance = 1;   // of noise and disturbances, in units of the squared deviation
+};
+
+std::map<std::string, ChannelNoise> noiseOfChannels(const Calibration& car) {
+    struct Sums {
+        double deviation = 0, drives = 0, squares = 0, rows = 0;
+    };
+    std::map<std::string, Sums> sums;
+    for (std::size_t d = 0; d < car.drives().size(); ++d) {
+        const Eigen::VectorXd sizes = car.uncertainty.sizesOf(d, car.uncertainty.sizes);
+        for (const ObservedChannel& channel : car.drives()[d].channels) {
+            const double one = car.uncertainty.noise[d].deviation(channel.first_row);
+            if (!std::isfinite(one)) continue;
+            const auto directions = car.uncertainty.directions[d].middleRows(channel.first_row, channel.rows());
+            Sums& sum = sums[channel.name];
+            sum.deviation += one, sum.drives += 1;
+            sum.squares += (directions * sizes.asDiagonal()).squaredNorm();
+            sum.rows += static_cast<double>(channel.rows());
+        }
+    }
+    std::map<std::string, ChannelNoise> noise;
+    for (const auto& [name, sum] : sums) noise[name] = {sum.deviation / sum.drives, 1 + sum.squares / sum.rows};
+    return noise;
+}
+
+// Noise of the rows of a rehearsed drive.
+RowNoise noiseOf(const RecordedDrive& drive, const std::map<std::string, ChannelNoise>& channels) {
     RowNoise noise{.deviation = Eigen::VectorXd::Ones(drive.rows()), .ends = {}};
     for (const ObservedChannel& channel : drive.channels) {
-        double sum = 0, count = 0;
-        for (std::size_t d = 0; d < car.drives().size(); ++d) {
-            for (const ObservedChannel& known : car.drives()[d].channels) {
-                const double one = car.uncertainty.noise[d].deviation(known.first_row);
-                if (known.name == channel.name && std::isfinite(one)) sum += one, count += 1;
-            }
-        }
-        if (count > 0) noise.deviation.segment(channel.first_row, channel.rows()).array() = sum / count;
+        const auto known = channels.find(channel.name);
+        if (known != channels.end())
+            noise.deviation.segment(channel.first_row, channel.rows()).setConstant(known->second.deviation);
         noise.ends.push_back(channel.first_row + channel.rows());
     }
     return noise;
 }
 
-// First look at a manoeuvre: its noise and disturbances, and the whitened difference between the two cars of each
-// question.
+// First look at a manoeuvre: the whitened difference between the two cars of each question, and the nats that it would
+// promise if disturbances were white noise and no parameter of the car were uncertain.
 struct Look {
     RowNoise noise;
-    Eigen::MatrixXd directions;
-    Eigen::VectorXd sizes;
-    std::vector<Eigen::VectorXd> differences;  // per question; empty when one of the cars cannot drive it
-    std::vector<double> most;                  // per question: nats if no parameter of the car were uncertain
+    std::vector<Eigen::VectorXd> differences = {};  // per question; empty when one of the cars cannot drive it
+    std::vector<double> promised = {};              // per question
 };
 
-Look lookAt(const RecordedDrive& drive, const Calibration& car, const std::vector<Question>& questions) {
+Look lookAt(const RecordedDrive& drive, const Calibration& car, const std::map<std::string, ChannelNoise>& channels,
+            const std::vector<Question>& questions) {
     const model::Replays& replays = car.problem.replays;
-    Look look{.noise = noiseOf(drive, car), .directions = {}, .sizes = {}, .differences = {}, .most = {}};
     const auto shown = [&](const model::Deviation& at) {
         const recording::Subject subject = replays.subjectAt(at, drive);
         const std::optional<Log> motion = model::motionAt(replays, drive, subject);
         return motion ? recording::readings(drive, *motion, subject.instruments) : Eigen::VectorXd{};
     };
-    const model::Disturbances disturbing = model::disturbances(replays, drive, replays.nominal());
-    look.directions = look.noise.over(disturbing.columns);
-    look.sizes.resize(look.directions.cols());
-    for (Eigen::Index i = 0; i < look.sizes.size(); ++i)
-        look.sizes(i) = car.uncertainty.sizes[model::placeOf(disturbing.kinds[i])];
+    Look look{.noise = noiseOf(drive, channels)};
     model::Deviation last;
     Eigen::VectorXd rows;
     for (const Question& question : questions) {
         const Eigen::VectorXd one = shown(question.one);
         if (last.size() == 0 || last != question.other) rows = shown(question.other), last = question.other;
         const bool driven = one.size() > 0 && rows.size() > 0 && (one - rows).allFinite();
-        if (!driven) {
-            look.differences.emplace_back();
-            look.most.push_back(0);
-            continue;
+        look.differences.emplace_back();
+        if (driven) look.differences.back() = look.noise.over(one - rows);
+        double promised = 0;
+        for (const ObservedChannel& channel : drive.channels) {
+            const auto known = channels.find(channel.name);
+            if (!driven || known == channels.end()) continue;
+            promised += look.differences.back().segment(channel.first_row, channel.rows()).squaredNorm() /
+                        known->second.variance;
         }
-        look.differences.emplace_back(look.noise.over(one - rows));
-        const auto products = inference::productsOf(look.differences.back(), look.directions);
-        look.most.push_back(0.5 * inference::normalEquations(products, look.sizes).products(0, 0));
+        look.promised.push_back(0.5 * promised);
     }
     return look;
 }
 
-// Sensitivities of a drive to everything that is still uncertain: all tolerances, and the knobs of the open questions.
-struct Answers {
+// What makes rows of a drive uncertain: disturbances, and all that is still uncertain of the car, that is all
+// tolerances and the knobs of the open questions.
+struct Study {
+    Eigen::MatrixXd directions;            // whitened columns of the disturbances
+    inference::Metric metric;              // of these
     std::vector<Eigen::Index> parameters;  // tolerances, then knobs
     Eigen::Index nuisances;                // number of tolerances
-    Eigen::MatrixXd columns;               // whitened
+    Eigen::MatrixXd columns;               // whitened columns of the parameters
 };
 
-Answers answersOf(const RecordedDrive& drive, const Look& look, const Problem& problem,
-                  const std::vector<Question>& questions) {
-    Answers answers{problem.nuisances, std::ssize(problem.nuisances), {}};
-    for (const Question& question : questions) {
-        for (const Fit* fit : question.fits)
-            answers.parameters.insert(answers.parameters.end(), fit->knobs.begin(), fit->knobs.end());
-    }
-    const auto knobs = answers.parameters.begin() + answers.nuisances;
-    std::sort(knobs, answers.parameters.end());
-    answers.parameters.erase(std::unique(knobs, answers.parameters.end()), answers.parameters.end());
-    const model::Sensitivities about = model::sensitivities(problem.replays, {&drive, 1}, problem.replays.origin(),
-                                                            {.parameters = answers.parameters});
-    answers.columns = look.noise.over(about.columns.front()(Eigen::all, answers.parameters));
-    return answers;
+std::vector<Eigen::Index> uncertainParameters(const Problem& problem, const std::vector<Question>& questions) {
+    std::vector<Eigen::Index> all = problem.nuisances;
+    for (const Question& question : questions)
+        for (const Fit* fit : question.fits) all.insert(all.end(), fit->knobs.begin(), fit->knobs.end());
+    const auto knobs = all.begin() + std::ssize(problem.nuisances);
+    std::sort(knobs, all.end());
+    all.erase(std::unique(knobs, all.end()), all.end());
+    return all;
+}
+
+Study studyOf(const RecordedDrive& drive, const RowNoise& noise, const Calibration& car,
+              const std::vector<Question>& questions) {
+    const model::Replays& replays = car.problem.replays;
+    const model::Disturbances disturbing = model::disturbances(replays, drive, replays.nominal());
+    Eigen::MatrixXd directions = noise.over(disturbing.columns);
+    Eigen::VectorXd sizes(directions.cols());
+    for (Eigen::Index i = 0; i < sizes.size(); ++i)
+        sizes(i) = car.uncertainty.sizes[model::placeOf(disturbing.kinds[i])];
+    inference::Metric metric = inference::metricOf(inference::squareOf(directions), sizes);
+    std::vector<Eigen::Index> parameters = uncertainParameters(car.problem, questions);
+    const model::Sensitivities about =
+        model::sensitivities(replays, {&drive, 1}, replays.origin(), {.parameters = parameters});
+    Eigen::MatrixXd columns = noise.over(about.columns.front()(Eigen::all, parameters));
+    return {std::move(directions), std::move(metric), std::move(parameters), std::ssize(car.problem.nuisances),
+            std::move(columns)};
 }
 
 // Columns of the parameters that are uncertain in a fit, times the Cholesky factor of their covariance.
-Eigen::MatrixXd uncertainColumns(const Answers& answers, const Fit& fit) {
+Eigen::MatrixXd uncertainColumns(const Study& study, const Fit& fit) {
     std::vector<Eigen::Index> places;  // tolerances, and the knobs of this fit
     std::vector<Eigen::Index> known;   // their places in the fit; -1: not in the fit, so the prior holds
-    for (Eigen::Index i = 0; i < std::ssize(answers.parameters); ++i) {
-        const auto place = std::find(fit.free.begin(), fit.free.end(), answers.parameters[i]);
-        if (place == fit.free.end() && i >= answers.nuisances) continue;
+    for (Eigen::Index i = 0; i < std::ssize(study.parameters); ++i) {
+        const auto place = std::find(fit.free.begin(), fit.free.end(), study.parameters[i]);
+        if (place == fit.free.end() && i >= study.nuisances) continue;
         places.push_back(i);
         known.push_back(place == fit.free.end() ? -1 : place - fit.free.begin());
     }
@@ -173,71 +208,69 @@ Eigen::MatrixXd uncertainColumns(const Answers& answers, const Fit& fit) {
         for (Eigen::Index j = 0; j < n; ++j)
             if (known[i] >= 0 && known[j] >= 0) covariance(i, j) = fit.covariance(known[i], known[j]);
     }
-    return answers.columns(Eigen::all, places) * Eigen::MatrixXd(covariance.llt().matrixL());
+    return study.columns(Eigen::all, places) * Eigen::MatrixXd(covariance.llt().matrixL());
 }
 
 // Nats of a difference that remain when the uncertain numbers of the car imitate it, as far as the recordings leave
 // them free (D51).
-double natsOf(const Look& look, const Answers& answers, const Fit& fit, const Eigen::VectorXd& difference) {
-    const Eigen::MatrixXd uncertain = uncertainColumns(answers, fit);
+double natsOf(const Study& study, const Fit& fit, const Eigen::VectorXd& difference) {
+    const Eigen::MatrixXd uncertain = uncertainColumns(study, fit);
     const Eigen::Index n = uncertain.cols();
     Eigen::MatrixXd columns(difference.size(), n + 1);
     columns << uncertain, difference;
-    const auto sum = inference::normalEquations(inference::productsOf(columns, look.directions), look.sizes);
-    return 0.5 * inference::withoutFirst(sum, n).products(0, 0);
+    const inference::DriveProducts products{.columns = inference::squareOf(columns),
+                                            .disturbances = {},
+                                            .mixed = inference::transposedTimes(study.directions, columns)};
+    const inference::MarginalProducts marginal(products, study.metric);
+    return 0.5 * inference::withoutFirst(marginal.equations(), n).products(0, 0);
 }
 
-// Chooses manoeuvres. The most promising one is studied first; the nats it reaches exclude all manoeuvres whose upper
-// bound is lower.
+// Chooses manoeuvres: of those that promise most per second of driving, the first that separates clearly when studied.
 class Chooser {
 public:
-    Chooser(const Calibration& car, const Rehearsal& rehearsal, const std::vector<Question>& questions, int before)
-        : problem_(car.problem),
+    Chooser(const Calibration& car, const Rehearsal& rehearsal, const std::vector<Question>& questions)
+        : car_(car),
           rehearsal_(rehearsal),
           questions_(questions),
-          before_(before),
           looks_(rehearsal.drives.size()),
-          answers_(rehearsal.drives.size()) {
-        drivenTogether(looks_.size(), problem_.replays.threads,
-                       [&](std::size_t d) { looks_[d] = lookAt(rehearsal.drives[d], car, questions); });
+          studies_(rehearsal.drives.size()) {
+        const std::map<std::string, ChannelNoise> channels = noiseOfChannels(car);
+        drivenTogether(looks_.size(), car.problem.replays.threads,
+                       [&](std::size_t d) { looks_[d] = lookAt(rehearsal.drives[d], car, channels, questions); });
     }
 
-    // Best manoeuvre for one question; without a scenario when none reaches the threshold.
+    // Manoeuvre for one question; without a scenario when none of those studied reaches the threshold.
     answer::NextDrive best(std::size_t q) {
         const Question& question = questions_[q];
         std::vector<std::size_t> order(looks_.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
+        const auto promised = [&](std::size_t d) { return looks_[d].promised[q] / rehearsal_.drives[d].duration(); };
         std::stable_sort(order.begin(), order.end(),
-                         [&](std::size_t a, std::size_t b) { return looks_[a].most[q] > looks_[b].most[q]; });
+                         [&](std::size_t a, std::size_t b) { return promised(a) > promised(b); });
+        order.resize(std::min(order.size(), kStudied));
         answer::NextDrive best{{}, question.causes_of_one, question.causes_of_other, 0};
         for (const std::size_t d : order) {
-            if (looks_[d].most[q] <= std::max(best.nats, kSettings.clear)) break;
-            if (!looked(d)) continue;
+            if (best.nats >= kSettings.clear) break;
+            if (looks_[d].differences[q].size() == 0) continue;
             double nats = kInfinity;
             for (const Fit* fit : question.fits)
-                nats = std::min(nats, natsOf(looks_[d], *answers_[d], *fit, looks_[d].differences[q]));
+                nats = std::min(nats, natsOf(studied(d), *fit, looks_[d].differences[q]));
             if (nats > best.nats) best.nats = nats, best.scenario = rehearsal_.drives[d].name;
         }
         return best;
     }
 
 private:
-    // Studies a manoeuvre in detail unless this was done or the simulations are used up; false in the last case. One
-    // manoeuvre is always studied.
-    bool looked(std::size_t d) {
-        if (answers_[d]) return true;
-        const bool first = std::none_of(answers_.begin(), answers_.end(), [](const auto& a) { return a.has_value(); });
-        if (!first && problem_.replays.simulations.value() - before_ > kMostSimulations) return false;
-        answers_[d] = answersOf(rehearsal_.drives[d], looks_[d], problem_, questions_);
-        return true;
+    const Study& studied(std::size_t d) {
+        if (!studies_[d]) studies_[d] = studyOf(rehearsal_.drives[d], looks_[d].noise, car_, questions_);
+        return *studies_[d];
     }
 
-    const Problem& problem_;
+    const Calibration& car_;
     const Rehearsal& rehearsal_;
     const std::vector<Question>& questions_;
-    int before_;  // simulations at the start of the rehearsal
     std::vector<Look> looks_;
-    std::vector<std::optional<Answers>> answers_;
+    std::vector<std::optional<Study>> studies_;
 };
 
 }  // namespace
@@ -246,9 +279,8 @@ std::vector<answer::NextDrive> nextDrives(const answer::Diagnosis& diagnosis, co
                                           const select::Search& found, const std::vector<PossibleDrive>& possible) {
     const std::vector<Question> questions = openQuestions(diagnosis, car.problem, found);
     if (questions.empty() || possible.empty()) return {};
-    const int before = car.problem.replays.simulations.value();
     const Rehearsal rehearsal = rehearsed(car.problem, possible);
-    Chooser chooser(car, rehearsal, questions, before);
+    Chooser chooser(car, rehearsal, questions);
     std::vector<answer::NextDrive> next;
     for (std::size_t q = 0; q < questions.size(); ++q) {
         answer::NextDrive best = chooser.best(q);
