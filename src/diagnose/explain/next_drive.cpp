@@ -92,6 +92,7 @@ std::map<std::string, ChannelNoise> noiseOfChannels(const Calibration& car) {
     for (std::size_t d = 0; d < car.drives().size(); ++d) {
         const Eigen::VectorXd sizes = car.uncertainty.sizesOf(d, car.uncertainty.sizes);
         for (const ObservedChannel& channel : car.drives()[d].channels) {
+            if (channel.rows() == 0) continue;
             const double one = car.uncertainty.noise[d].deviation(channel.first_row);
             if (!std::isfinite(one)) continue;
             const auto directions = car.uncertainty.directions[d].middleRows(channel.first_row, channel.rows());
