@@ -245,9 +245,9 @@ public:
         const Question& question = questions_[q];
         std::vector<std::size_t> order(looks_.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
-        const auto promised = [&](std::size_t d) { return looks_[d].promised[q] / rehearsal_.drives[d].duration(); };
+        const auto perSecond = [&](std::size_t d) { return looks_[d].promised[q] / rehearsal_.drives[d].duration(); };
         std::stable_sort(order.begin(), order.end(),
-                         [&](std::size_t a, std::size_t b) { return promised(a) > promised(b); });
+                         [&](std::size_t a, std::size_t b) { return perSecond(a) > perSecond(b); });
         order.resize(std::min(order.size(), kStudied));
         answer::NextDrive best{{}, question.causes_of_one, question.causes_of_other, 0};
         for (const std::size_t d : order) {
