@@ -61,7 +61,8 @@ Diagnosis diagnosisOf(const recording::Subject& nominal, const recording::Diagno
     const model::Problem problem = model::problemOf(before ? before->car : nominal, after, recorded, effects, options,
                                                     before ? before->left_open : std::vector<recording::KnownWithin>{});
     select::Calibration car =
-        select::calibrate(problem, model::nominalCar(problem, partOf(progress, 0.3, 0.4)), partOf(progress, 0.4, 0.6));
+        select::calibrate(problem, model::nominalCar(problem, partOf(progress, 0.3, 0.4), model::Resolution::rough),
+                          partOf(progress, 0.4, 0.6));
     if (before) car.structure_error = before->structure_error;
 
     // Which effects explain the gap.

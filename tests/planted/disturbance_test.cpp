@@ -7,7 +7,6 @@
 #include "diagnose/model/disturbance.h"
 #include "diagnose/model/replays.h"
 #include "diagnose/options.h"
-#include "diagnose/settings.h"
 #include "planted/planted.h"
 #include "recording/recorded_drive.h"
 #include "recording/replay.h"
@@ -17,6 +16,7 @@ namespace {
 
 using diagnose::model::Disturbances;
 using diagnose::model::Disturbed;
+using diagnose::model::Hats;
 using diagnose::model::motionAt;
 using diagnose::model::nameOf;
 using diagnose::model::placeOf;
@@ -27,8 +27,6 @@ using diagnose::model::usualSize;
 using recording::ObservedChannel;
 using recording::RecordedDrive;
 using recording::recordedDrive;
-
-constexpr double kHat = diagnose::kSettings.correlation_time / 2;  // s, half of the time that a push takes
 
 Push pushOf(Disturbed kind, double size) {
     switch (kind) {
@@ -66,20 +64,19 @@ TEST(Disturbances, PushesDoWhatTheyDoAloneAlsoAtTheLimitAndLongAfter) {
     const Rows rows = *rowsAt(replays, drives, replays.origin());
     const Disturbances told = disturbances(replays, drive, made.nominal);
     // Without what lingers of each impulse in the hats after it.
-    const Eigen::Index hats = told.hats();
-    const Eigen::MatrixXd alone = told.correlation_factor.inverse();
     for (const Disturbed kind : {Disturbed::longitudinal, Disturbed::lateral, Disturbed::yaw, Disturbed::roll}) {
+        const Hats& hats = told.of(kind);
         const Eigen::MatrixXd columns =
-            told.columns.middleCols(static_cast<Eigen::Index>(placeOf(kind)) * hats, hats) * alone;
+            told.columns.middleCols(hats.first, hats.count()) * hats.correlation_factor.inverse();
         for (const double peak : {1.0, 4.0, 6.5}) {
             const auto pushing = [&](double time, const VehicleInput&, const VehicleOutput&) {
-                const double height = std::max(0.0, 1 - std::abs(time - peak) / kHat);
+                const double height = std::max(0.0, 1 - std::abs(time - peak) / hats.apart);
                 return pushOf(kind, height * usualSize(kind, made.nominal.vehicle));
             };
             const std::optional<Log> motion = motionAt(replays, drive, made.nominal, {.pushing = pushing});
             ASSERT_TRUE(motion);
             const Eigen::VectorXd really = readings(drive, *motion, made.nominal.instruments) - rows.front();
-            const Eigen::VectorXd column = columns.col(static_cast<Eigen::Index>(std::lround(peak / kHat)));
+            const Eigen::VectorXd column = columns.col(static_cast<Eigen::Index>(std::lround(peak / hats.apart)));
             for (const ObservedChannel& channel : drive.channels) {
                 const auto count = static_cast<Eigen::Index>(channel.times.size());
                 const Eigen::VectorXd real = really.segment(channel.first_row, count);

@@ -101,11 +101,11 @@ TEST(Planted, SteeringDelayIsFoundWithItsSize) {
     EXPECT_EQ(d.causes, only("steering_delay"));
     const Estimate delay = d.effects.front().parameters.at("steering.delay");
     EXPECT_LT(std::abs(delay.value - 0.02), 3 * delay.sd);
-    // What it says of the gap that it closes is what it closes.
+    // It closes at least what it says. It may close more: all other numbers of this car are exactly nominal, while the
+    // posterior expects them to differ within what the drives leave open.
     const double obtained = obtainedClosure(d, truth);
     EXPECT_GT(obtained, 0.6);
-    EXPECT_GT(obtained, d.how_far.closure_low - 0.05);
-    EXPECT_LT(obtained, d.how_far.closure_high + 0.05);
+    EXPECT_GT(obtained, d.how_far.closure_low);
 }
 
 // By a quarter they would be as likely missed as found: these drives show that to 7 nats, about the least that counts.

@@ -24,6 +24,7 @@ using blind::world::Truth;
 using diagnose::catalogue::effectCatalogue;
 using diagnose::model::Deviation;
 using diagnose::model::endsOf;
+using diagnose::model::kEffectStep;
 using diagnose::model::Problem;
 using diagnose::model::problemOf;
 using diagnose::model::Replays;
@@ -37,38 +38,52 @@ using recording::Subject;
 
 constexpr double kFineStep = 0.001;  // s
 constexpr double kMostNats = 0.5;    // of the 5 that an effect needs
+constexpr double kMostOff = 0.1;     // of a column: a fit corrects it along its steps
 
-// A car that is equipped with an effect, in turns, in braking and at the limit, as a diagnosis repeats it.
-TEST(Step, OfReplaysLooksLikeNoEffectWhateverTheCarHas) {
-    Subject nominal;
-    nominal.vehicle = planted::nominalCar();
+// Turns, braking and driving at the limit, as a diagnosis repeats them.
+struct Drives {
     DiagnosisFile file;
     Recorded recorded;
-    for (const Drive& drive : caseDrives(DriveSet::all)) {
-        const bool wanted = drive.name.starts_with("step_steer_80") || drive.name.starts_with("braking_in_turn") ||
-                            drive.name.starts_with("acceleration") || drive.name.starts_with("slow_ramp");
-        if (!wanted) continue;
-        Recording& recording = file.recordings.emplace_back();
-        recording.name = drive.name;
-        Truth truth;
-        truth.car = nominal;
-        recorded.logs.push_back(measure(truth, drive, 1));
+    Problem problem;
+
+    Drives() {
+        Subject nominal;
+        nominal.vehicle = planted::nominalCar();
+        for (const Drive& drive : caseDrives(DriveSet::all)) {
+            const bool wanted = drive.name.starts_with("step_steer_80") || drive.name.starts_with("braking_in_turn") ||
+                                drive.name.starts_with("acceleration") || drive.name.starts_with("slow_ramp");
+            if (!wanted) continue;
+            Recording& recording = file.recordings.emplace_back();
+            recording.name = drive.name;
+            Truth truth;
+            truth.car = nominal;
+            recorded.logs.push_back(measure(truth, drive, 1));
+        }
+        problem = problemOf(nominal, file, recorded, effectCatalogue(), {});
     }
-    ASSERT_EQ(recorded.logs.size(), 4u);
-    const Problem problem = problemOf(nominal, file, recorded, effectCatalogue(), {});
-    const auto rows = [&](const Deviation& at, double step) {
+
+    Rows rows(const Deviation& at, double step) const {
         Replays replays = problem.replays;
         replays.replayer.step = step;
         return sensitivities(replays, problem.drives, at, {.parameters = {}}).rows;
-    };
+    }
+    Uncertainty uncertainty() const {
+        const Deviation origin = problem.replays.origin();
+        return uncertaintyAt(problem.replays, problem.drives, origin, rows(origin, file.step), endsOf(problem.drives));
+    }
+};
+
+TEST(Step, OfReplaysLooksLikeNoEffectWhateverTheCarHas) {
+    const Drives drives;
+    const Problem& problem = drives.problem;
+    ASSERT_EQ(problem.drives.size(), 4u);
     const Deviation origin = problem.replays.origin();
-    const Uncertainty uncertainty =
-        uncertaintyAt(problem.replays, problem.drives, origin, rows(origin, file.step), endsOf(problem.drives));
+    const Uncertainty uncertainty = drives.uncertainty();
     for (std::size_t e = 0; e < problem.effects.size(); ++e) {
         const std::string& name = problem.effects[e].name;
         Deviation at = origin;
         for (const Eigen::Index k : problem.knobs[e]) at(k) = problem.replays.parameters[k].highest >= 1 ? 1 : -1;
-        const Rows usual = rows(at, file.step), fine = rows(at, kFineStep);
+        const Rows usual = drives.rows(at, drives.file.step), fine = drives.rows(at, kFineStep);
         double squares = 0;
         for (std::size_t d = 0; d < usual.size(); ++d) {
             ASSERT_EQ(usual[d].size(), fine[d].size()) << name;
@@ -77,6 +92,38 @@ TEST(Step, OfReplaysLooksLikeNoEffectWhateverTheCarHas) {
         }
         EXPECT_LT(0.5 * squares, kMostNats) << name;
     }
+}
+
+// Columns of the effects that these drives show, from replays with twice the usual step.
+TEST(Step, OfTheReplaysBehindAColumnHardlyChangesIt) {
+    const Drives drives;
+    const Problem& problem = drives.problem;
+    std::vector<Eigen::Index> knobs;
+    for (const std::vector<Eigen::Index>& of_effect : problem.knobs)
+        knobs.insert(knobs.end(), of_effect.begin(), of_effect.end());
+    const auto about = [&](double step) {
+        Replays replays = problem.replays;
+        replays.replayer.step = step;
+        return sensitivities(replays, problem.drives, problem.replays.origin(),
+                             {.parameters = knobs, .step = kEffectStep});
+    };
+    const diagnose::model::Sensitivities usual = about(drives.file.step), fine = about(kFineStep);
+    const Uncertainty uncertainty = drives.uncertainty();
+    int shown = 0;
+    for (const Eigen::Index knob : knobs) {
+        double off = 0, whole = 0;
+        for (std::size_t d = 0; d < problem.drives.size(); ++d) {
+            const auto squares = [&](const Eigen::VectorXd& column) {
+                return squaresOf(uncertainty, d, uncertainty.noise[d].over(column), uncertainty.sizes);
+            };
+            off += squares(usual.columns[d].col(knob) - fine.columns[d].col(knob));
+            whole += squares(fine.columns[d].col(knob));
+        }
+        if (0.5 * whole < diagnose::kSettings.effect) continue;
+        ++shown;
+        EXPECT_LT(off, kMostOff * kMostOff * whole) << problem.replays.parameters[knob].path();
+    }
+    EXPECT_GT(shown, 50);
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ inline simple_car::Case recorded(const VehicleParams& truth, std::uint64_t seed,
     simple_car::Case made = simple_car::recorded(truth, drives, seed, simulate);
     made.nominal.vehicle.steering.play = truth.steering.play;
     made.file.channels = {{.channel = "chassis.yaw_rate"}};
-    made.file.step = 0.002;  // samples of the logs fall on steps of the replay
+    made.file.step = 0.0025;  // samples of the logs fall on steps of the replays, coarse ones too
     made.file.tolerances = {{.path = "*"}, {.path = "wheelbase", .relative = 0.02}};
     return made;
 }

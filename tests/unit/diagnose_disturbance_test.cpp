@@ -167,11 +167,10 @@ TEST(Disturbances, DoNotChangeASpeedThatIsFollowed) {
                 ? recording::Recording{.log = "drive", .name = "drive", .followed_for = followed_until}
                 : recording::Recording{.log = "drive", .name = "drive", .speed = recording::SpeedReplay::followed});
         const Disturbances told = disturbances(swing.problem.replays, swing.problem.drives.front(), swing.made.nominal);
-        const Index hats = told.hats();
+        const diagnose::model::Hats& hats = told.of(Disturbed::longitudinal);
         const MatrixXd by_height =
-            told.columns.leftCols(hats) *
-            told.correlation_factor.triangularView<Eigen::Lower>().solve(MatrixXd::Identity(hats, hats));
-        for (Index i = 0; i < hats; ++i) {
+            told.columns.middleCols(hats.first, hats.count()) * hats.correlation_factor.inverse();
+        for (Index i = 0; i < hats.count(); ++i) {
             const double largest = by_height.col(i).cwiseAbs().maxCoeff();
             if (told.times[i] < followed_until) {
                 EXPECT_LT(largest, 1e-12) << told.times[i];
@@ -179,7 +178,8 @@ TEST(Disturbances, DoNotChangeASpeedThatIsFollowed) {
                 EXPECT_GT(largest, 1e-4) << told.times[i];
             }
         }
-        EXPECT_GT(told.columns.middleCols(hats, hats).cwiseAbs().maxCoeff(), 1e-4) << "of lateral disturbances";
+        const diagnose::model::Hats& lateral = told.of(Disturbed::lateral);
+        EXPECT_GT(told.columns.middleCols(lateral.first, lateral.count()).cwiseAbs().maxCoeff(), 1e-4);
     }
 }
 

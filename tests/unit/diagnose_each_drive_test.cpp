@@ -78,7 +78,8 @@ TEST(Wind, OfADriveChangesTheRowsOfThatDriveAloneAndCostsNoReplayOfTheOthers) {
     const int before = problem.replays.simulations.value();
     const Sensitivities about =
         sensitivities(problem.replays, problem.drives, problem.replays.origin(), {.parameters = winds});
-    EXPECT_EQ(problem.replays.simulations.value() - before, 2 + 4) << "each drive, and each wind in its drive";
+    EXPECT_EQ(problem.replays.simulations.value() - before, 2 * 2 + 4)
+        << "each drive with the usual step and a coarse one, and each wind in its drive";
     for (const Eigen::Index p : winds) {
         const Parameter& wind = problem.replays.parameters[p];
         for (std::size_t d = 0; d < 2; ++d) {

@@ -229,6 +229,33 @@ TEST(Fit, ThatGoesOnFarFromTheCalibratedCarUsesColumnsOfItsOwnPoint) {
     EXPECT_LT(simulationsFrom(with_other_nuisances), simulationsFrom(not_an_end));
 }
 
+TEST(Fit, ThatWillNotReachTheLeastEvidenceStopsEarlyAndOtherwiseItIsTheSame) {
+    VehicleParams truth = linear_car::nominal();
+    truth.steering.play = 1;
+    truth.steering.ratio *= 0.7;
+    const simple_car::Case made = linear_car::recorded(truth, 3, driveCurved);
+    diagnose::Options options = linear_car::options();
+    options.simulate = driveCurved;
+    const Problem problem =
+        problemOf(made.nominal, made.file, made.recorded, {effect("ratio", "steering.ratio")}, options);
+    const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
+    const auto fittedFor = [&](double least) {
+        const int before = problem.replays.simulations.value();
+        std::optional<Fit> fit = fitted(problem.replays, problem.drives, car.uncertainty, car.about, {kRatio},
+                                        {.at = problem.replays.origin(), .least = least});
+        return std::pair(fit.value(), problem.replays.simulations.value() - before);
+    };
+    const auto [whole, simulations] = fittedFor(-kInfinity);
+    const auto [reached, as_many] = fittedFor(whole.log_evidence - 1);
+    EXPECT_EQ(reached.at, whole.at);
+    EXPECT_EQ(reached.log_evidence, whole.log_evidence);
+    EXPECT_EQ(as_many, simulations);
+    const auto [stopped, fewer] = fittedFor(1e9);
+    EXPECT_LT(fewer, simulations);
+    EXPECT_LT(stopped.log_evidence, whole.log_evidence);
+    EXPECT_FALSE(stopped.converged);
+}
+
 TEST(Fit, KnobThatMayOnlyGrowStaysAtItsLimitWhenLessIsTrue) {
     const simple_car::Case made = someCase(0.95, 0.93);
     const Problem problem = problemOfTwo(made, Direction::up);

@@ -74,8 +74,8 @@ struct Dragged {
     Calibration car() const {
         Calibration car = linear_drives::calibrationOf(problem, drives);
         for (diagnose::model::Disturbances& one : car.uncertainty.disturbing) {
-            for (Index hat = 0; hat < kHats; ++hat) one.times.push_back(kApart * static_cast<double>(hat));
-            one.correlation_factor = MatrixXd::Identity(kHats, kHats);
+            for (const Disturbed kind : kDisturbedKinds)
+                one.hats[placeOf(kind)] = {kApart, placeOfFirst(kind), MatrixXd::Identity(kHats, kHats)};
         }
         return car;
     }

@@ -8,7 +8,6 @@
 #include "diagnose/model/disturbance.h"
 #include "diagnose/model/noise.h"
 #include "diagnose/model/uncertainty.h"
-#include "inference/ornstein_uhlenbeck.h"
 #include "recording/checks/left_out.h"
 #include "recording/diagnosis_file.h"
 #include "recording/recorded_drive.h"
@@ -22,7 +21,9 @@ namespace {
 using recording::kBlock;
 
 using diagnose::model::Disturbances;
+using diagnose::model::Disturbed;
 using diagnose::model::endsOf;
+using diagnose::model::hatsOver;
 using diagnose::model::RowNoise;
 using recording::RecordedDrive;
 using recording::recordedDrive;
@@ -77,18 +78,31 @@ TEST(RowNoise, RowsThatSayNothingAreNothing) {
 }
 
 TEST(Disturbances, HatsAreCorrelatedAsTheProcessIs) {
-    // Ornstein-Uhlenbeck process of half a second, seen every quarter.
+    // Ornstein-Uhlenbeck processes of a quarter of a second, seen every quarter or eighth.
     const Disturbances disturbing{
-        .columns = {}, .kinds = {}, .times = {}, .correlation_factor = inference::correlationFactor(20, 0.25, 0.5)};
-    const Eigen::MatrixXd covariance = disturbing.correlation_factor * disturbing.correlation_factor.transpose();
-    for (Eigen::Index i = 0; i < 20; ++i) {
-        for (Eigen::Index j = 0; j < 20; ++j)
-            EXPECT_NEAR(covariance(i, j), std::exp(-0.25 * std::abs(static_cast<double>(i - j)) / 0.5), 1e-12);
+        .columns = {}, .kinds = {}, .times = {}, .hats = hatsOver(2.4, diagnose::model::Resolution::fine)};
+    Eigen::Index first = 0;
+    for (const Disturbed kind : diagnose::model::kDisturbedKinds) {
+        const diagnose::model::Hats& hats = disturbing.of(kind);
+        const bool slow = kind == Disturbed::longitudinal || kind == Disturbed::steering;
+        EXPECT_EQ(hats.apart, slow ? 0.25 : 0.125) << nameOf(kind);
+        EXPECT_EQ(hats.count(), slow ? 11 : 21) << "the last is not before the end";
+        EXPECT_EQ(hats.first, first);
+        const Eigen::MatrixXd covariance = hats.correlation_factor * hats.correlation_factor.transpose();
+        for (Eigen::Index i = 0; i < hats.count(); ++i) {
+            for (Eigen::Index j = 0; j < hats.count(); ++j)
+                EXPECT_NEAR(covariance(i, j), std::exp(-std::abs(hats.peak(i) - hats.peak(j)) / 0.25), 1e-12);
+        }
+        Eigen::VectorXd impulse = Eigen::VectorXd::Zero(disturbing.random());
+        impulse(first) = 1;
+        const Eigen::VectorXd heights = disturbing.heights(impulse);
+        EXPECT_EQ(heights.head(first).norm(), 0) << "of another kind";
+        EXPECT_EQ(heights.tail(heights.size() - hats.end()).norm(), 0) << "of another kind";
+        EXPECT_NEAR(heights(first + 1), std::exp(-hats.apart / 0.25), 1e-12);
+        first = hats.end();
     }
-    Eigen::VectorXd impulse = Eigen::VectorXd::Zero(disturbing.random());
-    impulse(20) = 1;
-    EXPECT_EQ(disturbing.heights(impulse).head(20).norm(), 0) << "of another kind";
-    EXPECT_NEAR(disturbing.heights(impulse)(21), std::exp(-0.5), 1e-12);
+    for (const diagnose::model::Hats& hats : hatsOver(2.4, diagnose::model::Resolution::rough))
+        EXPECT_EQ(hats.apart, 0.25);
 }
 
 // A steady turn; `slips` rad/s of sideslip from 5 s on.

@@ -155,16 +155,17 @@ MissingForce pushed(double longitudinal, double lateral, double yaw, double roll
     noise.ends.clear();
     for (Index row = 1; row <= 4 * kHats; ++row) noise.ends.push_back(row);
     diagnose::model::Disturbances& disturbing = gaps.car.uncertainty.disturbing.front();
-    disturbing.correlation_factor = inference::correlationFactor(kHats, 0.25, 0.5);
+    const MatrixXd correlation_factor = inference::correlationFactor(kHats, 0.25, 0.5);
     MatrixXd& directions = gaps.car.uncertainty.directions.front();
     directions = MatrixXd::Zero(4 * kHats, 5 * kHats + 1);
     for (const Disturbed kind : diagnose::model::kDisturbedKinds) {
         const auto first = static_cast<Index>(placeOf(kind)) * kHats;
+        disturbing.hats[placeOf(kind)] = {0.25, first, correlation_factor};
         for (Index hat = 0; hat < kHats; ++hat) {
             disturbing.kinds.push_back(kind);
             disturbing.times.push_back(0.25 * static_cast<double>(hat));
         }
-        if (kind != Disturbed::steering) directions.block(first, first, kHats, kHats) = disturbing.correlation_factor;
+        if (kind != Disturbed::steering) directions.block(first, first, kHats, kHats) = correlation_factor;
     }
     return missingForce(gaps.car);
 }

@@ -39,9 +39,11 @@ struct AxleArm {
                 sign * model::usualSize(Disturbed::yaw, car) / car.wheelbase};
     }
 
-    Eigen::VectorXd squares(const Eigen::VectorXd& heights) const {
-        const Eigen::Index each = heights.size() / std::ssize(model::kDisturbedKinds);
-        const auto kind = [&](Disturbed one) { return heights.segment(model::placeOf(one) * each, each); };
+    // Of the side force at the hats of lateral force and yaw moment, which are the same.
+    Eigen::VectorXd squares(const model::Disturbances& disturbing, const Eigen::VectorXd& heights) const {
+        const auto kind = [&](Disturbed one) {
+            return heights.segment(disturbing.of(one).first, disturbing.of(one).count());
+        };
         return (force * kind(Disturbed::lateral) + moment * kind(Disturbed::yaw)).cwiseAbs2();
     }
 };
@@ -77,7 +79,8 @@ Reading reading(const Calibration& car, std::size_t drive, const Sizes& sizes) {
     Reading result;
     result.force = heightsOf(disturbing, large, factor.solve(large.cwiseProduct(directions.transpose() * left)));
     result.by_chance = Eigen::VectorXd::Zero(result.force.size());
-    result.front.squares = front.squares(result.force), result.rear.squares = rear.squares(result.force);
+    result.front.squares = front.squares(disturbing, result.force);
+    result.rear.squares = rear.squares(disturbing, result.force);
     result.front.by_chance = result.rear.by_chance = Eigen::VectorXd::Zero(result.front.squares.size());
     // Covariance of the projections by chance: white noise gives D'D in the metric of the directions; usual
     // disturbances and tolerances add their own.
@@ -92,8 +95,8 @@ Reading reading(const Calibration& car, std::size_t drive, const Sizes& sizes) {
         const double variance = std::max(0.0, axes.eigenvalues()(i));
         const Eigen::VectorXd one = heightsOf(disturbing, large, axes.eigenvectors().col(i));
         result.by_chance += variance * one.cwiseAbs2();
-        result.front.by_chance += variance * front.squares(one);
-        result.rear.by_chance += variance * rear.squares(one);
+        result.front.by_chance += variance * front.squares(disturbing, one);
+        result.rear.by_chance += variance * rear.squares(disturbing, one);
     }
     return result;
 }

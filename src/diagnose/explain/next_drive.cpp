@@ -179,7 +179,8 @@ std::vector<Eigen::Index> uncertainParameters(const Problem& problem, const std:
 Study studyOf(const RecordedDrive& drive, const RowNoise& noise, const Calibration& car,
               const std::vector<Question>& questions) {
     const model::Replays& replays = car.problem.replays;
-    const model::Disturbances disturbing = model::disturbances(replays, drive, replays.nominal());
+    const model::Disturbances disturbing =
+        model::disturbances(replays, drive, replays.nominal(), model::Resolution::rough);
     Eigen::MatrixXd directions = noise.over(disturbing.columns);
     Eigen::VectorXd sizes(directions.cols());
     for (Eigen::Index i = 0; i < sizes.size(); ++i)
@@ -252,7 +253,7 @@ public:
         answer::NextDrive best{{}, question.causes_of_one, question.causes_of_other, 0};
         for (const std::size_t d : order) {
             if (best.nats >= kSettings.clear) break;
-            if (looks_[d].differences[q].size() == 0) continue;
+            if (0.5 * looks_[d].differences[q].squaredNorm() < kSettings.clear) continue;  // not even by noise alone
             double nats = kInfinity;
             for (const Fit* fit : question.fits)
                 nats = std::min(nats, natsOf(studied(d), *fit, looks_[d].differences[q]));

@@ -15,13 +15,10 @@
 namespace tread::diagnose::model {
 namespace {
 
-constexpr double kHat = kSettings.correlation_time / 2;        // s, distance of hats
+constexpr double kHat = kSettings.correlation_time / 2;        // s, distance of the closest hats
 constexpr double kErrorHat = kSettings.error_correlation / 2;  // s, the same of the errors of the model's forces
 constexpr double kDriftHat = kSettings.drift_correlation / 2;  // s, the same of the errors of the readings
 constexpr double kForgotten = 3;  // s, after which a car is taken to have forgotten a push except for the speed it lost
-// Hats between the pushes of one replay. Each more costs one more replay per kind and drive.
-constexpr auto kApart = static_cast<Eigen::Index>(kForgotten / kHat);
-static_assert(kApart * kHat == kForgotten);
 constexpr double kLeastSlope = 0.1;  // least share of the front tyres' cornering stiffness, left at the limit of grip
 // Least share of a change of start speed that must be left to infer lost speed from it; less is numerical noise.
 constexpr double kLeastKept = 0.02;
@@ -30,21 +27,22 @@ constexpr double kSlipVelocity = 0.005;
 // Least denominator of the axle's slope with compliance steer: limits the slope to 20 times that of the tyres.
 constexpr double kLightest = 0.05;
 
-double hat(double t, double peak, double width = kHat) {
+double hat(double t, double peak, double width) {
     return std::max(0.0, 1 - std::abs(t - peak) / width);
 }
 
-double peakOf(Eigen::Index hat) {
-    return static_cast<double>(hat) * kHat;
+// Hats from one push to the next of the same replay. Each more costs one more replay per kind and drive.
+Eigen::Index hatsBetween(const Hats& hats) {
+    return std::lround(kForgotten / hats.apart);
 }
 
-// Pushes shaped like hat `first` and every kApart-th hat after it.
-Pushing pushes(const VehicleParams& car, Disturbed kind, Eigen::Index first) {
-    const double usual = usualSize(kind, car);
+// Pushes shaped like hat `first` and those every kForgotten after it.
+Pushing pushes(const VehicleParams& car, Disturbed kind, const Hats& hats, Eigen::Index first) {
+    const double usual = usualSize(kind, car), begins = hats.peak(first), apart = hats.apart;
     return PushingOverTime{[=](double time) {
-        const double since = time - peakOf(first), period = kApart * kHat;
-        const double near = std::max(0.0, std::round(since / period)) * period;
-        const double size = hat(since, near);
+        const double since = time - begins;
+        const double near = std::max(0.0, std::round(since / kForgotten)) * kForgotten;
+        const double size = hat(since, near, apart);
         switch (kind) {
             case Disturbed::longitudinal:
                 return Push{.force = {size * usual, 0, 0}};
@@ -61,11 +59,13 @@ Pushing pushes(const VehicleParams& car, Disturbed kind, Eigen::Index first) {
 // A drive as replayed without disturbances, about which it is linearised.
 struct Course {
     const RecordedDrive& drive;
-    Log motion;
-    Eigen::VectorXd rows;
+    Base base;
     Eigen::VectorXd by_start_speed;
-    Eigen::Index hats;
+    HatsOfKinds hats;
     const recording::ObservedChannel* speed = nullptr;  // a channel that shows the speed; null if there is none
+
+    const Hats& of(Disturbed kind) const { return hats[placeOf(kind)]; }
+    const std::vector<double>& time() const { return base.motion->channels.front().values; }
 };
 
 const recording::ObservedChannel* showsSpeed(const RecordedDrive& drive) {
@@ -99,18 +99,20 @@ constexpr std::array kPushed{Disturbed::longitudinal, Disturbed::lateral, Distur
 
 // True if the speed is followed at all times of the pushes.
 bool nothingToPush(const PushedReplay& one, const Course& course) {
-    const Eigen::Index last = one.first + (course.hats - 1 - one.first) / kApart * kApart;
-    return isFollowed(course.drive, one.kind, peakOf(last));
+    const Hats& hats = course.of(one.kind);
+    const Eigen::Index every = hatsBetween(hats);
+    const Eigen::Index last = one.first + (hats.count() - 1 - one.first) / every * every;
+    return isFollowed(course.drive, one.kind, hats.peak(last));
 }
 
 // Those of each drive in turn, kind by kind.
-std::vector<PushedReplay> pushedReplays(const Replays& replays, const std::vector<Subject>& subjects,
-                                        const std::vector<Course>& courses) {
+std::vector<PushedReplay> pushedReplays(const Replays& replays, const std::vector<Course>& courses) {
     std::vector<PushedReplay> all;
     for (std::size_t d = 0; d < courses.size(); ++d) {
-        if (courses[d].motion.channels.empty()) continue;
+        if (!courses[d].base.motion) continue;
         for (const Disturbed kind : kPushed) {
-            for (Eigen::Index first = 0; first < std::min(kApart, courses[d].hats); ++first)
+            const Hats& hats = courses[d].of(kind);
+            for (Eigen::Index first = 0; first < std::min(hatsBetween(hats), hats.count()); ++first)
                 all.push_back({d, kind, first});
         }
     }
@@ -118,24 +120,27 @@ std::vector<PushedReplay> pushedReplays(const Replays& replays, const std::vecto
     drivenTogether(all.size(), replays.threads, [&](std::size_t i) {
         PushedReplay& one = all[i];
         const Course& course = courses[one.drive];
-        const Subject& subject = subjects[one.drive];
+        const Subject& subject = course.base.subject;
         const std::optional<Log> motion =
-            motionAt(replays, course.drive, subject, {.pushing = pushes(subject.vehicle, one.kind, one.first)});
-        if (motion) one.change = recording::readings(course.drive, *motion, subject.instruments) - course.rows;
+            motionAt(replays, course.drive, subject,
+                     {.pushing = pushes(subject.vehicle, one.kind, course.of(one.kind), one.first),
+                      .coarse = course.base.coarse});
+        if (motion) one.change = recording::readings(course.drive, *motion, subject.instruments) - course.base.rows;
     });
     return all;
 }
 
-// Change of the rows by a push of one kind at each hat; one column per hat. A replay contains every kApart-th push: by
-// the time the next one comes, a push is forgotten except for the speed it has cost, which goes on as a change of the
-// start speed. `all`: replays of all drives.
+// Change of the rows by a push of one kind at each hat; one column per hat. A replay contains a push every kForgotten:
+// by the time the next one comes, a push is forgotten except for the speed it has cost, which goes on as a change of
+// the start speed. `all`: replays of all drives.
 Eigen::MatrixXd pushed(const std::vector<PushedReplay>& all, std::size_t drive, const Course& course, Disturbed kind) {
-    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(course.rows.size(), course.hats);
+    const Hats& hats = course.of(kind);
+    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(course.drive.rows(), hats.count());
     for (const PushedReplay& replay : all) {
         if (replay.drive != drive || replay.kind != kind || replay.change.size() == 0) continue;
         Eigen::VectorXd change = replay.change;
-        for (Eigen::Index which = replay.first; which < course.hats; which += kApart) {
-            const double begins = peakOf(which) - kHat, over = begins + kApart * kHat;
+        for (Eigen::Index which = replay.first; which < hats.count(); which += hatsBetween(hats)) {
+            const double begins = hats.peak(which) - hats.apart, over = begins + kForgotten;
             auto column = columns.col(which);
             const double slower = speedLost(course, change, over);
             for (const recording::ObservedChannel& channel : course.drive.channels) {
@@ -146,7 +151,7 @@ Eigen::MatrixXd pushed(const std::vector<PushedReplay>& all, std::size_t drive, 
                 }
             }
             change -= column;
-            if (isFollowed(course.drive, kind, peakOf(which))) column.setZero();
+            if (isFollowed(course.drive, kind, hats.peak(which))) column.setZero();
         }
     }
     return columns;
@@ -171,15 +176,18 @@ FrontAxle frontAxle(const VehicleParams& car) {
 // Size of an error of the model's force at each hat, in usual sizes of the disturbance of its kind: in proportion to
 // the acceleration of the car (D11a).
 Eigen::VectorXd errorSizes(const Course& course, const VehicleParams& car, Disturbed kind) {
-    const std::vector<double>& time = course.motion.channels.front().values;
-    const Channel* acceleration = course.motion.find(kind == Disturbed::longitudinal ? "chassis.ax" : "chassis.ay");
+    const std::vector<double>& time = course.time();
+    const Channel* acceleration =
+        course.base.motion->find(kind == Disturbed::longitudinal ? "chassis.ax" : "chassis.ay");
     const double lever = kind == Disturbed::yaw
                              ? car.front_axle_distance * (1 - car.front_axle_distance / car.wheelbase)
                          : kind == Disturbed::roll ? car.centre_of_gravity_height
                                                    : 1;
-    Eigen::VectorXd sizes = Eigen::VectorXd::Zero(course.hats);
-    for (Eigen::Index i = 0; acceleration && i < course.hats; ++i) {
-        const double force = car.mass * std::abs(valueAt(time, acceleration->values, std::min(peakOf(i), time.back())));
+    const Hats& hats = course.of(kind);
+    Eigen::VectorXd sizes = Eigen::VectorXd::Zero(hats.count());
+    for (Eigen::Index i = 0; acceleration && i < hats.count(); ++i) {
+        const double at = std::min(hats.peak(i), time.back());
+        const double force = car.mass * std::abs(valueAt(time, acceleration->values, at));
         sizes(i) = kSettings.force_error * force * lever / usualSize(kind, car);
     }
     return sizes;
@@ -189,10 +197,11 @@ Eigen::VectorXd errorSizes(const Course& course, const VehicleParams& car, Distu
 // impulses.
 Eigen::MatrixXd errorHeights(const Course& course, const VehicleParams& car, Disturbed kind) {
     const Eigen::VectorXd sizes = errorSizes(course, car, kind);
-    const Eigen::Index slow = std::lround(std::ceil(peakOf(course.hats - 1) / kErrorHat)) + 1;
-    Eigen::MatrixXd between = Eigen::MatrixXd::Zero(course.hats, slow);
-    for (Eigen::Index i = 0; i < course.hats; ++i) {
-        const double place = peakOf(i) / kErrorHat;
+    const Hats& hats = course.of(kind);
+    const Eigen::Index slow = std::lround(std::ceil(hats.peak(hats.count() - 1) / kErrorHat)) + 1;
+    Eigen::MatrixXd between = Eigen::MatrixXd::Zero(hats.count(), slow);
+    for (Eigen::Index i = 0; i < hats.count(); ++i) {
+        const double place = hats.peak(i) / kErrorHat;
         const Eigen::Index before = std::min<Eigen::Index>(std::lround(std::floor(place)), slow - 2);
         const double after = place - static_cast<double>(before);
         between(i, before) = sizes(i) * (1 - after);
@@ -201,22 +210,31 @@ Eigen::MatrixXd errorHeights(const Course& course, const VehicleParams& car, Dis
     return between * inference::correlationFactor(slow, kErrorHat, kSettings.error_correlation);
 }
 
+// Values of wider hats at the peaks of closer ones: closer x wider.
+Eigen::MatrixXd valuesAt(const Hats& closer, const Hats& wider) {
+    Eigen::MatrixXd values(closer.count(), wider.count());
+    for (Eigen::Index i = 0; i < closer.count(); ++i)
+        for (Eigen::Index k = 0; k < wider.count(); ++k) values(i, k) = hat(closer.peak(i), wider.peak(k), wider.apart);
+    return values;
+}
+
 // Steering tremor as a side force at the front axle. Its stiffness falls with the square of the lateral acceleration as
 // the turn uses up the grip (D14).
 Eigen::MatrixXd trembling(const Course& course, const VehicleParams& car, const Eigen::MatrixXd& lateral,
                           const Eigen::MatrixXd& yaw) {
     const FrontAxle axle = frontAxle(car);
-    const std::vector<double>& time = course.motion.channels.front().values;
-    const Channel* ay = course.motion.find("chassis.ay");
+    const std::vector<double>& time = course.time();
+    const Channel* ay = course.base.motion->find("chassis.ay");
+    const Hats& hats = course.of(Disturbed::lateral);
     Eigen::MatrixXd columns(lateral.rows(), lateral.cols());
     for (Eigen::Index i = 0; i < lateral.cols(); ++i) {
-        const double t = std::min(peakOf(i), time.back());
+        const double t = std::min(hats.peak(i), time.back());
         const double used = ay ? valueAt(time, ay->values, t) / axle.grip : 0;
         const double force = std::max(kLeastSlope, 1 - used * used) * axle.slope * kSettings.steering;
         columns.col(i) = force / usualSize(Disturbed::lateral, car) * lateral.col(i) +
                          force * car.front_axle_distance / usualSize(Disturbed::yaw, car) * yaw.col(i);
     }
-    return columns;
+    return columns * valuesAt(hats, course.of(Disturbed::steering));
 }
 
 // Change of the rows by errors of the readings of one channel: rows x impulses (D11b).
@@ -242,56 +260,62 @@ void append(Disturbances& result, Disturbed kind, const Eigen::MatrixXd& errors,
     }
 }
 
-Course unknownCourse(const RecordedDrive& drive) {
-    return {.drive = drive,
-            .motion = {},
-            .rows = Eigen::VectorXd::Zero(drive.rows()),
-            .by_start_speed = Eigen::VectorXd::Zero(drive.rows()),
-            .hats = std::lround(std::ceil(drive.duration() / kHat)) + 1,
-            .speed = showsSpeed(drive)};
-}
-
-// Leaves the course as it is when the simulation fails.
-void drive(Course& course, const Replays& replays, const Subject& subject) {
-    std::optional<Log> motion = motionAt(replays, course.drive, subject);
-    if (!motion) return;
-    course.motion = std::move(*motion);
-    course.rows = recording::readings(course.drive, course.motion, subject.instruments);
-    course.by_start_speed = startSpeedColumn(replays, course.drive, subject, course.rows);
+Course courseOf(const Replays& replays, const RecordedDrive& drive, const Subject& subject, Resolution resolution) {
+    Course course{.drive = drive,
+                  .base = baseOf(replays, drive, subject),
+                  .by_start_speed = Eigen::VectorXd::Zero(drive.rows()),
+                  .hats = hatsOver(drive.duration(), resolution),
+                  .speed = showsSpeed(drive)};
+    if (course.base.motion) course.by_start_speed = startSpeedColumn(replays, drive, course.base);
+    return course;
 }
 
 // Disturbances that change nothing but by the start speed.
 Disturbances bare(const Course& course) {
-    Disturbances result;
+    Disturbances result{.columns = {}, .kinds = {}, .times = {}, .hats = course.hats};
     for (const Disturbed kind : kDisturbedKinds) {
-        for (Eigen::Index i = 0; i < course.hats; ++i) {
+        for (Eigen::Index i = 0; i < result.of(kind).count(); ++i) {
             result.kinds.push_back(kind);
-            result.times.push_back(peakOf(i));
+            result.times.push_back(result.of(kind).peak(i));
         }
     }
-    result.columns = Eigen::MatrixXd::Zero(course.rows.size(), course.hats * std::ssize(kDisturbedKinds));
-    result.correlation_factor = inference::correlationFactor(course.hats, kHat, kSettings.correlation_time);
+    result.columns = Eigen::MatrixXd::Zero(course.drive.rows(), result.random());
     result.by_start_speed = course.by_start_speed;
     return result;
 }
 
-void fill(Disturbances& result, const std::vector<PushedReplay>& replays, std::size_t drive, const Course& course,
-          const VehicleParams& car) {
-    const Eigen::Index hats = course.hats;
-    const auto of = [&](Disturbed kind) { return result.columns.middleCols(placeOf(kind) * hats, hats); };
-    std::vector<Eigen::MatrixXd> errors;
+void fill(Disturbances& result, const std::vector<PushedReplay>& replays, std::size_t drive, const Course& course) {
+    const VehicleParams& car = course.base.subject.vehicle;
+    std::vector<Eigen::MatrixXd> forces, errors;  // by each hat; by each impulse of an error
     for (const Disturbed kind : kPushed) {
-        of(kind) = pushed(replays, drive, course, kind);
-        errors.emplace_back(of(kind) * errorHeights(course, car, kind));
+        forces.push_back(pushed(replays, drive, course, kind));
+        errors.emplace_back(forces.back() * errorHeights(course, car, kind));
     }
-    of(Disturbed::steering) = trembling(course, car, of(Disturbed::lateral), of(Disturbed::yaw));
-    for (const Disturbed kind : kDisturbedKinds) of(kind) = (of(kind) * result.correlation_factor).eval();
+    forces.push_back(trembling(course, car, forces[placeOf(Disturbed::lateral)], forces[placeOf(Disturbed::yaw)]));
+    for (std::size_t k = 0; k < forces.size(); ++k)
+        result.columns.middleCols(course.hats[k].first, course.hats[k].count()) =
+            forces[k] * course.hats[k].correlation_factor;
     for (std::size_t k = 0; k < errors.size(); ++k) append(result, kForceErrors[k], errors[k], kErrorHat);
     for (const recording::ObservedChannel& channel : course.drive.channels)
         append(result, readingErrorOf(channel.name), misread(course.drive, channel, car), kDriftHat);
 }
 
 }  // namespace
+
+HatsOfKinds hatsOver(double duration, Resolution resolution) {
+    HatsOfKinds all;
+    Eigen::Index first = 0;
+    for (const Disturbed kind : kDisturbedKinds) {
+        const bool close = kind != Disturbed::longitudinal && kind != Disturbed::steering;
+        Hats& hats = all[placeOf(kind)];
+        hats.apart = close && resolution == Resolution::fine ? kHat : 2 * kHat;
+        hats.first = first;
+        hats.correlation_factor = inference::correlationFactor(std::lround(std::ceil(duration / hats.apart)) + 1,
+                                                               hats.apart, kSettings.correlation_time);
+        first = hats.end();
+    }
+    return all;
+}
 
 Disturbed readingErrorOf(std::string_view channel) {
     const auto contains = [&](const char* part) { return channel.find(part) != std::string_view::npos; };
@@ -338,25 +362,28 @@ double usualSize(Disturbed kind, const VehicleParams& car) {
 
 Eigen::VectorXd Disturbances::heights(const Eigen::VectorXd& impulses) const {
     Eigen::VectorXd all(random());
-    for (Eigen::Index first = 0; first < random(); first += hats())
-        all.segment(first, hats()) = correlation_factor * impulses.segment(first, hats());
+    for (const Hats& one : hats)
+        all.segment(one.first, one.count()) = one.correlation_factor * impulses.segment(one.first, one.count());
     return all;
 }
 
-Disturbances disturbances(const Replays& replays, const RecordedDrive& drive, const Subject& subject) {
-    return std::move(disturbances(replays, {&drive}, {subject}).front());
+Disturbances disturbances(const Replays& replays, const RecordedDrive& drive, const Subject& subject,
+                          Resolution resolution) {
+    return std::move(disturbances(replays, {&drive}, {subject}, resolution).front());
 }
 
 std::vector<Disturbances> disturbances(const Replays& replays, const std::vector<const RecordedDrive*>& drives,
-                                       const std::vector<Subject>& subjects) {
+                                       const std::vector<Subject>& subjects, Resolution resolution) {
+    std::vector<std::optional<Course>> driven(drives.size());
+    drivenTogether(drives.size(), replays.threads,
+                   [&](std::size_t d) { driven[d].emplace(courseOf(replays, *drives[d], subjects[d], resolution)); });
     std::vector<Course> courses;
-    for (const RecordedDrive* drive : drives) courses.push_back(unknownCourse(*drive));
-    drivenTogether(drives.size(), replays.threads, [&](std::size_t d) { drive(courses[d], replays, subjects[d]); });
-    const std::vector<PushedReplay> pushes = pushedReplays(replays, subjects, courses);
+    for (std::optional<Course>& course : driven) courses.push_back(std::move(*course));
+    const std::vector<PushedReplay> pushes = pushedReplays(replays, courses);
     std::vector<Disturbances> all(drives.size());
     inParallel(drives.size(), replays.threads, [&](std::size_t d) {
         all[d] = bare(courses[d]);
-        if (!courses[d].motion.channels.empty()) fill(all[d], pushes, d, courses[d], subjects[d].vehicle);
+        if (courses[d].base.motion) fill(all[d], pushes, d, courses[d]);
     });
     return all;
 }

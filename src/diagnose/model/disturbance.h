@@ -1,5 +1,5 @@
 // Forces of a real drive that the model does not have. Disturbances (wind, road unevenness, tremor of the driver's
-// hand) are Ornstein-Uhlenbeck processes, piecewise linear over time (hat functions 0.125 s apart). Errors of the
+// hand) are Ornstein-Uhlenbeck processes, piecewise linear over time (sums of hat functions). Errors of the
 // model's own forces are slower processes in proportion to these forces. Both act as generalised forces on the car.
 // Their effect on the motion is found by replaying the drive with pushes, so it has the right correlation over time and
 // between channels.
@@ -80,15 +80,33 @@ Disturbed readingErrorOf(std::string_view channel);
 // (steering), unit of the channel (readings).
 double usualSize(Disturbed kind, const VehicleParams& car);
 
+// Distance of the hats. Fine: those of lateral, yaw and roll forces resolve the roll resonance of a car; longitudinal
+// forces and steering excite nothing that fast. Rough: all are twice as far apart as the fine ones, for first
+// estimates.
+enum class Resolution { fine, rough };
+
+// Hat functions of one kind over a drive.
+struct Hats {
+    double apart = 0;                    // s, from one peak to the next; the first is at the start of the drive
+    Eigen::Index first = 0;              // place of the first impulse among those of all kinds
+    Eigen::MatrixXd correlation_factor;  // heights x impulses
+
+    Eigen::Index count() const { return correlation_factor.rows(); }
+    Eigen::Index end() const { return first + count(); }
+    double peak(Eigen::Index hat) const { return static_cast<double>(hat) * apart; }
+};
+using HatsOfKinds = std::array<Hats, kDisturbedKinds.size()>;
+HatsOfKinds hatsOver(double duration, Resolution resolution);
+
 struct Disturbances {
     Eigen::MatrixXd columns;              // rows x impulses: change of the rows by each impulse at its usual size
     std::vector<Disturbed> kinds;         // kind of each column; those of kDisturbedKinds come first
     std::vector<double> times;            // s, time of each column's hat
-    Eigen::MatrixXd correlation_factor;   // of one kind of kDisturbedKinds: heights of the hats x impulses
+    HatsOfKinds hats;                     // of kDisturbedKinds
     Eigen::VectorXd by_start_speed = {};  // change of the rows per m/s of start speed
 
-    Eigen::Index hats() const { return correlation_factor.rows(); }               // of one kind of kDisturbedKinds
-    Eigen::Index random() const { return hats() * std::ssize(kDisturbedKinds); }  // number of their columns
+    const Hats& of(Disturbed kind) const { return hats[placeOf(kind)]; }
+    Eigen::Index random() const { return hats.back().end(); }  // number of columns of kDisturbedKinds
     // Heights of the hats of kDisturbedKinds, one kind after the other, for the given impulses of these.
     Eigen::VectorXd heights(const Eigen::VectorXd& impulses) const;
 };
@@ -98,9 +116,10 @@ struct Disturbances {
 bool isFollowed(const RecordedDrive& drive, Disturbed kind, double time);
 
 // Disturbances of a drive, linear about its replay by `subject`.
-Disturbances disturbances(const Replays& replays, const RecordedDrive& drive, const Subject& subject);
+Disturbances disturbances(const Replays& replays, const RecordedDrive& drive, const Subject& subject,
+                          Resolution resolution = Resolution::fine);
 // Of several drives, each with its subject.
 std::vector<Disturbances> disturbances(const Replays& replays, const std::vector<const RecordedDrive*>& drives,
-                                       const std::vector<Subject>& subjects);
+                                       const std::vector<Subject>& subjects, Resolution resolution = Resolution::fine);
 
 }  // namespace tread::diagnose::model

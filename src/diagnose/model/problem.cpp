@@ -107,7 +107,7 @@ Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, 
     return problemOf(nominal, file, recorded, differences, options);
 }
 
-NominalCar nominalCar(const Problem& problem, const Progress& progress) {
+NominalCar nominalCar(const Problem& problem, const Progress& progress, Resolution resolution) {
     const Deviation origin = problem.replays.origin();
     Sensitivities about = sensitivities(problem.replays, problem.drives, origin, {.parameters = problem.nuisances},
                                         [&](double share) { progress(share, "sensitivities to tolerances"); });
@@ -115,7 +115,8 @@ NominalCar nominalCar(const Problem& problem, const Progress& progress) {
     NominalCar car;
     for (const Eigen::MatrixXd& columns : about.columns)
         car.allowed.emplace_back(columns(Eigen::all, problem.nuisances).rowwise().norm());
-    car.uncertainty = uncertaintyAt(problem.replays, problem.drives, origin, about.rows, endsOf(problem.drives));
+    car.uncertainty = uncertaintyAt(problem.replays, problem.drives, origin, about.rows, endsOf(problem.drives),
+                                    nullptr, {}, resolution);
     const std::vector<Eigen::Index> relevant =
         relevantNuisances(problem.nuisances, about, car.uncertainty, problem.replays.threads);
     car.about = linearisation(std::move(about), relevant, {}, car.uncertainty, problem.replays.threads);

@@ -52,7 +52,7 @@ struct NominalCar {
     Uncertainty uncertainty;
     Linearisation about;  // with respect to the relevant nuisances; about.about.rows are the rows of the nominal car
 };
-NominalCar nominalCar(const Problem& problem, const Progress& progress);
+NominalCar nominalCar(const Problem& problem, const Progress& progress, Resolution resolution = Resolution::fine);
 
 // Throws std::invalid_argument when the nominal car could not be driven in one of the recordings.
 void expectDriven(Drives drives, const Sensitivities& about);

@@ -6,6 +6,9 @@
 #include "run/together.h"
 
 namespace tread::diagnose::model {
+namespace {
+constexpr double kLongestTimeStep = 0.01;  // s
+}
 
 Subject Replays::subjectAt(const Deviation& point, const RecordedDrive& drive) const {
     return movedIn(drive, nominal(), parameters, point);
@@ -15,9 +18,9 @@ std::optional<Log> motionAt(const Replays& replays, const RecordedDrive& drive, 
                             const Variation& variation) {
     replays.simulations.add();
     try {
-        if (variation.faster == 0) return recording::replayed(drive, subject, replays.replayer, variation.pushing);
         recording::Replayer replayer = replays.replayer;
         replayer.faster = variation.faster;
+        if (variation.coarse) replayer.step = std::max(replayer.step, std::min(2 * replayer.step, kLongestTimeStep));
         return recording::replayed(drive, subject, replayer, variation.pushing);
     } catch (const Interrupted&) {
         throw;

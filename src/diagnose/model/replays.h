@@ -47,6 +47,7 @@ struct Replays {
 struct Variation {
     double faster = 0;     // m/s, added to the start speed (recording::Replayer::faster)
     Pushing pushing = {};  // external forces over the time of the drive
+    bool coarse = false;   // with twice the time step, at most 0.01 s: for differences, in which its error cancels
 };
 
 // Motion of the subject in a drive; nothing when the simulation fails.

@@ -23,7 +23,7 @@ double stepOf(const Parameter& parameter, double at, double step) {
 }
 
 std::vector<Column> columnsToDrive(const Replays& replays, Drives drives, const Deviation& at, const Wanted& wanted,
-                                   const std::vector<std::optional<Log>>& motions) {
+                                   const std::vector<Base>& bases) {
     std::vector<Column> columns;
     for (std::size_t i = 0; i < wanted.parameters.size(); ++i) {
         const Eigen::Index p = wanted.parameters[i];
@@ -32,7 +32,7 @@ std::vector<Column> columnsToDrive(const Replays& replays, Drives drives, const 
             const Parameter& parameter = replays.parameters[p];
             const bool worth = wanted.worth.empty() || wanted.worth[i][d];
             const bool own = parameter.only ? parameter.concerns(drives[d]) : recording::firstLike(drives, d) == d;
-            if (motions[d] && worth && own) columns.push_back({d, p, by});
+            if (bases[d].motion && worth && own) columns.push_back({d, p, by});
         }
     }
     return columns;
@@ -40,19 +40,18 @@ std::vector<Column> columnsToDrive(const Replays& replays, Drives drives, const 
 
 // The finite difference of a column. It is taken with the opposite step when the drive fails; nothing when both fail
 // (D18).
-DrivenColumn difference(const Replays& replays, const RecordedDrive& drive, const Column& column,
-                        const Subject& subject, const Log& motion, const Eigen::VectorXd& here) {
+DrivenColumn difference(const Replays& replays, const RecordedDrive& drive, const Column& column, const Base& base) {
     const Parameter& parameter = replays.parameters[column.parameter];
     int simulations = 0;
     for (const double by : {column.by, -column.by}) {
         if (by == 0) break;
-        Subject there = subject;
+        Subject there = base.subject;
         move(there, parameter, by);
         simulations += parameter.instruments_only ? 0 : 1;
         const std::optional<Log> driven =
-            parameter.instruments_only ? std::optional(motion) : motionAt(replays, drive, there);
+            parameter.instruments_only ? base.motion : motionAt(replays, drive, there, {.coarse = base.coarse});
         if (!driven) continue;
-        Eigen::VectorXd change = recording::readings(drive, *driven, there.instruments) - here;
+        Eigen::VectorXd change = recording::readings(drive, *driven, there.instruments) - base.rows;
         if (parameter.of_both) {
             Deviation moved = replays.origin();
             moved(column.parameter) = by;
@@ -85,36 +84,29 @@ std::vector<std::vector<bool>> onlyIn(const std::vector<bool>& drives, std::size
 Sensitivities sensitivities(const Replays& replays, Drives drives, const Deviation& at, const Wanted& wanted,
                             const std::function<void(double)>& progress) {
     const std::size_t n = drives.size();
-    std::vector<Subject> subjects;
-    for (const RecordedDrive& drive : drives) subjects.push_back(replays.subjectAt(at, drive));
     Sensitivities result{at, Rows(n), std::vector<Eigen::MatrixXd>(n)};
-    std::vector<std::optional<Log>> motions(n);
+    std::vector<Base> bases(n);
     drivenTogether(n, replays.threads, [&](std::size_t d) {
-        motions[d] = motionAt(replays, drives[d], subjects[d]);
+        bases[d] = baseOf(replays, drives[d], replays.subjectAt(at, drives[d]));
         result.columns[d] = Eigen::MatrixXd::Zero(drives[d].rows(), at.size());
         if (wanted.elsewhere) result.columns[d] = wanted.elsewhere->columns[d];
-        if (motions[d]) result.rows[d] = recording::readings(drives[d], *motions[d], subjects[d].instruments);
-    });
-    const Rows of_drives = result.rows;  // without what references contribute
-    drivenTogether(n, replays.threads, [&](std::size_t d) {
-        const std::optional<Eigen::VectorXd> change = changeByReference(replays, drives[d], at);
-        if (motions[d] && change && change->size() > 0) result.rows[d] += *change;
+        if (std::optional<Eigen::VectorXd> rows = rowsOf(replays, drives[d], at)) result.rows[d] = std::move(*rows);
     });
 
-    const std::vector<Column> columns = columnsToDrive(replays, drives, at, wanted, motions);
+    const std::vector<Column> columns = columnsToDrive(replays, drives, at, wanted, bases);
     std::vector<std::filesystem::path> kept(n);
-    for (std::size_t d = 0; d < n && at.isZero(0); ++d) kept[d] = columnFolder(replays, drives[d], subjects[d]);
+    for (std::size_t d = 0; d < n && at.isZero(0); ++d) kept[d] = columnFolder(replays, drives[d], bases[d].subject);
     std::mutex guard;
     double done = 0;
     drivenTogether(columns.size(), replays.threads, [&](std::size_t i) {
         const Column& one = columns[i];
         const RecordedDrive& drive = drives[one.drive];
-        const Eigen::VectorXd& here = of_drives[one.drive];
+        const Base& base = bases[one.drive];
         bool made = false;
         const DrivenColumn column =
-            keptColumn(kept[one.drive], replays.parameters[one.parameter], one.by, here.size(), [&] {
+            keptColumn(kept[one.drive], replays.parameters[one.parameter], one.by, base.rows.size(), [&] {
                 made = true;
-                return difference(replays, drive, one, subjects[one.drive], *motions[one.drive], here);
+                return difference(replays, drive, one, base);
             });
         // A kept column counts like a new one: the answer does not depend on what was kept.
         if (!made) replays.simulations.add(column.simulations);
@@ -126,11 +118,22 @@ Sensitivities sensitivities(const Replays& replays, Drives drives, const Deviati
     return result;
 }
 
-Eigen::VectorXd startSpeedColumn(const Replays& replays, const RecordedDrive& drive, const Subject& subject,
-                                 const Eigen::VectorXd& rows) {
-    const std::optional<Log> faster = motionAt(replays, drive, subject, {.faster = kStartSpeedStep});
+Base baseOf(const Replays& replays, const RecordedDrive& drive, Subject subject) {
+    Base base{.subject = std::move(subject)};
+    base.motion = motionAt(replays, drive, base.subject, {.coarse = true});
+    if (!base.motion) {
+        base.coarse = false;
+        base.motion = motionAt(replays, drive, base.subject);
+    }
+    if (base.motion) base.rows = recording::readings(drive, *base.motion, base.subject.instruments);
+    return base;
+}
+
+Eigen::VectorXd startSpeedColumn(const Replays& replays, const RecordedDrive& drive, const Base& base) {
+    const std::optional<Log> faster =
+        motionAt(replays, drive, base.subject, {.faster = kStartSpeedStep, .coarse = base.coarse});
     if (!faster) return Eigen::VectorXd::Zero(drive.rows());
-    return (recording::readings(drive, *faster, subject.instruments) - rows) / kStartSpeedStep;
+    return (recording::readings(drive, *faster, base.subject.instruments) - base.rows) / kStartSpeedStep;
 }
 
 }  // namespace tread::diagnose::model

@@ -29,7 +29,8 @@ struct Wanted {
 // `worth` with the same drives for each of this many parameters.
 std::vector<std::vector<bool>> onlyIn(const std::vector<bool>& drives, std::size_t parameters);
 
-// Columns about the nominal car are kept in the cache of the replays.
+// Columns are differences between coarse replays, or between usual ones in drives where a coarse one fails.
+// Those about the nominal car are kept in the cache of the replays.
 Sensitivities sensitivities(
     const Replays& replays, Drives drives, const Deviation& at, const Wanted& wanted,
     const std::function<void(double)>& progress = [](double) {});
@@ -38,8 +39,16 @@ Sensitivities sensitivities(
 // finite difference for its sensitivity. It decides no verdict: half and double change none of the development cases.
 inline constexpr double kStartSpeedStep = 0.1;
 
+// A replay of a drive by a subject, from which differences are taken.
+struct Base {
+    Subject subject;
+    std::optional<Log> motion = {};  // nothing when the simulation fails
+    Eigen::VectorXd rows = {};
+    bool coarse = true;  // whether replays that are compared with it are coarse
+};
+Base baseOf(const Replays& replays, const RecordedDrive& drive, Subject subject);
+
 // Change of the rows of a drive per m/s of start speed.
-Eigen::VectorXd startSpeedColumn(const Replays& replays, const RecordedDrive& drive, const Subject& subject,
-                                 const Eigen::VectorXd& rows);
+Eigen::VectorXd startSpeedColumn(const Replays& replays, const RecordedDrive& drive, const Base& base);
 
 }  // namespace tread::diagnose::model

@@ -23,7 +23,8 @@ std::vector<double> endsOf(Drives drives) {
 }
 
 Uncertainty uncertaintyAt(const Replays& replays, Drives drives, const Deviation& at, const Rows& rows,
-                          std::vector<double> until, const Uncertainty* known, const std::vector<bool>& renewed) {
+                          std::vector<double> until, const Uncertainty* known, const std::vector<bool>& renewed,
+                          Resolution resolution) {
     for (std::size_t d = 0; d < drives.size(); ++d)
         until[d] = std::min(until[d], recording::slideApart(drives[d], rows[d]));
     Uncertainty uncertainty;
@@ -45,7 +46,7 @@ Uncertainty uncertaintyAt(const Replays& replays, Drives drives, const Deviation
         subjects.push_back(replays.subjectAt(at, drives[d]));
         places.push_back(d);
     }
-    std::vector<Disturbances> found = disturbances(replays, driven, subjects);
+    std::vector<Disturbances> found = disturbances(replays, driven, subjects, resolution);
     for (std::size_t i = 0; i < found.size(); ++i) uncertainty.disturbing[places[i]] = std::move(found[i]);
     inParallel(drives.size(), replays.threads, [&](std::size_t d) {
         const Disturbances& disturbing = uncertainty.disturbing[d];

@@ -27,7 +27,7 @@ struct Uncertainty {
 // `known`, about a point nearby, or computed about this one, at least in the drives that are `renewed`.
 Uncertainty uncertaintyAt(const Replays& replays, Drives drives, const Deviation& at, const Rows& rows,
                           std::vector<double> until, const Uncertainty* known = nullptr,
-                          const std::vector<bool>& renewed = {});
+                          const std::vector<bool>& renewed = {}, Resolution resolution = Resolution::fine);
 std::vector<double> endsOf(Drives drives);
 
 // Whitened residual of a drive.

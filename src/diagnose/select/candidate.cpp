@@ -9,12 +9,13 @@
 namespace tread::diagnose::select {
 namespace {
 
-constexpr int kMostRounds = 3;    // renewals of the linearisation about one candidate
-constexpr double kSettled = 8;    // nats; the linearisation is not renewed after a fit that gained less
-constexpr double kStuck = 0.02;   // units; a knob that moved less counts as stuck at its limit
-constexpr double kFar = 3;        // standard deviations of its tolerance by which a number hardly moves by itself
-constexpr double kFarShort = 25;  // nats by which a fit may fall short of what the screen promised
-constexpr std::size_t kMovedAtOnce = 3, kPointsAround = 2;  // knobs moved for points around the car; points kept
+constexpr int kMostRounds = 3;       // renewals of the linearisation about one candidate
+constexpr double kSettled = 8;       // nats; the linearisation is not renewed after a fit that gained less
+constexpr double kStuck = 0.02;      // units; a knob that moved less counts as stuck at its limit
+constexpr double kOutOfReach = 100;  // nats behind the best fit, from which a fit has no chance
+constexpr double kFar = 3;           // standard deviations of its tolerance by which a number hardly moves by itself
+constexpr double kFarShort = 25;     // nats by which a fit may fall short of what the screen promised
+constexpr std::size_t kMovedAtOnce = 3;  // knobs moved for points around a car
 
 // Start points for a fit of these knobs: the given point and, if a knob at 0 is bounded to one side, a second one with
 // that knob at its typical size. At a limit the sensitivity may be 0 although the effect is not.
@@ -70,23 +71,20 @@ Deviation withKnobsAt(const Calibration& car, Deviation at, std::span<const Eige
     return at;
 }
 
-// Of the points around the calibrated car and the nominal one, with the first knobs of an effect at once or twice their
-// typical sizes, to all sides, those that leave the smallest squares.
-std::vector<Deviation> pointsAround(const Calibration& car, std::size_t effect) {
+// Of the points around a car, with the first knobs of an effect at once or twice their typical sizes, to all sides, the
+// one that leaves the smallest squares; nothing when none can be driven.
+std::optional<Deviation> pointAround(const Calibration& car, const Deviation& middle, std::size_t effect) {
     const std::span<const Eigen::Index> all = car.problem.knobs[effect];
     const std::span<const Eigen::Index> knobs = all.first(std::min(all.size(), kMovedAtOnce));
-    std::vector<std::pair<double, Deviation>> points;
-    for (const Deviation& middle : {car.fit.at, car.problem.replays.origin()}) {
-        for (const double size : {1.0, 2.0}) {
-            for (std::size_t sides = 0; sides < (std::size_t{1} << knobs.size()); ++sides) {
-                const Deviation at = withKnobsAt(car, middle, knobs, size, sides);
-                if (const std::optional<double> left = squaresAt(car, at)) points.emplace_back(*left, at);
-            }
+    std::optional<Deviation> best;
+    double least = kInfinity;
+    for (const double size : {1.0, 2.0}) {
+        for (std::size_t sides = 0; sides < (std::size_t{1} << knobs.size()); ++sides) {
+            Deviation at = withKnobsAt(car, middle, knobs, size, sides);
+            const std::optional<double> left = squaresAt(car, at);
+            if (left && *left < least) least = *left, best = std::move(at);
         }
     }
-    std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<Deviation> best;
-    for (std::size_t i = 0; i < std::min(points.size(), kPointsAround); ++i) best.push_back(points[i].second);
     return best;
 }
 
@@ -121,39 +119,46 @@ bool Candidate::of(const std::vector<std::size_t>& others) const {
     return std::is_permutation(effects.begin(), effects.end(), others.begin(), others.end());
 }
 
-CandidateFitter::CandidateFitter(const Calibration& car) : car_(car), none_(car.fit) {}
+CandidateFitter::CandidateFitter(const Calibration& car) : car_(car), none_(car.fit), best_(car.fit.log_evidence) {}
 
 bool CandidateFitter::refitNone(const Linearisation& about) {
     std::optional<Fit> again = fitted(car_.problem.replays, car_.drives(), car_.uncertainty, about, {}, {none_.at});
     if (!again || again->log_evidence <= none_.log_evidence) return false;
     none_ = std::move(*again);
+    best_ = std::max(best_, none_.log_evidence);
     return true;
 }
 
-std::optional<Candidate> CandidateFitter::single(std::size_t effect, double promised) const {
+std::optional<Candidate> CandidateFitter::single(std::size_t effect, double promised) {
     std::optional<Candidate> best = fit(car_.about, {effect}, {car_.fit.at});
     if (const Deviation* tried = triedAt(car_, effect)) keepBetter(best, fit(car_.about, {effect}, {*tried}));
+    const auto fitAround = [&](const Deviation& middle) {
+        if (std::optional<Deviation> from = pointAround(car_, middle, effect))
+            keepBetter(best, fit(car_.about, {effect}, {std::move(*from)}));
+    };
     const bool astray = !best || best->log_evidence <= promised - kFarShort || othersMovedFurther(*best);
-    if (!astray && !standsForAnEffect(car_)) return best;
-    for (const Deviation& from : pointsAround(car_, effect)) keepBetter(best, fit(car_.about, {effect}, {from}));
+    if (astray) fitAround(car_.fit.at);
+    if (astray || standsForAnEffect(car_)) fitAround(car_.problem.replays.origin());
     return best;
 }
 
 std::optional<Candidate> CandidateFitter::fit(const Linearisation& about, const std::vector<std::size_t>& effects,
-                                              const Start& from) const {
+                                              const Start& from) {
     std::optional<Candidate> best;
     const std::vector<Eigen::Index> knobs = car_.problem.knobsOf(effects);
     for (Deviation& at : starts(car_.problem, knobs, handedOver(car_, knobs, from.at))) {
         // The second start is needed only when a knob did not leave its limit.
         if (best && (best->fit.at(knobs) - from.at(knobs)).cwiseAbs().minCoeff() > kStuck) break;
-        std::optional<Fit> found = fitted(car_.problem.replays, car_.drives(), car_.uncertainty, about, knobs,
-                                          {std::move(at), from.sizes, from.imperfection, from.is_end});
+        std::optional<Fit> found =
+            fitted(car_.problem.replays, car_.drives(), car_.uncertainty, about, knobs,
+                   {std::move(at), from.sizes, from.imperfection, from.is_end, best_ - kOutOfReach});
+        if (found) best_ = std::max(best_, found->log_evidence);
         if (found) keepBetter(best, Candidate{effects, over(*found), std::move(*found), true});
     }
     return best;
 }
 
-Linearisation CandidateFitter::settle(Candidate& candidate) const {
+Linearisation CandidateFitter::settle(Candidate& candidate) {
     Linearisation here;
     for (int round = 0; round < kMostRounds; ++round) {
         here = linearisedAt(car_, candidate.fit.at);

@@ -19,7 +19,8 @@ struct Candidate {
     bool of(const std::vector<std::size_t>& others) const;
 };
 
-// Fits candidates about the calibrated car and about each other.
+// Fits candidates about the calibrated car and about each other. Fits that will stay far behind the best one so far are
+// given up.
 class CandidateFitter {
 public:
     explicit CandidateFitter(const Calibration& car);
@@ -32,22 +33,23 @@ public:
 
     // One effect, about the calibrated car. The fit may have gone astray where it falls far short of what the linear
     // model promised, where others of its knobs moved further than the first, or where numbers of the calibrated car
-    // moved far beyond their tolerances: it is then started again from points around that car and the nominal one.
+    // moved far beyond their tolerances: it is then started again around that car, or around the nominal one.
     // Nothing when the car cannot be driven with the effect.
-    std::optional<Candidate> single(std::size_t effect, double promised) const;
+    std::optional<Candidate> single(std::size_t effect, double promised);
 
     // A set of effects, from this start. Nothing when the car cannot be driven there.
     std::optional<Candidate> fit(const Linearisation& about, const std::vector<std::size_t>& effects,
-                                 const Start& from) const;
+                                 const Start& from);
 
     // Fits a candidate repeatedly, each time with the nuisances linearised at its point, until it gains little, and
     // once more from nominal nuisances. Returns the linearisation about its point; the columns of the knobs stay those
     // of the calibrated car.
-    Linearisation settle(Candidate& candidate) const;
+    Linearisation settle(Candidate& candidate);
 
 private:
     const Calibration& car_;
     Fit none_;
+    double best_;  // ln Z of the best fit so far
 };
 
 }  // namespace tread::diagnose::select

@@ -15,6 +15,10 @@ namespace {
 constexpr int kMostTrials = 14, kTrialsBeforeRenewal = 6;
 // Distance from the calibrated car, units, from which a fit that goes on starts with columns of the knobs at its point.
 constexpr double kFarFromCalibrated = 0.5;
+// Trial steps before a fit may stop early, and times the gain of its linear model, or of the last change of its sizes,
+// that it may still make.
+constexpr int kTrialsBeforeStopping = 2;
+constexpr double kOptimism = 3;
 constexpr double kEnough = 0.2;  // nats; the fit has converged when the next step promises less
 // A response is rough to within a few nats, since wheels lock and shifts come at instants. A fit also ends after two
 // failed steps in succession that promise less than this.
@@ -252,17 +256,34 @@ private:
     int failed_ = 0;
 };
 
-// Moves the fit to the maximum of the posterior with its sizes: updates point, rows, columns and products.
-void climb(Moving& now, const Fitter& fitter, bool renewed) {
+double logEvidenceOf(const Fit& fit, const inference::QuadraticModel& here) {
+    return inference::logEvidence(here, Eigen::VectorXd::Zero(std::ssize(fit.free))) +
+           model::logPrior(fit.sizes, model::kWidePrior) + model::logPrior(fit.imperfection);
+}
+
+// Whether the fit stays below this ln Z even if it gains several times what its linear model promises.
+bool staysBelow(double least, const Moving& now, const Fitter& fitter) {
+    if (least == -kInfinity) return false;
+    const inference::QuadraticModel here = quadraticOf(now);
+    const double promised = inference::gainOf(here, inference::boundedStep(here, 0, fitter.bounds));
+    return logEvidenceOf(now.fit, here) + kOptimism * promised < least;
+}
+
+// Moves the fit to the maximum of the posterior with its sizes: updates point, rows, columns and products. False when
+// it stopped early because with these sizes it would stay below `least`.
+bool climb(Moving& now, const Fitter& fitter, bool renewed, double least) {
     Convergence convergence;
     for (int trial = 0; trial < kMostTrials; ++trial) {
-        const bool due = !renewed && trial == kTrialsBeforeRenewal;
+        const bool hopeless = trial >= kTrialsBeforeStopping && staysBelow(least, now, fitter);
+        if (hopeless && renewed) return false;
+        const bool due = !renewed && (hopeless || trial == kTrialsBeforeRenewal);
         now.fit.converged = !due && convergence.reachedBy(tryStep(now, fitter));
         if (now.fit.converged && renewed) break;
         if (!now.fit.converged && !due) continue;
         fitter.renewKnobs(now);
         renewed = true, now.damping = 0, convergence = {};
     }
+    return true;
 }
 
 // Sizes of the imperfections closer to the largest evidence (D26b).
@@ -411,14 +432,18 @@ std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertain
     const Fitter fitter = fitterOf(replays, drives, uncertainty, linearisation, imperfections, knobs);
     Moving now = startOf(fitter, linearisation, start, std::move(*rows), prior, remainder);
     if (goesOnFarAway(start, knobs)) fitter.renewKnobs(now);
-    climb(now, fitter, knobs.empty());
-    if (remainder == Remainder::estimated)
-        for (int turn = 0; turn < kMostTurns && !resize(now, fitter); ++turn) climb(now, fitter, true);
+    bool on_its_way = climb(now, fitter, knobs.empty(), start.least);
+    for (int turn = 0; turn < kMostTurns && remainder == Remainder::estimated; ++turn) {
+        const double before = logEvidenceOf(now.fit, quadraticOf(now));
+        if (resize(now, fitter)) break;
+        const double gained = logEvidenceOf(now.fit, quadraticOf(now)) - before;
+        if (!on_its_way && staysBelow(start.least - kOptimism * gained, now, fitter)) break;
+        on_its_way = climb(now, fitter, true, start.least);
+    }
     const inference::QuadraticModel here = quadraticOf(now);
     const Eigen::Index n = std::ssize(now.fit.free);
     now.fit.covariance = inference::factorOfPriorAnd(here.information).solve(Eigen::MatrixXd::Identity(n, n));
-    now.fit.log_evidence = inference::logEvidence(here, Eigen::VectorXd::Zero(n)) +
-                           model::logPrior(now.fit.sizes, model::kWidePrior) + model::logPrior(now.fit.imperfection);
+    now.fit.log_evidence = logEvidenceOf(now.fit, here);
     return std::move(now.fit);
 }
 

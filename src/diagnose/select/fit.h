@@ -58,6 +58,8 @@ struct Start {
     // The end of another fit. Its columns of the knobs are then computed anew where they differ from those of the
     // calibrated car. At other points, such as trials where the car slides, they may be no better than those.
     bool is_end = false;
+    // ln Z that a fit must reach to matter. One that its linear model does not lead there ends early, not converged.
+    double least = -kInfinity;
 };
 
 // Where a fit ended, so that another one goes on from there.
@@ -88,7 +90,8 @@ inference::QuadraticModel quadraticAt(const Fit& fit, const Uncertainty& uncerta
 // Fits nuisances and `knobs` from `start` by a damped Gauss-Newton method (Levenberg) within bounds, in turn with the
 // sizes of the remainder. The columns are at first those of the linearisation.
 // Each replay updates them (C. G. Broyden, A class of methods for solving nonlinear simultaneous equations, 1965), and
-// those of the knobs are computed again once the fit has settled. Nothing when the model cannot be driven at the start.
+// those of the knobs are computed again once the fit has settled, or is about to be given up. Nothing when the model
+// cannot be driven at the start.
 std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertainty& uncertainty,
                           const Linearisation& linearisation, const std::vector<Eigen::Index>& knobs,
                           const Start& start, SizePrior prior = SizePrior::typical,

@@ -97,16 +97,13 @@ const std::vector<Law>& laws() {
 }
 
 // Means of a signal about the peaks of the hats, weighted by the hats.
-Eigen::VectorXd atHats(const Signal& signal, const std::vector<double>& time, const model::Disturbances& disturbing) {
-    const Eigen::Index hats = disturbing.hats();
-    Eigen::VectorXd sums = Eigen::VectorXd::Zero(hats), weights = sums;
-    if (hats < 2) return sums;
-    const double apart = disturbing.times[1] - disturbing.times[0];
+Eigen::VectorXd atHats(const Signal& signal, const std::vector<double>& time, const model::Hats& hats) {
+    Eigen::VectorXd sums = Eigen::VectorXd::Zero(hats.count()), weights = sums;
     for (std::size_t i = 0; i < signal.size(); ++i) {
-        const double place = (time[i] - disturbing.times[0]) / apart;
+        const double place = time[i] / hats.apart;
         const Eigen::Index before = std::lround(std::floor(place));
         for (const Eigen::Index hat : {before, before + 1}) {
-            if (hat < 0 || hat >= hats) continue;
+            if (hat < 0 || hat >= hats.count()) continue;
             const double weight = 1 - std::abs(place - static_cast<double>(hat));
             sums(hat) += weight * signal[i], weights(hat) += weight;
         }
@@ -114,10 +111,10 @@ Eigen::VectorXd atHats(const Signal& signal, const std::vector<double>& time, co
     return (weights.array() > 0).select(sums.array() / weights.array(), 0);
 }
 
-// Histories of a law at the hats of each drive, and its unit: the factor that gives the force a root mean square of
-// one usual size over all drives. Unit 0 when the signal is 0 everywhere.
+// Histories of a law at the hats of each drive and kind of force, and its unit: the factor that gives the force a root
+// mean square of one usual size over all drives. Unit 0 when the signal is 0 everywhere.
 struct History {
-    std::vector<Eigen::VectorXd> of_drive;
+    std::vector<std::vector<Eigen::VectorXd>> of_drive;
     double unit = 0;
 };
 History historyOf(const Law& law, const Calibration& car) {
@@ -125,8 +122,12 @@ History historyOf(const Law& law, const Calibration& car) {
     double squares = 0, hats = 0;
     for (std::size_t d = 0; d < car.drives().size(); ++d) {
         const RecordedDrive& drive = car.drives()[d];
-        history.of_drive.push_back(atHats(law.signal(drive), drive.time, car.uncertainty.disturbing[d]));
-        squares += history.of_drive.back().squaredNorm(), hats += static_cast<double>(history.of_drive.back().size());
+        const Signal signal = law.signal(drive);
+        std::vector<Eigen::VectorXd>& of_kinds = history.of_drive.emplace_back();
+        for (const Disturbed kind : law.kinds) {
+            of_kinds.push_back(atHats(signal, drive.time, car.uncertainty.disturbing[d].of(kind)));
+            squares += of_kinds.back().squaredNorm(), hats += static_cast<double>(of_kinds.back().size());
+        }
     }
     history.unit = squares > 0 ? std::sqrt(hats / squares) : 0;
     return history;
@@ -134,17 +135,15 @@ History historyOf(const Law& law, const Calibration& car) {
 
 // Whitened columns of one drive: each kind of force of every law (D34).
 Eigen::MatrixXd columnsOf(const std::vector<History>& histories, const Calibration& car, std::size_t drive) {
-    const model::Disturbances& disturbing = car.uncertainty.disturbing[drive];
-    const Eigen::Index hats = disturbing.hats();
     std::vector<Eigen::VectorXd> columns;
     for (std::size_t l = 0; l < laws().size(); ++l) {
-        // Impulses that give these heights of the hats.
         const double unit = histories[l].unit / model::disturbanceScale(car.drives()[drive]);
-        const Eigen::VectorXd impulses =
-            disturbing.correlation_factor.triangularView<Eigen::Lower>().solve(unit * histories[l].of_drive[drive]);
-        for (const Disturbed kind : laws()[l].kinds)
-            columns.emplace_back(car.uncertainty.directions[drive].middleCols(model::placeOf(kind) * hats, hats) *
-                                 impulses);
+        for (std::size_t k = 0; k < laws()[l].kinds.size(); ++k) {
+            const model::Hats& hats = car.uncertainty.disturbing[drive].of(laws()[l].kinds[k]);
+            const Eigen::VectorXd impulses =
+                hats.correlation_factor.triangularView<Eigen::Lower>().solve(unit * histories[l].of_drive[drive][k]);
+            columns.emplace_back(car.uncertainty.directions[drive].middleCols(hats.first, hats.count()) * impulses);
+        }
     }
     Eigen::MatrixXd all(columns.front().size(), std::ssize(columns));
     for (Eigen::Index i = 0; i < all.cols(); ++i) all.col(i) = columns[i];
