@@ -256,6 +256,60 @@ TEST(Fit, ThatWillNotReachTheLeastEvidenceStopsEarlyAndOtherwiseItIsTheSame) {
     EXPECT_FALSE(stopped.converged);
 }
 
+TEST(Fit, WithColumnsOfItsPointHasTheCovarianceOfThese) {
+    const simple_car::Case made = someCase(0.96, 1.06);
+    const Problem problem = problemOfTwo(made);
+    const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
+    Fit fit =
+        fitted(problem.replays, problem.drives, car.uncertainty, car.about, {kRatio, kDrag}, {problem.replays.origin()})
+            .value();
+    const VectorXd at = fit.at;
+    for (MatrixXd& columns : fit.columns) columns *= 1.5;
+    fit.covariance /= 2.25;
+    fit = withColumnsOfItsPoint(problem.replays, problem.drives, car.uncertainty, car.about, fit);
+    EXPECT_EQ(fit.at, at);
+    const Dense dense = Dense(car, made.nominal.vehicle).as(fit);
+    const std::vector<Index> free{kWheelbase, kRatio, kDrag};
+    expectSame(covarianceOfNumbers(fit).reshaped(), dense.posterior(free).reshaped(), 1e-8);
+    EXPECT_NEAR(fit.log_evidence, dense.logEvidence(free) + Dense::ofPriors(fit), kLastStep);
+}
+
+// A wheelbase that differs and one that is not known exactly do the same: however clearly the drives show their sum,
+// they leave the difference to the priors. The response is curved, and the step of the two differs.
+TEST(Fit, ColumnOfAnEffectThatMovesAnUncertainNumberIsThatOfThisNumber) {
+    const auto curved = [](const VehicleParams& car, const Scenario& scenario, const Recorder& recorder,
+                           const Pushing& pushing) {
+        VehicleParams acting = car;
+        const double nominal = linear_car::nominal().wheelbase, off = car.wheelbase / nominal - 1;
+        acting.wheelbase = nominal * (1 + off + 5 * off * off);
+        linear_car::drive(acting, scenario, recorder, pushing);
+    };
+    VehicleParams truth = linear_car::nominal();
+    truth.steering.play = 1;
+    truth.wheelbase *= 1.2;
+    const simple_car::Case made = linear_car::recorded(truth, 3, curved);
+    diagnose::Options options = linear_car::options();
+    options.simulate = curved;
+    const Problem problem =
+        problemOf(made.nominal, made.file, made.recorded, {effect("wheelbase", "wheelbase")}, options);
+    const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
+    constexpr Index kOther = 1;
+    const Fit fit =
+        fitted(problem.replays, problem.drives, car.uncertainty, car.about, {kOther}, {problem.replays.origin()})
+            .value();
+    const Fit again =
+        withColumnsOfItsPoint(problem.replays, problem.drives, car.uncertainty, linearisedAt(car, fit.at), fit);
+    ASSERT_EQ(again.free, (std::vector<Index>{kWheelbase, kOther}));
+    const double times =
+        problem.replays.parameters[kOther].moves.front().by / problem.replays.parameters[kWheelbase].moves.front().by;
+    for (const MatrixXd& columns : again.columns) {
+        ASSERT_GT(columns.norm(), 10) << "clear in the drives";
+        expectSame(columns.col(1), times * columns.col(0), 1e-9 * columns.norm());
+    }
+    // What is left of the priors if the drives show times * effect + number exactly.
+    EXPECT_GE(again.covariance(1, 1), 1 / (1 + times * times));
+}
+
 TEST(Fit, KnobThatMayOnlyGrowStaysAtItsLimitWhenLessIsTrue) {
     const simple_car::Case made = someCase(0.95, 0.93);
     const Problem problem = problemOfTwo(made, Direction::up);

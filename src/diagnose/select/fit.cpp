@@ -131,21 +131,46 @@ struct Fitter {
         return squares;
     }
 
-    // Computes the columns of the knobs again by finite differences.
+    // Computes the columns of the knobs again by finite differences. Those of knobs that only mix nuisances follow from
+    // the columns of these, which are computed again instead: the data cannot tell the one from the others.
     void renewKnobs(Moving& now) const {
         Fit& fit = now.fit;
-        const model::Sensitivities here =
-            model::sensitivities(replays, drives, fit.at, {.parameters = knobs, .step = model::kEffectStep});
-        const Eigen::Index others = std::ssize(free) - std::ssize(knobs);
+        const std::vector<Eigen::Index> numbers(free.begin(), free.begin() + fit.numbers());
+        std::vector<Eigen::Index> own, mixed, nuisances;
+        std::vector<std::vector<model::Share>> shares;
+        for (const Eigen::Index knob : knobs) {
+            std::vector<model::Share> of = model::mixture(replays.parameters[knob], replays.parameters, numbers);
+            if (of.empty()) own.push_back(knob);
+            else mixed.push_back(knob), shares.push_back(std::move(of));
+        }
+        for (const std::vector<model::Share>& of : shares)
+            for (const model::Share& share : of) nuisances = model::joined(nuisances, {share.of});
+        const auto renewed = [&](const std::vector<Eigen::Index>& parameters, double step) {
+            if (parameters.empty()) return std::vector<Eigen::MatrixXd>(drives.size());
+            return model::sensitivities(replays, drives, fit.at, {.parameters = parameters, .step = step}).columns;
+        };
+        const std::vector<Eigen::MatrixXd> of_own = renewed(own, model::kEffectStep),
+                                           of_nuisances = renewed(nuisances, model::kNuisanceStep);
         inParallel(drives.size(), replays.threads, [&](std::size_t d) {
-            Eigen::MatrixXd renewed(fit.rows[d].size(), std::ssize(knobs) + 1);
-            renewed << uncertainty.noise[d].over(here.columns[d](Eigen::all, knobs)),
-                model::residual(drives, uncertainty, fit.rows, d);
-            fit.products[d] = inference::extended(inference::firstColumns(fit.products[d], others),
-                                                  fit.columns[d].leftCols(others), uncertainty.directions[d], renewed);
-            fit.columns[d].rightCols(std::ssize(knobs)) = renewed.leftCols(std::ssize(knobs));
+            const auto column = [&](Eigen::Index parameter) { return fit.columns[d].col(placeOf(parameter)); };
+            for (const Eigen::Index knob : own) column(knob) = uncertainty.noise[d].over(of_own[d].col(knob));
+            for (const Eigen::Index one : nuisances) column(one) = uncertainty.noise[d].over(of_nuisances[d].col(one));
+            for (std::size_t k = 0; k < mixed.size(); ++k) {
+                column(mixed[k]).setZero();
+                for (const model::Share& share : shares[k]) column(mixed[k]) += share.units * column(share.of);
+            }
+            Eigen::MatrixXd all(fit.columns[d].rows(), fit.columns[d].cols() + 1);
+            all << fit.columns[d], model::residual(drives, uncertainty, fit.rows, d);
+            const Eigen::Index kept = nuisances.empty() ? std::ssize(free) - std::ssize(knobs) : 0;
+            fit.products[d] =
+                inference::extended(inference::firstColumns(fit.products[d], kept), fit.columns[d].leftCols(kept),
+                                    uncertainty.directions[d], all.rightCols(all.cols() - kept));
         });
         marginalise(now);
+    }
+
+    Eigen::Index placeOf(Eigen::Index parameter) const {
+        return std::find(free.begin(), free.end(), parameter) - free.begin();
     }
 
     // Broyden's update: corrects the columns along a step by the change of rows that it caused (D19).
@@ -366,6 +391,15 @@ Moving startOf(const Fitter& fitter, const Linearisation& linearisation, const S
     return now;
 }
 
+// The fit with covariance and evidence at its point.
+Fit evaluated(Moving now) {
+    const inference::QuadraticModel here = quadraticOf(now);
+    const Eigen::Index n = std::ssize(now.fit.free);
+    now.fit.covariance = inference::factorOfPriorAnd(here.information).solve(Eigen::MatrixXd::Identity(n, n));
+    now.fit.log_evidence = logEvidenceOf(now.fit, here);
+    return std::move(now.fit);
+}
+
 // Whether the columns of the knobs at the calibrated car are wrong for a fit that goes on from another one.
 bool goesOnFarAway(const Start& start, const std::vector<Eigen::Index>& knobs) {
     double squares = 0;
@@ -440,11 +474,16 @@ std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertain
         if (!on_its_way && staysBelow(start.least - kOptimism * gained, now, fitter)) break;
         on_its_way = climb(now, fitter, true, start.least);
     }
-    const inference::QuadraticModel here = quadraticOf(now);
-    const Eigen::Index n = std::ssize(now.fit.free);
-    now.fit.covariance = inference::factorOfPriorAnd(here.information).solve(Eigen::MatrixXd::Identity(n, n));
-    now.fit.log_evidence = logEvidenceOf(now.fit, here);
-    return std::move(now.fit);
+    return evaluated(std::move(now));
+}
+
+Fit withColumnsOfItsPoint(const Replays& replays, Drives drives, const Uncertainty& uncertainty,
+                          const Linearisation& here, const Fit& fit) {
+    const Fitter fitter = fitterOf(replays, drives, uncertainty, here, here.imperfections, fit.knobs);
+    Moving now = startOf(fitter, here, endOf(fit), fit.of_car, fit.prior, Remainder::estimated);
+    now.fit.gained = fit.gained, now.fit.converged = fit.converged;
+    fitter.renewKnobs(now);
+    return evaluated(std::move(now));
 }
 
 }  // namespace tread::diagnose::select

@@ -97,4 +97,9 @@ std::optional<Fit> fitted(const Replays& replays, Drives drives, const Uncertain
                           const Start& start, SizePrior prior = SizePrior::typical,
                           Remainder remainder = Remainder::estimated);
 
+// A fit with all its columns taken about its point: `here` is linearised there. Those of the fit have learnt from its
+// steps, the short ones of which teach more of the roughness of the response than of its slope.
+Fit withColumnsOfItsPoint(const Replays& replays, Drives drives, const Uncertainty& uncertainty,
+                          const Linearisation& here, const Fit& fit);
+
 }  // namespace tread::diagnose::select

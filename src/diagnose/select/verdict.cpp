@@ -153,7 +153,7 @@ Fit released(const Calibration& car, const Candidate& named) {
         fit = std::move(*again);
         if (fit.gained < kSettled) break;
     }
-    return fit;
+    return withColumnsOfItsPoint(car.problem.replays, car.drives(), car.uncertainty, linearisedAt(car, fit.at), fit);
 }
 
 // The fit at the closest car with its causes, whose sizes stay.
