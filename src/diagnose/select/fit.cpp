@@ -144,7 +144,9 @@ struct Fitter {
             else mixed.push_back(knob), shares.push_back(std::move(of));
         }
         for (const std::vector<model::Share>& of : shares)
-            for (const model::Share& share : of) nuisances = model::joined(nuisances, {share.of});
+            for (const model::Share& share : of) nuisances.push_back(share.of);
+        std::sort(nuisances.begin(), nuisances.end());
+        nuisances.erase(std::unique(nuisances.begin(), nuisances.end()), nuisances.end());
         const auto renewed = [&](const std::vector<Eigen::Index>& parameters, double step) {
             if (parameters.empty()) return std::vector<Eigen::MatrixXd>(drives.size());
             return model::sensitivities(replays, drives, fit.at, {.parameters = parameters, .step = step}).columns;
