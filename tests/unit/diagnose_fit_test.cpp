@@ -189,34 +189,63 @@ TEST(Fit, OfALinearCarIsRidgeRegressionInTheFullCovariance) {
     }
 }
 
-// The linear car with a ratio that acts the more the further it is from the nominal one.
-void driveCurved(const VehicleParams& car, const Scenario& scenario, const Recorder& recorder, const Pushing& pushing) {
+// The linear car with a number that acts the more the further it is from the nominal one.
+double curved(double number, double nominal) {
+    const double off = number / nominal - 1;
+    return nominal * (1 + off + 5 * off * std::abs(off));
+}
+void driveCurvedRatio(const VehicleParams& car, const Scenario& scenario, const Recorder& recorder,
+                      const Pushing& pushing) {
     VehicleParams acting = car;
-    const double nominal = linear_car::nominal().steering.ratio, off = car.steering.ratio / nominal - 1;
-    acting.steering.ratio = nominal * (1 + off + 5 * off * std::abs(off));
+    acting.steering.ratio = curved(car.steering.ratio, linear_car::nominal().steering.ratio);
+    linear_car::drive(acting, scenario, recorder, pushing);
+}
+void driveCurvedWheelbase(const VehicleParams& car, const Scenario& scenario, const Recorder& recorder,
+                          const Pushing& pushing) {
+    VehicleParams acting = car;
+    acting.wheelbase = curved(car.wheelbase, linear_car::nominal().wheelbase);
     linear_car::drive(acting, scenario, recorder, pushing);
 }
 
+// Drives of such a car that is not nominal, and the calibrated car, for one effect.
+struct CurvedCar {
+    simple_car::Case made;
+    Problem problem;
+    Calibration car;
+
+    CurvedCar(double ratio, double wheelbase, const recording::Simulate& simulate, const Effect& one)
+        : made(linear_car::recorded(truth(ratio, wheelbase), 3, simulate)),
+          problem(problemOf(made.nominal, made.file, made.recorded, {one}, optionsWith(simulate))),
+          car(calibrate(problem, nominalCar(problem, kQuiet), kQuiet)) {}
+    CurvedCar(const CurvedCar&) = delete;  // the parts refer to each other
+    CurvedCar& operator=(const CurvedCar&) = delete;
+
+    static VehicleParams truth(double ratio, double wheelbase) {
+        VehicleParams truth = linear_car::nominal();
+        truth.steering.play = 1;
+        truth.steering.ratio *= ratio, truth.wheelbase *= wheelbase;
+        return truth;
+    }
+    static diagnose::Options optionsWith(const recording::Simulate& simulate) {
+        diagnose::Options options = linear_car::options();
+        options.simulate = simulate;
+        return options;
+    }
+    std::optional<Fit> fittedFrom(const diagnose::select::Start& start) const {
+        return fitted(problem.replays, problem.drives, car.uncertainty, car.about, problem.knobs[0], start);
+    }
+};
+
 // Where the columns of the calibrated car are wrong by now, no steps are tried with them.
 TEST(Fit, ThatGoesOnFarFromTheCalibratedCarUsesColumnsOfItsOwnPoint) {
-    VehicleParams truth = linear_car::nominal();
-    truth.steering.play = 1;
-    truth.steering.ratio *= 0.8;
-    const simple_car::Case made = linear_car::recorded(truth, 3, driveCurved);
-    diagnose::Options options = linear_car::options();
-    options.simulate = driveCurved;
-    const Problem problem =
-        problemOf(made.nominal, made.file, made.recorded, {effect("ratio", "steering.ratio")}, options);
-    const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
-    const auto fittedFrom = [&](const diagnose::select::Start& start) {
-        return fitted(problem.replays, problem.drives, car.uncertainty, car.about, {kRatio}, start);
-    };
-    const std::optional<Fit> first = fittedFrom({problem.replays.origin()});
+    const CurvedCar curved_car(0.8, 1, driveCurvedRatio, effect("ratio", "steering.ratio"));
+    const Problem& problem = curved_car.problem;
+    const std::optional<Fit> first = curved_car.fittedFrom({problem.replays.origin()});
     ASSERT_TRUE(first);
     ASSERT_GT(std::abs(first->at(kRatio)), 1);
     const auto simulationsFrom = [&](const diagnose::select::Start& start) {
         const int before = problem.replays.simulations.value();
-        const std::optional<Fit> again = fittedFrom(start);
+        const std::optional<Fit> again = curved_car.fittedFrom(start);
         EXPECT_TRUE(again);
         EXPECT_NEAR(again->at(kRatio), first->at(kRatio), 0.05);
         return problem.replays.simulations.value() - before;
@@ -230,19 +259,11 @@ TEST(Fit, ThatGoesOnFarFromTheCalibratedCarUsesColumnsOfItsOwnPoint) {
 }
 
 TEST(Fit, ThatWillNotReachTheLeastEvidenceStopsEarlyAndOtherwiseItIsTheSame) {
-    VehicleParams truth = linear_car::nominal();
-    truth.steering.play = 1;
-    truth.steering.ratio *= 0.7;
-    const simple_car::Case made = linear_car::recorded(truth, 3, driveCurved);
-    diagnose::Options options = linear_car::options();
-    options.simulate = driveCurved;
-    const Problem problem =
-        problemOf(made.nominal, made.file, made.recorded, {effect("ratio", "steering.ratio")}, options);
-    const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
+    const CurvedCar curved_car(0.7, 1, driveCurvedRatio, effect("ratio", "steering.ratio"));
+    const Problem& problem = curved_car.problem;
     const auto fittedFor = [&](double least) {
         const int before = problem.replays.simulations.value();
-        std::optional<Fit> fit = fitted(problem.replays, problem.drives, car.uncertainty, car.about, {kRatio},
-                                        {.at = problem.replays.origin(), .least = least});
+        std::optional<Fit> fit = curved_car.fittedFrom({.at = problem.replays.origin(), .least = least});
         return std::pair(fit.value(), problem.replays.simulations.value() - before);
     };
     const auto [whole, simulations] = fittedFor(-kInfinity);
@@ -277,26 +298,11 @@ TEST(Fit, WithColumnsOfItsPointHasTheCovarianceOfThese) {
 // A wheelbase that differs and one that is not known exactly do the same: however clearly the drives show their sum,
 // they leave the difference to the priors. The response is curved, and the step of the two differs.
 TEST(Fit, ColumnOfAnEffectThatMovesAnUncertainNumberIsThatOfThisNumber) {
-    const auto curved = [](const VehicleParams& car, const Scenario& scenario, const Recorder& recorder,
-                           const Pushing& pushing) {
-        VehicleParams acting = car;
-        const double nominal = linear_car::nominal().wheelbase, off = car.wheelbase / nominal - 1;
-        acting.wheelbase = nominal * (1 + off + 5 * off * off);
-        linear_car::drive(acting, scenario, recorder, pushing);
-    };
-    VehicleParams truth = linear_car::nominal();
-    truth.steering.play = 1;
-    truth.wheelbase *= 1.2;
-    const simple_car::Case made = linear_car::recorded(truth, 3, curved);
-    diagnose::Options options = linear_car::options();
-    options.simulate = curved;
-    const Problem problem =
-        problemOf(made.nominal, made.file, made.recorded, {effect("wheelbase", "wheelbase")}, options);
-    const Calibration car = calibrate(problem, nominalCar(problem, kQuiet), kQuiet);
+    const CurvedCar curved_car(1, 1.2, driveCurvedWheelbase, effect("wheelbase", "wheelbase"));
+    const Problem& problem = curved_car.problem;
+    const Calibration& car = curved_car.car;
     constexpr Index kOther = 1;
-    const Fit fit =
-        fitted(problem.replays, problem.drives, car.uncertainty, car.about, {kOther}, {problem.replays.origin()})
-            .value();
+    const Fit fit = curved_car.fittedFrom({problem.replays.origin()}).value();
     const Fit again =
         withColumnsOfItsPoint(problem.replays, problem.drives, car.uncertainty, linearisedAt(car, fit.at), fit);
     ASSERT_EQ(again.free, (std::vector<Index>{kWheelbase, kOther}));
