@@ -67,6 +67,18 @@ TEST(Posterior, OfAPairCountsForBothAndIsSplitOverAllPairs) {
     EXPECT_NEAR(result.of(3), (one + two) / (none + one + two), 1e-12);
 }
 
+// (D32b): an unknown cause has the prior 0.1, and a fifth of that for each number of effects that may imitate it.
+TEST(Posterior, CountsForAnUnknownCauseWhatItMayLookLike) {
+    const TenEffects ten;
+    const Search found{{judged({3, 7}, 12), judged({3}, 5), judged({}, 0)}};
+    const Posterior result = posterior(ten.car, found, {true, true, true});
+    const double genuine_one = 0.9 * kOne / (0.9 * kOne + 0.02), genuine_two = 0.9 * kTwo / (0.9 * kTwo + 0.02);
+    const double pair = result.of(7), single = result.of(3) - pair;
+    EXPECT_NEAR(result.genuinelyOf(7), pair * genuine_two, 1e-12);
+    EXPECT_NEAR(result.genuinelyOf(3), pair * genuine_two + single * genuine_one, 1e-12);
+    EXPECT_NEAR(result.genuine(), result.genuinelyOf(3) + result.ofNothing(), 1e-12);
+}
+
 TEST(Posterior, OfWhatIsStruckOffIsSharedByTheOthers) {
     const TenEffects ten;
     const Search found{{judged({3}, 9), judged({7}, 2), judged({}, 0)}};

@@ -42,6 +42,21 @@ double Posterior::of(std::size_t effect) const {
     return sum;
 }
 
+double Posterior::genuinelyOf(std::size_t effect) const {
+    double sum = 0;
+    for (const Hypothesis& one : hypotheses) {
+        const Candidate& candidate = *one.candidate;
+        if (holds(candidate, effect)) sum += one.probability * kSettings.genuine(candidate.effects.size());
+    }
+    return sum;
+}
+
+double Posterior::genuine() const {
+    double sum = 0;
+    for (const Hypothesis& one : hypotheses) sum += one.probability * kSettings.genuine(one.candidate->effects.size());
+    return sum;
+}
+
 double Posterior::ofNothing() const {
     double sum = 0;
     for (const Hypothesis& one : hypotheses) {
@@ -73,8 +88,11 @@ std::vector<const Candidate*> Posterior::alternativesTo(const Candidate& named) 
     return alternatives;
 }
 
+double logPrior(const Problem& problem, std::size_t effects) {
+    return std::log(kSettings.prior(effects) / choices(static_cast<double>(problem.effects.size()), effects));
+}
+
 Posterior posterior(const Calibration& car, const Search& found, const std::vector<bool>& possible) {
-    const auto n = static_cast<double>(car.problem.effects.size());
     double strongest = 0;
     for (std::size_t i = 0; i < found.candidates.size(); ++i) {
         if (possible[i]) strongest = std::max(strongest, found.candidates[i].log_evidence);
@@ -87,12 +105,11 @@ Posterior posterior(const Calibration& car, const Search& found, const std::vect
     for (std::size_t i = 0; i < found.candidates.size(); ++i) {
         if (!possible[i]) continue;
         const Candidate& one = found.candidates[i];
-        const std::size_t count = one.effects.size();
         const double behind = (strongest - one.log_evidence) / (one.fitted ? doubt(car, one.fit) : 1);
         result.hypotheses.push_back({&one});
         const bool tells = one.fitted && &one != &found.best();
         const double variance = tells ? ratios.between(best.rows, one.fit.rows) : result.variance_factor;
-        logs.push_back(std::log(kSettings.prior(count) / choices(n, count)) - behind / variance);
+        logs.push_back(logPrior(car.problem, one.effects.size()) - behind / variance);
     }
     normalise(result.hypotheses, std::move(logs));
     return result;

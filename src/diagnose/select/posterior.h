@@ -18,13 +18,18 @@ struct Posterior {
     // Squared Birge ratio of what tells the best model from that without effects: multiplies variances.
     double variance_factor = 1;
 
-    double of(std::size_t effect) const;  // that it is one of the causes
+    double of(std::size_t effect) const;           // that it is one of the causes
+    double genuinelyOf(std::size_t effect) const;  // and they are not what an unknown cause looks like (D32b)
+    double genuine() const;  // that none or the causes of any set act, and not such an unknown cause
     double ofNothing() const;
 
     // Sets of as many effects that may be the answer instead of this one. None where it is sure among them. A set that
     // is less likely than both together acts beside it, not instead of it.
     std::vector<const Candidate*> alternativesTo(const Candidate& named) const;
 };
+
+// ln of the prior probability of one set of so many effects (D28).
+double logPrior(const Problem& problem, std::size_t effects);
 
 // `possible`: of each candidate of the search, whether it can be the answer (D28), (D29).
 Posterior posterior(const Calibration& car, const Search& found, const std::vector<bool>& possible);

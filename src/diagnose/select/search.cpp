@@ -5,6 +5,8 @@
 
 #include "diagnose/select/doubt.h"
 #include "diagnose/select/force_law.h"
+#include "diagnose/select/posterior.h"
+#include "diagnose/select/sets.h"
 #include "diagnose/settings.h"
 
 namespace tread::diagnose::select {
@@ -14,14 +16,13 @@ constexpr std::size_t kFewestFitted = 4, kMostFitted = 8;  // effects of the scr
 // Nats behind the best of the screen, and share of its promise; effects that have neither are fitted only if among the
 // first kFewestFitted.
 constexpr double kHopeless = 25, kLeastShare = 1.0 / 3;
-constexpr double kUncertain = 3;         // nats that a new linearisation may add to a single below the threshold
-constexpr double kBehind = 15;           // nats behind the best single, too many for a new linearisation to make up
-constexpr int kMostRounds = 2;           // best singles about which rivals are fitted
-constexpr std::size_t kMostRivals = 4;   // fitted about the best candidate
-constexpr double kFarBehind = 50;        // nats behind the best candidate that may be due to the point of the fit
-constexpr std::size_t kGrown = 2;        // best singles to which effects are added
-constexpr std::size_t kFurtherFits = 3;  // effects tried beside each of these
-constexpr std::size_t kMostEffects = 3;  // of a set: the prior gives larger sets no probability
+constexpr double kUncertain = 3;        // nats that a new linearisation may add to a single below the threshold
+constexpr int kMostRounds = 2;          // best singles about which rivals are fitted
+constexpr std::size_t kMostRivals = 4;  // fitted about the best candidate
+constexpr double kFarBehind = 50;       // nats behind the best candidate that may be due to the point of the fit
+constexpr int kMostSetRounds = 4;       // best sets about which others are compared
+constexpr std::size_t kSetsFitted = 4;  // about each of these
+constexpr double kClose = 3;            // nats behind the best set up to which others are fitted: odds of 20 to 1
 
 using Effects = std::vector<std::size_t>;
 
@@ -37,10 +38,6 @@ void sort(std::vector<Candidate>& candidates) {
         if (a.fitted != b.fitted) return a.fitted;
         return a.log_evidence > b.log_evidence;
     });
-}
-
-bool contains(const Effects& list, std::size_t value) {
-    return std::find(list.begin(), list.end(), value) != list.end();
 }
 
 std::size_t numbersMoved(const Problem& problem, std::size_t effect) {
@@ -80,8 +77,7 @@ public:
 
     Search run(const Screen& screen) {
         fitSingles(screen);
-        const std::optional<Linearisation> about_best = settleBest();
-        growSets(about_best);
+        fitSets(settleBest());
         takeApart();
         fitRivalsOfBest();
         found_.push_back({{}, 0, fitter_.none(), true});
@@ -128,7 +124,7 @@ private:
     std::optional<Linearisation> settleBest() {
         for (int round = 0; round < kMostRounds && !found_.empty(); ++round) {
             Candidate best = found_.front();
-            if (!worthGrowing(best)) break;
+            if (!worthSettling(best)) break;
             progress_(0.3, "linearising at " + problem_.effects[best.effects.front()].name);
             Linearisation here = fitter_.settle(best);
             if (fitter_.refitNone(here)) {
@@ -147,57 +143,59 @@ private:
         return std::nullopt;
     }
 
-    bool worthGrowing(const Candidate& single) const {
-        return single.fitted && single.log_evidence >= kSettings.effect - kUncertain &&
-               single.log_evidence >= found_.front().log_evidence - kBehind;
+    bool worthSettling(const Candidate& single) const {
+        return single.fitted && single.log_evidence >= kSettings.effect - kUncertain;
     }
 
-    // Settles the best singles, then adds effects to them.
-    void growSets(const std::optional<Linearisation>& about_best) {
-        const std::vector<Candidate> singles(found_.begin(),
-                                             found_.begin() + std::min(std::ssize(found_), std::ptrdiff_t{kGrown}));
-        for (std::size_t i = 0; i < singles.size(); ++i) {
-            Candidate single = singles[i];
-            if (!worthGrowing(single)) break;
-            progress_(0.4 + 0.3 * static_cast<double>(i), "adding to " + problem_.effects[single.effects[0]].name);
-            const bool settled = i == 0 && about_best;
-            const Linearisation here = settled ? *about_best : fitter_.settle(single);
-            if (!settled) keepBetter(single);
-            if (single.log_evidence > kSettings.effect) grow(here, std::move(single));
+    // Fits sets of effects about the most probable one, and goes on about the best of these, until none is better.
+    // `here`: linearised about the best single; nothing where that was not settled.
+    void fitSets(std::optional<Linearisation> here) {
+        for (int round = 0; round < kMostSetRounds && !found_.empty(); ++round) {
+            Candidate best = mostProbable();
+            if (!worthSettling(best)) return;
+            progress_(0.4 + 0.1 * round, "comparing sets of effects");
+            if (!here) here = fitter_.settle(best), keepBetter(best);
+            if (!fitSetsAbout(best, *here)) return;
+            here.reset();
         }
     }
 
-    // Adds effects to a candidate as long as each gains enough, linearised about the fit of those before.
-    void grow(Linearisation about, Candidate from) {
-        while (from.effects.size() < kMostEffects) {
-            const double enough = kSettings.effect * doubt(car_, from.fit);
-            std::optional<Candidate> best = bestBeside(from, about, enough);
-            if (!best || best->log_evidence < from.log_evidence + enough) return;
-            from = std::move(*best);
-            if (from.effects.size() == kMostEffects) return;
-            about = fitter_.settle(from);
-            keepBetter(from);
-        }
-    }
-
-    // The best fit with one more effect. The most promising effects are fitted, and all these fits are kept.
-    std::optional<Candidate> bestBeside(const Candidate& from, const Linearisation& about, double enough) {
-        const std::vector<double> gains =
-            gainsOver(car_, about, withUsualImperfections(from.fit, problem_.replays), car_.uncertainty.sizes);
-        std::optional<Candidate> best;
+    // Fits the sets that the linear model about a candidate finds about as probable. Tells whether one is better.
+    bool fitSetsAbout(const Candidate& best, const Linearisation& here) {
+        const double close = kClose * doubt(car_, best.fit);
+        bool better = false;
         std::size_t fits = 0;
-        for (const std::size_t e : bestFirst(gains)) {
-            if (contains(from.effects, e) || other_name_[e]) continue;
-            if (gains[e] < 0.5 * enough || fits++ == kFurtherFits) break;
-            Effects effects = from.effects;
-            effects.push_back(e);
-            if (isFound(effects)) continue;
-            std::optional<Candidate> more = fitter_.fit(about, effects, endOf(from.fit));
-            if (!more) continue;
-            keepBetter(*more);
-            if (!best || more->log_evidence > best->log_evidence) best = std::move(more);
+        for (const PromisingSet& set : promisingSets(car_, here, best, sought())) {
+            if (set.promised < -close || fits == kSetsFitted) break;
+            if (isFitted(set.effects)) continue;
+            ++fits;
+            Start from = endOf(best.fit);
+            from.at = problem_.withOnly(set.effects, from.at);
+            std::optional<Candidate> one = fitter_.fit(here, set.effects, from);
+            if (!one) continue;
+            better |= logProbability(*one) > logProbability(best);
+            keepBetter(std::move(*one));
         }
-        return best;
+        return better;
+    }
+
+    double logProbability(const Candidate& one) const {
+        return one.log_evidence + logPrior(problem_, one.effects.size());
+    }
+
+    Candidate mostProbable() const {
+        return *std::max_element(found_.begin(), found_.end(), [&](const Candidate& a, const Candidate& b) {
+            if (a.fitted != b.fitted) return b.fitted;
+            return logProbability(a) < logProbability(b);
+        });
+    }
+
+    // Effects that are not another name of one.
+    Effects sought() const {
+        Effects some;
+        for (std::size_t e = 0; e < other_name_.size(); ++e)
+            if (!other_name_[e]) some.push_back(e);
+        return some;
     }
 
     // Fits the best set without each of its effects, from its point, then the best of these sets in the same way: the
@@ -280,8 +278,9 @@ private:
             if (one.fitted) one.log_evidence -= none;
     }
 
-    bool isFound(const Effects& effects) const {
-        return std::any_of(found_.begin(), found_.end(), [&](const Candidate& one) { return one.of(effects); });
+    bool isFitted(const Effects& effects) const {
+        return std::any_of(found_.begin(), found_.end(),
+                           [&](const Candidate& one) { return one.fitted && one.of(effects); });
     }
 
     // Puts a candidate in the place of another fit of the same effects, if it is better.

@@ -69,10 +69,10 @@ const Fit* fitWith(std::size_t effect, const Judgement& judgement, const Posteri
     return nullptr;
 }
 
-// Probability that a named effect acts, and is not the effect most like an unknown cause which acts alone. It closes
-// the share c of what the gap would be without it. An unknown cause is alike to any degree (c is uniform); a cause
-// beside an unknown one is larger or smaller by up to two orders of magnitude (D32a).
-double actsItself(std::size_t effect, const Calibration& car, const Judgement& judgement) {
+// Probability that a named effect acts beside an unknown cause, and is not the effect most like an unknown cause which
+// acts alone. It closes the share c of what the gap would be without it. An unknown cause is alike to any degree (c is
+// uniform); a cause beside an unknown one is larger or smaller by up to two orders of magnitude (D32a).
+double actsBesideUnknown(std::size_t effect, const Calibration& car, const Judgement& judgement) {
     constexpr double kOrders = 4;
     const std::vector<std::size_t>& named = judgement.named->effects;
     const auto place = std::find(named.begin(), named.end(), effect);
@@ -83,8 +83,14 @@ double actsItself(std::size_t effect, const Calibration& car, const Judgement& j
     const double closed = 1 - left / without, likelihood = kOrders * std::log(10) * closed * (1 - closed);
     const double odds = likelihood * kSettings.prior(named.size() - 1) /
                         (kSettings.prior(named.size()) * static_cast<double>(named.size()));
+    return 1 / (1 + odds);
+}
+
+double probabilityOf(std::size_t effect, const Calibration& car, const Posterior& posterior,
+                     const Judgement& judgement) {
     const double unknown = judgement.remains.probability();
-    return 1 - unknown + unknown / (1 + odds);
+    return (1 - unknown) * posterior.genuinelyOf(effect) +
+           unknown * posterior.of(effect) * actsBesideUnknown(effect, car, judgement);
 }
 
 void rankEffects(Diagnosis& diagnosis, const Calibration& car, const Search& found, const Answer& chosen,
@@ -93,7 +99,7 @@ void rankEffects(Diagnosis& diagnosis, const Calibration& car, const Search& fou
     const Posterior& posterior = chosen.posterior;
     for (std::size_t e = 0; e < problem.effects.size(); ++e) {
         answer::RankedEffect ranked{.name = problem.effects[e].name,
-                                    .probability = posterior.of(e) * actsItself(e, car, judgement),
+                                    .probability = probabilityOf(e, car, posterior, judgement),
                                     .parameters = {}};
         for (const Candidate& one : found.candidates) {
             if (one.effects != std::vector<std::size_t>{e}) continue;
@@ -302,8 +308,9 @@ Judgement judge(answer::Diagnosis& diagnosis, const Calibration& car, const std:
     Judgement judgement{&named, std::move(chosen.fit), std::move(chosen.closeness), std::move(remains),
                         predicted(car, named.fit, found.none().fit)};
     diagnosis.causes = problem.namesOf(named.effects);
-    diagnosis.probability_of_unknown = judgement.remains.probability();
-    diagnosis.probability_of_nothing = chosen.posterior.ofNothing() * (1 - diagnosis.probability_of_unknown);
+    const double remains_ordinary = 1 - judgement.remains.probability();
+    diagnosis.probability_of_unknown = 1 - remains_ordinary * chosen.posterior.genuine();
+    diagnosis.probability_of_nothing = remains_ordinary * chosen.posterior.ofNothing();
     rankEffects(diagnosis, car, found, chosen, judgement);
     for (const auto& [model, reason] : chosen.struck)
         diagnosis.ruled_out.push_back({problem.namesOf(model->effects), model->log_evidence, reason});
