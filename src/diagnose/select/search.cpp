@@ -79,6 +79,7 @@ public:
         fitSingles(screen);
         fitSets(settleBest());
         takeApart();
+        fitPromising();
         fitRivalsOfBest();
         found_.push_back({{}, 0, fitter_.none(), true});
         countUnknownForces();
@@ -106,13 +107,16 @@ private:
         fitPromising();
     }
 
-    // Fits the best of the others as long as the linear model promises more of it than the best fit has.
+    // Fits the best of the others as long as the linear model promises more of it than the best fit of a single effect
+    // has: larger sets may be struck off later, and one that was not fitted would then be the most probable.
     void fitPromising() {
         while (true) {
             sort(found_);
             const auto next = std::find_if(found_.begin(), found_.end(), [](const Candidate& c) { return !c.fitted; });
-            const double best = found_.front().fitted ? found_.front().log_evidence : 0;
-            if (next == found_.end() || next->log_evidence <= std::max(best, kSettings.effect)) return;
+            const auto best =
+                std::find_if(found_.begin(), next, [](const Candidate& c) { return c.effects.size() == 1; });
+            const double enough = std::max(kSettings.effect, best == next ? 0 : best->log_evidence);
+            if (next == found_.end() || next->log_evidence <= enough) return;
             std::optional<Candidate> one = fitter_.single(next->effects.front(), next->log_evidence);
             if (one) *next = std::move(*one);
             else found_.erase(next);  // the car cannot be driven with this effect
@@ -127,9 +131,9 @@ private:
             if (!worthSettling(best)) break;
             progress_(0.3, "linearising at " + problem_.effects[best.effects.front()].name);
             Linearisation here = fitter_.settle(best);
+            const double before = fitter_.none().log_evidence;
             if (fitter_.refitNone(here)) {
-                for (Candidate& one : found_)
-                    if (one.fitted) one.log_evidence = fitter_.over(one.fit);
+                for (Candidate& one : found_) one.log_evidence -= fitter_.none().log_evidence - before;
                 best.log_evidence = fitter_.over(best.fit);
                 // What is possible without the effect is possible with it.
                 std::optional<Candidate> again = fitter_.fit(here, best.effects, endOf(fitter_.none()));
@@ -265,17 +269,17 @@ private:
         }
     }
 
-    // Beside each set a force of unknown cause may act (D35a). The last candidate is the model without effects.
+    // Beside each set a force of unknown cause may act (D35a). The last candidate is the model without effects. What
+    // such a force gains beside those that were not fitted is not known, so they keep a lower bound.
     void countUnknownForces() {
         const ForceLaws laws(car_);
         for (Candidate& one : found_) {
             if (!one.fitted) continue;
             one.law = laws.best(one.fit);
-            one.log_evidence = one.fit.log_evidence + gainIfUnknown(one.law);
+            one.log_evidence += gainIfUnknown(one.law);
         }
         const double none = found_.back().log_evidence;
-        for (Candidate& one : found_)
-            if (one.fitted) one.log_evidence -= none;
+        for (Candidate& one : found_) one.log_evidence -= none;
     }
 
     bool isFitted(const Effects& effects) const {
