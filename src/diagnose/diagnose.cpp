@@ -67,7 +67,7 @@ Diagnosis diagnosisOf(const recording::Subject& nominal, const recording::Diagno
 
     // Which effects explain the gap.
     const select::Screen screened = select::screen(car);
-    const select::Search found = select::search(car, screened, partOf(progress, 0.6, 0.9));
+    select::Search found = select::search(car, screened, partOf(progress, 0.6, 0.9));
     const std::vector<double> expected = select::expectedEvidenceAt(car, found.best().fit, screened);
     Diagnosis diagnosis;
     diagnosis.compared = problem.compared();

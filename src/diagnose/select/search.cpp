@@ -79,7 +79,6 @@ public:
         fitSingles(screen);
         fitSets(settleBest());
         takeApart();
-        fitPromising();
         fitRivalsOfBest();
         found_.push_back({{}, 0, fitter_.none(), true});
         countUnknownForces();
@@ -107,16 +106,13 @@ private:
         fitPromising();
     }
 
-    // Fits the best of the others as long as the linear model promises more of it than the best fit of a single effect
-    // has: larger sets may be struck off later, and one that was not fitted would then be the most probable.
+    // Fits the best of the others as long as the linear model promises more of it than the best fit has.
     void fitPromising() {
         while (true) {
             sort(found_);
             const auto next = std::find_if(found_.begin(), found_.end(), [](const Candidate& c) { return !c.fitted; });
-            const auto best =
-                std::find_if(found_.begin(), next, [](const Candidate& c) { return c.effects.size() == 1; });
-            const double enough = std::max(kSettings.effect, best == next ? 0 : best->log_evidence);
-            if (next == found_.end() || next->log_evidence <= enough) return;
+            const double best = found_.front().fitted ? found_.front().log_evidence : 0;
+            if (next == found_.end() || next->log_evidence <= std::max(best, kSettings.effect)) return;
             std::optional<Candidate> one = fitter_.single(next->effects.front(), next->log_evidence);
             if (one) *next = std::move(*one);
             else found_.erase(next);  // the car cannot be driven with this effect
@@ -171,7 +167,7 @@ private:
         std::size_t fits = 0;
         for (const PromisingSet& set : promisingSets(car_, here, best, sought())) {
             if (set.promised < -close || fits == kSetsFitted) break;
-            if (isFitted(set.effects)) continue;
+            if (isFitted(set.effects) || hardlyGains(set, best)) continue;
             ++fits;
             Start from = endOf(best.fit);
             from.at = problem_.withOnly(set.effects, from.at);
@@ -181,6 +177,16 @@ private:
             keepBetter(std::move(*one));
         }
         return better;
+    }
+
+    // Whether effects that a set has more than a candidate are unlikely to be named: each must gain so much. In a small
+    // catalogue, their prior alone does not exclude them.
+    bool hardlyGains(const PromisingSet& set, const Candidate& best) const {
+        if (set.effects.size() <= best.effects.size()) return false;
+        const auto more = static_cast<double>(set.effects.size() - best.effects.size());
+        const double gain =
+            set.promised + logPrior(problem_, best.effects.size()) - logPrior(problem_, set.effects.size());
+        return gain < 0.5 * kSettings.effect * doubt(car_, best.fit) * more;
     }
 
     double logProbability(const Candidate& one) const {
@@ -311,6 +317,17 @@ const Candidate& Search::none() const {
 
 Search search(const Calibration& car, const Screen& screen, const Progress& progress) {
     return Searcher(car, progress).run(screen);
+}
+
+bool fitScreened(const Calibration& car, Search& found, Candidate& screened) {
+    std::optional<Candidate> one = CandidateFitter(car).single(screened.effects.front(), screened.log_evidence);
+    if (!one) return false;
+    const Candidate& none = found.none();
+    one->law = ForceLaws(car).best(one->fit);
+    one->log_evidence =
+        one->fit.log_evidence + gainIfUnknown(one->law) - none.fit.log_evidence - gainIfUnknown(none.law);
+    screened = std::move(*one);
+    return true;
 }
 
 }  // namespace tread::diagnose::select

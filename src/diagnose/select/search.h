@@ -15,4 +15,7 @@ struct Search {
 };
 Search search(const Calibration& car, const Screen& screen, const Progress& progress);
 
+// Fits one of the candidates that were only screened. False when the car cannot be driven with it.
+bool fitScreened(const Calibration& car, Search& found, Candidate& screened);
+
 }  // namespace tread::diagnose::select

@@ -241,8 +241,9 @@ const Candidate* choose(const Posterior& probable) {
 }
 
 // The most probable model that may be the answer. Models that may not are struck off, and the others share their
-// probability. The tests that cost least come first.
-Answer answerOf(const Calibration& car, const Search& found, const HeldOut& held_out) {
+// probability. The tests that cost least come first. Where an effect that was only screened is the most probable now,
+// it is fitted.
+Answer answerOf(const Calibration& car, Search& found, const HeldOut& held_out) {
     std::vector<bool> possible(found.candidates.size(), true);
     std::vector<std::pair<const Candidate*, std::string>> struck;
     LeftOut left_out(car, held_out);
@@ -252,6 +253,11 @@ Answer answerOf(const Calibration& car, const Search& found, const HeldOut& held
     };
     while (true) {
         Posterior probable = posterior(car, found, possible);
+        const std::ptrdiff_t first = probable.hypotheses.front().candidate - found.candidates.data();
+        if (Candidate& one = found.candidates[first]; !one.fitted) {
+            possible[first] = fitScreened(car, found, one);
+            continue;
+        }
         const Candidate* named = choose(probable);
         if (std::string reason = reasonInTheFit(car, *named, found, held_out, probable.variance_factor);
             !reason.empty()) {
@@ -299,7 +305,7 @@ Verdict verdictOf(const Diagnosis& diagnosis, const Calibration& car, const Judg
 }  // namespace
 
 Judgement judge(answer::Diagnosis& diagnosis, const Calibration& car, const std::vector<double>& expected_evidence,
-                const Search& found, const HeldOut& held_out) {
+                Search& found, const HeldOut& held_out) {
     const Problem& problem = car.problem;
     Answer chosen = answerOf(car, found, held_out);
     const Candidate& named = *chosen.named;

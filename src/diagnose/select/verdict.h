@@ -18,8 +18,9 @@ struct Judgement {
     Prediction prediction;
 };
 
-// Fills verdict, causes, alternatives, effects, probabilities, expected evidence and credible set.
+// Fills verdict, causes, alternatives, effects, probabilities, expected evidence and credible set. Candidates that were
+// only screened are fitted where they might be the answer.
 Judgement judge(answer::Diagnosis& diagnosis, const Calibration& car, const std::vector<double>& expected_evidence,
-                const Search& found, const HeldOut& held_out);
+                Search& found, const HeldOut& held_out);
 
 }  // namespace tread::diagnose::select
