@@ -160,9 +160,9 @@ struct Settings {
         for (std::size_t i = 1; i < causes; ++i) share *= rarer;
         return share;
     }
-    // Probability that so many causes act, where they explain the recordings within the noise, rather than an unknown
-    // cause that looks like them. Guess: to imitate an unknown cause takes no effect, one, two, three, or it cannot be
-    // imitated, each as probable (D32b).
+    // Probability that so many causes act, where they explain the recordings within the noise, and are not what an
+    // unknown cause looks like. Guess: tolerances alone may imitate an unknown cause, or one, two or three effects, or
+    // nothing can; each of these five is as probable (D32b).
     constexpr double genuine(std::size_t causes) const {
         constexpr double kImitated = 0.2;
         if (causes == 0) return 1;

@@ -18,9 +18,10 @@ struct Posterior {
     // Squared Birge ratio of what tells the best model from that without effects: multiplies variances.
     double variance_factor = 1;
 
-    double of(std::size_t effect) const;           // that it is one of the causes
-    double genuinelyOf(std::size_t effect) const;  // and they are not what an unknown cause looks like (D32b)
-    double genuine() const;  // that none or the causes of any set act, and not such an unknown cause
+    double of(std::size_t effect) const;  // that it is one of the causes
+    // The same, and that the set is not what an unknown cause looks like (D32b).
+    double genuinelyOf(std::size_t effect) const;
+    double genuine() const;  // that the set, which may be empty, is not what an unknown cause looks like
     double ofNothing() const;
 
     // Sets of as many effects that may be the answer instead of this one. None where it is sure among them. A set that
