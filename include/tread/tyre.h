@@ -22,6 +22,9 @@ namespace tread {
 
 // Structs that the formulas take are templates over the number type: double, or four doubles for four wheels at once.
 
+// A wheel rolls forward whatever its load, which is at most four times the nominal one in the formulas.
+inline constexpr Limits kRollingRadiusByLoad{-0.2, 0.2};
+
 // The numbers p, q, r, s of the paper's appendix and of its transient part.
 template <class T>
 struct BasicTyreCoefficients {
@@ -29,6 +32,7 @@ struct BasicTyreCoefficients {
     T Fzo = kRequired;
     T Ro = kRequired;
     T Re = kRequired;
+    T pRe1 = 0;
     // Longitudinal force at pure slip (36)-(45)
     T pCx1 = kRequired;
     T pDx1 = kRequired;
@@ -133,7 +137,12 @@ struct BasicTyreCoefficients {
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(Fzo), About{"N", "nominal load (29)", kPositive}.usually(2, 1e5));
         field(TREAD_FIELD(Ro), About{"m", "unloaded radius", kPositive}.usually(0.01, 0.9));
-        field(TREAD_FIELD(Re), About{"m", "effective rolling radius", kPositive, 0.003}.usually(0.01, 0.9));
+        field(TREAD_FIELD(Re),
+              About{"m", "effective rolling radius at nominal load", kPositive, 0.003}.usually(0.01, 0.9));
+        field(TREAD_FIELD(pRe1),
+              About{"-", "variation of the effective rolling radius with load: Re (1 + pRe1 dfz); the paper has none",
+                    kRollingRadiusByLoad}
+                  .usually(-0.03, 0));
         field(TREAD_FIELD(pCx1), About{"-", "shape factor Cx (38)", kPositive}.unjudged());
         field(TREAD_FIELD(pDx1), About{"-", "peak friction mux at nominal load (40)", kPositive}.usually(0.1, 4));
         field(TREAD_FIELD(pDx2), About{"-", "variation of mux with load (40)"}.unjudged());

@@ -18,6 +18,7 @@
 #include "tread/equilibrium.h"
 #include "tread/road_surface.h"
 #include "tread/tyre.h"
+#include "vehicle/tyre_load.h"
 
 namespace tread {
 namespace {
@@ -147,7 +148,7 @@ KnownResistance resistanceOf(const Vehicle& vehicle, const VehicleState& state) 
     KnownResistance known{.mass = vehicle.params.mass, .force = 0};
     for (std::size_t i = 0; i < kWheels; ++i) {
         const Vehicle::Corner& corner = vehicle.corners[i];
-        const double radius = corner.tyre.parameters.Re;
+        const double radius = rollingRadius(corner.tyre, state.wheels[i].motion.Fz);
         known.mass += corner.wheel_inertia / (radius * radius);
         known.force += state.wheels[i].drive_torque / radius;
     }

@@ -147,22 +147,23 @@ struct FreeSpin {
         const double h = kGamma * dt;
         BasicTyreMotion<T> start = begin;
         start.Omega = Omega;
-        start.Vsx = begin.Vx - p.Re * Omega;
+        start.Vsx =
+            begin.Vx - delft97::rollingRadius(p, delft97::loadIncrement(p, tyre.l, larger(begin.Fz, T(0)))) * Omega;
         const Relaxation<T> relax = relaxation(p, start, standstill);
         const T Fx = relax.kFx(p) * state.du + p.cFx * state.u;
         const auto freeTorque = [&](const delft97::LoadCoefficients<T>& c, const T& speed) {
-            return T(spin.drive_torque - delft97::rollingResistanceTorque(p, tyre.l, c, Fx, T(p.Re * speed)));
+            return T(spin.drive_torque - delft97::rollingResistanceTorque(p, tyre.l, c, Fx, T(c.Re * speed)));
         };
 
-        // First stage, at gamma h. The belt's gyroscopic effects take the spin from which the stage starts. c2 waits for
-        // nothing that comes later, so it is computed while c1 is.
+        // First stage, at gamma h. The belt's gyroscopic effects take the spin from which the stage starts. c2 waits
+        // for nothing that comes later, so it is computed while c1 is.
         BasicTyreMotion<T> early = between(start, end, kGamma);
         early.Omega = Omega;
         const auto c1 = delft97::loadCoefficients(p, tyre.l, early.Fz, early.gamma);
         const auto c2 = delft97::loadCoefficients(p, tyre.l, end.Fz, end.gamma);
         Stage<T> first = stageAt(tyre, c1, state, early, h, relax);
         const Solution<T> s1 =
-            solveSpin(first, {spin, Omega, freeTorque(c1, Omega), p.Re}, early.Vx, {state.du, state.dv});
+            solveSpin(first, {spin, Omega, freeTorque(c1, Omega), c1.Re}, early.Vx, {state.du, state.dv});
 
         // Second stage, at h: its result is the end of the step.
         const T base = carried(Omega, s1.Omega);
@@ -170,13 +171,13 @@ struct FreeSpin {
         late.Omega = s1.Omega;
         Stage<T> second = stageAt(tyre, c2, carried(state, stateAt(first, s1.patch)), late, h, relax);
         const Solution<T> s2 =
-            solveSpin(second, {spin, base, freeTorque(c2, s1.Omega), p.Re}, end.Vx, s1.patch.velocity);
+            solveSpin(second, {spin, base, freeTorque(c2, s1.Omega), c2.Re}, end.Vx, s1.patch.velocity);
 
         state = stateAt(second, s2.patch);
         Omega = s2.Omega;
         snapToZero(state);
         late.Omega = Omega;
-        late.Vsx = end.Vx - p.Re * Omega;
+        late.Vsx = end.Vx - c2.Re * Omega;
         return rimForces(tyre, c2, state, s2.patch.forces, late, relax);
     }
 };

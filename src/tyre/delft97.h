@@ -24,7 +24,7 @@ inline constexpr double kTwoOverPi = 0.63661977236758134308;
 // All that depends on normal load and camber alone.
 template <class T>
 struct LoadCoefficients {
-    T Fz, gamma, dfz;
+    T Fz, gamma, dfz, Re;
     T SHx, SVx, Cx, mux, Dx, Kx_Fz, Bx, Ex_drive, Ex_brake;
     T SHy, SVy, Cy, muy, Dy, Ky_Fz, By, Ey_positive, Ey_negative;
     T DVyk_0;  // (82) without its slip factor
@@ -35,16 +35,30 @@ T quotient(const T& numerator, const T& denominator) {
     return select(denominator == T(0), T(0), numerator / denominator);
 }
 
+// Load over the nominal one, less one.
+template <class T>
+T loadIncrement(const BasicTyreCoefficients<T>& p, const BasicTyreScaling<T>& l, const T& Fz) {
+    const T Fzo_ = l.Fzo * p.Fzo;  // (29)
+    return (Fz - Fzo_) / Fzo_;     // (30)
+}
+
+// Effective rolling radius, m, as MF-Tyre's falls with the load, linear about the nominal load; the paper's is
+// constant.
+template <class T>
+T rollingRadius(const BasicTyreCoefficients<T>& p, const T& dfz) {
+    return p.Re * (1 + p.pRe1 * dfz);
+}
+
 template <class T>
 LoadCoefficients<T> loadCoefficients(const BasicTyreCoefficients<T>& p, const BasicTyreScaling<T>& l, const T& load,
                                      const T& gamma) {
     LoadCoefficients<T> c;
-    const T Fzo_ = l.Fzo * p.Fzo;  // (29)
     const T Fz = larger(load, T(0));
-    const T dfz = (Fz - Fzo_) / Fzo_;  // (30)
+    const T dfz = loadIncrement(p, l, Fz);
     c.Fz = Fz;
     c.gamma = gamma;
     c.dfz = dfz;
+    c.Re = rollingRadius(p, dfz);
 
     c.Cx = p.pCx1 * l.Cx;                                                      // (38)
     c.mux = larger<T>((p.pDx1 + p.pDx2 * dfz) * l.mux, 0.0);                   // (40)
@@ -64,7 +78,7 @@ LoadCoefficients<T> loadCoefficients(const BasicTyreCoefficients<T>& p, const Ba
     const T Ey = (p.pEy1 + p.pEy2 * dfz) * l.Ey;                                       // (52)
     c.Ey_positive = smaller<T>(Ey * (1 - (p.pEy3 + p.pEy4 * gy)), 1.0);                // (52)
     c.Ey_negative = smaller<T>(Ey * (1 + (p.pEy3 + p.pEy4 * gy)), 1.0);                // (52)
-    const T x = Fz / (p.pKy2 * Fzo_);
+    const T x = Fz / (p.pKy2 * (l.Fzo * p.Fzo));
     c.Ky_Fz = 2 * p.pKy1 / p.pKy2 / (1 + x * x) * (1 - p.pKy3 * magnitude(gy)) * l.Ky;   // (53)
     c.By = quotient(c.Ky_Fz, c.Cy * c.muy);                                              // (54)
     c.SHy = (p.pHy1 + p.pHy2 * dfz + p.pHy3 * gy) * l.Hy;                                // (55)

@@ -195,18 +195,24 @@ void TirImport::deriveRollingRadius(TyreParams& tyre) {
         // Pacejka, "Tyre and Vehicle Dynamics": deflections over the nominal one
         const double loss =
             value("DREFF") * arctan(value("BREFF") * tyre.lambda.Fzo) + value("FREFF") * tyre.lambda.Fzo;
+        const double x = value("BREFF") * tyre.lambda.Fzo;
+        const double slope = tyre.lambda.Fzo * (value("DREFF") * value("BREFF") / (1 + x * x) + value("FREFF"));
         p.Re = p.Ro - nominal_deflection * loss;
-        warn("Re = " + text(p.Re) + " m, by BREFF, DREFF and FREFF at the nominal load");
+        p.pRe1 = -nominal_deflection * slope / p.Re;
+        warn("Re = " + text(p.Re) + " m and pRe1 = " + text(p.pRe1) +
+             ", by BREFF, DREFF and FREFF at and about the nominal load");
     } else {
-        p.Re = p.Ro - kRollingRadiusLoss * nominal_deflection * tyre.lambda.Fzo;
-        warn("Re = " + text(p.Re) +
-             " m, guessed: UNLOADED_RADIUS minus a third of the deflection under the nominal load");
+        const double loss = kRollingRadiusLoss * nominal_deflection * tyre.lambda.Fzo;
+        p.Re = p.Ro - loss;
+        p.pRe1 = -loss / p.Re;
+        warn("Re = " + text(p.Re) + " m and pRe1 = " + text(p.pRe1) +
+             ", guessed: UNLOADED_RADIUS minus a third of the deflection");
     }
-    if (!(p.Re > 0) || !std::isfinite(p.Re)) {
+    if (!(p.Re > 0) || !std::isfinite(p.Re) || !kRollingRadiusByLoad.allow(p.pRe1)) {
         complain(nullptr, "Re",
                  "the effective rolling radius comes out as " + text(p.Re) +
-                     " m; see VERTICAL_STIFFNESS, LCZ, "
-                     "BREFF, DREFF and FREFF");
+                     " m, and its variation with load, pRe1, as " + text(p.pRe1) +
+                     "; see VERTICAL_STIFFNESS, LCZ, BREFF, DREFF and FREFF");
     }
 }
 

@@ -12,6 +12,7 @@
 
 #include "base/turn.h"
 #include "vehicle/settling.h"
+#include "vehicle/tyre_load.h"
 #include "vehicle/vectors.h"
 
 namespace tread {
@@ -66,9 +67,8 @@ VehicleState resting(const Vehicle& vehicle, const Start& start) {
     state.steering =
         steadySteering(params.steering, start.input.steering_wheel_angle, params.front.track, params.wheelbase);
     for (std::size_t i = 0; i < kWheels; ++i) {
-        const TyreCoefficients& p = vehicle.corners[i].tyre.parameters;
         WheelState& wheel = state.wheels[i];
-        wheel.spin = start.speed / p.Re;
+        wheel.spin = start.speed / rollingRadius(vehicle.corners[i].tyre, vehicle.corners[i].static_force);
         wheel.motion.Vx = start.speed;
         wheel.motion.Fz = vehicle.corners[i].static_force;
         wheel.suspension_force = wheel.load = wheel.vertical_force = vehicle.corners[i].static_force;

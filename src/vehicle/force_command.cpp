@@ -1,5 +1,7 @@
 #include "vehicle/force_command.h"
 
+#include "vehicle/tyre_load.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -43,7 +45,7 @@ CommandedTorques commandedTorques(const Vehicle& vehicle, const PerWheel<WheelSt
 // The share falls linearly with the slip at the end of the step, where share * torque and the road's force of the last
 // step turn the wheel: implicit, so that a long step does not make it jump between both ends.
 double takenShare(const WheelState& wheel, const Vehicle::Corner& corner, double torque, double dt) {
-    const double rolling_radius = corner.tyre.parameters.Re;
+    const double rolling_radius = rollingRadius(corner.tyre, wheel.motion.Fz);
     const double speed = wheel.motion.Vx, least = std::max(std::abs(speed), kSlowest);
     const double slip = std::abs(rolling_radius * wheel.spin - speed) / least;
     const double by_torque = rolling_radius * dt / (corner.wheel_inertia * least);

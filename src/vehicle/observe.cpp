@@ -3,6 +3,7 @@
 #include "tread/vehicle.h"
 
 #include "base/elementary.h"
+#include "vehicle/tyre_load.h"
 
 namespace tread {
 namespace {
@@ -49,7 +50,7 @@ SteeringOutput observeSteering(const VehicleState& state, const SteeringParams& 
 }
 
 WheelOutput observeWheel(const WheelState& wheel, const Vehicle::Corner& corner) {
-    const double rolling_radius = corner.tyre.parameters.Re;
+    const double rolling_radius = rollingRadius(corner.tyre, wheel.motion.Fz);
     const double speed = std::max(std::abs(wheel.motion.Vx), kSlowWheel);
     WheelOutput out;
     out.load = wheel.load;

@@ -5,6 +5,7 @@
 #include "tread/vehicle.h"
 #include "tyre/four_tyres.h"
 #include "vehicle/tyre_grip.h"
+#include "vehicle/tyre_load.h"
 
 namespace tread {
 
@@ -60,7 +61,7 @@ void warmTyres(PerWheel<BasicWheelState<T>>& wheels, const Car& vehicle, double 
     for (std::size_t i = 0; i < kWheels; ++i) {
         const auto& corner = vehicle.corners[i];
         BasicWheelState<T>& wheel = wheels[i];
-        const T rolling_speed = corner.tyre.parameters.Re * wheel.spin;
+        const T rolling_speed = rollingRadius(corner.tyre, wheel.motion.Fz) * wheel.spin;
         const T power = slipPower(wheel.motion, wheel.tyre, rolling_speed, wheel.fx, wheel.fy);
         wheel.warming = warmed(wheel.warming, corner.temperature, power, wheel.motion.Vx, dt);
     }

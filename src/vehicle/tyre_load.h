@@ -6,6 +6,7 @@
 
 #include "base/lanes.h"
 #include "tread/tyre.h"
+#include "tyre/delft97.h"
 
 namespace tread {
 struct ForceAndSlope {
@@ -78,6 +79,12 @@ inline constexpr double kMostGripLoad = 4;
 template <class T, class Tyre>
 T grippingLoad(const Tyre& tyre, const T& load) {
     return smaller(load, T(kMostGripLoad * tyre.parameters.Fzo * tyre.lambda.Fzo));
+}
+
+// Effective rolling radius under a load, m.
+template <class T, class Tyre>
+T rollingRadius(const Tyre& tyre, const T& load) {
+    return delft97::rollingRadius(tyre.parameters, delft97::loadIncrement(tyre.parameters, tyre.lambda, load));
 }
 
 }  // namespace TREAD_ISA

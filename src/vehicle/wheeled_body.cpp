@@ -172,7 +172,7 @@ void handOver(Wrench& wrench, BodyWheelState& state, const BodyWheel& wheel, con
     state.force_W = toArray(times<Vector3>(body.to_world, rest + side));
     state.steer_torque = -wheel.down_B.dot((contact.point_B - contact.hub_B).cross(rest + side) +
                                            tyre.Mz * contact.normal_B + tyre.Mx * contact.forward_B);
-    const double rolling_speed = wheel.tyre.parameters.Re * state.spin;
+    const double rolling_speed = rollingRadius(wheel.tyre, state.motion.Fz) * state.spin;
     state.slip_power = slipPower(state.motion, state.tyre, rolling_speed, tyre.Fx, tyre.Fy);
 }
 

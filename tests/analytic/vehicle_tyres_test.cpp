@@ -83,6 +83,44 @@ TEST(TyresOfACar, LowPressureLetsTheWheelSinkByTheClosedForm) {
     EXPECT_NEAR(p.Ro - hard.radius, hard.load / p.pz1, 1e-6);
 }
 
+// A car whose rear wheels, which nothing drives or brakes, roll without slip.
+VehicleParams rollingOnAVariableRadius() {
+    VehicleParams params = symmetric();
+    TyreCoefficients& p = params.rear.tyre.parameters;
+    p.pHx1 = p.pHx2 = p.pVx1 = p.pVx2 = p.qy1 = p.qy2 = 0;
+    p.pRe1 = -0.02;
+    return params;
+}
+
+TEST(TyresOfACar, WheelsRollOnARadiusThatFallsWithTheirLoad) {
+    const VehicleParams params = rollingOnAVariableRadius();
+    const TyreCoefficients& p = params.rear.tyre.parameters;
+    const PlaneRoad road;
+    const reference::Car car = reference::steadyTurn(params, road, 20, 0.05, 12);
+    double least = kInfinity, most = 0;
+    for (const std::size_t i : {2u, 3u}) {
+        const WheelState& w = car.state.wheels[i];
+        const double expected = p.Re * (1 - 0.02 * (w.load / p.Fzo - 1));
+        std::printf("rear tyre %zu: %.0f N, %.3f mm\n", i, w.load, 1000 * expected);
+        EXPECT_NEAR(w.motion.Vx / w.spin, expected, 2e-5 * expected);
+        EXPECT_NEAR(car.output().wheel[i].slip_ratio, 0, 2e-5);
+        least = std::min(least, expected);
+        most = std::max(most, expected);
+    }
+    EXPECT_GT(most - least, 0.003) << "the turn shifts load";
+}
+
+// The start is the state in which the wheels roll.
+TEST(TyresOfACar, WheelsStartOnTheRadiusOfTheirLoad) {
+    const VehicleParams params = rollingOnAVariableRadius();
+    const PlaneRoad road;
+    const reference::Car car = reference::settled(params, road, {.speed = 20});
+    const WheelState& w = car.state.wheels[2];
+    const TyreCoefficients& p = params.rear.tyre.parameters;
+    EXPECT_NEAR(w.spin, 20 / (p.Re * (1 - 0.02 * (w.load / p.Fzo - 1))), 1e-5 * w.spin);
+    EXPECT_GT(std::abs(w.load / p.Fzo - 1), 0.2);
+}
+
 TEST(TyresOfACar, TemperatureInASteadyTurnIsThatOfItsSlipPower) {
     VehicleParams params = symmetric();
     params.rear.tyre_surroundings.temperature.heat_capacity = 0;

@@ -41,6 +41,7 @@ void addAxle(std::vector<SharedNumber>& all, const std::string& axle, Axle& a) {
     same(".tyre.parameters.pDy2", a.tyre.friction_by_load);
     factor(".tyre.parameters.qy1", a.tyre.rolling_resistance);
     factor(".tyre.parameters.Re", a.tyre.rolling_radius);
+    same(".tyre.parameters.pRe1", a.tyre.rolling_radius_by_load);
     factor(".tyre.parameters.Ro", a.tyre.loaded_radius);
 }
 

@@ -257,8 +257,8 @@ TEST_F(TirFile, ImportedTyreGivesTheForcesOfTheFileTurnedToThePaperAxes) {
 // which the formulas are even.
 TEST_F(TirFile, TheComparisonWouldNoticeAWrongSignOfAnyKey) {
     const std::set<std::string> even{"pCx1", "pCy1", "rBx1", "rBx2", "rCx1", "rBy1", "rBy2", "rCy1", "rVy4"};
-    const std::set<std::string> not_steady{"Re",  "pz1", "pz2", "pTy8", "pTy9",  "mc",    "kFx",
-                                           "kFy", "cFx", "cFy", "mt",   "czgyr", "cygyr", "cpsigyr"};
+    const std::set<std::string> not_steady{"Re",  "pRe1", "pz1", "pz2", "pTy8",  "pTy9",  "mc",     "kFx",
+                                           "kFy", "cFx",  "cFy", "mt",  "czgyr", "cygyr", "cpsigyr"};
     const TyreParams tyre = read(kHead + textOf(kTyre));
     TyreParams turned = tyre;
     for (const Number& number : numbers(turned.parameters)) {
@@ -434,6 +434,27 @@ TEST_F(TirFile, RollingRadiusFollowsTheBookWhereTheFileAllowsIt) {
     EXPECT_TRUE(warns("Re = 0.3057"));
     keys["DREFF"] = 15;
     EXPECT_NE(faults(kHead + textOf(keys)).find("effective rolling radius comes out as"), std::string::npos);
+}
+
+// The slope of the book's formula, as a difference quotient of the radii of two files that differ in their nominal
+// load.
+TEST_F(TirFile, RollingRadiusVariesWithTheLoadAsTheBooksDoesAboutTheNominalOne) {
+    Keys keys = kTyre;
+    keys["BREFF"] = 3;
+    keys["DREFF"] = 0.23;
+    keys["FREFF"] = 0.08;
+    keys["LFZO"] = 1.1;
+    const TyreCoefficients p = read(kHead + textOf(keys)).parameters;
+    const double step = 1e-4;
+    keys["LFZO"] = 1.1 * (1 + step);
+    const double more = read(kHead + textOf(keys)).parameters.Re;
+    keys["LFZO"] = 1.1 * (1 - step);
+    const double less = read(kHead + textOf(keys)).parameters.Re;
+    EXPECT_NEAR(p.pRe1, (more - less) / (2 * step * p.Re), 1e-8);
+    EXPECT_LT(p.pRe1, -0.005);
+
+    const TyreCoefficients guessed = read(kHead + textOf(kTyre)).parameters;
+    EXPECT_NEAR(guessed.Re * (1 - guessed.pRe1), 0.313, 1e-15);  // without load, the unloaded radius
 }
 
 TEST_F(TirFile, CarcassStiffnessComesFromTheFileThenFromRelaxationLengthsThenFromAGuess) {

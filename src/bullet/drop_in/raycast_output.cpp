@@ -8,6 +8,7 @@
 #include "base/elementary.h"
 #include "bullet/convert.h"
 #include "bullet/drop_in/raycast_parts.h"
+#include "vehicle/tyre_load.h"
 
 namespace tread {
 
@@ -26,7 +27,7 @@ struct SlipShown {
 };
 SlipShown slipOf(const BodyWheelState& wheel, const TyreParams& tyre) {
     const double speed = std::max(std::abs(wheel.motion.Vx), kSlowest);
-    const double Vsx = wheel.motion.Vx - tyre.parameters.Re * wheel.spin;
+    const double Vsx = wheel.motion.Vx - rollingRadius(tyre, wheel.motion.Fz) * wheel.spin;
     return {-Vsx / speed, -wheel.motion.Vsy / speed};
 }
 

@@ -25,7 +25,8 @@ struct Tyre {
     double carcass = 141800;    // N/m, lateral
     double carcass_x = 474500;  // N/m
     double rolling_resistance = 0.0102;
-    double rolling_radius = 0.3055;
+    double rolling_radius = 0.3055;     // m, at the nominal load
+    double rolling_radius_by_load = 0;  // relative change over relative load
     double loaded_radius = 0.294;
     double radial_stiffness = 183600;  // N/m
 };
@@ -40,6 +41,10 @@ inline double slipStiffness(const Tyre& tyre, double load) {
 
 inline double corneringStiffness(const Tyre& tyre, double load) {
     return tyre.stiffness * std::sin(2 * std::atan(load / tyre.stiffness_load));
+}
+
+inline double rollingRadius(const Tyre& tyre, double load) {
+    return tyre.rolling_radius * (1 + tyre.rolling_radius_by_load * (load / tyre.nominal_load - 1));
 }
 
 // Force over friction force. `slip`: linear force (stiffness times slip) over friction force.

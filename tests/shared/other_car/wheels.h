@@ -87,7 +87,7 @@ inline void addWheel(const Params& p, const Tyre& tyre, double arm, std::size_t 
     const double vx = s[kVx] - s[kYawRate] * y, vy = s[kVy] + s[kYawRate] * x + s[kRollRate] * arm;
     const double c = std::cos(steer), n = std::sin(steer);
     const double along = std::max(c * vx + n * vy, 0.1), across = -n * vx + c * vy;  // m/s; above 0: a divisor below
-    const double kappa = (s[kSpin + i] * tyre.rolling_radius - along) / along;
+    const double kappa = (s[kSpin + i] * rollingRadius(tyre, f.load[i]) - along) / along;
     const double load = std::max(f.load[i], 100.0);  // N; a relaxation length needs some load
     f.rate[kAlpha + i] =
         along * tyre.carcass / relaxationStiffness(p, tyre, load) * (-std::atan2(across, along) - s[kAlpha + i]);
