@@ -102,8 +102,8 @@ void addRivals(HtmlPage& page, const Diagnosis& diagnosis) {
 void addNextDrives(HtmlPage& page, const Diagnosis& diagnosis) {
     std::vector<std::vector<Cell>> next;
     for (const NextDrive& drive : diagnosis.next)
-        next.push_back({{drive.scenario}, {formatNumber(drive.nats, 3), true}, {separatesInWords(drive)}});
-    if (!next.empty()) page.table({"Drive next", "Expected nats", "Would separate"}, next, true);
+        next.push_back({{drive.scenario}, {evidenceInWords(drive), true}, {separatesInWords(drive)}});
+    if (!next.empty()) page.table({"Drive next", "Expected evidence", "Would separate"}, next, true);
     std::vector<std::string> hidden;
     for (const std::string& effect : unseenEffects(diagnosis)) hidden.push_back(effectInWords(effect));
     page.text(hidden.empty()

@@ -69,7 +69,7 @@ private:
     const TirEntry* single(std::string_view key, bool units = false);
     double unit(std::string_view key, std::span<const TirUnit> known);
     template <class Struct>
-    void checkLimit(Struct& parameters, double& parameter, std::string_view key);
+    void checkLimits(Struct& parameters, const std::map<const double*, std::string_view>& keys);
     TyreSide side();
     void deriveRollingRadius(TyreParams& tyre);
     void deriveCarcass(TyreCoefficients& p);
@@ -148,12 +148,15 @@ void TirImport::readUnits() {
     scale_.nominal_load = value("FNOMIN") * scale_.force;
 }
 
+// `keys`: from which key of the file each parameter was read.
 template <class Struct>
-void TirImport::checkLimit(Struct& parameters, double& parameter, std::string_view key) {
+void TirImport::checkLimits(Struct& parameters, const std::map<const double*, std::string_view>& keys) {
     for (const Number& number : numbers(parameters)) {
-        if (number.value != &parameter || number.about.limits.allow(parameter)) continue;
+        const auto read = keys.find(number.value);
+        if (read == keys.end() || number.about.limits.allow(*number.value)) continue;
+        const std::string_view key = read->second;
         complain(file_.find(key).front(), key,
-                 "gives " + number.path + " = " + text(parameter) + " (" + std::string(number.about.meaning) +
+                 "gives " + number.path + " = " + text(*number.value) + " (" + std::string(number.about.meaning) +
                      "), expected " + (number.about.limits.lowest_open ? "more than " : "at least ") +
                      text(number.about.limits.lowest));
     }
@@ -171,19 +174,22 @@ TyreParams TirImport::map() {
     TyreParams tyre;
     tyre.name = std::filesystem::path(file_.file).stem().string();
     tyre.side = side();
+    std::map<const double*, std::string_view> keys;
     for (const TirKey& row : tir::kCoefficients) {
         double& parameter = tyre.parameters.*row.parameter;
         if (values_.contains(row.key)) {
             parameter = value(row.key) * factor(row.rule, scale_) + 0.0;  // no negative zeros
-            checkLimit(tyre.parameters, parameter, row.key);
+            keys[&parameter] = row.key;
         } else if (std::isnan(parameter) && file_.find(row.key).empty()) {
             complain(nullptr, row.key, "is missing");
         }
     }
     for (const tir::ScalingKey& row : tir::kScaling) {
         tyre.lambda.*row.parameter = value(row.key, 1);
-        checkLimit(tyre.lambda, tyre.lambda.*row.parameter, row.key);
+        if (values_.contains(row.key)) keys[&(tyre.lambda.*row.parameter)] = row.key;
     }
+    checkLimits(tyre.parameters, keys);
+    checkLimits(tyre.lambda, keys);
     return tyre;
 }
 

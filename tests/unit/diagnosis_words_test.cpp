@@ -17,6 +17,7 @@ using diagnose::answer::Decomposition;
 using diagnose::answer::Diagnosis;
 using diagnose::answer::effectInWords;
 using diagnose::answer::enlargingInWords;
+using diagnose::answer::evidenceInWords;
 using diagnose::answer::Estimate;
 using diagnose::answer::headline;
 using diagnose::answer::kindOfForceInWords;
@@ -93,6 +94,11 @@ TEST(Headline, NamesRivalsAndTheDriveThatWouldTell) {
     d.next = {{"scenarios/a.yaml", {"mass"}, {}, 90}, {"scenarios/b.yaml", {"brake_gain"}, {"brake_fade"}, 34}};
     EXPECT_TRUE(headline(d).starts_with(
         "Mostly brake gain or brake fade: these drives cannot tell them apart; scenarios/b.yaml would; 12 %"));
+}
+
+TEST(DiagnosisWords, OfANextDriveClaimNoMoreThanAModelCanKnow) {
+    EXPECT_EQ(evidenceInWords({"a.yaml", {"mass"}, {}, 34.4}), "34 nats");
+    EXPECT_EQ(evidenceInWords({"a.yaml", {"mass"}, {}, 259508}), "more than 100 nats");
 }
 
 TEST(Headline, OfAnUnknownCauseSaysWhatRemainsAndWhatIsExplained) {

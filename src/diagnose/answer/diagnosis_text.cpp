@@ -179,8 +179,8 @@ std::string leftOutOf(const Diagnosis& d) {
 std::string nextOf(const Diagnosis& d) {
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < std::min(d.next.size(), kMostListed); ++i)
-        lines.push_back(fmt::format("{} would separate {} by {:.0f} nats", d.next[i].scenario,
-                                    separatesInWords(d.next[i]), d.next[i].nats));
+        lines.push_back(fmt::format("{} would separate {} by {}", d.next[i].scenario, separatesInWords(d.next[i]),
+                                    evidenceInWords(d.next[i])));
     return listed("NEXT", lines);
 }
 

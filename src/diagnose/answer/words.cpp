@@ -148,6 +148,12 @@ std::string separatesInWords(const NextDrive& next) {
     return together(next.one) + " from " + (next.other.empty() ? "no effect" : together(next.other));
 }
 
+std::string evidenceInWords(const NextDrive& next) {
+    constexpr double kCertain = 100;  // nats
+    return next.nats > kCertain ? fmt::format("more than {:.0f} nats", kCertain)
+                                : fmt::format("{:.0f} nats", next.nats);
+}
+
 std::string channelInWords(const std::string& channel) {
     const recording::ObservedQuantity* quantity = recording::observedQuantity(channel);
     if (!quantity) return channel;

@@ -50,6 +50,10 @@ std::string momentInWords(const Moment& moment);
 // The causes that a manoeuvre tells apart: "grip from mass".
 std::string separatesInWords(const NextDrive& next);
 
+// The evidence that it can be expected to give: "48 nats". Beyond 100, a larger figure would claim more than any model
+// can know.
+std::string evidenceInWords(const NextDrive& next);
+
 // Yes: causes are named, or there is none. No: the cause is not known, or the drives cannot show one. The exit status
 // of the command and the sign of the page's badge.
 bool isAnswered(const Diagnosis& diagnosis);

@@ -61,13 +61,13 @@ const std::initializer_list<Family>& families() {
         // Pull to one side.
         {"steering_zero", "bank", "conicity", "ply_steer", "load_offset"},
         {"bank", "accelerometer_bias"},
-        // The body rolls in proportion to the lateral acceleration.
-        {"accelerometer_gravity", "accelerometer_scale"},
         {"bank", "wind"},
         {"steering_zero", "gyro_bias"},
         {"toe_rear", "sideslip_zero"},
         // Speed against wheel speed.
         {"wheel_radius", "wheel_speed_scale", "speed_scale"},
+        // The body rolls in proportion to the lateral acceleration.
+        {"accelerometer_gravity", "accelerometer_scale"},
     };
     return all;
 }

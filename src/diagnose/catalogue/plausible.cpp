@@ -39,7 +39,7 @@ constexpr PlausibleRange kRanges[] = {
     // Tyres
     {"*.tyre.parameters.Re", 0.9, 1.1, itself, "other sizes that fit the wheel house, wear"},
     {"*.tyre.parameters.Ro", 0.9, 1.1, itself, "other sizes that fit the wheel house, wear"},
-    {"*.tyre.parameters.pRe1", -0.06, 0.01, one, "guess: twice the whole radial deflection"},
+    {"*.tyre.parameters.pRe1", -0.06, 0.02, one, "guess: down by the whole radial deflection, up by a third of it"},
     {"*.tyre.lambda.mux", 0.1, 1.6, itself, "from ice to a semi-slick"},
     {"*.tyre.lambda.muy", 0.1, 1.6, itself, "from ice to a semi-slick"},
     {"*.tyre.lambda.Kx", 0.3, 2.5, itself, kOtherTyre},
