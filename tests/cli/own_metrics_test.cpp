@@ -109,7 +109,9 @@ TEST_F(OwnMetrics, AFileAddsThemToARunAndToALog) {
     EXPECT_GT(way, 10);
     const Result again = runProgram({"metrics", out("log.csv"), "--metrics", file, "--json"});
     ASSERT_EQ(again.status, 0) << again.err;
-    for (const Json& one : Json::parse(again.out)["metrics"]) {
+    const Json told = Json::parse(again.out);
+    ASSERT_GE(told["metrics"].size(), 2u);
+    for (const Json& one : told["metrics"]) {
         if (one["name"] == "way") {
             EXPECT_EQ(one["value"].get<double>(), way);
         } else if (one["name"] == "mass") {
