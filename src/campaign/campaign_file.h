@@ -42,6 +42,10 @@ struct Grid {
         field(TREAD_FIELD(to), About{"", "last value, with its unit"});
         field(TREAD_FIELD(count), About{"", "number of values, in equal steps", {2, 1'000'000}});
     }
+
+    static void check(const auto& self, auto&& complain) {
+        if (self.count == 0) complain("count", "found no number of values, expected at least 2");
+    }
 };
 static_assert(describesEveryMember<Grid>());
 
