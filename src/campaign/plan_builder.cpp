@@ -194,7 +194,6 @@ private:
         } else if (asked.grid) {
             const double from = limited(asked.grid->from, ".grid.from"), to = limited(asked.grid->to, ".grid.to");
             const int last = asked.grid->count - 1;
-            if (last < 1) return complain(at + ".grid.count", "found no number of values, expected at least 2");
             for (int i = 0; i < last; ++i) variable.numbers.push_back(from + (to - from) * i / last);
             variable.numbers.push_back(to);
         } else if (asked.uniform) {

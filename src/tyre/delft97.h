@@ -42,8 +42,7 @@ T loadIncrement(const BasicTyreCoefficients<T>& p, const BasicTyreScaling<T>& l,
     return (Fz - Fzo_) / Fzo_;     // (30)
 }
 
-// Effective rolling radius, m, as MF-Tyre's falls with the load, linear about the nominal load; the paper's is
-// constant.
+// Effective rolling radius, m: constant in the paper, here linear in the load, as MF-Tyre's is about the nominal load.
 template <class T>
 T rollingRadius(const BasicTyreCoefficients<T>& p, const T& dfz) {
     return p.Re * (1 + p.pRe1 * dfz);
