@@ -22,7 +22,7 @@ namespace tread {
 
 // Structs that the formulas take are templates over the number type: double, or four doubles for four wheels at once.
 
-// Within these limits the rolling radius is positive at every load: the formulas see at most four times the nominal one.
+// The rolling radius stays positive: the formulas see at most four times the nominal load.
 inline constexpr Limits kRollingRadiusByLoad{-0.2, 0.2};
 
 // The numbers p, q, r, s of the paper's appendix and of its transient part.
