@@ -1,12 +1,12 @@
 #include "host/car.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "base/concat.h"
 #include "base/elementary.h"
 #include "base/interpolate.h"
 #include "base/number_text.h"
+#include "base/turn.h"
 #include "host/channels.h"
 #include "host/failure.h"
 #include "host/settled.h"
@@ -17,10 +17,6 @@ namespace tread::host {
 namespace {
 
 const Vector3 kGravity_W(0, 0, -kStandardGravity);
-
-double unwrapped(double angle, double previous) {
-    return angle - 2 * std::numbers::pi * std::round((angle - previous) / (2 * std::numbers::pi));
-}
 
 // Of the body's x axis over the horizontal plane, as VehicleOutput has it.
 double yawOf(const Quaternion& q) {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 #include "base/elementary.h"
 #include "base/numbers.h"
 #include "base/pattern.h"
+#include "base/turn.h"
 #include "host/settled.h"
 #include "run/health.h"
 #include "run/pushed.h"
@@ -104,10 +104,6 @@ private:
     std::vector<Observed> sensors_;  // behind the channels
     std::vector<double> row_;
 };
-
-double unwrapped(double angle, double previous) {
-    return angle - 2 * std::numbers::pi * std::round((angle - previous) / (2 * std::numbers::pi));
-}
 
 // The car starts in the part of the steady wind that blows along its heading: a side wind it meets as it starts, for
 // held straight it is in no equilibrium there.

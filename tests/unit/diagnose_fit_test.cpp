@@ -126,7 +126,7 @@ struct Dense {
             double sum = ofPrior(std::exp(log_common), diagnose::kSettings.imperfection_spread);
             for (const double size : sizes)
                 sum += ofPrior(size / (diagnose::kSettings.imperfection * std::exp(log_common)),
-                               diagnose::kSettings.imperfection_spread);
+                               diagnose::kSettings.part_spread);
             most = std::max(most, sum);
         }
         return most;
@@ -410,8 +410,10 @@ TEST(Fit, HasTheSizesOfTheLargestEvidenceAndTheirPriorInIt) {
         for (double log_factor = -2; log_factor < 2; log_factor += 0.05) {
             for (const Part part : {Part::steering, Part::body}) {
                 Imperfection of_part = imperfection;
-                of_part[static_cast<std::size_t>(part)] *= std::exp(log_factor);
-                most = std::max(most, merit(size, drift, of_part));
+                double& of_this = of_part[static_cast<std::size_t>(part)];
+                of_this *= std::exp(log_factor);
+                if (of_this <= diagnose::kSettings.largest_imperfection)
+                    most = std::max(most, merit(size, drift, of_part));
             }
         }
         EXPECT_LT(most - fit->log_evidence, kLastStep) << size << ", " << drift;

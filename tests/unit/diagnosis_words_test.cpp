@@ -17,8 +17,8 @@ using diagnose::answer::Decomposition;
 using diagnose::answer::Diagnosis;
 using diagnose::answer::effectInWords;
 using diagnose::answer::enlargingInWords;
-using diagnose::answer::evidenceInWords;
 using diagnose::answer::Estimate;
+using diagnose::answer::evidenceInWords;
 using diagnose::answer::headline;
 using diagnose::answer::kindOfForceInWords;
 using diagnose::answer::movedNumbers;
@@ -80,6 +80,15 @@ TEST(Headline, SaysMostlyOnlyOfACauseOfMoreThanHalf) {
     EXPECT_EQ(headline(d),
               "Brake gain (p = 0.97), with roll stiffness (p = 0.80) explains 60 % of the gap; 12 % of the gap remains "
               "unexplained");
+}
+
+TEST(Headline, DoesNotSayMostlyOfACauseWhereTolerancesExplainMore) {
+    Diagnosis d = twoCausesFound();
+    d.training = twoCauses(0.7, 0.2, 0, 0.1);
+    d.training.each = {{"brake_gain", part(0.18), part(0.18)}, {"roll_stiffness", part(0.02), part(0.02)}};
+    EXPECT_EQ(headline(d),
+              "Tolerances explain 70 % of the gap; the rest is mostly brake gain (p = 0.97), with roll stiffness (p = "
+              "0.80); nothing remains unexplained");
 }
 
 TEST(Headline, NamesRivalsAndTheDriveThatWouldTell) {

@@ -63,7 +63,11 @@ std::string ofCauses(const Diagnosis& d) {
     const std::vector<std::string> causes = causesInOrder(d);
     std::string text = d.alternatives.empty() ? ranked(d, causes) : rivals(d, causes);
     const bool mostly = leadingShare(d) > kMostly;
-    text = mostly ? "Mostly " + text : capitalised(text);
+    const double tolerances = d.training.tolerances.share;
+    if (!mostly) text = capitalised(text);
+    else if (tolerances <= kMostly) text = "Mostly " + text;
+    else
+        text = fmt::format("Tolerances explain {} of the gap; the rest is mostly {}", percentInWords(tolerances), text);
     if (!mostly && isDecomposed(d.training))
         text += (d.alternatives.empty() ? " " : "; it ") + effectOf(d.training.causes);
     const std::string rest = remainder(d);

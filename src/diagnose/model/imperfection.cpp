@@ -12,14 +12,15 @@ namespace {
 
 constexpr double kLongestStep = 1;  // of the logarithm of a size
 
-// Of the prior of the logarithms, about the common one and of that about the usual one.
-constexpr double kWeight = 1 / (kSettings.imperfection_spread * kSettings.imperfection_spread);
+// Of the prior of the logarithms: of each about the common one, and of that about the usual one.
+constexpr double kWeight = 1 / (kSettings.part_spread * kSettings.part_spread);
+constexpr double kWeightOfCommon = 1 / (kSettings.imperfection_spread * kSettings.imperfection_spread);
 
 // Logarithm of the likeliest common size of some parts.
 double logCommon(const Imperfection& sizes, const std::array<bool, kParts>& of) {
-    double sum = std::log(kSettings.imperfection), weights = 1;
+    double weights = kWeightOfCommon, sum = weights * std::log(kSettings.imperfection);
     for (std::size_t k = 0; k < kParts; ++k)
-        if (of[k]) sum += std::log(sizes[k]), weights += 1;
+        if (of[k]) sum += kWeight * std::log(sizes[k]), weights += kWeight;
     return sum / weights;
 }
 
@@ -58,17 +59,27 @@ double logPrior(const Imperfection& sizes) {
     std::array<bool, kParts> all;
     all.fill(true);
     const double common = logCommon(sizes, all), off = common - std::log(kSettings.imperfection);
-    double squares = off * off;
-    for (const double size : sizes) squares += std::pow(std::log(size) - common, 2);
-    return -0.5 * kWeight * squares;
+    double squares = kWeightOfCommon * off * off;
+    for (const double size : sizes) squares += kWeight * std::pow(std::log(size) - common, 2);
+    return -0.5 * squares;
 }
 
 Imperfection improved(Imperfection sizes, const ImperfectionsLeft& left) {
+    // The common size, which is the likeliest one, follows each of them: the curvature of the prior is that of each
+    // about a constant one, less what they share.
     const double common = logCommon(sizes, left.present);
+    std::array<double, kParts> slope{}, curvature{};
+    double weights = kWeightOfCommon, sum = 0, shared = 0;
     for (std::size_t k = 0; k < kParts; ++k) {
-        const double squares = left.squares[k], determined = left.determined[k];
-        const double pull = kWeight * (std::log(sizes[k]) - common);
-        const double step = (squares - determined - pull) / (squares + determined + kWeight);
+        if (!left.present[k]) continue;
+        slope[k] = left.squares[k] - left.determined[k] - kWeight * (std::log(sizes[k]) - common);
+        curvature[k] = left.squares[k] + left.determined[k] + kWeight;
+        weights += kWeight, sum += slope[k] / curvature[k], shared += kWeight / curvature[k];
+    }
+    const double together = kWeight * sum / (weights - kWeight * shared);
+    for (std::size_t k = 0; k < kParts; ++k) {
+        if (!left.present[k]) continue;
+        const double step = (slope[k] + kWeight * together) / curvature[k];
         sizes[k] = std::min(sizes[k] * std::exp(std::clamp(step, -kLongestStep, kLongestStep)),
                             kSettings.largest_imperfection);
     }
