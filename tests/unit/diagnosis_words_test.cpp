@@ -84,11 +84,24 @@ TEST(Headline, SaysMostlyOnlyOfACauseOfMoreThanHalf) {
 
 TEST(Headline, DoesNotSayMostlyOfACauseWhereTolerancesExplainMore) {
     Diagnosis d = twoCausesFound();
+    d.verdict = Verdict::explained;
     d.training = twoCauses(0.7, 0.2, 0, 0.1);
     d.training.each = {{"brake_gain", part(0.18), part(0.18)}, {"roll_stiffness", part(0.02), part(0.02)}};
     EXPECT_EQ(headline(d),
               "Tolerances explain 70 % of the gap; the rest is mostly brake gain (p = 0.97), with roll stiffness (p = "
               "0.80); nothing remains unexplained");
+}
+
+TEST(Headline, OfCausesBesideAPatternDoesNotSayThatNothingRemains) {
+    Diagnosis d = twoCausesFound();
+    d.training.remainder = part(0);
+    EXPECT_EQ(
+        headline(d),
+        "Mostly brake gain (p = 0.97), with roll stiffness (p = 0.80); nothing of the gap exceeds noise, but what "
+        "remains has a pattern");
+    d.held_out = twoCauses(0.1, 0.5, 0.3, 0.1);
+    EXPECT_TRUE(headline(d).ends_with(
+        "; nothing of the gap exceeds noise (30 % in the held-out drives), but what remains has a pattern"));
 }
 
 TEST(Headline, NamesRivalsAndTheDriveThatWouldTell) {

@@ -43,14 +43,26 @@ double leadingShare(const Diagnosis& d) {
     return shareOfTheRest(gap, d.alternatives.empty() ? inOrder(gap).front().first.share : gap.causes.share);
 }
 
-// "12 % of the gap remains unexplained (15 % in the drives held out)"
+// " (15 % in the held-out drives)", where anything remains
+std::string inHeldOutDrives(const Diagnosis& d) {
+    const double held_out = d.held_out.remainder.share;
+    return isDecomposed(d.held_out) && (d.training.remainder.share > 0 || held_out > 0)
+               ? fmt::format(" ({} in the held-out drives)", percentInWords(held_out))
+               : "";
+}
+
+// Of an unknown cause where nothing is left that exceeds noise.
+std::string pattern(const Diagnosis& d) {
+    return "nothing of the gap exceeds noise" + inHeldOutDrives(d) + ", but what remains has a pattern";
+}
+
+// "12 % of the gap remains unexplained (15 % in the held-out drives)"
 std::string remainder(const Diagnosis& d) {
     if (!isDecomposed(d.training)) return {};
-    const double share = d.training.remainder.share, held_out = d.held_out.remainder.share;
-    std::string text = (share > 0 ? percentInWords(share) + " of the gap" : "nothing") + " remains unexplained";
-    if (isDecomposed(d.held_out) && (share > 0 || held_out > 0))
-        text += fmt::format(" ({} in the held-out drives)", percentInWords(held_out));
-    return text;
+    const double share = d.training.remainder.share;
+    if (share <= 0 && d.verdict == Verdict::partly_explained) return pattern(d);
+    return (share > 0 ? percentInWords(share) + " of the gap" : "nothing") + " remains unexplained" +
+           inHeldOutDrives(d);
 }
 
 // "explains 20 % of the gap"
@@ -98,10 +110,7 @@ std::string unknownPart(const Diagnosis& d) {
                     : "Mostly unknown: ") +
                remainder(d);
     }
-    const double held_out = isDecomposed(d.held_out) ? d.held_out.remainder.share : 0;
-    return "Unknown: nothing of the gap exceeds noise" +
-           (held_out > 0 ? fmt::format(" ({} in the held-out drives)", percentInWords(held_out)) : "") +
-           ", but what remains has a pattern";
+    return "Unknown: " + pattern(d);
 }
 
 std::string ofUnknown(const Diagnosis& d) {

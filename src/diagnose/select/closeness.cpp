@@ -1,6 +1,7 @@
 #include "diagnose/select/closeness.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "diagnose/model/gap.h"
@@ -60,6 +61,10 @@ Closeness closenessOf(const Calibration& car, const std::vector<std::size_t>& ef
 
 double gapBeyondNoise(const Calibration& car, const Rows& rows) {
     return std::max(0.0, squaredGapOf(car, rows) - comparedRowsOf(car));
+}
+
+double scatterOfGap(const Calibration& car) {
+    return std::sqrt(2 * comparedRowsOf(car));
 }
 
 bool closesByChance(const Calibration& car, const Closeness& closeness) {

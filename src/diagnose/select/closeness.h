@@ -23,6 +23,9 @@ Closest closestWith(const Calibration& car, const std::vector<std::size_t>& effe
 // Squared gap of all drives beyond that of a perfect model.
 double gapBeyondNoise(const Calibration& car, const Rows& rows);
 
+// Standard deviation of the squared gap of a perfect model.
+double scatterOfGap(const Calibration& car);
+
 // True if one of the effects closes no more of the gap than an effect without meaning may by chance, in view of what
 // the set leaves and of the errors of its signatures (D38d). Never where there is neither.
 bool closesByChance(const Calibration& car, const Closeness& closeness);

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <set>
 
+#include "diagnose/select/beside_unknown.h"
 #include "diagnose/select/left_out.h"
 #include "diagnose/settings.h"
 
@@ -69,28 +70,22 @@ const Fit* fitWith(std::size_t effect, const Judgement& judgement, const Posteri
     return nullptr;
 }
 
-// Probability that a named effect acts beside an unknown cause, and is not the effect most like an unknown cause which
-// acts alone. It closes the share c of what the gap would be without it. An unknown cause is alike to any degree (c is
-// uniform); a cause beside an unknown one is larger or smaller by up to two orders of magnitude (D32a).
-double actsBesideUnknown(std::size_t effect, const Calibration& car, const Judgement& judgement) {
-    constexpr double kOrders = 4;
+// Probability that an effect acts, if an unknown cause does.
+double probabilityBesideUnknown(std::size_t effect, const Calibration& car, const Judgement& judgement) {
     const std::vector<std::size_t>& named = judgement.named->effects;
     const auto place = std::find(named.begin(), named.end(), effect);
     if (place == named.end()) return 1;
-    const double left = gapBeyondNoise(car, judgement.closeness.with.rows),
-                 without = gapBeyondNoise(car, judgement.closeness.without[place - named.begin()].rows);
-    if (without <= left || left == 0) return 1;
-    const double closed = 1 - left / without, likelihood = kOrders * std::log(10) * closed * (1 - closed);
-    const double odds = likelihood * kSettings.prior(named.size() - 1) /
-                        (kSettings.prior(named.size()) * static_cast<double>(named.size()));
-    return 1 / (1 + odds);
+    const Closest& without = judgement.closeness.without[place - named.begin()];
+    return actsBesideUnknown(closedShare(gapBeyondNoise(car, judgement.closeness.with.rows),
+                                         gapBeyondNoise(car, without.rows), scatterOfGap(car)),
+                             named.size());
 }
 
 double probabilityOf(std::size_t effect, const Calibration& car, const Posterior& posterior,
                      const Judgement& judgement) {
     const double unknown = judgement.remains.probability();
     return (1 - unknown) * posterior.genuinelyOf(effect) +
-           unknown * posterior.of(effect) * actsBesideUnknown(effect, car, judgement);
+           unknown * posterior.of(effect) * probabilityBesideUnknown(effect, car, judgement);
 }
 
 void rankEffects(Diagnosis& diagnosis, const Calibration& car, const Search& found, const Answer& chosen,
