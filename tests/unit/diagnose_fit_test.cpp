@@ -543,7 +543,8 @@ TEST(Search, EffectAndItsTwinHaveTheSameEvidenceAndNeitherIsBlamedAlone) {
     ASSERT_EQ(d.causes.size(), 1u);
     ASSERT_EQ(d.alternatives.size(), 1u);
     EXPECT_NE(d.causes.front(), d.alternatives.front().front());
-    EXPECT_NEAR(d.effects[0].probability, d.effects[1].probability, 1e-3);
+    // About even odds, the probability moves by a quarter of what the logarithm of the odds does.
+    EXPECT_NEAR(d.effects[0].probability, d.effects[1].probability, kLastStep / 4);
     EXPECT_NEAR(d.effects[0].probability, 0.5, 0.05);
 }
 

@@ -1,6 +1,8 @@
 // What to drive next, on a car of three lines: a steering ratio and an understeer that look alike at one speed.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "diagnose/answer/diagnosis.h"
 #include "diagnose/answer/diagnosis_json.h"
 #include "diagnose/answer/diagnosis_text.h"
@@ -55,7 +57,8 @@ TEST(NextDrive, SeparatesWhatOneSpeedCannot) {
     };
     const double gained = evidence(settled, "understeer") - evidence(settled, "ratio") -
                           (evidence(open, "understeer") - evidence(open, "ratio"));
-    EXPECT_GT(gained, 0.7 * open.next[0].nats) << "what was promised, less chance";
+    // The gain of a true cause is normal, with twice its mean as variance.
+    EXPECT_GT(gained, open.next[0].nats - 2 * std::sqrt(2 * open.next[0].nats)) << "what was promised, less chance";
 }
 
 TEST(NextDrive, IsNotAskedWhereNothingIsPossible) {

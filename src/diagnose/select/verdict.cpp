@@ -70,11 +70,12 @@ const Fit* fitWith(std::size_t effect, const Judgement& judgement, const Posteri
     return nullptr;
 }
 
-// Probability that an effect acts, if an unknown cause does.
+// Probability that an effect acts, if an unknown cause does. How much of the gap it closes is not known of an effect
+// that is not named.
 double probabilityBesideUnknown(std::size_t effect, const Calibration& car, const Judgement& judgement) {
     const std::vector<std::size_t>& named = judgement.named->effects;
     const auto place = std::find(named.begin(), named.end(), effect);
-    if (place == named.end()) return 1;
+    if (place == named.end()) return actsBesideUnknown({0, 1}, std::max<std::size_t>(named.size(), 1));
     const Closest& without = judgement.closeness.without[place - named.begin()];
     return actsBesideUnknown(closedShare(gapBeyondNoise(car, judgement.closeness.with.rows),
                                          gapBeyondNoise(car, without.rows), scatterOfGap(car)),
