@@ -88,8 +88,8 @@ TEST(Headline, DoesNotSayMostlyOfACauseWhereTolerancesExplainMore) {
     d.training = twoCauses(0.7, 0.2, 0, 0.1);
     d.training.each = {{"brake_gain", part(0.18), part(0.18)}, {"roll_stiffness", part(0.02), part(0.02)}};
     EXPECT_EQ(headline(d),
-              "Tolerances explain 70 % of the gap; the rest is mostly brake gain (p = 0.97), with roll stiffness (p = "
-              "0.80); nothing remains unexplained");
+              "Tolerances explain 70 % of the gap, 10 % is noise; the rest is mostly brake gain (p = 0.97), with roll "
+              "stiffness (p = 0.80); nothing remains unexplained");
 }
 
 TEST(Headline, OfCausesBesideAPatternDoesNotSayThatNothingRemains) {

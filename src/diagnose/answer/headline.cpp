@@ -79,7 +79,8 @@ std::string ofCauses(const Diagnosis& d) {
     if (!mostly) text = capitalised(text);
     else if (tolerances <= kMostly) text = "Mostly " + text;
     else
-        text = fmt::format("Tolerances explain {} of the gap; the rest is mostly {}", percentInWords(tolerances), text);
+        text = fmt::format("Tolerances explain {} of the gap, {} is noise; the rest is mostly {}",
+                           percentInWords(tolerances), percentInWords(d.training.noise.share), text);
     if (!mostly && isDecomposed(d.training))
         text += (d.alternatives.empty() ? " " : "; it ") + effectOf(d.training.causes);
     const std::string rest = remainder(d);
