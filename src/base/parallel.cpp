@@ -2,12 +2,19 @@
 
 #include <algorithm>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace tread {
+namespace {
+
+thread_local std::size_t share_of_piece = 0;  // threads for the piece of work that this thread does; 0: it does none
+
+}  // namespace
 
 std::size_t threadCount(int threads) {
-    return threads > 0 ? static_cast<std::size_t>(threads) : std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t all = threads > 0 ? static_cast<std::size_t>(threads) : std::thread::hardware_concurrency();
+    return std::max<std::size_t>(1, share_of_piece > 0 ? std::min(all, share_of_piece) : all);
 }
 
 bool PiecesOfWork::doNext(const std::function<void(std::size_t)>& work) {
@@ -28,13 +35,16 @@ void PiecesOfWork::throwFailure() const {
 }
 
 void inParallel(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
+    if (count == 0) return;
     PiecesOfWork pieces(count);
+    const std::size_t all = threadCount(threads), wanted = std::min(count, all);
     const auto labour = [&] {
+        const std::size_t outer = std::exchange(share_of_piece, all / wanted);
         while (pieces.doNext(work)) {
         }
+        share_of_piece = outer;
     };
     std::vector<std::jthread> helpers;
-    const std::size_t wanted = std::min(count, threadCount(threads));
     for (std::size_t i = 1; i < wanted; ++i) helpers.emplace_back(labour);
     labour();
     helpers.clear();

@@ -21,11 +21,9 @@ struct PossibleDrive {
 using Progress = std::function<void(double, const std::string&)>;
 
 struct Options {
-    recording::Simulate simulate = [](const VehicleParams& vehicle, const Scenario& scenario, const Recorder& recorder,
-                                      const Pushing& pushing) {
-        tread::simulate(vehicle, scenario, recorder, pushing, MovedBy::itself);
-    };
-    int threads = 0;                // number of threads; 0: one per core
+    recording::Simulate simulate = {};          // empty: that of src/run
+    std::function<void()> before_each = [] {};  // called before each simulation; what it throws ends the diagnosis
+    int threads = 0;                            // number of threads; 0: one per core
     std::filesystem::path cache{};  // folder in which the sensitivities of the nominal car are kept; empty: none
     std::vector<PossibleDrive> possible_next{};  // manoeuvres to choose from; empty: no next drive is proposed
     Progress progress = [](double, const std::string&) {};

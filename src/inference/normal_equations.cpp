@@ -18,6 +18,22 @@ void addToSquares(Eigen::MatrixXd& products, const Eigen::VectorXd& with, double
     products.bottomLeftCorner(1, n) = products.topRightCorner(n, 1).transpose();
 }
 
+// Products of columns beside the same disturbances as others have.
+DriveProducts productsOf(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& disturbances,
+                         const DriveProducts& others) {
+    return {squareOf(columns), others.disturbances, transposedTimes(disturbances, columns)};
+}
+
+// Products of some columns and those behind them. `across`: of the ones with the others.
+DriveProducts joined(const DriveProducts& first, const Eigen::MatrixXd& across, const DriveProducts& second) {
+    const Index front = first.columns.cols(), back = second.columns.cols();
+    DriveProducts result{Eigen::MatrixXd(front + back, front + back), first.disturbances,
+                         Eigen::MatrixXd(first.mixed.rows(), front + back)};
+    result.columns << first.columns, across, across.transpose(), second.columns;
+    result.mixed << first.mixed, second.mixed;
+    return result;
+}
+
 void setLast(Eigen::MatrixXd& products, const Eigen::VectorXd& with) {
     products.rightCols(1) = with;
     products.bottomRows(1) = with.transpose();
@@ -31,20 +47,20 @@ DriveProducts productsOf(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& 
 
 DriveProducts extended(const DriveProducts& products, const Eigen::MatrixXd& columns,
                        const Eigen::MatrixXd& disturbances, const Eigen::MatrixXd& further) {
-    const Index old = products.columns.cols(), all = old + further.cols();
-    DriveProducts result{Eigen::MatrixXd(all, all), products.disturbances, Eigen::MatrixXd(products.mixed.rows(), all)};
-    result.columns.topLeftCorner(old, old) = products.columns;
-    result.columns.topRightCorner(old, further.cols()) = transposedTimes(columns, further);
-    result.columns.bottomLeftCorner(further.cols(), old) =
-        result.columns.topRightCorner(old, further.cols()).transpose();
-    result.columns.bottomRightCorner(further.cols(), further.cols()) = squareOf(further);
-    result.mixed.leftCols(old) = products.mixed;
-    result.mixed.rightCols(further.cols()) = transposedTimes(disturbances, further);
-    return result;
+    return joined(products, transposedTimes(columns, further), productsOf(further, disturbances, products));
+}
+
+DriveProducts extendedInFront(const Eigen::MatrixXd& further, const DriveProducts& products,
+                              const Eigen::MatrixXd& columns, const Eigen::MatrixXd& disturbances) {
+    return joined(productsOf(further, disturbances, products), transposedTimes(further, columns), products);
 }
 
 DriveProducts firstColumns(const DriveProducts& products, Index count) {
     return {products.columns.topLeftCorner(count, count), products.disturbances, products.mixed.leftCols(count)};
+}
+
+DriveProducts lastColumns(const DriveProducts& products, Index count) {
+    return {products.columns.bottomRightCorner(count, count), products.disturbances, products.mixed.rightCols(count)};
 }
 
 DriveProducts selected(const DriveProducts& products, const std::vector<Index>& columns,
@@ -125,12 +141,13 @@ Eigen::VectorXd inMetric(const Metric& metric, const Eigen::VectorXd& residual, 
     return residual - disturbances * metric.sizes.cwiseProduct(metric.factor.solve(scaled));
 }
 
+DisturbedProducts MarginalProducts::disturbed() const {
+    const Eigen::MatrixXd& root = metric_.factor.lower();
+    return {equations_.products, solvedByTransposed(root, half_), inverseOf(root).colwise().squaredNorm()};
+}
+
 DisturbedProducts disturbedProducts(const DriveProducts& products, const Eigen::VectorXd& sizes) {
-    const auto scale = sizes.asDiagonal();
-    const Factor factor = factorOfPriorAnd(scale * products.disturbances * scale);
-    const Eigen::MatrixXd half = factor.half(scale * products.mixed);
-    return {products.columns - squareOf(half), solvedByTransposed(factor.lower(), half),
-            inverseOf(factor.lower()).colwise().squaredNorm()};
+    return MarginalProducts(products, metricOf(products.disturbances, sizes)).disturbed();
 }
 
 NormalEquations operator+(NormalEquations a, const NormalEquations& b) {

@@ -30,8 +30,13 @@ DriveProducts productsOf(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& 
 DriveProducts extended(const DriveProducts& products, const Eigen::MatrixXd& columns,
                        const Eigen::MatrixXd& disturbances, const Eigen::MatrixXd& further);
 
-// The products of the first columns alone.
+// The same with further columns before the others.
+DriveProducts extendedInFront(const Eigen::MatrixXd& further, const DriveProducts& products,
+                              const Eigen::MatrixXd& columns, const Eigen::MatrixXd& disturbances);
+
+// The products of the first or last columns alone.
 DriveProducts firstColumns(const DriveProducts& products, Index count);
+DriveProducts lastColumns(const DriveProducts& products, Index count);
 
 // The products of these columns alone, each multiplied by its factor.
 DriveProducts selected(const DriveProducts& products, const std::vector<Index>& columns,
@@ -68,6 +73,14 @@ Metric metricOf(const Eigen::MatrixXd& disturbances, const Eigen::VectorXd& size
 // Marginalises the disturbances (D13).
 NormalEquations normalEquations(const DriveProducts& products, const Eigen::VectorXd& sizes);
 
+// Products beside the disturbances, and what the columns leave in these: their posterior means for each column (a unit
+// of it as residual) and posterior variances, in units of the prior standard deviation.
+struct DisturbedProducts {
+    Eigen::MatrixXd products;
+    Eigen::MatrixXd estimates;  // disturbances x columns
+    Eigen::VectorXd variances;
+};
+
 // The same while the columns change and the disturbances keep their sizes.
 class MarginalProducts {
 public:
@@ -75,6 +88,7 @@ public:
 
     const NormalEquations& equations() const { return equations_; }
     const Metric& metric() const { return metric_; }
+    DisturbedProducts disturbed() const;
 
     // As the functions of the same names do with the products.
     void updateByRankOne(const ColumnProducts& by, const Eigen::VectorXd& step);
@@ -89,20 +103,13 @@ private:
     NormalEquations equations_;
 };
 
+DisturbedProducts disturbedProducts(const DriveProducts& products, const Eigen::VectorXd& sizes);
+
 // Squared length of a residual in the metric. `mixed`: D' times the residual.
 double squaresIn(const Metric& metric, const Eigen::VectorXd& residual, const Eigen::VectorXd& mixed);
 
 // The residual times the metric (I + D diag(s^2) D')^-1 itself.
 Eigen::VectorXd inMetric(const Metric& metric, const Eigen::VectorXd& residual, const Eigen::MatrixXd& disturbances);
-
-// Products beside the disturbances, and what the columns leave in these: their posterior means for each column (a unit
-// of it as residual) and posterior variances, in units of the prior standard deviation.
-struct DisturbedProducts {
-    Eigen::MatrixXd products;
-    Eigen::MatrixXd estimates;  // disturbances x columns
-    Eigen::VectorXd variances;
-};
-DisturbedProducts disturbedProducts(const DriveProducts& products, const Eigen::VectorXd& sizes);
 
 NormalEquations operator+(NormalEquations a, const NormalEquations& b);
 NormalEquations sumOf(const std::vector<NormalEquations>& all);

@@ -4,7 +4,6 @@
 #include "run/rider.h"
 #include "run/world.h"
 #include "tread/bullet_vehicle.h"
-#include "vehicle/settling.h"
 
 namespace tread {
 namespace {
@@ -84,12 +83,12 @@ private:
 
 }  // namespace
 
-Equilibrium equilibriumOf(MovedBy by, const Vehicle& vehicle, Road& road, const Vector3& wind_W, const Start& start) {
+Settled settledBy(MovedBy by, const Vehicle& vehicle, Road& road, const Vector3& wind_W, const Start& start,
+                  const Settled* from) {
     const Surroundings surroundings{road, kGravityOfRuns_W, wind_W};
-    if (by == MovedBy::bullet) return equilibrium(vehicle, surroundings, start);
-    return equilibrium(vehicle, surroundings, start, [&](const Vehicle& settled) {
-        return std::make_unique<SettlingTogether>(settled, road, wind_W);
-    });
+    if (by == MovedBy::bullet) return settle(vehicle, surroundings, start, from);
+    return settle(vehicle, surroundings, start, from,
+                  [&](const Vehicle& settled) { return std::make_unique<SettlingTogether>(settled, road, wind_W); });
 }
 
 std::unique_ptr<Mover> mover(MovedBy by, const VehicleParams& params, Road& road, const Equilibrium& start,

@@ -8,6 +8,7 @@
 #include "tread/equilibrium.h"
 #include "tread/road.h"
 #include "tread/vehicle.h"
+#include "vehicle/settling.h"
 
 namespace tread {
 
@@ -35,8 +36,9 @@ public:
     virtual const VehicleState& stateAtGlance() = 0;
 };
 
-// equilibrium() of tread/equilibrium.h; a car that will move by itself also settles beside others.
-Equilibrium equilibriumOf(MovedBy by, const Vehicle& vehicle, Road& road, const Vector3& wind_W, const Start& start);
+// settle() of vehicle/settling.h; a car that will move by itself also settles beside others.
+Settled settledBy(MovedBy by, const Vehicle& vehicle, Road& road, const Vector3& wind_W, const Start& start,
+                  const Settled* from);
 
 // A car in equilibrium on a road, which must outlive it. `substep`: its longest, s.
 std::unique_ptr<Mover> mover(MovedBy by, const VehicleParams& params, Road& road, const Equilibrium& start,

@@ -168,12 +168,20 @@ KnownGrip gripOf(const Vehicle& vehicle, double friction) {
     return grip;
 }
 
-Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, Road& road, MovedBy by) {
+Settled settledAtStart(const Vehicle& vehicle, const Scenario& scenario, Road& road, MovedBy by, const Settled* from) {
     const StartParams& start = scenario.start;
-    Equilibrium rest = equilibriumOf(by, prepare(params), road, startingWind(scenario),
-                                     {.heading = start.heading,
-                                      .speed = start.speed,
-                                      .input = {.brake = start.brake, .parking_brake = start.parking_brake}});
+    return settledBy(by, vehicle, road, startingWind(scenario),
+                     {.heading = start.heading,
+                      .speed = start.speed,
+                      .input = {.brake = start.brake, .parking_brake = start.parking_brake}},
+                     from);
+}
+
+Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, Road& road, MovedBy by,
+                    const Settled* from) {
+    const StartParams& start = scenario.start;
+    const Vehicle vehicle = prepare(params);
+    Equilibrium rest = atRest(settledAtStart(vehicle, scenario, road, by, from), vehicle);
     const host::StartFault fault = host::startFault(rest, start.speed, !startsWithoutPedals(scenario));
     if (fault == host::StartFault::broke_down) {
         throw SimulationError(
@@ -204,10 +212,10 @@ Equilibrium startOf(const VehicleParams& params, const Scenario& scenario, Road&
 }  // namespace
 
 void simulate(const VehicleParams& params, const Scenario& scenario, const Recorder& recorder, const Pushing& pushing,
-              MovedBy by) {
+              MovedBy by, const Settled* from) {
     // Road, and the car on it in equilibrium.
     const std::unique_ptr<Road> road = makeRoad(scenario.road);
-    const Equilibrium rest = startOf(params, scenario, *road, by);
+    const Equilibrium rest = startOf(params, scenario, *road, by, from);
     const std::unique_ptr<Mover> car = mover(by, params, *road, rest, scenario.substep);
     Pushed pushed(pushing, car->vehicle());
     checkSensors(scenario);
@@ -269,6 +277,11 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
         car->setWind(windAt(scenario.wind, sample.time + 0.5 * dt, sample.car.chassis.x));
         car->move(dt, pushed.over(sample.time, sample.driver, sample.car));
     }
+}
+
+Settled settledAtStart(const VehicleParams& params, const Scenario& scenario) {
+    const std::unique_ptr<Road> road = makeRoad(scenario.road);
+    return settledAtStart(prepare(params), scenario, *road, MovedBy::bullet, nullptr);
 }
 
 std::vector<Column> recordedColumns(const std::vector<std::string>& patterns) {

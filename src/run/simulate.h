@@ -52,9 +52,13 @@ std::vector<KnownName> knownChannels(const Scenario& scenario);
 
 // Throws SimulationError when a value is not finite or out of bounds, when the car cannot hold the speed at which the
 // scenario starts, or when the manoeuvre does not end. `pushing`, when there is one, acts on the body besides. The
-// rows are the same, bit for bit, whoever moves the car; with a push they differ by rounding.
+// rows are the same, bit for bit, whoever moves the car; with a push they differ by rounding. `from`: where a similar
+// car has settled at the same start, on the same road and in the same wind, from which this one settles; null: none.
 void simulate(const VehicleParams& vehicle, const Scenario& scenario, const Recorder& recorder,
-              const Pushing& pushing = {}, MovedBy by = MovedBy::bullet);
+              const Pushing& pushing = {}, MovedBy by = MovedBy::bullet, const Settled* from = nullptr);
+
+// Where a car settles before a scenario begins.
+Settled settledAtStart(const VehicleParams& vehicle, const Scenario& scenario);
 
 // Records into a log in memory, which must outlive the recorder.
 Recorder recorderInto(Log& log);

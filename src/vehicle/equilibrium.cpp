@@ -148,19 +148,33 @@ private:
     const Surroundings& surroundings_;
 };
 
-}  // namespace
-
-Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, const Start& start) {
-    return equilibrium(car, surroundings, start,
-                       [&](const Vehicle& vehicle) { return std::make_unique<SettlingAlone>(vehicle, surroundings); });
+// Where the settling of a car begins: at static height, or as another one has settled.
+Settled beginning(const Vehicle& vehicle, const Surroundings& surroundings, const Start& start, const Settled* from) {
+    const ChassisMotion place = placed(vehicle, surroundings, start);
+    Settled now{.place = place, .motion = place, .state = {}, .input = start.input};
+    if (!from) {
+        now.state = resting(vehicle, start);
+        return now;
+    }
+    now = *from;
+    now.place = place;
+    now.motion.position_W = place.position_W + (from->motion.position_W - from->place.position_W);
+    return now;
 }
 
-Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, const Start& start,
-                        const SettlingOf& settling) {
+}  // namespace
+
+Equilibrium equilibrium(const Vehicle& vehicle, const Surroundings& surroundings, const Start& start) {
+    return atRest(settle(vehicle, surroundings, start), vehicle);
+}
+
+Settled settle(const Vehicle& car, const Surroundings& surroundings, const Start& start, const Settled* from,
+               const SettlingOf& settling) {
     Vehicle vehicle = car;
     for (AxleParams* axle : {&vehicle.params.front, &vehicle.params.rear}) axle->suspension.damper.friction = 0;
     vehicle.params.steering.delay = vehicle.params.steering.lag = 0;
-    const ChassisMotion place = placed(vehicle, surroundings, start);
+    Settled result = beginning(vehicle, surroundings, start, from);
+    const ChassisMotion& place = result.place;
     const bool rolls = start.speed != 0;
     const double front_share = vehicle.params.driveline.front_share;
     const double inertia_torque = vehicle.params.mass * vehicle.corners[0].tyre.parameters.Re;
@@ -175,14 +189,11 @@ Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, co
     const double lightness = std::clamp(hastening * hastening, 1.0, kLightest);
     const double step = hastening > 1 ? 0.002 : 0.001;  // s
 
-    Equilibrium result{.motion = place, .state = resting(vehicle, start), .input = start.input};
     VehicleState& state = result.state;
-    const std::unique_ptr<Settling> settles = settling(vehicle);
-    double torque = 0;
+    double &torque = result.torque, &trim = result.trim, &sideways = result.sideways;
+    const std::unique_ptr<Settling> settles =
+        settling ? settling(vehicle) : std::make_unique<SettlingAlone>(vehicle, surroundings);
     double quiet = 0;
-    bool pulls = false;
-    double trim = 0;      // rad, steering wheel behind its play
-    double sideways = 0;  // m/s, to the left
     for (double t = 0; t < kLongest && quiet < kQuietTime; t += step) {
         // Driveline in steady running at the torque sought.
         const SteadyDriveline steady =
@@ -207,8 +218,8 @@ Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, co
         if (rolls) {
             // Hold place, speed and heading; a car that pulls to a side is steered against it.
             const double aside = acceleration.dot(left), turns = angular.dot(n);
-            pulls |= t > kPullShows && std::max(std::abs(aside), std::abs(turns)) > kQuiet;
-            if (pulls) {
+            result.pulls |= t > kPullShows && std::max(std::abs(aside), std::abs(turns)) > kQuiet;
+            if (result.pulls) {
                 sideways += side_gain * step * aside;
                 trim -= trim_gain * step * turns;
                 result.input.steering_wheel_angle = beyondPlay(vehicle.params.steering, trim);
@@ -226,13 +237,22 @@ Equilibrium equilibrium(const Vehicle& car, const Surroundings& surroundings, co
     }
 
     settles->complete(state);
+    return result;
+}
 
-    // Rest at last: what the settling left is below what matters.
-    result.motion.velocity_W = place.velocity_W + sideways * left;
+// Rest at last: what the settling left is below what matters.
+Equilibrium atRest(const Settled& settled, const Vehicle& vehicle) {
+    Equilibrium result{.motion = settled.motion,
+                       .state = settled.state,
+                       .input = settled.input,
+                       .throttle = settled.throttle,
+                       .acceleration = settled.acceleration};
+    const Vector3 left = settled.place.orientation * Vector3::UnitY();
+    result.motion.velocity_W = settled.place.velocity_W + settled.sideways * left;
     result.motion.angular_velocity_W.setZero();
-    if (pulls) rest(state.steering, car.params);
+    if (settled.pulls) rest(result.state.steering, vehicle.params);
     for (std::size_t i = 0; i < kWheels; ++i) {
-        WheelState& wheel = state.wheels[i];
+        WheelState& wheel = result.state.wheels[i];
         wheel.rate = wheel.recession.rate = wheel.recession.acceleration = 0;
         wheel.warming = 0;
     }

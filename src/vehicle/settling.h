@@ -1,4 +1,5 @@
-// Who advances a car while it settles into its equilibrium: the car alone, unless somebody has several to advance.
+// How a car settles into its equilibrium: from its static height or from where a similar car has settled, advanced
+// alone unless somebody has several to advance.
 #pragma once
 
 #include <functional>
@@ -21,8 +22,25 @@ public:
 // For a car that lives as long.
 using SettlingOf = std::function<std::unique_ptr<Settling>(const Vehicle&)>;
 
-// equilibrium() of tread/equilibrium.h, with somebody else who advances the car.
-Equilibrium equilibrium(const Vehicle& vehicle, const Surroundings& surroundings, const Start& start,
-                        const SettlingOf& settling);
+// Where the settling of a car ended.
+struct Settled {
+    ChassisMotion place;  // of the car at static height
+    ChassisMotion motion;
+    VehicleState state;
+    VehicleInput input;
+    double torque = 0;                      // N m, of the wheels; as far as the car rolls
+    bool pulls = false;                     // whether it pulls to a side, so that these two are sought
+    double trim = 0;                        // rad, steering wheel behind its play
+    double sideways = 0;                    // m/s, to the left
+    double throttle = 0, acceleration = 0;  // as in Equilibrium
+};
+
+// `from`: where another car has settled at the same start, on the same road and in the same wind; null: none. The
+// nearer that car, the sooner this one is at rest. `settling`: who advances it; empty: the car alone.
+Settled settle(const Vehicle& vehicle, const Surroundings& surroundings, const Start& start,
+               const Settled* from = nullptr, const SettlingOf& settling = {});
+
+// equilibrium() of tread/equilibrium.h for a car that has settled.
+Equilibrium atRest(const Settled& settled, const Vehicle& vehicle);
 
 }  // namespace tread

@@ -3,6 +3,7 @@
 #include <sqlite3.h>
 
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -166,7 +167,9 @@ TEST_F(TreadCampaign, CtrlCKeepsWhatIsDone) {
     program.send(SIGINT);
     EXPECT_EQ(program.waitForStatus(), 130);
     const std::string err = contentOf(scratch.path("stderr"));
-    EXPECT_EQ(err.substr(0, 35), "tread campaign: interrupted after 8") << err;
+    int runs = 0;
+    ASSERT_EQ(std::sscanf(err.c_str(), "tread campaign: interrupted after %d runs", &runs), 1) << err;
+    EXPECT_GE(runs, 8) << "two pieces were there";
     const Result status = runProgram({"campaign", "status", folder("out"), "--json"});
     EXPECT_EQ(status.status, 1);
     const auto json = nlohmann::json::parse(status.out);

@@ -6,10 +6,10 @@
 
 #include "diagnose/model/disturbance.h"
 #include "diagnose/model/replays.h"
-#include "diagnose/options.h"
 #include "planted/planted.h"
 #include "recording/recorded_drive.h"
 #include "recording/replay.h"
+#include "run/simulate.h"
 
 namespace tread::disturbance_test {
 namespace {
@@ -58,7 +58,7 @@ TEST(Disturbances, PushesDoWhatTheyDoAloneAlsoAtTheLimitAndLongAfter) {
     const planted::Case made = planted::recorded(
         {.vehicle = planted::nominalCar(), .road = {}, .wind = {}, .instruments = {}}, {{"spiral", spiral()}});
     Replays replays;
-    replays.replayer = {made.nominal, made.file.step, diagnose::Options{}.simulate};
+    replays.replayer = {made.nominal, made.file.step, [](const auto&... all) { simulate(all..., MovedBy::itself); }};
     const std::vector<RecordedDrive> drives{recordedDrive(made.file.recordings.front(), made.logs.front(), made.file)};
     const RecordedDrive& drive = drives.front();
     const Rows rows = *rowsAt(replays, drives, replays.origin());

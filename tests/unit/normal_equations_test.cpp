@@ -92,6 +92,11 @@ TEST(NormalEquations, FurtherColumnsAreAsIfTheyHadBeenThereFromTheStart) {
         extended(productsOf(first, dense.disturbances), first, dense.disturbances, dense.columns.rightCols(2));
     EXPECT_LT((grown.columns - whole.columns).cwiseAbs().maxCoeff(), 1e-12);
     EXPECT_LT((grown.mixed - whole.mixed).cwiseAbs().maxCoeff(), 1e-12);
+    const MatrixXd last = dense.columns.rightCols(2);
+    const DriveProducts in_front =
+        inference::extendedInFront(first, inference::lastColumns(whole, 2), last, dense.disturbances);
+    EXPECT_LT((in_front.columns - whole.columns).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_LT((in_front.mixed - whole.mixed).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 // Products that are kept up to date while the columns change are those of the changed columns.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <vector>
 
@@ -17,6 +19,21 @@ TEST(InParallel, EveryPieceIsDoneOnceAndTheFirstFailureIsThrown) {
                                 if (i == 7) throw std::runtime_error("seven");
                             }),
                  std::runtime_error);
+}
+
+// Calls within a piece share the threads: as many pieces as threads leave one each, a single piece has all of them.
+TEST(InParallel, PiecesShareTheThreads) {
+    for (const auto& [pieces, threads, each] :
+         {std::array{1, 4, 4}, std::array{2, 4, 2}, std::array{3, 4, 1}, std::array{8, 4, 1}}) {
+        std::vector<std::size_t> seen(pieces), deeper(pieces);
+        inParallel(seen.size(), threads, [&](std::size_t i) {
+            seen[i] = threadCount(threads);
+            inParallel(1, threads, [&](std::size_t) { deeper[i] = threadCount(0); });
+        });
+        EXPECT_EQ(seen, std::vector<std::size_t>(pieces, each)) << pieces;
+        EXPECT_TRUE(std::all_of(deeper.begin(), deeper.end(), [&](std::size_t n) { return n <= std::size_t(each); }));
+    }
+    EXPECT_EQ(threadCount(5), 5u);  // outside again
 }
 
 }  // namespace

@@ -13,12 +13,19 @@ constexpr double kWorthDriving = 0.1;
 constexpr double kNegligible = 0.01;
 
 // For each nuisance, the drives in which it matters enough to compute its column again.
-std::vector<std::vector<bool>> worthDriving(const Linearisation& about, const Uncertainty& uncertainty) {
-    std::vector<std::vector<bool>> worth(about.nuisances.size(), std::vector<bool>(about.products.size()));
-    for (std::size_t d = 0; d < about.products.size(); ++d) {
-        const NormalEquations one = normalEquations(uncertainty, d, about.products[d], uncertainty.sizes);
-        for (std::size_t i = 0; i < worth.size(); ++i) worth[i][d] = one.products(i, i) > kWorthDriving;
-    }
+std::vector<std::vector<bool>> worthDriving(const Linearisation& about, const Uncertainty& uncertainty, int threads) {
+    const std::size_t drives = about.products.size();
+    const Eigen::Index nuisances = std::ssize(about.nuisances);
+    Eigen::MatrixXd squares(nuisances, std::ssize(about.products));
+    inParallel(drives, threads, [&](std::size_t d) {
+        squares.col(static_cast<Eigen::Index>(d)) =
+            normalEquations(uncertainty, d, inference::firstColumns(about.products[d], nuisances), uncertainty.sizes)
+                .products.diagonal();
+    });
+    std::vector<std::vector<bool>> worth(about.nuisances.size(), std::vector<bool>(drives));
+    for (std::size_t d = 0; d < drives; ++d)
+        for (std::size_t i = 0; i < worth.size(); ++i)
+            worth[i][d] = squares(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(d)) > kWorthDriving;
     return worth;
 }
 
@@ -36,6 +43,22 @@ Linearisation linearisation(Sensitivities about, const std::vector<Eigen::Index>
     return result;
 }
 
+Linearisation relinearised(const Linearisation& before, Sensitivities about, const Uncertainty& uncertainty,
+                           int threads) {
+    const std::size_t drives = uncertainty.noise.size();
+    Linearisation result{std::move(about), before.nuisances, before.parameters, {}, {}, before.imperfections};
+    result.columns.resize(drives), result.products.resize(drives);
+    const Eigen::Index nuisances = std::ssize(before.nuisances), knobs = std::ssize(before.parameters) - nuisances;
+    inParallel(drives, threads, [&](std::size_t d) {
+        Eigen::MatrixXd& columns = result.columns[d] = before.columns[d];
+        columns.leftCols(nuisances) = uncertainty.noise[d].over(result.about.columns[d](Eigen::all, before.nuisances));
+        result.products[d] =
+            inference::extendedInFront(columns.leftCols(nuisances), inference::lastColumns(before.products[d], knobs),
+                                       columns.rightCols(knobs), uncertainty.directions[d]);
+    });
+    return result;
+}
+
 std::vector<Eigen::Index> relevantNuisances(const std::vector<Eigen::Index>& nuisances, const Sensitivities& about,
                                             const Uncertainty& uncertainty, int threads) {
     const Linearisation all = linearisation(about, nuisances, {}, uncertainty, threads);
@@ -46,12 +69,15 @@ std::vector<Eigen::Index> relevantNuisances(const std::vector<Eigen::Index>& nui
     return kept;
 }
 
-Sensitivities nuisancesAt(const Replays& replays, Drives drives, const Deviation& at, const Linearisation& before,
-                          const Uncertainty& uncertainty, const std::function<void(double)>& progress) {
-    return sensitivities(
-        replays, drives, at,
-        {.parameters = before.nuisances, .worth = worthDriving(before, uncertainty), .elsewhere = &before.about},
-        progress);
+Sensitivities nuisancesAt(const Replays& replays, Drives drives, const Deviation& at, const Rows* rows,
+                          const Linearisation& before, const Uncertainty& uncertainty,
+                          const std::function<void(double)>& progress) {
+    return sensitivities(replays, drives, at,
+                         {.parameters = before.nuisances,
+                          .worth = worthDriving(before, uncertainty, replays.threads),
+                          .elsewhere = &before.about,
+                          .rows = rows},
+                         progress);
 }
 
 Eigen::MatrixXd columnsAndResidual(Drives drives, const Uncertainty& uncertainty, const Sensitivities& about,

@@ -19,14 +19,19 @@ struct Linearisation {
 Linearisation linearisation(Sensitivities about, const std::vector<Eigen::Index>& nuisances,
                             const std::vector<Eigen::Index>& knobs, const Uncertainty& uncertainty, int threads);
 
+// The same parameters about another point, where the knobs have the columns of `before`.
+Linearisation relinearised(const Linearisation& before, Sensitivities about, const Uncertainty& uncertainty,
+                           int threads);
+
 // Nuisances that can change an answer: those with more than a negligible Fisher information.
 std::vector<Eigen::Index> relevantNuisances(const std::vector<Eigen::Index>& nuisances, const Sensitivities& about,
                                             const Uncertainty& uncertainty, int threads);
 
 // Sensitivities about another point: those to the nuisances are computed again in the drives where they matter, all
-// others are taken from `before`.
-Sensitivities nuisancesAt(const Replays& replays, Drives drives, const Deviation& at, const Linearisation& before,
-                          const Uncertainty& uncertainty, const std::function<void(double)>& progress);
+// others are taken from `before`. `rows`: of the model at the point; null if they are not known.
+Sensitivities nuisancesAt(
+    const Replays& replays, Drives drives, const Deviation& at, const Rows* rows, const Linearisation& before,
+    const Uncertainty& uncertainty, const std::function<void(double)>& progress = [](double) {});
 
 // Whitened rows of one drive: the columns of these parameters about a point, then the residual that `rows` leave.
 Eigen::MatrixXd columnsAndResidual(Drives drives, const Uncertainty& uncertainty, const Sensitivities& about,

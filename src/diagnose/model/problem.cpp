@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <numeric>
 #include <stdexcept>
 
 #include "diagnose/model/sensitivity_cache.h"
 #include "diagnose/settings.h"
 #include "recording/reference.h"
+#include "run/variants.h"
 
 namespace tread::diagnose::model {
 namespace {
@@ -16,6 +18,20 @@ int comparedCount(Drives drives) {
     int count = 0;
     for (const RecordedDrive& drive : drives) count += drive.compared() ? 1 : 0;
     return count;
+}
+
+// Simulates the nominal car and variants of it.
+recording::Simulate simulatorOf(const Subject& nominal, const Options& options) {
+    recording::Simulate simulate = options.simulate;
+    if (!simulate) {
+        simulate = [variants = std::make_shared<Variants>(nominal.vehicle)](const auto&... all) {
+            variants->simulate(all...);
+        };
+    }
+    return [simulate, before_each = options.before_each](const auto&... all) {
+        before_each();
+        simulate(all...);
+    };
 }
 
 }  // namespace
@@ -49,7 +65,7 @@ Deviation Problem::withOnly(const std::vector<std::size_t>& some, Deviation poin
 Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, const recording::Recorded& recorded,
                   const std::function<Differences(Drives)>& differences, const Options& options) {
     Problem problem;
-    problem.replays.replayer = {nominal, file.step, options.simulate};
+    problem.replays.replayer = {nominal, file.step, simulatorOf(nominal, options)};
     problem.replays.threads = options.threads;
     problem.replays.cache = options.cache;
     if (!options.cache.empty()) largestCache();  // what is wrong with it is told before the work

@@ -31,6 +31,21 @@ Left leftIn(const Uncertainty& uncertainty, std::size_t drive, const inference::
     return left;
 }
 
+Left leftBy(const Uncertainty& uncertainty, const std::vector<inference::DisturbedProducts>& each, int threads) {
+    const std::size_t drives = each.size();
+    const Eigen::Index free = each.front().products.cols() - 1;
+    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(free, free);
+    for (const inference::DisturbedProducts& one : each) information += one.products.topLeftCorner(free, free);
+    const Eigen::MatrixXd root = inference::factorOfPriorAnd(information).lower();
+    std::vector<Left> lefts(drives);
+    inParallel(drives, threads, [&](std::size_t d) { lefts[d] = leftIn(uncertainty, d, each[d], root); });
+    Left all;
+    for (std::size_t k = 0; k < kDisturbances; ++k)
+        for (const Left& left : lefts)
+            all.squares[k] += left.squares[k], all.determined[k] += std::max(0.0, left.determined[k]);
+    return all;
+}
+
 }  // namespace
 
 double logPrior(const Sizes& sizes, const SizesPrior& prior) {
@@ -44,27 +59,25 @@ double logPrior(const Sizes& sizes, const SizesPrior& prior) {
 
 Left leftBy(const Uncertainty& uncertainty, const std::vector<DriveProducts>& products, const Sizes& sizes,
             int threads) {
-    const std::size_t drives = products.size();
-    std::vector<inference::DisturbedProducts> each(drives);
-    inParallel(drives, threads, [&](std::size_t d) {
+    std::vector<inference::DisturbedProducts> each(products.size());
+    inParallel(each.size(), threads, [&](std::size_t d) {
         each[d] = inference::disturbedProducts(products[d], uncertainty.sizesOf(d, sizes));
     });
-    const Eigen::Index free = products.front().columns.cols() - 1;
-    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(free, free);
-    for (const inference::DisturbedProducts& one : each) information += one.products.topLeftCorner(free, free);
-    const Eigen::MatrixXd root = inference::factorOfPriorAnd(information).lower();
-    std::vector<Left> lefts(drives);
-    inParallel(drives, threads, [&](std::size_t d) { lefts[d] = leftIn(uncertainty, d, each[d], root); });
-    Left all;
-    for (std::size_t k = 0; k < kDisturbances; ++k)
-        for (const Left& left : lefts)
-            all.squares[k] += left.squares[k], all.determined[k] += std::max(0.0, left.determined[k]);
-    return all;
+    return leftBy(uncertainty, each, threads);
+}
+
+Left leftBy(const Uncertainty& uncertainty, const std::vector<inference::MarginalProducts>& marginal, int threads) {
+    std::vector<inference::DisturbedProducts> each(marginal.size());
+    inParallel(each.size(), threads, [&](std::size_t d) { each[d] = marginal[d].disturbed(); });
+    return leftBy(uncertainty, each, threads);
 }
 
 Sizes improvedSizes(const Uncertainty& uncertainty, const std::vector<DriveProducts>& products, const Sizes& sizes,
                     int threads, const SizesPrior& prior) {
-    const Left left = leftBy(uncertainty, products, sizes, threads);
+    return improvedSizes(sizes, leftBy(uncertainty, products, sizes, threads), prior);
+}
+
+Sizes improvedSizes(const Sizes& sizes, const Left& left, const SizesPrior& prior) {
     Sizes better = sizes;
     for (std::size_t k = 0; k < kDisturbances; ++k) {
         const double log_size = std::log(sizes[k]), off = prior.pull(static_cast<Disturbed>(k), log_size);

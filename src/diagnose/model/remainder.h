@@ -38,11 +38,14 @@ struct Left {
 // `products`: per drive, of the columns of the free parameters, then the residual. The parameters are marginalised.
 Left leftBy(const Uncertainty& uncertainty, const std::vector<DriveProducts>& products, const Sizes& sizes,
             int threads);
+// The same of products that are marginalised already.
+Left leftBy(const Uncertainty& uncertainty, const std::vector<inference::MarginalProducts>& marginal, int threads);
 
 // Sizes closer to the maximum of the evidence of a model at its best point. One step towards the fixed point of MacKay
 // (1992) for variances (D26a).
 Sizes improvedSizes(const Uncertainty& uncertainty, const std::vector<DriveProducts>& products, const Sizes& sizes,
                     int threads, const SizesPrior& prior = kWidePrior);
+Sizes improvedSizes(const Sizes& sizes, const Left& left, const SizesPrior& prior = kWidePrior);
 
 // Sizes of what a model leaves at a fixed point. A fit that starts far from the car begins with them, so that it is not
 // forced onto what it cannot explain.

@@ -54,15 +54,24 @@ std::optional<Eigen::VectorXd> rowsOf(const Replays& replays, const RecordedDriv
 }
 
 std::optional<Rows> rowsAt(const Replays& replays, Drives drives, const Deviation& point) {
-    Rows rows(drives.size());
-    std::atomic<bool> failed = false;
-    drivenTogether(rows.size(), replays.threads, [&](std::size_t d) {
-        if (std::optional<Eigen::VectorXd> here = rowsOf(replays, drives[d], point)) rows[d] = std::move(*here);
-        else failed = true;
+    return std::move(rowsAt(replays, drives, std::vector{point}).front());
+}
+
+std::vector<std::optional<Rows>> rowsAt(const Replays& replays, Drives drives, const std::vector<Deviation>& points) {
+    std::vector<std::vector<std::optional<Eigen::VectorXd>>> rows(
+        points.size(), std::vector<std::optional<Eigen::VectorXd>>(drives.size()));
+    drivenTogether(points.size() * drives.size(), replays.threads, [&](std::size_t i) {
+        const std::size_t p = i / drives.size(), d = i % drives.size();
+        rows[p][d] = rowsOf(replays, drives[d], points[p]);
     });
-    for (const Eigen::VectorXd& row : rows) failed = failed || !row.allFinite();
-    if (failed) return std::nullopt;
-    return rows;
+    std::vector<std::optional<Rows>> all(points.size());
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        const auto fails = [](const std::optional<Eigen::VectorXd>& one) { return !one || !one->allFinite(); };
+        if (std::any_of(rows[p].begin(), rows[p].end(), fails)) continue;
+        all[p].emplace();
+        for (std::optional<Eigen::VectorXd>& one : rows[p]) all[p]->push_back(std::move(*one));
+    }
+    return all;
 }
 
 }  // namespace tread::diagnose::model

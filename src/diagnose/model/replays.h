@@ -64,5 +64,7 @@ std::optional<Eigen::VectorXd> rowsOf(const Replays& replays, const RecordedDriv
 
 // All rows of each drive; nothing when one of them cannot be driven.
 std::optional<Rows> rowsAt(const Replays& replays, Drives drives, const Deviation& point);
+// The same at several points at once.
+std::vector<std::optional<Rows>> rowsAt(const Replays& replays, Drives drives, const std::vector<Deviation>& points);
 
 }  // namespace tread::diagnose::model

@@ -90,7 +90,9 @@ Sensitivities sensitivities(const Replays& replays, Drives drives, const Deviati
         bases[d] = baseOf(replays, drives[d], replays.subjectAt(at, drives[d]));
         result.columns[d] = Eigen::MatrixXd::Zero(drives[d].rows(), at.size());
         if (wanted.elsewhere) result.columns[d] = wanted.elsewhere->columns[d];
-        if (std::optional<Eigen::VectorXd> rows = rowsOf(replays, drives[d], at)) result.rows[d] = std::move(*rows);
+        if (wanted.rows) result.rows[d] = (*wanted.rows)[d];
+        else if (std::optional<Eigen::VectorXd> rows = rowsOf(replays, drives[d], at))
+            result.rows[d] = std::move(*rows);
     });
 
     const std::vector<Column> columns = columnsToDrive(replays, drives, at, wanted, bases);

@@ -24,6 +24,7 @@ struct Wanted {
     double step = kNuisanceStep;
     std::vector<std::vector<bool>> worth = {};  // per parameter asked for, per drive
     const Sensitivities* elsewhere = nullptr;
+    const Rows* rows = nullptr;  // of the model at the point, where they are known
 };
 
 // `worth` with the same drives for each of this many parameters.

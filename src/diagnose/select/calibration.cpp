@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/parallel.h"
 #include "diagnose/model/gap.h"
 #include "diagnose/model/remainder.h"
 #include "run/simulate.h"
@@ -22,11 +23,13 @@ constexpr double kSizesSettled = 0.05;  // change of the logarithm of a size at 
 // The best fit of the nuisances from these starts.
 Fit fitFrom(const Problem& problem, const Uncertainty& uncertainty, const Linearisation& about,
             const std::vector<Start>& starts) {
+    std::vector<std::optional<Fit>> found(starts.size());
+    inParallel(starts.size(), problem.replays.threads, [&](std::size_t i) {
+        found[i] = fitted(problem.replays, problem.drives, uncertainty, about, {}, starts[i]);
+    });
     std::optional<Fit> best;
-    for (const Start& start : starts) {
-        std::optional<Fit> found = fitted(problem.replays, problem.drives, uncertainty, about, {}, start);
-        if (found && (!best || found->log_evidence > best->log_evidence)) best = std::move(found);
-    }
+    for (std::optional<Fit>& one : found)
+        if (one && (!best || one->log_evidence > best->log_evidence)) best = std::move(one);
     if (!best)
         throw SimulationError(
             "the simulation of the nominal car in the recordings fails; check the vehicle file and the recorded inputs",
@@ -49,7 +52,8 @@ model::Sensitivities withKnobs(const Calibration& car, const std::function<void(
     std::vector<Eigen::Index> own, mixed;
     for (const Eigen::Index knob : problem.allKnobs())
         (car.asNuisances(problem.replays.parameters[knob]).empty() ? own : mixed).push_back(knob);
-    model::Wanted wanted{.parameters = own, .step = model::kEffectStep, .elsewhere = &car.about.about};
+    model::Wanted wanted{
+        .parameters = own, .step = model::kEffectStep, .elsewhere = &car.about.about, .rows = &car.fit.of_car};
     if (car.together) {
         std::vector<bool> others = car.together->further;
         others.flip();
@@ -59,6 +63,7 @@ model::Sensitivities withKnobs(const Calibration& car, const std::function<void(
     if (car.together) {
         wanted.worth = model::onlyIn(car.together->further, own.size());
         wanted.elsewhere = &about;
+        wanted.rows = nullptr;
         about.columns =
             model::sensitivities(problem.replays, problem.drives, car.together->at, wanted, progress).columns;
     }
@@ -143,12 +148,11 @@ std::vector<model::Share> Calibration::asNuisances(const Parameter& parameter) c
     return model::mixture(parameter, problem.replays.parameters, about.nuisances);
 }
 
-Linearisation linearisedAt(const Calibration& car, const Deviation& at) {
-    Linearisation here = model::linearisation(
-        model::nuisancesAt(car.problem.replays, car.drives(), at, car.about, car.uncertainty, [](double) {}),
-        car.about.nuisances, car.problem.allKnobs(), car.uncertainty, car.problem.replays.threads);
-    here.imperfections = car.about.imperfections;
-    return here;
+Linearisation linearisedAt(const Calibration& car, const Fit& fit) {
+    return model::relinearised(
+        car.about,
+        model::nuisancesAt(car.problem.replays, car.drives(), fit.at, &fit.of_car, car.about, car.uncertainty),
+        car.uncertainty, car.problem.replays.threads);
 }
 
 Replays withinTolerances(const Calibration& car) {
@@ -190,7 +194,8 @@ Calibration calibrate(const Problem& problem, model::NominalCar nominal, const P
     std::vector<Eigen::Index> relevant = car.about.nuisances;
     for (int round = 0; round < kMostRounds; ++round) {
         model::Sensitivities about = model::nuisancesAt(
-            problem.replays, problem.drives, car.fit.at, car.about, car.uncertainty, [&](double share) {
+            problem.replays, problem.drives, car.fit.at, &car.fit.of_car, car.about, car.uncertainty,
+            [&](double share) {
                 progress(0.5 * (round + share) / kMostRounds, "sensitivities to tolerances at their fitted values");
             });
         car.uncertainty = model::uncertaintyAt(problem.replays, problem.drives, about.at, about.rows,

@@ -41,7 +41,7 @@ struct Calibration {
 };
 
 // The linearisation about another point: nuisances anew, knobs as about the calibrated car.
-Linearisation linearisedAt(const Calibration& car, const Deviation& at);
+Linearisation linearisedAt(const Calibration& car, const Fit& fit);
 
 // The replays of cars whose numbers stay within their tolerances, and a point with some numbers within their bounds.
 Replays withinTolerances(const Calibration& car);

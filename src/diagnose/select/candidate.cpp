@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "base/parallel.h"
 #include "diagnose/settings.h"
 
 namespace tread::diagnose::select {
@@ -50,15 +51,25 @@ Deviation handedOver(const Calibration& car, const std::vector<Eigen::Index>& kn
     return at;
 }
 
-// Squares that a point leaves beside the remainder of the calibrated car; nothing when the car cannot be driven there.
-std::optional<double> squaresAt(const Calibration& car, const Deviation& at) {
-    const std::optional<Rows> rows = model::rowsAt(car.problem.replays, car.drives(), at);
-    if (!rows) return std::nullopt;
-    double left = 0;
-    for (std::size_t d = 0; d < rows->size(); ++d)
-        left += model::squaresOf(car.uncertainty, d, model::residual(car.drives(), car.uncertainty, *rows, d),
-                                 car.fit.sizes);
-    return left;
+// Squares that each of some models leaves beside the remainder of the calibrated car; infinite where a car cannot be
+// driven.
+std::vector<double> squaresOf(const Calibration& car, const std::vector<std::optional<Rows>>& models) {
+    const Uncertainty& uncertainty = car.uncertainty;
+    Eigen::MatrixXd left = Eigen::MatrixXd::Zero(std::ssize(models), std::ssize(car.drives()));
+    inParallel(car.drives().size(), car.problem.replays.threads, [&](std::size_t d) {
+        const inference::Metric metric =
+            inference::metricOf(uncertainty.bare[d].disturbances, uncertainty.sizesOf(d, car.fit.sizes));
+        for (std::size_t i = 0; i < models.size(); ++i) {
+            if (!models[i]) continue;
+            const Eigen::VectorXd off = model::residual(car.drives(), uncertainty, *models[i], d);
+            left(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(d)) =
+                inference::squaresIn(metric, off, uncertainty.directions[d].transpose() * off);
+        }
+    });
+    std::vector<double> squares;
+    for (std::size_t i = 0; i < models.size(); ++i)
+        squares.push_back(models[i] ? left.row(static_cast<Eigen::Index>(i)).sum() : kInfinity);
+    return squares;
 }
 
 // A car with these knobs at so many times their typical sizes, within bounds. Bit i of `sides`: knob i is negative.
@@ -76,16 +87,14 @@ Deviation withKnobsAt(const Calibration& car, Deviation at, std::span<const Eige
 std::optional<Deviation> pointAround(const Calibration& car, const Deviation& middle, std::size_t effect) {
     const std::span<const Eigen::Index> all = car.problem.knobs[effect];
     const std::span<const Eigen::Index> knobs = all.first(std::min(all.size(), kMovedAtOnce));
-    std::optional<Deviation> best;
-    double least = kInfinity;
-    for (const double size : {1.0, 2.0}) {
-        for (std::size_t sides = 0; sides < (std::size_t{1} << knobs.size()); ++sides) {
-            Deviation at = withKnobsAt(car, middle, knobs, size, sides);
-            const std::optional<double> left = squaresAt(car, at);
-            if (left && *left < least) least = *left, best = std::move(at);
-        }
-    }
-    return best;
+    std::vector<Deviation> points;
+    for (const double size : {1.0, 2.0})
+        for (std::size_t sides = 0; sides < (std::size_t{1} << knobs.size()); ++sides)
+            points.push_back(withKnobsAt(car, middle, knobs, size, sides));
+    const std::vector<double> left = squaresOf(car, model::rowsAt(car.problem.replays, car.drives(), points));
+    const auto least = std::min_element(left.begin(), left.end());
+    if (*least == kInfinity) return std::nullopt;
+    return points[least - left.begin()];
 }
 
 // A load has a moment and hardly a mass: beyond the mass whose moment would lie outside the car the evidence falls, and
@@ -129,50 +138,91 @@ bool CandidateFitter::refitNone(const Linearisation& about) {
     return true;
 }
 
-std::optional<Candidate> CandidateFitter::single(std::size_t effect, double promised) {
-    std::optional<Candidate> best = fit(car_.about, {effect}, {car_.fit.at});
-    if (const Deviation* tried = triedAt(car_, effect)) keepBetter(best, fit(car_.about, {effect}, {*tried}));
+std::vector<CandidateFitter::Found> CandidateFitter::together(
+    std::size_t count, const std::function<Found(double&, std::size_t)>& fit_one) {
+    std::vector<Found> found(count);
+    std::vector<double> best(count, best_);
+    inParallel(count, car_.problem.replays.threads, [&](std::size_t i) { found[i] = fit_one(best[i], i); });
+    for (const double one : best) best_ = std::max(best_, one);
+    return found;
+}
+
+std::vector<CandidateFitter::Found> CandidateFitter::singles(const std::vector<Promising>& some) {
+    return together(some.size(), [&](double& best, std::size_t i) { return singleBeside(best, some[i]); });
+}
+
+std::vector<CandidateFitter::Found> CandidateFitter::fits(const Linearisation& about,
+                                                          const std::vector<Attempt>& attempts) {
+    return together(attempts.size(), [&](double& best, std::size_t i) { return fitBeside(best, about, attempts[i]); });
+}
+
+CandidateFitter::Found CandidateFitter::fit(const Linearisation& about, const std::vector<std::size_t>& effects,
+                                            const Start& from) {
+    return fitBeside(best_, about, {effects, from});
+}
+
+std::shared_ptr<const Linearisation> CandidateFitter::settle(Candidate& candidate) {
+    return settleBeside(best_, candidate);
+}
+
+std::vector<CandidateFitter::Found> CandidateFitter::settledFits(const Linearisation& about,
+                                                                 const std::vector<Attempt>& attempts,
+                                                                 const Candidate& than, double far_behind) {
+    return together(attempts.size(), [&](double& best, std::size_t i) {
+        Found one = fitBeside(best, about, attempts[i]);
+        if (one && one->log_evidence > than.log_evidence - far_behind) settleBeside(best, *one);
+        return one;
+    });
+}
+
+CandidateFitter::Found CandidateFitter::singleBeside(double& best_so_far, const Promising& one) const {
+    const auto fitFrom = [&](const Deviation& at) { return fitBeside(best_so_far, car_.about, {{one.effect}, {at}}); };
+    Found best = fitFrom(car_.fit.at);
+    if (const Deviation* tried = triedAt(car_, one.effect)) keepBetter(best, fitFrom(*tried));
     const auto fitAround = [&](const Deviation& middle) {
-        if (std::optional<Deviation> from = pointAround(car_, middle, effect))
-            keepBetter(best, fit(car_.about, {effect}, {std::move(*from)}));
+        if (const std::optional<Deviation> from = pointAround(car_, middle, one.effect))
+            keepBetter(best, fitFrom(*from));
     };
-    const bool astray = !best || best->log_evidence <= promised - kFarShort || othersMovedFurther(*best);
+    const bool astray = !best || best->log_evidence <= one.promised - kFarShort || othersMovedFurther(*best);
     if (astray) fitAround(car_.fit.at);
     if (astray || standsForAnEffect(car_)) fitAround(car_.problem.replays.origin());
     return best;
 }
 
-std::optional<Candidate> CandidateFitter::fit(const Linearisation& about, const std::vector<std::size_t>& effects,
-                                              const Start& from) {
-    std::optional<Candidate> best;
-    const std::vector<Eigen::Index> knobs = car_.problem.knobsOf(effects);
+CandidateFitter::Found CandidateFitter::fitBeside(double& best_so_far, const Linearisation& about,
+                                                  const Attempt& attempt) const {
+    Found best;
+    const Start& from = attempt.from;
+    const std::vector<Eigen::Index> knobs = car_.problem.knobsOf(attempt.effects);
     for (Deviation& at : starts(car_.problem, knobs, handedOver(car_, knobs, from.at))) {
         // The second start is needed only when a knob did not leave its limit.
         if (best && (best->fit.at(knobs) - from.at(knobs)).cwiseAbs().minCoeff() > kStuck) break;
         std::optional<Fit> found =
             fitted(car_.problem.replays, car_.drives(), car_.uncertainty, about, knobs,
-                   {std::move(at), from.sizes, from.imperfection, from.is_end, best_ - kOutOfReach});
-        if (found) best_ = std::max(best_, found->log_evidence);
-        if (found) keepBetter(best, Candidate{effects, over(*found), std::move(*found), true});
+                   {std::move(at), from.sizes, from.imperfection, from.is_end, best_so_far - kOutOfReach});
+        if (found) best_so_far = std::max(best_so_far, found->log_evidence);
+        if (found) keepBetter(best, Candidate{attempt.effects, over(*found), std::move(*found), true});
     }
     return best;
 }
 
-Linearisation CandidateFitter::settle(Candidate& candidate) {
-    Linearisation here;
+std::shared_ptr<const Linearisation> CandidateFitter::settleBeside(double& best_so_far, Candidate& candidate) const {
+    const auto linearised = [&] { return std::make_shared<const Linearisation>(linearisedAt(car_, candidate.fit)); };
+    std::shared_ptr<const Linearisation> here;
     for (int round = 0; round < kMostRounds; ++round) {
-        here = linearisedAt(car_, candidate.fit.at);
-        std::optional<Candidate> again = fit(here, candidate.effects, endOf(candidate.fit));
+        here = linearised();
+        Found again = fitBeside(best_so_far, *here, {candidate.effects, endOf(candidate.fit)});
         if (!again) break;
         const double gained = again->log_evidence - candidate.log_evidence;
         if (gained > 0) candidate = std::move(*again);
         if (gained < kSettled) break;
     }
-    std::optional<Candidate> other = fit(here, candidate.effects, anew(candidate.fit));
+    Found other = fitBeside(best_so_far, *here, {candidate.effects, anew(candidate.fit)});
     if (other && other->log_evidence > candidate.log_evidence + kSettled) {
         candidate = std::move(*other);
-        here = linearisedAt(car_, candidate.fit.at);
+        here = linearised();
     }
+    candidate.settled = here;
     return here;
 }
 

@@ -1,6 +1,9 @@
 // Candidates for an answer, and how they are fitted.
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "diagnose/select/calibration.h"
@@ -13,16 +16,25 @@ struct Candidate {
     double log_evidence = 0;           // nats over the model without effects
     Fit fit;                           // empty if not `fitted`; log_evidence is then that of the linear model
     bool fitted = false;
-    answer::ForceLaw law = {.gain = -kInfinity};  // of a force of unknown cause beside the effects
+    std::shared_ptr<const Linearisation> settled = {};  // about its point; nothing if it was not settled
+    answer::ForceLaw law = {.gain = -kInfinity};        // of a force of unknown cause beside the effects
 
     // Whether these are the effects, in any order.
     bool of(const std::vector<std::size_t>& others) const;
 };
 
+// A set of effects to be fitted, and where its fit starts.
+struct Attempt {
+    std::vector<std::size_t> effects;
+    Start from;
+};
+
 // Fits candidates about the calibrated car and about each other. Fits that will stay far behind the best one so far are
-// given up.
+// given up. Several at once do not know of each other, so that their results do not depend on which ends first.
 class CandidateFitter {
 public:
+    using Found = std::optional<Candidate>;  // nothing when the car cannot be driven with the effects
+
     explicit CandidateFitter(const Calibration& car);
 
     // The model without effects, and the evidence of a fit over it.
@@ -31,22 +43,36 @@ public:
     // Fits that model with another linearisation. The result is kept if it is better; tells whether it is.
     bool refitNone(const Linearisation& about);
 
-    // One effect, about the calibrated car. The fit may have gone astray where it falls far short of what the linear
+    // Single effects, about the calibrated car. A fit may have gone astray where it falls far short of what the linear
     // model promised, where others of its knobs moved further than the first, or where numbers of the calibrated car
     // moved far beyond their tolerances: it is then started again around that car, or around the nominal one.
-    // Nothing when the car cannot be driven with the effect.
-    std::optional<Candidate> single(std::size_t effect, double promised);
+    struct Promising {
+        std::size_t effect;
+        double promised;
+    };
+    std::vector<Found> singles(const std::vector<Promising>& some);
+    Found single(std::size_t effect, double promised) { return std::move(singles({{effect, promised}}).front()); }
 
-    // A set of effects, from this start. Nothing when the car cannot be driven there.
-    std::optional<Candidate> fit(const Linearisation& about, const std::vector<std::size_t>& effects,
-                                 const Start& from);
+    // Sets of effects, from these starts.
+    std::vector<Found> fits(const Linearisation& about, const std::vector<Attempt>& attempts);
+    Found fit(const Linearisation& about, const std::vector<std::size_t>& effects, const Start& from);
 
     // Fits a candidate repeatedly, each time with the nuisances linearised at its point, until it gains little, and
     // once more from nominal nuisances. Returns the linearisation about its point; the columns of the knobs stay those
     // of the calibrated car.
-    Linearisation settle(Candidate& candidate);
+    std::shared_ptr<const Linearisation> settle(Candidate& candidate);
+
+    // Sets of effects from these starts; those that do not stay this far behind `than` are settled.
+    std::vector<Found> settledFits(const Linearisation& about, const std::vector<Attempt>& attempts,
+                                   const Candidate& than, double far_behind);
 
 private:
+    // Each of these knows the best ln Z so far, and raises it.
+    Found singleBeside(double& best, const Promising& one) const;
+    Found fitBeside(double& best, const Linearisation& about, const Attempt& attempt) const;
+    std::shared_ptr<const Linearisation> settleBeside(double& best, Candidate& candidate) const;
+    std::vector<Found> together(std::size_t count, const std::function<Found(double&, std::size_t)>& fit_one);
+
     const Calibration& car_;
     Fit none_;
     double best_;  // ln Z of the best fit so far

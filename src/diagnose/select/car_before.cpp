@@ -99,7 +99,7 @@ std::optional<Fit> settledFit(const model::Problem& problem, const Progress& pro
             progress((round + share) / kMostRounds, "fitting the car before the change");
         };
         model::Sensitivities about =
-            linear ? model::nuisancesAt(problem.replays, problem.drives, at, *linear, *last, tell)
+            linear ? model::nuisancesAt(problem.replays, problem.drives, at, nullptr, *linear, *last, tell)
                    : model::sensitivities(problem.replays, problem.drives, at, {.parameters = problem.nuisances}, tell);
         if (round == 0) model::expectDriven(problem.drives, about);
         model::Uncertainty uncertainty =

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/parallel.h"
 #include "diagnose/model/gap.h"
 #include "diagnose/settings.h"
 
@@ -41,8 +42,11 @@ Closest closestWith(const Calibration& car, const std::vector<std::size_t>& effe
     const Deviation from = car.problem.withOnly(effects, at);
     Deviation from_closest = car.closest.at;
     from_closest(knobs) = at(knobs);
-    std::optional<Closest> best = effects.empty() ? car.closest : closestTo(car, from_closest, knobs);
-    std::optional<Closest> found = closestTo(car, from, knobs);
+    std::optional<Closest> best = car.closest, found;
+    inParallel(effects.empty() ? 1 : 2, car.problem.replays.threads, [&](std::size_t i) {
+        if (i == 0) found = closestTo(car, from, knobs);
+        else best = closestTo(car, from_closest, knobs);
+    });
     if (found && (!best || squaredGapOf(car, found->rows) < squaredGapOf(car, best->rows))) best = std::move(found);
     if (best) return std::move(*best);
     const std::optional<Rows> rows = model::rowsAt(car.problem.replays, car.drives(), from);
@@ -50,12 +54,12 @@ Closest closestWith(const Calibration& car, const std::vector<std::size_t>& effe
 }
 
 Closeness closenessOf(const Calibration& car, const std::vector<std::size_t>& effects, const Deviation& at) {
-    Closeness result{closestWith(car, effects, at), {}};
-    for (const std::size_t e : effects) {
+    Closeness result{closestWith(car, effects, at), std::vector<Closest>(effects.size())};
+    inParallel(effects.size(), car.problem.replays.threads, [&](std::size_t i) {
         std::vector<std::size_t> others = effects;
-        std::erase(others, e);
-        result.without.push_back(closestWith(car, others, result.with.at));
-    }
+        std::erase(others, effects[i]);
+        result.without[i] = closestWith(car, others, result.with.at);
+    });
     return result;
 }
 

@@ -149,7 +149,9 @@ struct Fitter {
         nuisances.erase(std::unique(nuisances.begin(), nuisances.end()), nuisances.end());
         const auto renewed = [&](const std::vector<Eigen::Index>& parameters, double step) {
             if (parameters.empty()) return std::vector<Eigen::MatrixXd>(drives.size());
-            return model::sensitivities(replays, drives, fit.at, {.parameters = parameters, .step = step}).columns;
+            return model::sensitivities(replays, drives, fit.at,
+                                        {.parameters = parameters, .step = step, .rows = &fit.of_car})
+                .columns;
         };
         const std::vector<Eigen::MatrixXd> of_own = renewed(own, model::kEffectStep),
                                            of_nuisances = renewed(nuisances, model::kNuisanceStep);
@@ -359,10 +361,11 @@ bool resize(Moving& now, const Fitter& fitter) {
     const bool settled = resizeImperfections(now, fitter);
     for (int i = 0; i < kSizeSteps; ++i) {
         const Sizes last = now.fit.sizes;
-        now.fit.sizes = model::improvedSizes(fitter.uncertainty, now.fit.products, last, fitter.replays.threads);
+        now.fit.sizes =
+            model::improvedSizes(last, model::leftBy(fitter.uncertainty, now.marginal, fitter.replays.threads));
+        fitter.marginalise(now);
         if (model::changeOf(last, now.fit.sizes) < kSizesSettled) break;
     }
-    fitter.marginalise(now);
     return settled && model::changeOf(before, now.fit.sizes) < kSizesSettled;
 }
 

@@ -106,20 +106,27 @@ Screen screen(const Calibration& car) {
 std::vector<double> expectedEvidenceAt(const Calibration& car, const Fit& found, const Screen& screen) {
     const Problem& problem = car.problem;
     std::vector<double> expected = screen.expected_evidence;
+    std::vector<std::size_t> effects;
+    std::vector<Deviation> points;
     for (std::size_t e = 0; e < problem.effects.size(); ++e) {
         if (expected[e] < kSettings.clear || isFree(found, problem.knobs[e])) continue;
-        const std::optional<Deviation> with = withOneSided(problem, e, found.at);
-        if (!with) continue;
-        const std::optional<Rows> rows = model::rowsAt(problem.replays, problem.drives, *with);
-        if (!rows) continue;
-        std::vector<Eigen::MatrixXd> further(rows->size());
-        for (std::size_t d = 0; d < rows->size(); ++d) {
-            further[d].resize((*rows)[d].size(), 2);
-            further[d] << car.uncertainty.noise[d].over((*rows)[d] - found.rows[d]),
-                model::residual(problem.drives, car.uncertainty, found.rows, d);
-        }
-        const double shown = 0.5 * productsBeside(car, found, further, car.uncertainty.sizes)(0, 0);
-        expected[e] = std::min(expected[e], shown);
+        if (std::optional<Deviation> with = withOneSided(problem, e, found.at))
+            effects.push_back(e), points.push_back(std::move(*with));
+    }
+    if (effects.empty()) return expected;
+    const std::vector<std::optional<Rows>> rows = model::rowsAt(problem.replays, problem.drives, points);
+    std::vector<Eigen::MatrixXd> further(found.rows.size());
+    for (std::size_t d = 0; d < further.size(); ++d) {
+        Eigen::MatrixXd changes = Eigen::MatrixXd::Zero(found.rows[d].size(), std::ssize(effects) + 1);
+        for (std::size_t i = 0; i < effects.size(); ++i)
+            if (rows[i]) changes.col(static_cast<Eigen::Index>(i)) = (*rows[i])[d] - found.rows[d];
+        further[d] = car.uncertainty.noise[d].over(changes);
+        further[d].rightCols(1) = model::residual(problem.drives, car.uncertainty, found.rows, d);
+    }
+    const Eigen::MatrixXd products = productsBeside(car, found, further, car.uncertainty.sizes);
+    for (std::size_t i = 0; i < effects.size(); ++i) {
+        const auto place = static_cast<Eigen::Index>(i);
+        if (rows[i]) expected[effects[i]] = std::min(expected[effects[i]], 0.5 * products(place, place));
     }
     return expected;
 }

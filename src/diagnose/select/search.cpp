@@ -25,6 +25,7 @@ constexpr std::size_t kSetsFitted = 4;  // about each of these
 constexpr double kClose = 3;            // nats behind the best set up to which others are fitted: odds of 20 to 1
 
 using Effects = std::vector<std::size_t>;
+using Settled = std::shared_ptr<const Linearisation>;  // about the point of a candidate
 
 Effects bestFirst(const std::vector<double>& values) {
     Effects order(values.size());
@@ -90,20 +91,28 @@ private:
     // One candidate per effect; the most promising of the screen are fitted, the others keep its evidence.
     void fitSingles(const Screen& screen) {
         const Effects order = bestFirst(screen.gain);
+        std::vector<CandidateFitter::Promising> promising;
         for (std::size_t i = 0; i < order.size(); ++i) {
             const std::size_t e = order[i];
             if (other_name_[e]) continue;
             const double best = screen.gain[order.front()];
             const bool hopeless =
                 screen.gain[e] < std::min(best - kHopeless, kLeastShare * best) || screen.gain[e] < -1;
-            std::optional<Candidate> one;
-            if (i < kFewestFitted || (i < kMostFitted && !hopeless)) one = fitter_.single(e, screen.least_gain[e]);
-            progress_(0.3 * static_cast<double>(std::min(i, kMostFitted)) / kMostFitted,
-                      "fitting " + problem_.effects[e].name);
-            if (!one) one = Candidate{{e}, screen.least_gain[e], {}, false};
-            found_.push_back(std::move(*one));
+            found_.push_back({{e}, screen.least_gain[e], {}, false});
+            if (i < kFewestFitted || (i < kMostFitted && !hopeless)) promising.push_back({e, screen.least_gain[e]});
         }
+        fitTheseSingles(promising);
         fitPromising();
+    }
+
+    // The best one first: what it reaches tells which of the others can be given up.
+    void fitTheseSingles(std::vector<CandidateFitter::Promising> promising) {
+        if (promising.empty()) return;
+        progress_(0, "fitting " + problem_.effects[promising.front().effect].name);
+        keepBetter(fitter_.single(promising.front().effect, promising.front().promised));
+        promising.erase(promising.begin());
+        progress_(0.1, "fitting single effects");
+        keepBetter(fitter_.singles(promising));
     }
 
     // Fits the best of the others as long as the linear model promises more of it than the best fit has.
@@ -121,26 +130,28 @@ private:
 
     // Settles the best single and fits its rivals about it. Where one of them is then the best, about that one in turn.
     // Returns the linearisation about the best; nothing when it was not settled.
-    std::optional<Linearisation> settleBest() {
+    Settled settleBest() {
         for (int round = 0; round < kMostRounds && !found_.empty(); ++round) {
             Candidate best = found_.front();
             if (!worthSettling(best)) break;
             progress_(0.3, "linearising at " + problem_.effects[best.effects.front()].name);
-            Linearisation here = fitter_.settle(best);
+            const Settled here = fitter_.settle(best);
             const double before = fitter_.none().log_evidence;
-            if (fitter_.refitNone(here)) {
-                for (Candidate& one : found_) one.log_evidence -= fitter_.none().log_evidence - before;
+            if (fitter_.refitNone(*here)) {
+                for (Candidate& one : found_)
+                    one.log_evidence =
+                        one.fitted ? fitter_.over(one.fit) : one.log_evidence - (fitter_.none().log_evidence - before);
                 best.log_evidence = fitter_.over(best.fit);
                 // What is possible without the effect is possible with it.
-                std::optional<Candidate> again = fitter_.fit(here, best.effects, endOf(fitter_.none()));
+                std::optional<Candidate> again = fitter_.fit(*here, best.effects, endOf(fitter_.none()));
                 if (again && again->log_evidence > best.log_evidence) best = std::move(*again);
             }
             keepBetter(best);
-            fitRivals(best, here, anew(best.fit));
+            fitRivals(best, *here, anew(best.fit));
             sort(found_);
             if (found_.front().of(best.effects)) return here;
         }
-        return std::nullopt;
+        return nullptr;
     }
 
     bool worthSettling(const Candidate& single) const {
@@ -149,7 +160,7 @@ private:
 
     // Fits sets of effects about the most probable one, and goes on about the best of these, until none is better.
     // `here`: linearised about the best single; nothing where that was not settled.
-    void fitSets(std::optional<Linearisation> here) {
+    void fitSets(Settled here) {
         for (int round = 0; round < kMostSetRounds && !found_.empty(); ++round) {
             Candidate best = mostProbable();
             if (!worthSettling(best)) return;
@@ -164,14 +175,14 @@ private:
     bool fitSetsAbout(const Candidate& best, const Linearisation& here) {
         const double close = kClose * doubt(car_, best.fit);
         bool better = false;
-        std::size_t fits = 0;
+        std::vector<Attempt> attempts;
         for (const PromisingSet& set : promisingSets(car_, here, best, sought())) {
-            if (set.promised < -close || fits == kSetsFitted) break;
+            if (set.promised < -close || attempts.size() == kSetsFitted) break;
             if (isFitted(set.effects) || hardlyGains(set, best)) continue;
-            ++fits;
-            Start from = endOf(best.fit);
-            from.at = problem_.withOnly(set.effects, from.at);
-            std::optional<Candidate> one = fitter_.fit(here, set.effects, from);
+            attempts.push_back({set.effects, endOf(best.fit)});
+            attempts.back().from.at = problem_.withOnly(set.effects, best.fit.at);
+        }
+        for (std::optional<Candidate>& one : fitter_.fits(here, attempts)) {
             if (!one) continue;
             better |= logProbability(*one) > logProbability(best);
             keepBetter(std::move(*one));
@@ -218,14 +229,14 @@ private:
         if (set == found_.end()) return;
         Candidate from = *set;
         while (from.effects.size() > 1) {
-            const Linearisation here = linearisedAt(car_, from.fit.at);
-            std::optional<Candidate> best;
+            std::vector<Attempt> attempts;
             for (const std::size_t out : from.effects) {
-                Effects effects = from.effects;
-                std::erase(effects, out);
-                std::optional<Candidate> less = fitter_.fit(here, effects, without(out, from.fit));
+                attempts.push_back({from.effects, without(out, from.fit)});
+                std::erase(attempts.back().effects, out);
+            }
+            std::optional<Candidate> best;
+            for (std::optional<Candidate>& less : fitter_.settledFits(*about(from), attempts, from, kHopeless)) {
                 if (!less) continue;
-                if (less->log_evidence > from.log_evidence - kHopeless) fitter_.settle(*less);
                 keepBetter(*less);
                 if (!best || less->log_evidence > best->log_evidence) best = std::move(less);
             }
@@ -245,7 +256,12 @@ private:
         sort(found_);
         if (found_.empty() || !found_.front().fitted || found_.front().log_evidence < kSettings.effect) return;
         const Candidate best = found_.front();
-        fitRivals(best, linearisedAt(car_, best.fit.at), endOf(best.fit));
+        fitRivals(best, *about(best), endOf(best.fit));
+    }
+
+    // The linearisation about a candidate.
+    Settled about(const Candidate& one) const {
+        return one.settled ? one.settled : std::make_shared<const Linearisation>(linearisedAt(car_, one.fit));
     }
 
     // Whether a single effect can imitate one of a candidate: its fit may lag behind only because it went astray.
@@ -267,12 +283,14 @@ private:
                 rivals.push_back(one);
         sort(rivals);
         if (rivals.size() > kMostRivals) rivals.resize(kMostRivals);
+        std::vector<Attempt> attempts;
         for (const Candidate& rival : rivals) {
-            Start from = start;
-            from.at(best.fit.knobs).setZero();
-            from.at(rival.fit.knobs) = rival.fit.at(rival.fit.knobs);
-            if (std::optional<Candidate> again = fitter_.fit(here, rival.effects, from)) keepBetter(std::move(*again));
+            attempts.push_back({rival.effects, start});
+            Deviation& at = attempts.back().from.at;
+            at(best.fit.knobs).setZero();
+            at(rival.fit.knobs) = rival.fit.at(rival.fit.knobs);
         }
+        keepBetter(fitter_.fits(here, attempts));
     }
 
     // Beside each set a force of unknown cause may act (D35a). The last candidate is the model without effects. What
@@ -293,12 +311,20 @@ private:
                            [&](const Candidate& one) { return one.fitted && one.of(effects); });
     }
 
-    // Puts a candidate in the place of another fit of the same effects, if it is better.
+    // Puts a candidate in the place of another fit of the same effects, unless it is worse.
     void keepBetter(Candidate one) {
         const auto known =
             std::find_if(found_.begin(), found_.end(), [&](const Candidate& other) { return other.of(one.effects); });
         if (known == found_.end()) found_.push_back(std::move(one));
-        else if (!known->fitted || one.log_evidence > known->log_evidence) *known = std::move(one);
+        else if (!known->fitted || one.log_evidence >= known->log_evidence) *known = std::move(one);
+    }
+
+    void keepBetter(std::optional<Candidate> one) {
+        if (one) keepBetter(std::move(*one));
+    }
+
+    void keepBetter(std::vector<std::optional<Candidate>> some) {
+        for (std::optional<Candidate>& one : some) keepBetter(std::move(one));
     }
 
     const Calibration& car_;

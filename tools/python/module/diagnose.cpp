@@ -38,11 +38,8 @@ diagnose::Options optionsOf(int threads, const std::string& output, const Watch&
     options.threads = threads;
     if (!output.empty()) options.cache = Path(output) / "cache";
     options.progress = [&watch](double done, const std::string&) { watch.tell(done); };
-    const recording::Simulate drive = options.simulate;
-    options.simulate = [&watch, drive](const VehicleParams& vehicle, const Scenario& scenario, const Recorder& recorder,
-                                       const Pushing& pushing) {
+    options.before_each = [&watch] {
         if (watch.stop()) throw Stopped();
-        drive(vehicle, scenario, recorder, pushing);
     };
     return options;
 }
