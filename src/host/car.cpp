@@ -204,9 +204,10 @@ std::vector<std::byte> Car::bytes() const {
 }
 
 void Car::restore(std::span<const std::byte> bytes) {
-    const Snapshot snapshot = snapshotOf(bytes, identity());
+    Snapshot snapshot = snapshotOf(bytes, identity());
     if (!isSound(snapshot.state, vehicle_.params) || !(std::abs(snapshot.carried) <= kLongestStep))
         refuse("found a state that no car can have: a gear, a phase, a delay or a time that does not exist");
+    snapshot.input = withinLimits(snapshot.input), snapshot.next = withinLimits(snapshot.next);
     restore(snapshot);
 }
 

@@ -186,6 +186,20 @@ TEST(HostCar, BytesOfAnotherCarOrVersionAreRefused) {
     EXPECT_NE(saidBy([&] { car.restore(std::span(bytes).first(5)); }).find("no state of a car"), std::string::npos);
 }
 
+TEST(HostCar, InputsInBytesAreTakenLikeThoseOfTheHost) {
+    Car car(shared::compact()), other(shared::compact());
+    car.start({.speed = 10});
+    Snapshot hostile = car.snapshot();
+    hostile.next.clutch = 3, hostile.input.brake = -1;
+    other.restore(hostile);
+    car.restore(other.bytes());
+    EXPECT_EQ(car.snapshot().next.clutch, 1);
+    EXPECT_EQ(car.snapshot().input.brake, 0);
+    hostile.next.throttle = std::numeric_limits<double>::quiet_NaN();
+    other.restore(hostile);
+    EXPECT_NE(saidBy([&] { car.restore(other.bytes()); }).find("input throttle: found NaN"), std::string::npos);
+}
+
 TEST(HostCar, StartsWhereItIsTold) {
     Car car(shared::compact());
     car.start({.x = 3, .y = -2, .heading = 1, .speed = 15});
