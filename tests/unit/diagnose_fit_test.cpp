@@ -304,7 +304,7 @@ TEST(Fit, ColumnOfAnEffectThatMovesAnUncertainNumberIsThatOfThisNumber) {
     constexpr Index kOther = 1;
     const Fit fit = curved_car.fittedFrom({problem.replays.origin()}).value();
     const Fit again =
-        withColumnsOfItsPoint(problem.replays, problem.drives, car.uncertainty, linearisedAt(car, fit), fit);
+        withColumnsOfItsPoint(problem.replays, problem.drives, car.uncertainty, *linearisedAt(car, fit), fit);
     ASSERT_EQ(again.free, (std::vector<Index>{kWheelbase, kOther}));
     const double times =
         problem.replays.parameters[kOther].moves.front().by / problem.replays.parameters[kWheelbase].moves.front().by;

@@ -148,11 +148,11 @@ std::vector<model::Share> Calibration::asNuisances(const Parameter& parameter) c
     return model::mixture(parameter, problem.replays.parameters, about.nuisances);
 }
 
-Linearisation linearisedAt(const Calibration& car, const Fit& fit) {
-    return model::relinearised(
+SharedLinearisation linearisedAt(const Calibration& car, const Fit& fit) {
+    return std::make_shared<const Linearisation>(model::relinearised(
         car.about,
         model::nuisancesAt(car.problem.replays, car.drives(), fit.at, &fit.of_car, car.about, car.uncertainty),
-        car.uncertainty, car.problem.replays.threads);
+        car.uncertainty, car.problem.replays.threads));
 }
 
 Replays withinTolerances(const Calibration& car) {

@@ -2,6 +2,8 @@
 // Effects are searched for about this car.
 #pragma once
 
+#include <memory>
+
 #include "diagnose/model/problem.h"
 #include "diagnose/select/fit.h"
 #include "diagnose/select/together.h"
@@ -10,6 +12,7 @@ namespace tread::diagnose::select {
 
 using model::Parameter;
 using model::Problem;
+using SharedLinearisation = std::shared_ptr<const Linearisation>;
 
 // A car within its tolerances that leaves the smallest squared gap. A fit, which is likelier, may leave a larger one
 // where its remainder is large.
@@ -41,7 +44,7 @@ struct Calibration {
 };
 
 // The linearisation about another point: nuisances anew, knobs as about the calibrated car.
-Linearisation linearisedAt(const Calibration& car, const Fit& fit);
+SharedLinearisation linearisedAt(const Calibration& car, const Fit& fit);
 
 // The replays of cars whose numbers stay within their tolerances, and a point with some numbers within their bounds.
 Replays withinTolerances(const Calibration& car);

@@ -128,6 +128,10 @@ bool Candidate::of(const std::vector<std::size_t>& others) const {
     return std::is_permutation(effects.begin(), effects.end(), others.begin(), others.end());
 }
 
+SharedLinearisation linearisationAbout(const Calibration& car, const Candidate& candidate) {
+    return candidate.about ? candidate.about : linearisedAt(car, candidate.fit);
+}
+
 CandidateFitter::CandidateFitter(const Calibration& car) : car_(car), none_(car.fit), best_(car.fit.log_evidence) {}
 
 bool CandidateFitter::refitNone(const Linearisation& about) {
@@ -161,7 +165,7 @@ CandidateFitter::Found CandidateFitter::fit(const Linearisation& about, const st
     return fitBeside(best_, about, {effects, from});
 }
 
-std::shared_ptr<const Linearisation> CandidateFitter::settle(Candidate& candidate) {
+SharedLinearisation CandidateFitter::settle(Candidate& candidate) {
     return settleBeside(best_, candidate);
 }
 
@@ -206,11 +210,10 @@ CandidateFitter::Found CandidateFitter::fitBeside(double& best_so_far, const Lin
     return best;
 }
 
-std::shared_ptr<const Linearisation> CandidateFitter::settleBeside(double& best_so_far, Candidate& candidate) const {
-    const auto linearised = [&] { return std::make_shared<const Linearisation>(linearisedAt(car_, candidate.fit)); };
-    std::shared_ptr<const Linearisation> here;
+SharedLinearisation CandidateFitter::settleBeside(double& best_so_far, Candidate& candidate) const {
+    SharedLinearisation here;
     for (int round = 0; round < kMostRounds; ++round) {
-        here = linearised();
+        here = linearisedAt(car_, candidate.fit);
         Found again = fitBeside(best_so_far, *here, {candidate.effects, endOf(candidate.fit)});
         if (!again) break;
         const double gained = again->log_evidence - candidate.log_evidence;
@@ -220,9 +223,9 @@ std::shared_ptr<const Linearisation> CandidateFitter::settleBeside(double& best_
     Found other = fitBeside(best_so_far, *here, {candidate.effects, anew(candidate.fit)});
     if (other && other->log_evidence > candidate.log_evidence + kSettled) {
         candidate = std::move(*other);
-        here = linearised();
+        here = linearisedAt(car_, candidate.fit);
     }
-    candidate.settled = here;
+    candidate.about = here;
     return here;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -16,12 +15,15 @@ struct Candidate {
     double log_evidence = 0;           // nats over the model without effects
     Fit fit;                           // empty if not `fitted`; log_evidence is then that of the linear model
     bool fitted = false;
-    std::shared_ptr<const Linearisation> settled = {};  // about its point; nothing if it was not settled
-    answer::ForceLaw law = {.gain = -kInfinity};        // of a force of unknown cause beside the effects
+    SharedLinearisation about = {};               // about its point; nothing if it was not settled
+    answer::ForceLaw law = {.gain = -kInfinity};  // of a force of unknown cause beside the effects
 
     // Whether these are the effects, in any order.
     bool of(const std::vector<std::size_t>& others) const;
 };
+
+// The linearisation about a fitted candidate: its own, or computed where it has none.
+SharedLinearisation linearisationAbout(const Calibration& car, const Candidate& candidate);
 
 // A set of effects to be fitted, and where its fit starts.
 struct Attempt {
@@ -60,7 +62,7 @@ public:
     // Fits a candidate repeatedly, each time with the nuisances linearised at its point, until it gains little, and
     // once more from nominal nuisances. Returns the linearisation about its point; the columns of the knobs stay those
     // of the calibrated car.
-    std::shared_ptr<const Linearisation> settle(Candidate& candidate);
+    SharedLinearisation settle(Candidate& candidate);
 
     // Sets of effects from these starts; those that do not stay this far behind `than` are settled.
     std::vector<Found> settledFits(const Linearisation& about, const std::vector<Attempt>& attempts,
@@ -70,7 +72,7 @@ private:
     // Each of these knows the best ln Z so far, and raises it.
     Found singleBeside(double& best, const Promising& one) const;
     Found fitBeside(double& best, const Linearisation& about, const Attempt& attempt) const;
-    std::shared_ptr<const Linearisation> settleBeside(double& best, Candidate& candidate) const;
+    SharedLinearisation settleBeside(double& best, Candidate& candidate) const;
     std::vector<Found> together(std::size_t count, const std::function<Found(double&, std::size_t)>& fit_one);
 
     const Calibration& car_;

@@ -25,7 +25,6 @@ constexpr std::size_t kSetsFitted = 4;  // about each of these
 constexpr double kClose = 3;            // nats behind the best set up to which others are fitted: odds of 20 to 1
 
 using Effects = std::vector<std::size_t>;
-using Settled = std::shared_ptr<const Linearisation>;  // about the point of a candidate
 
 Effects bestFirst(const std::vector<double>& values) {
     Effects order(values.size());
@@ -130,12 +129,12 @@ private:
 
     // Settles the best single and fits its rivals about it. Where one of them is then the best, about that one in turn.
     // Returns the linearisation about the best; nothing when it was not settled.
-    Settled settleBest() {
+    SharedLinearisation settleBest() {
         for (int round = 0; round < kMostRounds && !found_.empty(); ++round) {
             Candidate best = found_.front();
             if (!worthSettling(best)) break;
             progress_(0.3, "linearising at " + problem_.effects[best.effects.front()].name);
-            const Settled here = fitter_.settle(best);
+            const SharedLinearisation here = fitter_.settle(best);
             const double before = fitter_.none().log_evidence;
             if (fitter_.refitNone(*here)) {
                 for (Candidate& one : found_)
@@ -160,7 +159,7 @@ private:
 
     // Fits sets of effects about the most probable one, and goes on about the best of these, until none is better.
     // `here`: linearised about the best single; nothing where that was not settled.
-    void fitSets(Settled here) {
+    void fitSets(SharedLinearisation here) {
         for (int round = 0; round < kMostSetRounds && !found_.empty(); ++round) {
             Candidate best = mostProbable();
             if (!worthSettling(best)) return;
@@ -235,7 +234,8 @@ private:
                 std::erase(attempts.back().effects, out);
             }
             std::optional<Candidate> best;
-            for (std::optional<Candidate>& less : fitter_.settledFits(*about(from), attempts, from, kHopeless)) {
+            for (std::optional<Candidate>& less :
+                 fitter_.settledFits(*linearisationAbout(car_, from), attempts, from, kHopeless)) {
                 if (!less) continue;
                 keepBetter(*less);
                 if (!best || less->log_evidence > best->log_evidence) best = std::move(less);
@@ -256,12 +256,7 @@ private:
         sort(found_);
         if (found_.empty() || !found_.front().fitted || found_.front().log_evidence < kSettings.effect) return;
         const Candidate best = found_.front();
-        fitRivals(best, *about(best), endOf(best.fit));
-    }
-
-    // The linearisation about a candidate.
-    Settled about(const Candidate& one) const {
-        return one.settled ? one.settled : std::make_shared<const Linearisation>(linearisedAt(car_, one.fit));
+        fitRivals(best, *linearisationAbout(car_, best), endOf(best.fit));
     }
 
     // Whether a single effect can imitate one of a candidate: its fit may lag behind only because it went astray.

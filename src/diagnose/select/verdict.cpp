@@ -148,17 +148,16 @@ bool implausible(const Calibration& car, const Fit& fit) {
 Fit released(const Calibration& car, const Candidate& named) {
     Fit fit = named.fit;
     if (named.effects.empty()) return fit;
-    std::shared_ptr<const Linearisation> here = named.settled;
+    SharedLinearisation here = linearisationAbout(car, named);
     for (int round = 0; round < kMostRounds; ++round) {
-        if (!here) here = std::make_shared<const Linearisation>(linearisedAt(car, fit));
+        if (round > 0) here = linearisedAt(car, fit);
         std::optional<Fit> again =
             fitted(car.problem.replays, car.drives(), car.uncertainty, *here, fit.knobs, endOf(fit), SizePrior::none);
         if (!again) break;
         fit = std::move(*again);
         if (fit.gained < kSettled) break;
-        here = nullptr;
     }
-    return withColumnsOfItsPoint(car.problem.replays, car.drives(), car.uncertainty, linearisedAt(car, fit), fit);
+    return withColumnsOfItsPoint(car.problem.replays, car.drives(), car.uncertainty, *linearisedAt(car, fit), fit);
 }
 
 // The fit at the closest car with its causes, whose sizes stay.
