@@ -86,8 +86,6 @@ struct Settings {
     double effect = 5;
     // Choice of the user's risk: one false alarm in fifty.
     double false_alarm = 0.02;
-    // Choice: a remainder that is smaller everywhere needs no cause, however surely it is there.
-    double material = 0.2;
     // Odds of 400 to 1.
     double clear = 6;
     // Choice of the user's risk.
@@ -141,10 +139,9 @@ struct Settings {
               About{"-", "prior probability with one additional cause, relative to that without it"});
         field(TREAD_FIELD(effect), About{"nat", "log evidence that each effect must gain"});
         field(TREAD_FIELD(false_alarm),
-              About{"-", "probability of the set of causes without an effect, above which the effect is not named"});
-        field(TREAD_FIELD(material), About{"-",
-                                           "excess of the squared gap over that of a perfect model, in a channel or a "
-                                           "drive, above which a remainder is reported"});
+              About{"-",
+                    "probability of the set of causes without an effect, above which the effect is not named; and that "
+                    "chance leaves as large a gap, below which a remainder is reported"});
         field(TREAD_FIELD(clear), About{"nat",
                                         "log evidence that distinguishes two effects, and above which an effect may be "
                                         "visible or a force law is reported"});

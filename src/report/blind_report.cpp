@@ -59,11 +59,14 @@ Chart reliabilityChart(const BlindScore& score) {
         stated.y.push_back(100.0 * bin.right / bin.claims);
     }
     Series ideal{.name = "as stated", .x = {0, 100}, .y = {0, 100}, .colour = Colour::grey, .dashed = true};
-    return {.title = "Are the stated probabilities true?",
-            .x = {.label = "stated probability", .unit = "%", .lowest = 0, .highest = 100},
-            .y = {.label = "claims that were right", .unit = "%", .lowest = 0, .highest = 100},
-            .series = {ideal, stated},
-            .note = fmt::format("{} claims; expected calibration error {:.3f}.", claims, score.calibration_error)};
+    return {
+        .title = "Are the stated probabilities true?",
+        .x = {.label = "stated probability", .unit = "%", .lowest = 0, .highest = 100},
+        .y = {.label = "claims that were right", .unit = "%", .lowest = 0, .highest = 100},
+        .series = {ideal, stated},
+        .note = fmt::format("{} claims; expected calibration error {:.3f}. As many claims that are right as often as "
+                            "they state show {:.3f} on average.",
+                            claims, score.calibration_error, score.calibration_error_by_chance)};
 }
 
 std::vector<Card> cardsOf(const BlindScore& score) {
@@ -77,7 +80,8 @@ std::vector<Card> cardsOf(const BlindScore& score) {
             card("Outsiders called unknown", "unknown"),
             card("Wrong and confident, of all claims", "wrong_confident"),
             card("Numbers within 2 sd", "numbers_2sd"),
-            {"Calibration error", formatNumber(score.calibration_error, 2), ""},
+            {"Calibration error", formatNumber(score.calibration_error, 2),
+             fmt::format("{} by chance", formatNumber(score.calibration_error_by_chance, 2))},
             {"Time of a diagnosis", formatNumber(score.median_seconds, 3), "s"}};
 }
 

@@ -26,6 +26,7 @@ using blind::key::SealedKey;
 using blind::score::bandsInWords;
 using blind::score::BlindScore;
 using blind::score::calibrationError;
+using blind::score::calibrationErrorByChance;
 using blind::score::Claim;
 using blind::score::claimsOf;
 using blind::score::Count;
@@ -116,6 +117,19 @@ TEST(BlindScore, CalibrationErrorIsTheWeightedDistanceFromTheDiagonal) {
     EXPECT_EQ(calibrationError(reliability({})), 0);
     const auto certain = reliability({{1.0, true}});
     EXPECT_EQ(certain.back().claims, 1);
+}
+
+TEST(BlindScore, FewClaimsThatAreRightAsOftenAsTheyStateScatter) {
+    // One claim of p is p off if wrong and 1 - p if right. Two of 0.5: both right or both wrong, with half the chance,
+    // are one off. In bins of their own, their distances add.
+    EXPECT_NEAR(calibrationErrorByChance(reliability({{0.3, true}})), 2 * 0.3 * 0.7, 1e-12);
+    EXPECT_NEAR(calibrationErrorByChance(reliability({{0.5, true}, {0.5, true}})), 0.25, 1e-12);
+    EXPECT_NEAR(calibrationErrorByChance(reliability({{0.3, true}, {0.8, false}})), 0.21 + 0.16, 1e-12);
+    EXPECT_EQ(calibrationErrorByChance(reliability({{1, true}, {1, false}})), 0);
+    EXPECT_EQ(calibrationErrorByChance(reliability({})), 0);
+    // Many are normally distributed about their mean.
+    const std::vector<Claim> many(400, Claim{0.8, true});
+    EXPECT_NEAR(calibrationErrorByChance(reliability(many)), std::sqrt(2 / std::numbers::pi * 0.16 / 400), 2e-4);
 }
 
 // ---- One effect ----
@@ -520,8 +534,8 @@ TEST(BlindScore, TextSaysTheAnswerFirstAndFitsItsWidth) {
     EXPECT_TRUE(text.starts_with("Blind check of 7 cases, NOT frozen: one effect named first in 0 of 2, ")) << text;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 110u) << line;
-    for (const char* word : {"Figures of all cases", "Wilson 95 %", "22 nats and more, distinguishable", "second family",
-                             "Outcomes", "Stated probabilities", "by the stronger of two", "99.97 %"})
+    for (const char* word : {"Figures of all cases", "Wilson 95 %", "22 nats and more, distinguishable",
+                             "second family", "Outcomes", "Stated probabilities", "by the stronger of two", "99.97 %"})
         EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
+#include <utility>
 
 #include "base/random.h"
 #include "recording/checks/data_checks.h"
@@ -89,6 +91,23 @@ void expectOnly(const Case& wrong, const std::string& where, const std::string& 
 
 TEST(DataChecks, RightRecordingsGiveNoWarning) {
     for (const DataWarning& warning : right().warnings()) ADD_FAILURE() << toText(warning);
+}
+
+// At speed and at the limit, sideslip makes ay late and smaller than vx times yaw rate.
+TEST(DataChecks, SideslipThatIsNotMeasuredIsNoErrorOfAnInstrument) {
+    Case c;
+    c.nominal.vehicle = shared::compact();
+    for (const auto& [scenario, speed] : {std::pair{"step_steer_80", 30.5},
+                                          {"sine_sweep", 25.0},
+                                          {"weave", 28.0},
+                                          {"one_period_sine", 27.0},
+                                          {"sine_with_dwell", 22.0}}) {
+        c.file.recordings.push_back({.log = std::string(scenario) + ".csv", .name = scenario});
+        c.logs.push_back(measured(scenario, speed));
+    }
+    c.references.resize(c.logs.size());
+    for (const DataWarning& warning : c.warnings())
+        EXPECT_FALSE(warning.where.ends_with("chassis.ay")) << toText(warning);
 }
 
 // The same drives before a change, of which there was none.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/random.h"
+#include "diagnose/settings.h"
 #include "shared/linear_drives.h"
 
 namespace tread::diagnose_what_remains_test {
@@ -94,6 +95,10 @@ Remains remainsOf(const std::vector<LinearDrive>& drives) {
     return whatRemains(car, model, model.fit.rows);
 }
 
+bool seen(const Remains& remains) {
+    return remains.probability() >= diagnose::kSettings.sure;
+}
+
 // The Gaussian in the logarithms of the sizes that (D33) puts in place of the integral is an approximation.
 constexpr double kOfApproximation = 0.5;  // nats
 
@@ -102,16 +107,16 @@ TEST(WhatRemains, IsBeyondOrdinaryByTheEvidenceOfLargerSizes) {
         const std::vector<LinearDrive> drives = drawn(first, second);
         const Remains found = remainsOf(drives);
         EXPECT_NEAR(found.beyond_ordinary, bayesFactor(drives), kOfApproximation) << first << ", " << second;
-        const double nats = std::max(found.material() ? found.beyond_ordinary : 0, found.strain);
+        const double nats = std::max(found.visible() ? found.beyond_ordinary : 0, found.strain);
         EXPECT_NEAR(found.probability(), 1 / (1 + 9 * std::exp(-nats)), 1e-12);
-        EXPECT_EQ(found.seen(), nats >= std::log(81)) << "odds of 9 to 1 after 1 to 9";
+        EXPECT_EQ(seen(found), nats >= std::log(81)) << "odds of 9 to 1 after 1 to 9";
         EXPECT_TRUE(found.law.follows.empty());
     }
 }
 
 TEST(WhatRemains, IsSeenWhereItIsManyTimesTheUsual) {
-    EXPECT_TRUE(remainsOf(drawn(12, 12)).seen());
-    EXPECT_FALSE(remainsOf(drawn(1, 1)).seen());
+    EXPECT_TRUE(seen(remainsOf(drawn(12, 12))));
+    EXPECT_FALSE(seen(remainsOf(drawn(1, 1))));
 }
 
 // No more and no less likely than before the drives.
@@ -122,22 +127,22 @@ TEST(WhatRemains, OfLessThanUsualSizeSaysNothingAboutAnUnknownCause) {
 }
 
 TEST(WhatRemains, IsCertainWhereItsEvidenceIsBeyondAllNumbers) {
-    EXPECT_EQ((Remains{.beyond_ordinary = 1e4, .excess = 1, .law = {}}.probability()), 1);
-    EXPECT_EQ((Remains{.beyond_ordinary = -1e4, .excess = 1, .law = {}}.probability()), 0.1);
+    EXPECT_EQ((Remains{.beyond_ordinary = 1e4, .by_chance = 0, .law = {}}.probability()), 1);
+    EXPECT_EQ((Remains{.beyond_ordinary = -1e4, .by_chance = 0, .law = {}}.probability()), 0.1);
 }
 
-// A remainder of a few per cent of the noise needs no cause, however surely it is there.
-TEST(WhatRemains, IsNotSeenWhereItHardlyAddsToTheNoise) {
-    EXPECT_TRUE((Remains{.beyond_ordinary = 30, .excess = 0.21, .law = {}}.seen()));
-    EXPECT_FALSE((Remains{.beyond_ordinary = 30, .excess = 0.19, .law = {}}.seen()));
-    EXPECT_NEAR((Remains{.beyond_ordinary = 30, .excess = 0.19, .law = {}}.probability()), 0.1, 1e-12);
+// A remainder that hides in the noise needs no cause, however surely it is there.
+TEST(WhatRemains, IsNotSeenWhereChanceLeavesAsLargeAGap) {
+    EXPECT_TRUE(seen({.beyond_ordinary = 30, .by_chance = 0.019, .law = {}}));
+    EXPECT_FALSE(seen({.beyond_ordinary = 30, .by_chance = 0.021, .law = {}}));
+    EXPECT_NEAR((Remains{.beyond_ordinary = 30, .by_chance = 0.021, .law = {}}.probability()), 0.1, 1e-12);
 }
 
 // The large remainder and the law that it follows together are what an unknown cause gains.
 TEST(WhatRemains, IsSeenSoonerWhereItFollowsALaw) {
-    EXPECT_FALSE((Remains{.beyond_ordinary = 4, .excess = 1, .of_law = 0.3, .law = {}}.seen()));
-    EXPECT_TRUE((Remains{.beyond_ordinary = 4, .excess = 1, .of_law = 0.5, .law = {}}.seen()));
-    EXPECT_NEAR((Remains{.beyond_ordinary = 4, .excess = 1, .of_law = 2, .law = {}}.probability()),
+    EXPECT_FALSE(seen({.beyond_ordinary = 4, .by_chance = 0, .of_law = 0.3, .law = {}}));
+    EXPECT_TRUE(seen({.beyond_ordinary = 4, .by_chance = 0, .of_law = 0.5, .law = {}}));
+    EXPECT_NEAR((Remains{.beyond_ordinary = 4, .by_chance = 0, .of_law = 2, .law = {}}.probability()),
                 1 / (1 + 9 * std::exp(-6)), 1e-12);
 }
 
@@ -152,7 +157,7 @@ TEST(WhatRemains, IsSeenWhereOneNumberMovedFarBeyondItsTolerance) {
         model.fit.at(model.fit.free[0]) = moved;
         const Remains found = whatRemains(car, model, model.fit.rows);
         EXPECT_NEAR(found.strain, nats, 1e-4) << moved;
-        EXPECT_EQ(found.seen(), moved > 4.6) << moved;
+        EXPECT_EQ(seen(found), moved > 4.6) << moved;
     }
 }
 

@@ -20,11 +20,14 @@ struct Claim {
 struct ReliabilityBin {
     double from = 0, to = 0;
     int claims = 0, right = 0;
-    double stated = 0;  // mean stated probability
+    double stated = 0;   // mean stated probability
+    double scatter = 0;  // mean of |right - claims stated| if each claim were right as often as it states
 };
 std::vector<ReliabilityBin> reliability(const std::vector<Claim>& claims, int bins = 10);
 // Expected calibration error: mean absolute difference between stated probability and share of right claims, weighted
 // by the claims in each bin.
 double calibrationError(const std::vector<ReliabilityBin>& bins);
+// The one that as many perfectly calibrated claims show on average: few claims scatter.
+double calibrationErrorByChance(const std::vector<ReliabilityBin>& bins);
 
 }  // namespace tread::blind::score

@@ -77,6 +77,7 @@ void addNumbersAndClaims(BlindScore& score, const std::vector<CaseKey>& keys, co
     }
     score.reliability = reliability(claims);
     score.calibration_error = calibrationError(score.reliability);
+    score.calibration_error_by_chance = calibrationErrorByChance(score.reliability);
     score.median_relative_error = medianOf(relative);
 }
 

@@ -18,7 +18,7 @@ struct BlindScore {
     Frozen frozen;
     std::vector<Figure> figures;
     std::vector<ReliabilityBin> reliability;
-    double calibration_error = 0;
+    double calibration_error = 0, calibration_error_by_chance = 0;
     std::vector<OutcomeRow> outcomes;
     Confusion confusion;
     std::vector<EstimateError> number_errors;     // of correctly named causes

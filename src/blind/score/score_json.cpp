@@ -69,6 +69,7 @@ std::string scoreJson(const BlindScore& score) {
                     {"outcomes", rows},
                     {"reliability", bins},
                     {"calibration_error", score.calibration_error},
+                    {"calibration_error_by_chance", score.calibration_error_by_chance},
                     {"number_errors", errors},
                     {"median_relative_error", orNull(score.median_relative_error)},
                     {"median_closure", orNull(score.median_closure)},

@@ -133,12 +133,14 @@ ScoreTable outcomeTable(const BlindScore& score) {
 }
 
 ScoreTable calibrationTable(const BlindScore& score) {
-    ScoreTable table{
-        .title = "Stated probabilities",
-        .header = {"from", "to", "claims", "stated, mean", "right", "right"},
-        .rows = {},
-        .words = 0,
-        .note = fmt::format("Expected calibration error {:.3f} (required: at most 0.05).", score.calibration_error)};
+    ScoreTable table{.title = "Stated probabilities",
+                     .header = {"from", "to", "claims", "stated, mean", "right", "right"},
+                     .rows = {},
+                     .words = 0,
+                     .note = fmt::format(
+                         "Expected calibration error {:.3f} (required: at most 0.05). As many claims that are right as "
+                         "often as they state show {:.3f} on average.",
+                         score.calibration_error, score.calibration_error_by_chance)};
     for (const ReliabilityBin& bin : score.reliability) {
         if (bin.claims == 0) continue;
         table.rows.push_back({.cells = {fmt::format("{:.1f}", bin.from), fmt::format("{:.1f}", bin.to),

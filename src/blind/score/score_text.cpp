@@ -96,7 +96,8 @@ std::string scoreInWords(const BlindScore& score) {
     add("false_alarm", "false alarms");
     add("unknown", "outsiders called unknown");
     add("wrong_confident", "wrong and confident");
-    parts.push_back(fmt::format("calibration error {:.3f}", score.calibration_error));
+    parts.push_back(fmt::format("calibration error {:.3f} ({:.3f} by chance)", score.calibration_error,
+                                score.calibration_error_by_chance));
     return fmt::format("Blind check of {} cases, {}: {}", score.cases, score.frozen.frozen ? "frozen" : "NOT frozen",
                        fmt::join(parts, ", "));
 }

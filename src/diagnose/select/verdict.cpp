@@ -284,15 +284,19 @@ double struckBeyond(const Answer& chosen) {
     return most / chosen.posterior.variance_factor;
 }
 
+// Whether an unknown cause is as probable as what is claimed.
+bool claimsUnknown(const Diagnosis& diagnosis) {
+    return diagnosis.probability_of_unknown >= kSettings.sure;
+}
+
 Verdict verdictOf(const Diagnosis& diagnosis, const Calibration& car, const Judgement& judgement) {
-    const bool remains = judgement.remains.seen();
     if (judgement.named->effects.empty()) {
-        if (remains) return Verdict::unknown;
+        if (claimsUnknown(diagnosis)) return Verdict::unknown;
         const bool seen = std::any_of(diagnosis.expected_evidence.begin(), diagnosis.expected_evidence.end(),
                                       [](const auto& one) { return one.second >= kSettings.clear; });
         return seen ? Verdict::nothing : Verdict::not_testable;
     }
-    if (remains) {
+    if (claimsUnknown(diagnosis)) {
         const double tolerances_leave = gapBeyondNoise(car, car.closest.rows),
                      left = gapBeyondNoise(car, judgement.closeness.with.rows);
         return left > 0.5 * tolerances_leave ? Verdict::unknown : Verdict::partly_explained;
@@ -321,7 +325,7 @@ Judgement judge(answer::Diagnosis& diagnosis, const Calibration& car, const std:
     for (std::size_t e = 0; e < problem.effects.size(); ++e)
         diagnosis.expected_evidence[problem.effects[e].name] = expected_evidence[e];
     std::set<std::string> names = credible(problem, chosen.posterior);
-    if (judgement.remains.seen()) names.insert("unknown");
+    if (claimsUnknown(diagnosis)) names.insert("unknown");
     diagnosis.credible_set.assign(names.begin(), names.end());
     for (const Candidate* one : chosen.posterior.alternativesTo(named))
         diagnosis.alternatives.push_back(problem.namesOf(one->effects));

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
-#include "diagnose/model/gap.h"
 #include "diagnose/model/remainder.h"
+#include "diagnose/select/visible_gap.h"
 #include "diagnose/settings.h"
 
 namespace tread::diagnose::select {
@@ -58,50 +57,19 @@ double strainOf(const Fit& fit) {
     return nats;
 }
 
-// Squared gap, and the one that a perfect model would leave.
-struct Gap {
-    double squares = 0, rows = 0;
-
-    void add(const Eigen::VectorXd& off) { squares += off.squaredNorm(), rows += static_cast<double>(off.size()); }
-    double excess() const { return rows > 0 ? squares / rows - 1 : 0; }
-};
-
-// In the channel or drive where it is largest; only rows that are compared count.
-double largestExcess(const Calibration& car, const Rows& rows) {
-    std::map<std::string, Gap> channels;
-    double largest = 0;
-    for (std::size_t d = 0; d < rows.size(); ++d) {
-        const Eigen::VectorXd gap = model::gapOf(car.drives(), car.uncertainty, rows[d], d);
-        largest = std::max(largest, Gap{gap.squaredNorm(), model::comparedRows(car.uncertainty, d)}.excess());
-        for (const recording::ObservedChannel& channel : car.drives()[d].channels) {
-            const auto compared =
-                (car.uncertainty.noise[d].deviation.segment(channel.first_row, channel.rows()).array() < kInfinity)
-                    .count();
-            const Eigen::VectorXd here = gap.segment(channel.first_row, compared);
-            channels[channel.name].add(here);
-        }
-    }
-    for (const auto& [name, gap] : channels) largest = std::max(largest, gap.excess());
-    return largest;
-}
-
 }  // namespace
 
-bool Remains::material() const {
-    return excess > kSettings.material;
+bool Remains::visible() const {
+    return by_chance < kSettings.false_alarm;
 }
 
 double Remains::nats() const {
-    return std::max(material() ? beyond_ordinary + of_law : 0, strain);
+    return std::max(visible() ? beyond_ordinary + of_law : 0, strain);
 }
 
 double Remains::probability() const {
     const double odds = kSettings.unknown_cause / (1 - kSettings.unknown_cause) * std::exp(nats());
     return std::isfinite(odds) ? odds / (1 + odds) : 1;
-}
-
-bool Remains::seen() const {
-    return probability() >= kSettings.sure;
 }
 
 Remains whatRemains(const Calibration& car, const Candidate& model, const Rows& rows) {
@@ -118,14 +86,14 @@ Remains whatRemains(const Calibration& car, const Candidate& model, const Rows& 
     const double ratio = std::log(model::birgeRatio(car.drives(), car.uncertainty, fit.rows, fit.sizes));
     Remains remains;
     remains.strain = strainOf(fit);
-    remains.excess = largestExcess(car, rows);
+    remains.by_chance = chanceOfGap(car, fit, rows);
     const double of_ratio = 0.5 * ratio * (model::kOrdinaryPrior.pull(ratio) - model::kLargePrior.pull(ratio)) +
                             (ratio > 0 ? std::log(model::kOrdinaryPrior.spread / model::kLargePrior.spread) : 0);
     remains.beyond_ordinary =
         logEvidenceWith(fit, car.uncertainty, wide) + model::logPrior(wide, model::kLargePrior) - ordinary + of_ratio +
         costOfFreedom(wide, model::leftBy(car.uncertainty, fit.products, wide, car.problem.replays.threads));
     remains.of_law = std::max(0.0, model.law.gain);
-    if (model.law.gain > kSettings.clear) remains.law = model.law;
+    if (remains.visible() && model.law.gain > kSettings.clear) remains.law = model.law;
     return remains;
 }
 

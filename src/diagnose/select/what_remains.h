@@ -10,17 +10,15 @@ namespace tread::diagnose::select {
 struct Remains {
     // Nats by which the remainder as large as estimated is likelier than one of ordinary size (D33).
     double beyond_ordinary = 0;
-    // Largest squared gap of a channel or of a drive over that of a perfect model, less 1.
-    double excess = 0;
+    double by_chance = 1;  // probability that chance leaves a gap as large, in any channel or drive (D33b)
     // Nats by which tolerances with long tails are likelier than those that were told: numbers moved too far (D33a).
     double strain = 0;
     double of_law = 0;     // nats that a force law gains beside it (D35)
-    answer::ForceLaw law;  // that the remainder follows; empty unless clear
+    answer::ForceLaw law;  // that the remainder follows; empty unless clear and visible
 
-    bool material() const;
-    double nats() const;  // for an unknown cause
+    bool visible() const;        // in the gap; otherwise it needs no cause, however surely it is there
+    double nats() const;         // for an unknown cause
     double probability() const;  // that a cause of no catalogue is part of it
-    bool seen() const;           // as probable as what is claimed
 };
 // `rows`: of the answer, with its sizes free of their prior.
 Remains whatRemains(const Calibration& car, const Candidate& model, const Rows& rows);

@@ -38,8 +38,9 @@ constexpr double kLeastDelay = 0.025;                   // s
 constexpr double kLeastGain = 0.04;
 // Factor on the least gain and bias without lateral velocity, which then looks like them.
 constexpr double kWithoutVy = 3;
-// s; without lateral velocity, sideslip can make the lateral acceleration look late by this much.
-constexpr double kDelayOfSideslip = 0.15;
+// rad per m/s2, 6 deg/g: the largest rear cornering compliance of a car (2 to 4 deg/g are usual). Without lateral
+// velocity, sideslip in proportion to ay makes ay look late by this times the speed.
+constexpr double kRearCompliance = 6 * std::numbers::pi / 180 / 9.81;
 constexpr double kBraking = 1.5;  // m/s2
 
 // Per quantity: bias worth reporting, and remainder that is a contradiction. Both in the SI unit of the quantity.
@@ -86,6 +87,7 @@ struct Claim {
     Values without_vy = {};  // what is expected if lateral velocity is ignored; empty if it plays no part
     std::vector<Column> mounting = {};
     double noise = 0;
+    double of_sideslip = 0;  // s, delay that unknown sideslip may look like
 };
 
 struct Fit {
@@ -176,19 +178,21 @@ std::vector<std::string> suspectsOf(const Claim& claim, const Fit& fit, const st
     return all;
 }
 
-bool worthReporting(const InstrumentError& error, const Agreement& said) {
-    const double size = std::abs(error.size), doubt = said.complete ? 1 : kWithoutVy;
+bool worthReporting(const InstrumentError& error, const Claim& claim) {
+    const double size = std::abs(error.size), doubt = claim.said.complete ? 1 : kWithoutVy;
     switch (error.kind) {
         case Kind::delay:
-            return size >= (said.complete ? kLeastDelay : kDelayOfSideslip);
+            return size >= std::max(kLeastDelay, claim.of_sideslip);
         case Kind::gain:
             return size >= doubt * kLeastGain;
         case Kind::bias:
-            return size >= doubt * leastOf(said.channel).bias;
+            return size >= doubt * leastOf(claim.said.channel).bias;
         case Kind::place:
             return size >= kLeastPlace;
         case Kind::skew:
             return size >= kLeastSkew;
+        case Kind::sideslip:
+            return false;
     }
     return false;
 }
@@ -198,7 +202,7 @@ void judgeDelay(const Claim& claim, double step, std::ptrdiff_t reach, Agreement
     std::erase_if(said.errors, [](const InstrumentError& one) { return one.kind == Kind::place; });
     const Fit late = bestFit(claim, {}, true, reach);
     const double delay = fineDelay(claim, {}, late.later, reach, step);
-    if (std::abs(delay) < kDelayOfSideslip || std::abs(late.later) >= reach ||
+    if (std::abs(delay) < claim.of_sideslip || std::abs(late.later) >= reach ||
         !(late.square < (1 - kWorthwhile) * said.apart * said.apart))
         return;
     said.errors = {{Kind::delay, delay, said.channel}};
@@ -249,7 +253,7 @@ Agreement explained(const Claim& claim, double step) {
     if (!claim.said.complete) judgeDelay(claim, step, reach, said);
     // A channel that shows little but noise tells nothing about its instrument.
     const bool moves = said.size > kAboveNoise * claim.noise;
-    std::erase_if(said.errors, [&](const InstrumentError& one) { return !moves || !worthReporting(one, said); });
+    std::erase_if(said.errors, [&](const InstrumentError& one) { return !moves || !worthReporting(one, claim); });
     const Claim slow = slowly(claim, step);
     const Fit lasting = fitted(slow, kinds, now.later, reach);
     const double allowed =
@@ -275,11 +279,18 @@ Values sum(Values a, const Values& b, double factor = 1) {
     return a;
 }
 
-double deviationOf(const Values& values) {
-    double n = 0, first = 0, second = 0;
+double meanOf(const Values& values) {
+    double n = 0, sum = 0;
     for (const double value : values)
-        if (std::isfinite(value)) n += 1, first += value, second += value * value;
-    return n > 1 ? std::sqrt(std::max(0.0, second / n - first * first / (n * n))) : 0;
+        if (std::isfinite(value)) n += 1, sum += value;
+    return n > 0 ? sum / n : 0;
+}
+
+double deviationOf(const Values& values) {
+    const double mean = meanOf(values);
+    Values squares;
+    for (const double value : values) squares.push_back((value - mean) * (value - mean));
+    return std::sqrt(meanOf(squares));
 }
 
 // The channels of one recording that the relations need, on the grid of the windows.
@@ -353,9 +364,15 @@ private:
             made.noise = std::hypot(made.noise, noise(*vy, true));
         }
         made.mounting.push_back({Kind::place, rate(*r)});
-        if (!vy) leaveOutBraking(made, *vx);
+        if (!vy) {
+            made.mounting.push_back({Kind::sideslip, rate(ay)});
+            made.of_sideslip = delayOfSideslip(*vx);
+            leaveOutBraking(made, *vx);
+        }
         return made;
     }
+
+    double delayOfSideslip(const Channel& vx) const { return kRearCompliance * meanOf(mean(vx)); }
 
     // Braking changes the lateral velocity by an amount that is unknown without it.
     void leaveOutBraking(Claim& claim, const Channel& vx) const {
@@ -378,6 +395,7 @@ private:
             made.expected = sum(std::move(made.expected), product(*vy, *r), -1);
         }
         made.said.complete = vy && r;
+        if (!made.said.complete) made.of_sideslip = delayOfSideslip(*vx);
         made.noise = std::hypot(made.noise, noise(*vx, true));
         return made;
     }
@@ -439,6 +457,8 @@ std::string errorText(const InstrumentError& error, const Agreement& said) {
                                error.size > 0 ? "forward" : "back");
         case Kind::skew:
             return fmt::format("its axes are turned by {:.2g} rad", error.size);
+        case Kind::sideslip:
+            break;
     }
     return {};
 }

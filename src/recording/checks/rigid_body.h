@@ -10,8 +10,9 @@ namespace tread::recording::checks {
 
 // An error of an instrument that explains a disagreement.
 struct InstrumentError {
-    enum class Kind { delay, gain, bias, place, skew } kind;
-    double size;          // s, relative, SI unit of the channel, m, rad
+    // sideslip: what lateral velocity that is not measured adds to ay in proportion to its rate; never an error.
+    enum class Kind { delay, gain, bias, place, skew, sideslip } kind;
+    double size;          // s, relative, SI unit of the channel, m, rad, s
     std::string channel;  // whose instrument it is
 };
 
