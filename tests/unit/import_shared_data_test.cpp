@@ -122,8 +122,11 @@ TEST_F(LogsOfOthers, Chrono) {
         if (entry.path().extension() != ".csv") continue;
         const Imported result = import(fs::relative(entry.path(), folder_), "chrono");
         EXPECT_EQ(doubtsIn(result), 0u) << entry.path() << text(result.changes);
+        SCOPED_TRACE(entry.path());
         const std::string name = entry.path().filename();
-        if (name.starts_with("step_steer") || name.starts_with("dlc")) expectCar(result.logs[0], 0.9);
+        // With its load behind the rear axle the car spins after the largest step.
+        const bool spins = name == "step_steer_080_s012.csv" && entry.path().parent_path().filename() == "case_c";
+        if ((name.starts_with("step_steer") || name.starts_with("dlc")) && !spins) expectCar(result.logs[0], 0.9);
         ++files;
     }
     EXPECT_GE(files, 15u);

@@ -178,13 +178,41 @@ std::vector<std::string> suspectsOf(const Claim& claim, const Fit& fit, const st
     return all;
 }
 
-bool worthReporting(const InstrumentError& error, const Claim& claim) {
+double meanOf(const Values& values) {
+    double n = 0, sum = 0;
+    for (const double value : values)
+        if (std::isfinite(value)) n += 1, sum += value;
+    return n > 0 ? sum / n : 0;
+}
+
+double deviationOf(const Values& values) {
+    const double mean = meanOf(values);
+    Values squares;
+    for (const double value : values) squares.push_back((value - mean) * (value - mean));
+    return std::sqrt(meanOf(squares));
+}
+
+// Whether lateral velocity that is not measured can be all of a difference of accelerations but its mean: the velocity
+// that this leads to is within that of sideslip in proportion to ay.
+bool maybeSideslip(const Claim& claim, double step) {
+    if (claim.said.complete) return false;
+    Values off = claim.measured;
+    for (std::size_t i = 0; i < off.size(); ++i) off[i] -= claim.expected[i];
+    const double mean = meanOf(off);
+    Values velocity;
+    double sum = 0;
+    for (const double value : off)
+        if (std::isfinite(value)) velocity.push_back(sum += step * (value - mean));
+    return deviationOf(velocity) < claim.of_sideslip * claim.said.size;
+}
+
+bool worthReporting(const InstrumentError& error, const Claim& claim, double step) {
     const double size = std::abs(error.size), doubt = claim.said.complete ? 1 : kWithoutVy;
     switch (error.kind) {
         case Kind::delay:
-            return size >= std::max(kLeastDelay, claim.of_sideslip);
+            return size >= std::max(kLeastDelay, claim.of_sideslip) && !maybeSideslip(claim, step);
         case Kind::gain:
-            return size >= doubt * kLeastGain;
+            return size >= doubt * kLeastGain && !maybeSideslip(claim, step);
         case Kind::bias:
             return size >= doubt * leastOf(claim.said.channel).bias;
         case Kind::place:
@@ -253,7 +281,7 @@ Agreement explained(const Claim& claim, double step) {
     if (!claim.said.complete) judgeDelay(claim, step, reach, said);
     // A channel that shows little but noise tells nothing about its instrument.
     const bool moves = said.size > kAboveNoise * claim.noise;
-    std::erase_if(said.errors, [&](const InstrumentError& one) { return !moves || !worthReporting(one, claim); });
+    std::erase_if(said.errors, [&](const InstrumentError& one) { return !moves || !worthReporting(one, claim, step); });
     const Claim slow = slowly(claim, step);
     const Fit lasting = fitted(slow, kinds, now.later, reach);
     const double allowed =
@@ -277,20 +305,6 @@ std::vector<const Channel*> channelsOf(const Log& log, std::string_view quantity
 Values sum(Values a, const Values& b, double factor = 1) {
     for (std::size_t i = 0; i < a.size(); ++i) a[i] += factor * b[i];
     return a;
-}
-
-double meanOf(const Values& values) {
-    double n = 0, sum = 0;
-    for (const double value : values)
-        if (std::isfinite(value)) n += 1, sum += value;
-    return n > 0 ? sum / n : 0;
-}
-
-double deviationOf(const Values& values) {
-    const double mean = meanOf(values);
-    Values squares;
-    for (const double value : values) squares.push_back((value - mean) * (value - mean));
-    return std::sqrt(meanOf(squares));
 }
 
 // The channels of one recording that the relations need, on the grid of the windows.
