@@ -80,8 +80,8 @@ std::vector<Card> cardsOf(const BlindScore& score) {
             card("Outsiders called unknown", "unknown"),
             card("Wrong and confident, of all claims", "wrong_confident"),
             card("Numbers within 2 sd", "numbers_2sd"),
-            {"Calibration error", formatNumber(score.calibration_error, 2),
-             fmt::format("{} by chance", formatNumber(score.calibration_error_by_chance, 2))},
+            {"Calibration error", formatNumber(score.calibration_error, 2), "",
+             fmt::format("{:.2f} by chance", score.calibration_error_by_chance)},
             {"Time of a diagnosis", formatNumber(score.median_seconds, 3), "s"}};
 }
 
