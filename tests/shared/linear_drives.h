@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/random.h"
 #include "diagnose/model/remainder.h"
 #include "diagnose/select/search.h"
 
@@ -16,6 +17,12 @@ using diagnose::model::Disturbed;
 using diagnose::model::Sizes;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+inline MatrixXd normals(Eigen::Index rows, Eigen::Index columns, Random& random) {
+    MatrixXd all(rows, columns);
+    for (double& one : all.reshaped()) one = random.normal();
+    return all;
+}
 
 struct LinearDrive {
     MatrixXd nuisances, effects;        // a column each; every effect has one parameter

@@ -22,6 +22,7 @@ using diagnose::select::ForceLaws;
 using diagnose::select::gainIfUnknown;
 using linear_drives::LinearDrive;
 using linear_drives::logDensity;
+using linear_drives::normals;
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -29,12 +30,6 @@ using Eigen::VectorXd;
 
 constexpr Index kRows = 40, kHats = 6;
 constexpr double kApart = 0.25;  // s
-
-MatrixXd normals(Index rows, Index columns, Random& random) {
-    MatrixXd all(rows, columns);
-    for (double& one : all.reshaped()) one = random.normal();
-    return all;
-}
 
 Index placeOfFirst(Disturbed kind) {
     return static_cast<Index>(placeOf(kind)) * kHats;

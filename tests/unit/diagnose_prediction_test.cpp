@@ -27,16 +27,11 @@ using diagnose::select::predictiveDensities;
 using linear_drives::fitOf;
 using linear_drives::LinearDrive;
 using linear_drives::logDensity;
+using linear_drives::normals;
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-MatrixXd normals(Index rows, Index columns, Random& random) {
-    MatrixXd all(rows, columns);
-    for (double& one : all.reshaped()) one = random.normal();
-    return all;
-}
 
 // Drives of a car with the first of two effects, of these values; columns of drive d are `seen[d]` times as large.
 struct Driven {

@@ -21,12 +21,7 @@ using diagnose::select::Fit;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using linear_drives::LinearDrive;
-
-MatrixXd normals(Index rows, Index columns, Random& random) {
-    MatrixXd all(rows, columns);
-    for (double& one : all.reshaped()) one = random.normal();
-    return all;
-}
+using linear_drives::normals;
 
 constexpr int kDrives = 3;
 constexpr Index kRows = 40, kNuisances = 4, kForces = 6;

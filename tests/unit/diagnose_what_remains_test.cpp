@@ -23,6 +23,7 @@ using diagnose::select::Remains;
 using diagnose::select::whatRemains;
 using linear_drives::LinearDrive;
 using linear_drives::logDensity;
+using linear_drives::normals;
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -34,12 +35,6 @@ Sizes ordinarySizes() {
     Sizes sizes;
     sizes.fill(1);
     return sizes;
-}
-
-MatrixXd normals(Index rows, Index columns, Random& random) {
-    MatrixXd all(rows, columns);
-    for (double& one : all.reshaped()) one = random.normal();
-    return all;
 }
 
 // Two drives of a car with an effect and disturbances of these sizes.

@@ -10,13 +10,16 @@ namespace {
 
 // Variance of each row of a drive by disturbances of the usual sizes, in units of that of its noise.
 Eigen::ArrayXd disturbed(const Uncertainty& uncertainty, std::size_t drive) {
-    Sizes usual{};
-    for (const Disturbed kind : kDisturbedKinds) usual[placeOf(kind)] = 1;
-    const Eigen::VectorXd sizes = uncertainty.sizesOf(drive, usual);
-    return (uncertainty.directions[drive] * sizes.asDiagonal()).rowwise().squaredNorm();
+    return usualDisturbances(uncertainty, drive).rowwise().squaredNorm();
 }
 
 }  // namespace
+
+Eigen::MatrixXd usualDisturbances(const Uncertainty& uncertainty, std::size_t drive) {
+    Sizes usual{};
+    for (const Disturbed kind : kDisturbedKinds) usual[placeOf(kind)] = 1;
+    return uncertainty.directions[drive] * uncertainty.sizesOf(drive, usual).asDiagonal();
+}
 
 Eigen::VectorXd floorOf(const Uncertainty& uncertainty, std::size_t drive) {
     return uncertainty.noise[drive].deviation.cwiseProduct((disturbed(uncertainty, drive) + 1).sqrt().matrix());

@@ -6,6 +6,9 @@
 
 namespace tread::diagnose::model {
 
+// Whitened columns of the disturbances of a drive, each of the usual size.
+Eigen::MatrixXd usualDisturbances(const Uncertainty& uncertainty, std::size_t drive);
+
 // Standard deviation of the rows of a drive by noise and disturbances of the usual sizes; infinite for rows that are
 // not compared (D46).
 Eigen::VectorXd floorOf(const Uncertainty& uncertainty, std::size_t drive);

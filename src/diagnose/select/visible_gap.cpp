@@ -74,12 +74,9 @@ Eigen::MatrixXd filteredNoise(const model::RowNoise& noise, Eigen::Index first, 
 // The channels of a drive. `root`: of the covariance of the parameters.
 std::vector<Block> blocksOf(const Calibration& car, const Fit& fit, const Rows& rows, const Eigen::MatrixXd& root,
                             std::size_t drive) {
-    Sizes usual{};
-    for (const model::Disturbed kind : model::kDisturbedKinds) usual[model::placeOf(kind)] = 1;
     const Eigen::VectorXd scale = model::filteredFloorOf(car.uncertainty, drive).cwiseInverse();
     const Eigen::VectorXd gap = scale.cwiseProduct(model::residual(car.drives(), car.uncertainty, rows, drive));
-    const Eigen::MatrixXd disturbances =
-        scale.asDiagonal() * car.uncertainty.directions[drive] * car.uncertainty.sizesOf(drive, usual).asDiagonal();
+    const Eigen::MatrixXd disturbances = scale.asDiagonal() * model::usualDisturbances(car.uncertainty, drive);
     const Eigen::MatrixXd explained = scale.asDiagonal() * fit.columns[drive] * root;
     std::vector<Block> blocks;
     for (const recording::ObservedChannel& channel : car.drives()[drive].channels) {
