@@ -34,7 +34,7 @@ void tellUnexplained(Diagnosis& diagnosis, const explain::MissingForce& missing,
     unexplained.generalised_force = largest->first;
     unexplained.when = missing.when;
     unexplained.law = remains.law;
-    unexplained.beyond_ordinary = remains.beyond_ordinary;
+    unexplained.beyond_ordinary = std::max(remains.beyond_ordinary, remains.rejected);
     for (std::size_t k = 0; k < model::kDisturbances; ++k)
         unexplained.sizes[std::string(model::kDisturbedNames[k])] = judgement.answer.sizes[k];
     for (std::size_t k = 0; k < model::kParts; ++k)

@@ -188,6 +188,29 @@ TEST(Hypotheses, AreDoubtedInTheMetricOfTheirRemainder) {
     EXPECT_NEAR(doubt(car, fit), 1 + 0.0025 * explained.dot(metric * explained), 1e-12);
 }
 
+// Tolerances imitate a signature, not its error: that is a share of the whole signature. A drive counts by what they
+// cannot imitate there.
+TEST(Hypotheses, AreDoubtedForAllThatTheyChangeInDrivesThatTellThem) {
+    std::vector<LinearDrive> drives{driveOf(VectorXd{{30, 1, 1}}, VectorXd{{31, 0, 0, 1}}),
+                                    driveOf(VectorXd{{9, 1, 1}}, VectorXd{{8, 0, 0, 2}})};
+    drives[0].nuisances = VectorXd{{28, 0, 0, 3}};
+    drives[1].nuisances = VectorXd{{-1, 0, 0, 1}};
+    const Problem problem = linear_drives::problemOf(drives);
+    const Calibration car = linear_drives::calibrationOf(problem, drives);
+    const auto fit = linear_drives::fitOf(car, {0});
+    const double size = fit.at(fit.knobs.front());
+    double mixed = 0, information = 1;
+    for (const LinearDrive& drive : drives)
+        mixed += drive.nuisances.col(0).dot(drive.effects.col(0)), information += drive.nuisances.squaredNorm();
+    double own = 0, weighted = 0;
+    for (const LinearDrive& drive : drives) {
+        const double squares = (drive.effects.col(0) - drive.nuisances * mixed / information).squaredNorm();
+        own += squares, weighted += squares * drive.effects.col(0).squaredNorm() * size * size;
+    }
+    ASSERT_LT(own, 0.2 * (900 + 81)) << "tolerances imitate most of it";
+    EXPECT_NEAR(doubt(car, fit), 1 + 0.0025 * weighted / own, 1e-12);
+}
+
 // The truth may resemble a rival as far as its signature is wrong: a share of 0.05 of 20 standard deviations is one of
 // them, and an advantage of 12.5 nats, five standard deviations, shrinks to 12.5 / (1 + 1).
 TEST(Hypotheses, RivalOfAStrongEffectKeepsTheProbabilityThatAWrongSignatureLeavesIt) {

@@ -141,6 +141,15 @@ TEST(WhatRemains, IsSeenSoonerWhereItFollowsALaw) {
                 1 / (1 + 9 * std::exp(-6)), 1e-12);
 }
 
+// A set of effects that cannot be the answer may have gained by the same remainder, so that only the larger one counts.
+TEST(WhatRemains, MayLookLikeASetThatCannotBeTheAnswer) {
+    EXPECT_TRUE(seen({.by_chance = 0, .rejected = 4.5, .law = {}}));
+    EXPECT_FALSE(seen({.beyond_ordinary = 4, .by_chance = 0, .rejected = 4.3, .law = {}}));
+    EXPECT_FALSE(seen({.by_chance = 0.021, .rejected = 30, .law = {}}));
+    EXPECT_NEAR((Remains{.beyond_ordinary = 2, .by_chance = 0, .of_law = 1, .rejected = 5, .law = {}}.probability()),
+                1 / (1 + 9 * std::exp(-5)), 1e-12);
+}
+
 // Student's t with four degrees of freedom and variance 1, against the normal distribution; lgamma(2.5) - lgamma(2) and
 // the scale differ for both by a constant, which is left out.
 TEST(WhatRemains, IsSeenWhereOneNumberMovedFarBeyondItsTolerance) {

@@ -142,10 +142,10 @@ TEST(WorkedExample, DoubtAndPosteriorOfACatalogueOfThisEffect) {
     const Search found{{candidateOf(example.car, {0}), candidateOf(example.car, {})}};
     const double value = 106 / 81.0;
     EXPECT_NEAR(found.best().fit.at(1), value, kExact);
-    // What the effect explains and the nuisance cannot imitate: 14/9 and 6 times the square of its value.
-    const double squares = 14 / 9.0 * 14 / 9.0 + 36;
-    EXPECT_NEAR(doubt(example.car, found.best().fit), 1 + 0.0025 * value * value * squares / (14 / 9.0 + 6), kExact);
-    EXPECT_NEAR(doubt(example.car, found.best().fit), 1.02177, 5e-6);
+    // What the effect changes, 2 and 10 times the square of its value, of which the nuisance cannot imitate 14/9 and 6.
+    const double weighted = 14 / 9.0 * 2 + 6 * 10;
+    EXPECT_NEAR(doubt(example.car, found.best().fit), 1 + 0.0025 * value * value * weighted / (14 / 9.0 + 6), kExact);
+    EXPECT_NEAR(doubt(example.car, found.best().fit), 1.03576, 5e-6);
     const Posterior result = posterior(example.car, found, {true, true});
     EXPECT_EQ(result.variance_factor, 1);
     EXPECT_NEAR(result.ofNothing(), 0.000649, 5e-7);

@@ -14,7 +14,7 @@ double referenceInflation(const RecordedDrive& drive);
 double disturbanceScale(const RecordedDrive& drive);
 
 // Noise of one drive. `deviation` is the standard deviation of each row, taken as white noise: the value that the file
-// gives for the instrument, but not less than the recordings show between 2 and 7 Hz and the model does not explain.
+// gives for the instrument, but not less than this drive shows between 2 and 7 Hz and the model does not explain.
 // Rows without information have infinite noise.
 struct RowNoise {
     Eigen::VectorXd deviation;
@@ -28,7 +28,7 @@ struct RowNoise {
 };
 
 // `model`: rows of the model in the drives. `until`: time in each drive, s, after which rows carry no information (D8),
-// (D45).
+// (D8a), (D45).
 std::vector<RowNoise> rowNoise(Drives drives, const Rows& model, const std::vector<double>& until);
 
 }  // namespace tread::diagnose::model

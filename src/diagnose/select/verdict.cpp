@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 
@@ -276,12 +277,16 @@ Answer answerOf(const Calibration& car, Search& found, const HeldOut& held_out) 
     }
 }
 
-// Nats by which the best model that was struck off exceeds the answer. No acceptable model explains these.
-double struckBeyond(const Answer& chosen) {
-    double most = 0;
-    for (const auto& [model, reason] : chosen.struck)
-        most = std::max(most, model->log_evidence - chosen.named->log_evidence);
-    return most / chosen.posterior.variance_factor;
+// Nats by which the models that were struck off are likelier than all others (D33c).
+double rejectedOver(const Calibration& car, const Search& found, const Answer& chosen) {
+    const Posterior all = posterior(car, found, std::vector<bool>(found.candidates.size(), true));
+    double rejected = 0, others = 0;
+    for (const Hypothesis& one : all.hypotheses) {
+        const bool struck = std::any_of(chosen.struck.begin(), chosen.struck.end(),
+                                        [&](const auto& off) { return off.first == one.candidate; });
+        (struck ? rejected : others) += one.probability;
+    }
+    return std::log(rejected) - std::log(std::max(others, std::numeric_limits<double>::min()));
 }
 
 // Whether an unknown cause is as probable as what is claimed.
@@ -312,7 +317,7 @@ Judgement judge(answer::Diagnosis& diagnosis, const Calibration& car, const std:
     Answer chosen = answerOf(car, found, held_out);
     const Candidate& named = *chosen.named;
     Remains remains = whatRemains(car, named, chosen.closeness.with.rows);
-    remains.beyond_ordinary = std::max(remains.beyond_ordinary, struckBeyond(chosen));
+    remains.rejected = rejectedOver(car, found, chosen);
     Judgement judgement{&named, std::move(chosen.fit), std::move(chosen.closeness), std::move(remains),
                         predicted(car, named.fit, found.none().fit)};
     diagnosis.causes = problem.namesOf(named.effects);

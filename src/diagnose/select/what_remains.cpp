@@ -64,7 +64,7 @@ bool Remains::visible() const {
 }
 
 double Remains::nats() const {
-    return std::max(visible() ? beyond_ordinary + of_law : 0, strain);
+    return std::max(visible() ? std::max(beyond_ordinary + of_law, rejected) : 0, strain);
 }
 
 double Remains::probability() const {

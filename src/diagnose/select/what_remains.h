@@ -14,6 +14,9 @@ struct Remains {
     // Nats by which tolerances with long tails are likelier than those that were told: numbers moved too far (D33a).
     double strain = 0;
     double of_law = 0;     // nats that a force law gains beside it (D35)
+    // Nats by which sets of effects that cannot be the answer are likelier than those that can: an unknown cause may
+    // look like one of them (D33c).
+    double rejected = -kInfinity;
     answer::ForceLaw law;  // that the remainder follows; empty unless clear and visible
 
     bool visible() const;        // in the gap; otherwise it needs no cause, however surely it is there
