@@ -55,9 +55,9 @@ constexpr double kTolerance = 0.02;
 // Rows that no two of the drives show: less is to be expected of them than stands out. drive_delay needs a command in
 // place of pedals (command_test.cpp).
 const std::set<std::string> kHidden{
-    "ackermann",      "aero_lift",     "anti_lock",   "belt_gyroscopics",      "bump_stops",
-    "camber_gain",    "conicity",      "drive_delay", "pneumatic_trail",       "shaft_stiffness",
-    "sideslip_delay", "sideslip_zero", "toe_front",   "tyre_radial_stiffness", "wheel_inertia"};
+    "ackermann",      "aero_lift",     "anti_lock",   "belt_gyroscopics",     "bump_stops",
+    "camber_gain",    "conicity",      "drive_delay", "pneumatic_trail",      "shaft_stiffness",
+    "sideslip_delay", "sideslip_zero", "toe_front",   "tyre_radial_stiffness"};
 
 // The compact car with what its file leaves out, so that every row has something to move.
 VehicleParams completeCar() {

@@ -104,17 +104,28 @@ TEST(Reference, RowsAreAsNoisyAsTwoRuns) {
               std::sqrt(2) * 0.003 / block * 0.999);
 }
 
+double toleranceIn(const std::vector<Parameter>& list, const std::string& path) {
+    for (const Parameter& one : list)
+        if (one.path() == path) return one.moves.front().by * std::sqrt(3.0);
+    return 0;
+}
+
 TEST(Reference, ACarIsNearerToItselfThanToItsTolerances) {
     const Subject nominal = simple_car::Case{}.nominal;
     const std::vector<Parameter> all = nuisances(nominal, {}), fifth = nuisances(nominal, {}, 0.2);
-    const auto of = [](const std::vector<Parameter>& list, const std::string& path) {
-        for (const Parameter& one : list)
-            if (one.path() == path) return one.moves.front().by;
-        return 0.0;
-    };
-    EXPECT_GT(of(all, "mass"), 0);
-    EXPECT_DOUBLE_EQ(of(fifth, "mass"), 0.2 * of(all, "mass"));
-    EXPECT_DOUBLE_EQ(of(fifth, "instruments.ay.bias"), of(all, "instruments.ay.bias"));
+    EXPECT_GT(toleranceIn(all, "inertia.roll"), 0);
+    EXPECT_DOUBLE_EQ(toleranceIn(fifth, "inertia.roll"), 0.2 * toleranceIn(all, "inertia.roll"));
+    EXPECT_DOUBLE_EQ(toleranceIn(fifth, "instruments.ay.bias"), toleranceIn(all, "instruments.ay.bias"));
+}
+
+TEST(Reference, ACarDiffersFromDayToDayAsWeatherAndLoadDoUnlessTheFileSaysLess) {
+    const Subject nominal = simple_car::Case{}.nominal;
+    const std::vector<Parameter> usual = nuisances(nominal, {}, 0.2),
+                                 told = nuisances(nominal, {{"mass", 0, 3}, {"*.tyre.lambda.Ky", 0.5, 0}}, 0.2);
+    EXPECT_NEAR(toleranceIn(usual, "mass"), 0.02 * nominal.vehicle.mass, 1e-9);
+    EXPECT_NEAR(toleranceIn(usual, "front.tyre.lambda.Ky"), 0.05 * nominal.vehicle.front.tyre.lambda.Ky, 1e-12);
+    EXPECT_NEAR(toleranceIn(told, "mass"), 3, 1e-9);
+    EXPECT_NEAR(toleranceIn(told, "front.tyre.lambda.Ky"), 0.1 * nominal.vehicle.front.tyre.lambda.Ky, 1e-12);
 }
 
 TEST(Reference, AnotherDriveIsRefused) {

@@ -118,6 +118,15 @@ TEST(Headline, NamesRivalsAndTheDriveThatWouldTell) {
         "Mostly brake gain or brake fade: these drives cannot tell them apart; scenarios/b.yaml would; 12 %"));
 }
 
+TEST(Headline, NamesWhatAllRivalsHoldBeforeThem) {
+    Diagnosis d = twoCausesFound();
+    d.verdict = Verdict::ambiguous;
+    d.alternatives = {{"brake_gain", "mass"}, {"aero_lift", "brake_gain"}};
+    EXPECT_EQ(headline(d),
+              "Mostly brake gain (p = 0.97), with roll stiffness or mass or aero lift, which these drives cannot tell "
+              "apart; 12 % of the gap remains unexplained");
+}
+
 TEST(DiagnosisWords, OfANextDriveClaimNoMoreThanAModelCanKnow) {
     EXPECT_EQ(evidenceInWords({"a.yaml", {"mass"}, {}, 34.4}), "34 nats");
     EXPECT_EQ(evidenceInWords({"a.yaml", {"mass"}, {}, 259508}), "more than 100 nats");

@@ -29,11 +29,29 @@ std::string ranked(const Diagnosis& d, const std::vector<std::string>& causes) {
     return certainly(d, causes.front()) + (others.empty() ? "" : fmt::format(", with {}", fmt::join(others, " and ")));
 }
 
-// "grip or mass: these drives cannot tell them apart; straight_braking_100 would"
+std::vector<std::string> without(std::vector<std::string> causes, const std::vector<std::string>& others) {
+    std::erase_if(causes,
+                  [&](const std::string& one) { return std::find(others.begin(), others.end(), one) != others.end(); });
+    return causes;
+}
+
+// Causes that every alternative has too.
+std::vector<std::string> undisputed(const Diagnosis& d, std::vector<std::string> causes) {
+    for (const std::vector<std::string>& other : d.alternatives) causes = without(causes, without(causes, other));
+    return causes;
+}
+
+// "grip or mass: these drives cannot tell them apart; straight_braking_100 would", "grip (p = 0.97), with mass or drag,
+// which these drives cannot tell apart"
 std::string rivals(const Diagnosis& d, const std::vector<std::string>& causes) {
-    const std::string drive = tellingDrive(d);
-    return fmt::format("{} or {}: these drives cannot tell them apart{}", together(causes),
-                       fmt::join(eachTogether(d.alternatives), " or "), drive.empty() ? "" : "; " + drive + " would");
+    const std::vector<std::string> sure = undisputed(d, causes);
+    std::vector<std::string> names{together(without(causes, sure))};
+    for (const std::vector<std::string>& other : d.alternatives) names.push_back(together(without(other, sure)));
+    const std::string drive = tellingDrive(d), would = drive.empty() ? "" : "; " + drive + " would";
+    const std::string either = fmt::format("{}", fmt::join(names, " or "));
+    return sure.empty()
+               ? either + ": these drives cannot tell them apart" + would
+               : fmt::format("{}, with {}, which these drives cannot tell apart{}", ranked(d, sure), either, would);
 }
 
 // Share of the leading cause, or of the family of rivals, in what tolerances and noise leave.

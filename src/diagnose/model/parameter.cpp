@@ -48,6 +48,22 @@ const std::vector<KnownWithin>& usualTolerances() {
     return known;
 }
 
+// What differs between two days although the car is the same, where that is more than a share of its tolerance.
+const std::vector<KnownWithin>& usualBetweenDays() {
+    static const std::vector<KnownWithin> known{
+        // Stiffness and friction of rubber change by 0.2 to 0.5 % per K; weather and warming up by 15 K.
+        {"*.tyre.lambda.Kx", 0.05, 0},
+        {"*.tyre.lambda.Ky", 0.05, 0},
+        {"*.tyre.lambda.mux", 0.05, 0},
+        {"*.tyre.lambda.muy", 0.05, 0},
+        {"*.tyre_surroundings.pressure.inflation", 0.05, 0},  // ideal gas, 10 K
+        {"aero.air_density", 0.04, 0},                        // 10 K and 10 hPa
+        {"mass", 0.02, 0},                                    // tank, driver and companions: 30 kg of 1500 kg
+        {"front_axle_distance", 0.015, 0},                    // 20 kg of them at the rear axle
+    };
+    return known;
+}
+
 // Measured drives avoid more than 3 m/s; the standard deviation of each component is 1.5 m/s.
 const std::vector<KnownWithin>& usualWind() {
     static const std::vector<KnownWithin> known{{"wind.x", 0, 2.6}, {"wind.y", 0, 2.6}};
@@ -74,6 +90,17 @@ double toleranceOf(const Number& number, const VehicleParams& car, const std::ve
         if (matches(known.path, number.path)) tolerance = known.relative * value + known.absolute;
     }
     return tolerance;
+}
+
+// Of a number of the same car on another day. It differs by no more than the file says.
+double toleranceBetweenDays(const Number& number, const VehicleParams& car, const std::vector<KnownWithin>& told,
+                            double same) {
+    const double whole = toleranceOf(number, car, told), value = std::abs(*number.value);
+    double tolerance = same * whole;
+    for (const KnownWithin& known : usualBetweenDays())
+        if (matches(known.path, number.path)) tolerance = std::max(tolerance, known.relative * value);
+    const auto states = [&](const KnownWithin& known) { return matches(known.path, number.path); };
+    return std::any_of(told.begin(), told.end(), states) ? std::min(whole, tolerance) : tolerance;
 }
 
 // Narrows the range of the parameter, in units, so that the number stays within its limits.
@@ -164,8 +191,10 @@ std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<Known
     std::vector<Parameter> found;
     for (const Number& number : numbers(subject)) {
         if (isWind(number.path)) continue;
-        const double factor = staysTheSame(number.path) ? same : 1;
-        addNuisance(found, number, toleranceOf(number, nominal.vehicle, tolerances) * factor, nominal.vehicle);
+        const double tolerance = same < 1 && staysTheSame(number.path)
+                                     ? toleranceBetweenDays(number, nominal.vehicle, tolerances, same)
+                                     : toleranceOf(number, nominal.vehicle, tolerances);
+        addNuisance(found, number, tolerance, nominal.vehicle);
     }
     return found;
 }

@@ -58,8 +58,9 @@ void move(Subject& subject, const Parameter& parameter, double units);
 Subject movedIn(const RecordedDrive& drive, Subject subject, const std::vector<Parameter>& parameters,
                 const Eigen::VectorXd& units);
 
-// A tolerance t becomes the standard deviation t / sqrt(3) of a uniform distribution. `same`: factor on the tolerances
-// of what stays the same from day to day, that is the car, and the instruments except for their zeros (D15).
+// A tolerance t becomes the standard deviation t / sqrt(3) of a uniform distribution. `same` below 1: of the
+// same car on another day. What stays the same, that is the car, and the instruments except for their zeros, has this
+// share of its tolerance; what changes with weather and load differs by more, if the file allows it (D15a).
 std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<KnownWithin>& tolerances, double same = 1);
 
 // The wind: half of its variance is that of a day, the same in all drives, and half that of each drive. With

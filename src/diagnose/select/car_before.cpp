@@ -145,10 +145,11 @@ std::vector<recording::KnownWithin> tolerancesAfter(const model::Subject& nomina
     for (const auto& [path, estimate] : moved) {
         const bool beyond = std::abs(estimate.z) > std::sqrt(3.0);
         const double by = beyond ? std::abs(estimate.value - estimate.nominal) : 0;
-        all.push_back({path, 0,
-                       file.before.empty() ? std::max(whole[path], by)
-                                           : std::hypot(std::sqrt(3.0) * estimate.sd,
-                                                        std::max(between_days[path], kSettings.between_days * by))});
+        if (!file.before.empty())
+            all.push_back(
+                {path, 0,
+                 std::hypot(std::sqrt(3.0) * estimate.sd, std::max(between_days[path], kSettings.between_days * by))});
+        else if (by > whole[path]) all.push_back({path, 0, by});
     }
     return all;
 }

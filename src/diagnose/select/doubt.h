@@ -14,8 +14,8 @@ bool toldByOneDrive(const std::vector<double>& explained);
 
 // Divisor of the evidence against a model. In each drive the error of its signatures may account for a difference of
 // the size of the signatures' error times all that the model changes there, also what its other parameters could
-// imitate: they imitate the signature, not its error. Drives count in proportion to what is explained in them. 1 for the
-// model without effects (D30).
+// imitate: they imitate the signature, not its error. Drives count in proportion to what is explained in them. 1 for
+// the model without effects (D30).
 double doubt(const Calibration& car, const Fit& fit);
 
 }  // namespace tread::diagnose::select

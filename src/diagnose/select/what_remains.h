@@ -13,7 +13,7 @@ struct Remains {
     double by_chance = 1;  // probability that chance leaves a gap as large, in any channel or drive (D33b)
     // Nats by which tolerances with long tails are likelier than those that were told: numbers moved too far (D33a).
     double strain = 0;
-    double of_law = 0;     // nats that a force law gains beside it (D35)
+    double of_law = 0;  // nats that a force law gains beside it (D35)
     // Nats by which sets of effects that cannot be the answer are likelier than those that can: an unknown cause may
     // look like one of them (D33c).
     double rejected = -kInfinity;
