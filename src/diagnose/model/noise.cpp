@@ -53,9 +53,8 @@ std::map<std::string, Seen> seenIn(Drives drives, const Rows& model) {
     return channels;
 }
 
-// Noise of a channel in each drive. Vibration grows with the speed, so that each drive has its own noise; but few rows
-// tell it inexactly. Each estimate is drawn towards their median, by as much as estimates scatter that are of the same
-// noise (D8a).
+// Noise of a channel in each drive. Vibration grows with the speed, so that each drive has its own noise. Few rows tell
+// it inexactly: each estimate is shrunk towards the median of all, the more so the fewer rows it has (D8a).
 std::vector<double> noiseOf(const Seen& channel) {
     const double least = kModelError * channel.size;
     std::vector<double> all;

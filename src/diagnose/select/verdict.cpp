@@ -279,6 +279,7 @@ Answer answerOf(const Calibration& car, Search& found, const HeldOut& held_out) 
 
 // Nats by which the models that were struck off are likelier than all others (D33c).
 double rejectedOver(const Calibration& car, const Search& found, const Answer& chosen) {
+    if (chosen.struck.empty()) return -kInfinity;
     const Posterior all = posterior(car, found, std::vector<bool>(found.candidates.size(), true));
     double rejected = 0, others = 0;
     for (const Hypothesis& one : all.hypotheses) {
