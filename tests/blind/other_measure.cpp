@@ -32,7 +32,7 @@ using tread::blind::world::seedOf;
 using tread::recording::Instrument;
 
 constexpr double kGear = 5;  // the gear of Params::drive_ratio
-enum Stream : std::uint64_t { start_stream, noise_stream, surroundings_stream, misreading_stream };
+enum DriveStream : std::uint64_t { start_stream, noise_stream, surroundings_stream, misreading_stream };
 
 // Driver inputs of a drive, phase by phase.
 class Hands {

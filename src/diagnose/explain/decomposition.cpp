@@ -4,8 +4,10 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <tuple>
 
 #include "base/random.h"
+#include "diagnose/explain/resamples.h"
 #include "diagnose/model/gap.h"
 
 namespace tread::diagnose::explain {
@@ -16,9 +18,6 @@ using answer::Decomposition;
 using answer::Part;
 using model::Deviation;
 using select::Calibration;
-
-constexpr int kResamples = 400;              // bootstrap samples of the drives
-constexpr double kLow = 0.05, kHigh = 0.95;  // quantiles of the 90 % interval
 
 using OfDrives = std::vector<double>;
 
@@ -56,12 +55,7 @@ Part partOf(std::size_t drives, const std::function<double(const std::vector<std
         for (std::size_t& one : some) one = static_cast<std::size_t>(random.uniform() * static_cast<double>(drives));
         shares.push_back(share(some));
     }
-    if (shares.empty()) shares = {part.share};
-    std::sort(shares.begin(), shares.end());
-    const auto at = [&](double q) {
-        return shares[static_cast<std::size_t>(q * static_cast<double>(shares.size() - 1))];
-    };
-    part.low = std::min(at(kLow), part.share), part.high = std::max(at(kHigh), part.share);
+    std::tie(part.low, part.high) = ninetyPercentInterval(part.share, std::move(shares));
     return part;
 }
 

@@ -6,8 +6,10 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 
 #include "base/random.h"
+#include "diagnose/explain/resamples.h"
 #include "diagnose/model/gap.h"
 #include "log/resample.h"
 #include "recording/checks/left_out.h"
@@ -27,10 +29,8 @@ using recording::ObservedChannel;
 using recording::RecordedDrive;
 
 constexpr int kDraws = 12;            // draws from the posterior, each one a replay of all drives
-constexpr int kResamples = 400;       // bootstrap samples of the drives, shared out among the draws
 constexpr double kStartError = 0.03;  // m/s, standard deviation of a start speed from a line through the first 0.5 s
 constexpr double kSignificant = 2;    // standard deviations by which a gap must exceed its floor
-constexpr double kLow = 0.05, kHigh = 0.95;  // quantiles of the 90 % interval
 
 // Rows of a model in each drive, and the squared residual that they leave. A drive that cannot be driven has no rows.
 struct Stage {
@@ -203,13 +203,8 @@ void closure(answer::HowFar& how_far, const Judged& judged, const Gaps& gaps, co
         }
     }
     if (closures.empty()) return;
-    std::sort(closures.begin(), closures.end());
-    const auto at = [&](double share) {
-        return closures[static_cast<std::size_t>(share * static_cast<double>(closures.size() - 1))];
-    };
     how_far.closure = 1 - after / before;
-    how_far.closure_low = std::min(at(kLow), how_far.closure);
-    how_far.closure_high = std::max(at(kHigh), how_far.closure);
+    std::tie(how_far.closure_low, how_far.closure_high) = ninetyPercentInterval(how_far.closure, std::move(closures));
 }
 
 void tellLeftOut(answer::Diagnosis& diagnosis, Drives drives, const Uncertainty& uncertainty) {

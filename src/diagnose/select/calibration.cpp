@@ -12,13 +12,13 @@
 namespace tread::diagnose::select {
 namespace {
 
-constexpr int kMostRounds = 2;   // fits after a new linearisation, which costs up to a replay per drive and nuisance
-constexpr double kSettled = 15;  // nats; the linearisation is not renewed after a fit that gained less
+constexpr int kMostFits = 2;        // fits after a new linearisation, which costs up to a replay per drive and nuisance
+constexpr double kFitSettled = 15;  // nats; the linearisation is not renewed after a fit that gained less
 
 const double kTolerance = std::sqrt(3.0);  // units; the half-width of the uniform distribution with variance 1
 
-constexpr int kSizeSteps = 12;          // steps of the iteration for the sizes with all parameters free
-constexpr double kSizesSettled = 0.05;  // change of the logarithm of a size at which it ends
+constexpr int kFreeSizeSteps = 12;          // steps of the iteration for the sizes with all parameters free
+constexpr double kFreeSizesSettled = 0.05;  // change of the logarithm of a size at which it ends
 
 // The best fit of the nuisances from these starts.
 Fit fitFrom(const Problem& problem, const Uncertainty& uncertainty, const Linearisation& about,
@@ -192,18 +192,18 @@ Calibration calibrate(const Problem& problem, model::NominalCar nominal, const P
     car.uncertainty.sizes = model::sizesAt(problem.drives, car.uncertainty, car.nominal, problem.replays.threads);
     car.fit = fitFrom(problem, car.uncertainty, car.about, bothFrom(problem.replays.origin()));
     std::vector<Eigen::Index> relevant = car.about.nuisances;
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMostFits; ++round) {
         model::Sensitivities about = model::nuisancesAt(
             problem.replays, problem.drives, car.fit.at, &car.fit.of_car, car.about, car.uncertainty,
             [&](double share) {
-                progress(0.5 * (round + share) / kMostRounds, "sensitivities to tolerances at their fitted values");
+                progress(0.5 * (round + share) / kMostFits, "sensitivities to tolerances at their fitted values");
             });
         car.uncertainty = model::uncertaintyAt(problem.replays, problem.drives, about.at, about.rows,
                                                car.uncertainty.until, round > 0 ? &car.uncertainty : nullptr);
         car.uncertainty.sizes = car.fit.sizes;
         car.about = model::linearisation(std::move(about), relevant, {}, car.uncertainty, problem.replays.threads);
         car.fit = fitFrom(problem, car.uncertainty, car.about, {endOf(car.fit)});
-        if (car.fit.gained < kSettled) break;
+        if (car.fit.gained < kFitSettled) break;
     }
     car.together = keptTogether(car);
     if (car.together) {
@@ -248,10 +248,10 @@ Sizes sizesWithAllFree(const Problem& problem, const Uncertainty& uncertainty,
                        const std::vector<DriveProducts>& products) {
     const int threads = problem.replays.threads;
     Sizes sizes = uncertainty.sizes;
-    for (int i = 0; i < kSizeSteps; ++i) {
+    for (int i = 0; i < kFreeSizeSteps; ++i) {
         const Sizes last = sizes;
         sizes = model::improvedSizes(uncertainty, atBest(uncertainty, products, last, threads), last, threads);
-        if (model::changeOf(last, sizes) < kSizesSettled) break;
+        if (model::changeOf(last, sizes) < kFreeSizesSettled) break;
     }
     return sizes;
 }

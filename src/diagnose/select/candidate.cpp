@@ -10,12 +10,12 @@
 namespace tread::diagnose::select {
 namespace {
 
-constexpr int kMostRounds = 3;       // renewals of the linearisation about one candidate
-constexpr double kSettled = 8;       // nats; the linearisation is not renewed after a fit that gained less
-constexpr double kStuck = 0.02;      // units; a knob that moved less counts as stuck at its limit
-constexpr double kOutOfReach = 100;  // nats behind the best fit, from which a fit has no chance
-constexpr double kFar = 3;           // standard deviations of its tolerance by which a number hardly moves by itself
-constexpr double kFarShort = 25;     // nats by which a fit may fall short of what the screen promised
+constexpr int kMostRenewals = 3;       // renewals of the linearisation about one candidate
+constexpr double kRenewalSettled = 8;  // nats; the linearisation is not renewed after a fit that gained less
+constexpr double kStuck = 0.02;        // units; a knob that moved less counts as stuck at its limit
+constexpr double kOutOfReach = 100;    // nats behind the best fit, from which a fit has no chance
+constexpr double kFar = 3;             // standard deviations of its tolerance by which a number hardly moves by itself
+constexpr double kFarShort = 25;       // nats by which a fit may fall short of what the screen promised
 constexpr std::size_t kMovedAtOnce = 3;  // knobs moved for points around a car
 
 // Start points for a fit of these knobs: the given point and, if a knob at 0 is bounded to one side, a second one with
@@ -212,16 +212,16 @@ CandidateFitter::Found CandidateFitter::fitBeside(double& best_so_far, const Lin
 
 SharedLinearisation CandidateFitter::settleBeside(double& best_so_far, Candidate& candidate) const {
     SharedLinearisation here;
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMostRenewals; ++round) {
         here = linearisedAt(car_, candidate.fit);
         Found again = fitBeside(best_so_far, *here, {candidate.effects, endOf(candidate.fit)});
         if (!again) break;
         const double gained = again->log_evidence - candidate.log_evidence;
         if (gained > 0) candidate = std::move(*again);
-        if (gained < kSettled) break;
+        if (gained < kRenewalSettled) break;
     }
     Found other = fitBeside(best_so_far, *here, {candidate.effects, anew(candidate.fit)});
-    if (other && other->log_evidence > candidate.log_evidence + kSettled) {
+    if (other && other->log_evidence > candidate.log_evidence + kRenewalSettled) {
         candidate = std::move(*other);
         here = linearisedAt(car_, candidate.fit);
     }

@@ -16,10 +16,10 @@ namespace tread::diagnose::select {
 namespace {
 
 constexpr std::array<std::string_view, 4> kStructure{"tyre.", "tyre_surroundings.", "suspension.", "steering."};
-constexpr int kMostRounds = 4;   // fits, each about the point of the one before
-constexpr double kSettled = 15;  // nats; a fit that gains less is the last ...
-constexpr double kLowers = 0.7;  // ... unless it lowers the Birge ratio by this factor, and with it the noise
-constexpr double kOpen = 0.5;    // share of its standard deviation that a fit leaves of a number that stays open
+constexpr int kMostFitsBefore = 4;     // fits, each about the point of the one before
+constexpr double kBeforeSettled = 15;  // nats; a fit that gains less is the last ...
+constexpr double kLowers = 0.7;        // ... unless it lowers the Birge ratio by this factor, and with it the noise
+constexpr double kOpen = 0.5;          // share of its standard deviation that a fit leaves of a number that stays open
 
 // True for numbers that no data sheet tells: of tyres, suspension, steering, driveline and brakes.
 bool isOfTheStructure(const std::string& path) {
@@ -94,9 +94,9 @@ std::optional<Fit> settledFit(const model::Problem& problem, const Progress& pro
     std::optional<Fit> found;
     std::optional<model::Uncertainty> last;
     std::optional<Linearisation> linear;
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMostFitsBefore; ++round) {
         const auto tell = [&](double share) {
-            progress((round + share) / kMostRounds, "fitting the car before the change");
+            progress((round + share) / kMostFitsBefore, "fitting the car before the change");
         };
         model::Sensitivities about =
             linear ? model::nuisancesAt(problem.replays, problem.drives, at, nullptr, *linear, *last, tell)
@@ -125,7 +125,7 @@ std::optional<Fit> settledFit(const model::Problem& problem, const Progress& pro
         at = fit->at;
         found = std::move(*fit);
         const double left = model::birgeRatio(problem.drives, plain, found->rows, plain.sizes);
-        if (found->gained < kSettled && left > kLowers * ratio) break;
+        if (found->gained < kBeforeSettled && left > kLowers * ratio) break;
     }
     return found;
 }

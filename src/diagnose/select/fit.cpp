@@ -35,8 +35,8 @@ constexpr double kLeastPrior = 1.0 / 400;
 
 // Times that sizes and point are fitted in turn, steps towards the sizes in each, and the change of the logarithm of a
 // size below which they have settled.
-constexpr int kMostTurns = 6, kSizeSteps = 3;
-constexpr double kSizesSettled = 0.1;
+constexpr int kMostTurns = 6, kSizeStepsOfTurn = 3;
+constexpr double kTurnSettled = 0.1;
 
 // Gives the imperfections of a fit other sizes; the rows stay. Returns the factors on its columns and the residual.
 Eigen::VectorXd scaled(Fit& fit, const Replays& replays, const model::Imperfection& sizes) {
@@ -346,27 +346,27 @@ void moveImperfections(Moving& now, const Fitter& fitter) {
 bool resizeImperfections(Moving& now, const Fitter& fitter) {
     if (now.fit.imperfections.empty()) return true;
     const model::Imperfection before = now.fit.imperfection;
-    for (int i = 0; i < kSizeSteps; ++i) {
+    for (int i = 0; i < kSizeStepsOfTurn; ++i) {
         const model::Imperfection last = now.fit.imperfection;
         fitter.scale(now, improved(now.fit, fitter, quadraticOf(now)));
         moveImperfections(now, fitter);
-        if (model::changeOf(last, now.fit.imperfection) < kSizesSettled) break;
+        if (model::changeOf(last, now.fit.imperfection) < kTurnSettled) break;
     }
-    return model::changeOf(before, now.fit.imperfection) < kSizesSettled;
+    return model::changeOf(before, now.fit.imperfection) < kTurnSettled;
 }
 
 // Moves the sizes towards what the fit leaves at its point. True when they have settled.
 bool resize(Moving& now, const Fitter& fitter) {
     const Sizes before = now.fit.sizes;
     const bool settled = resizeImperfections(now, fitter);
-    for (int i = 0; i < kSizeSteps; ++i) {
+    for (int i = 0; i < kSizeStepsOfTurn; ++i) {
         const Sizes last = now.fit.sizes;
         now.fit.sizes =
             model::improvedSizes(last, model::leftBy(fitter.uncertainty, now.marginal, fitter.replays.threads));
         fitter.marginalise(now);
-        if (model::changeOf(last, now.fit.sizes) < kSizesSettled) break;
+        if (model::changeOf(last, now.fit.sizes) < kTurnSettled) break;
     }
-    return settled && model::changeOf(before, now.fit.sizes) < kSizesSettled;
+    return settled && model::changeOf(before, now.fit.sizes) < kTurnSettled;
 }
 
 // The model at the start of a fit, with the columns and products of the linearisation.

@@ -17,7 +17,7 @@ constexpr std::size_t kFewestFitted = 4, kMostFitted = 8;  // effects of the scr
 // first kFewestFitted.
 constexpr double kHopeless = 25, kLeastShare = 1.0 / 3;
 constexpr double kUncertain = 3;        // nats that a new linearisation may add to a single below the threshold
-constexpr int kMostRounds = 2;          // best singles about which rivals are fitted
+constexpr int kMostRivalRounds = 2;     // best singles about which rivals are fitted
 constexpr std::size_t kMostRivals = 4;  // fitted about the best candidate
 constexpr double kFarBehind = 50;       // nats behind the best candidate that may be due to the point of the fit
 constexpr int kMostSetRounds = 4;       // best sets about which others are compared
@@ -130,7 +130,7 @@ private:
     // Settles the best single and fits its rivals about it. Where one of them is then the best, about that one in turn.
     // Returns the linearisation about the best; nothing when it was not settled.
     SharedLinearisation settleBest() {
-        for (int round = 0; round < kMostRounds && !found_.empty(); ++round) {
+        for (int round = 0; round < kMostRivalRounds && !found_.empty(); ++round) {
             Candidate best = found_.front();
             if (!worthSettling(best)) break;
             progress_(0.3, "linearising at " + problem_.effects[best.effects.front()].name);

@@ -16,9 +16,9 @@ namespace {
 constexpr std::array kTrials{-4.0, -2.0, -1.0, 1.0, 2.0, 4.0};  // typical sizes at which an effect is tried
 constexpr double kWorth = 0.5;                                  // s of further drive that are worth a new linearisation
 constexpr std::size_t kMostEffects = 3;  // effects that are fitted: those with the longest trials
-constexpr int kMostRounds = 3;           // fits of one effect, each to a longer part of the drives
+constexpr int kMostParts = 3;            // fits of one effect, each to a longer part of the drives
 
-struct Trial {
+struct TrialOfEffect {
     std::size_t effect;
     Deviation at;
     double time;  // s, sum over the drives
@@ -55,8 +55,8 @@ std::vector<recording::RecordedDrive> cutDrives(const Calibration& car) {
 }
 
 // The trial of an effect that keeps car and model together longest.
-std::optional<Trial> bestTrial(const Calibration& car, Drives cut, std::size_t effect) {
-    std::optional<Trial> best;
+std::optional<TrialOfEffect> bestTrial(const Calibration& car, Drives cut, std::size_t effect) {
+    std::optional<TrialOfEffect> best;
     for (const Eigen::Index knob : car.problem.knobs[effect]) {
         const Parameter& parameter = car.problem.replays.parameters[knob];
         for (const double size : kTrials) {
@@ -65,26 +65,27 @@ std::optional<Trial> bestTrial(const Calibration& car, Drives cut, std::size_t e
             const std::optional<Rows> rows = model::rowsAt(car.problem.replays, cut, at);
             if (!rows) continue;
             const double time = sumOf(endsAt(cut, *rows));
-            if (!best || time > best->time) best = Trial{effect, std::move(at), time};
+            if (!best || time > best->time) best = TrialOfEffect{effect, std::move(at), time};
         }
     }
     return best;
 }
 
 // Effects worth a fit, longest trial first.
-std::vector<Trial> trials(const Calibration& car) {
+std::vector<TrialOfEffect> trials(const Calibration& car) {
     const std::vector<recording::RecordedDrive> cut = cutDrives(car);
-    std::vector<Trial> worth;
+    std::vector<TrialOfEffect> worth;
     if (cut.empty()) return worth;
     const std::optional<Rows> here = model::rowsAt(car.problem.replays, cut, car.fit.at);
     if (!here) return worth;
     const double now = sumOf(endsAt(cut, *here));
     for (std::size_t e = 0; e < car.problem.effects.size(); ++e) {
         if (!car.problem.effects[e].at_limit) continue;
-        std::optional<Trial> best = bestTrial(car, cut, e);
+        std::optional<TrialOfEffect> best = bestTrial(car, cut, e);
         if (best && best->time > now + kWorth) worth.push_back(std::move(*best));
     }
-    std::stable_sort(worth.begin(), worth.end(), [](const Trial& a, const Trial& b) { return a.time > b.time; });
+    std::stable_sort(worth.begin(), worth.end(),
+                     [](const TrialOfEffect& a, const TrialOfEffect& b) { return a.time > b.time; });
     if (worth.size() > kMostEffects) worth.resize(kMostEffects);
     return worth;
 }
@@ -92,7 +93,7 @@ std::vector<Trial> trials(const Calibration& car) {
 // Fits an effect, from the point of a trial, to all that is compared there. Drives that were not cut are told as about
 // the car. Nothing when the fit slides away from the car sooner than the trial did, or explains no more than the car
 // without the effect, which is asked of the first fit only.
-std::optional<Fit> fitAt(const Calibration& car, const Trial& trial, bool first) {
+std::optional<Fit> fitAt(const Calibration& car, const TrialOfEffect& trial, bool first) {
     const Problem& problem = car.problem;
     const Drives drives = problem.drives;
     const std::vector<Eigen::Index>& nuisances = car.about.nuisances;
@@ -119,10 +120,10 @@ std::optional<Fit> fitAt(const Calibration& car, const Trial& trial, bool first)
 }
 
 // Fits an effect as long as its fit keeps car and model together for longer than the trial did.
-std::optional<Fit> settled(const Calibration& car, Trial trial) {
+std::optional<Fit> settled(const Calibration& car, TrialOfEffect trial) {
     std::optional<Fit> best;
     double time = 0;
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMostParts; ++round) {
         std::optional<Fit> fit = fitAt(car, trial, round == 0);
         if (!fit) break;
         const double now = sumOf(endsAt(car.drives(), fit->rows));
@@ -141,7 +142,7 @@ std::optional<Together> keptTogether(const Calibration& car) {
     std::optional<Fit> longest;
     std::map<std::size_t, Deviation> tried;
     double time = sumOf(endsAt(car.drives(), car.fit.rows)) + kWorth;
-    for (const Trial& trial : trials(car)) {
+    for (const TrialOfEffect& trial : trials(car)) {
         std::optional<Fit> fit = settled(car, trial);
         if (!fit) continue;
         tried[trial.effect] = fit->at;

@@ -19,8 +19,8 @@ using answer::Verdict;
 
 constexpr double kNinety = 1.645;  // standard deviations of a 90 % interval
 // Fits of the answer, each linearised at the point of the one before, until one gains fewer nats.
-constexpr int kMostRounds = 3;
-constexpr double kSettled = 8;
+constexpr int kMostAnswerFits = 3;
+constexpr double kAnswerSettled = 8;
 
 // The set of effects that is named, with the probabilities of all that can be.
 struct Answer {
@@ -150,13 +150,13 @@ Fit released(const Calibration& car, const Candidate& named) {
     Fit fit = named.fit;
     if (named.effects.empty()) return fit;
     SharedLinearisation here = linearisationAbout(car, named);
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMostAnswerFits; ++round) {
         if (round > 0) here = linearisedAt(car, fit);
         std::optional<Fit> again =
             fitted(car.problem.replays, car.drives(), car.uncertainty, *here, fit.knobs, endOf(fit), SizePrior::none);
         if (!again) break;
         fit = std::move(*again);
-        if (fit.gained < kSettled) break;
+        if (fit.gained < kAnswerSettled) break;
     }
     return withColumnsOfItsPoint(car.problem.replays, car.drives(), car.uncertainty, *linearisedAt(car, fit), fit);
 }

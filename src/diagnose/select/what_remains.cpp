@@ -10,8 +10,8 @@
 namespace tread::diagnose::select {
 namespace {
 
-constexpr int kSizeSteps = 8;
-constexpr double kSizesSettled = 0.05;
+constexpr int kSizeStepsOfRemainder = 8;
+constexpr double kRemainderSettled = 0.05;
 
 double logEvidenceWith(const Fit& fit, const Uncertainty& uncertainty, const Sizes& sizes) {
     Fit other = fit;
@@ -22,10 +22,10 @@ double logEvidenceWith(const Fit& fit, const Uncertainty& uncertainty, const Siz
 
 // Sizes of the largest evidence under a prior.
 Sizes sizesUnder(const model::SizesPrior& prior, const Calibration& car, const Fit& fit, Sizes sizes) {
-    for (int i = 0; i < kSizeSteps; ++i) {
+    for (int i = 0; i < kSizeStepsOfRemainder; ++i) {
         const Sizes last = sizes;
         sizes = model::improvedSizes(car.uncertainty, fit.products, last, car.problem.replays.threads, prior);
-        if (model::changeOf(last, sizes) < kSizesSettled) break;
+        if (model::changeOf(last, sizes) < kRemainderSettled) break;
     }
     return sizes;
 }
