@@ -68,7 +68,8 @@ struct Settings {
 
     // Guess: larger because the disturbances of two drives differ. Raising it weakens all evidence.
     double reference_inflation = 1;
-    // Guess: tank, tyres and load change, the car does not. Raising it lets tolerances explain a change.
+    // Guess: a car hardly changes from day to day; weather and load have sizes of their own (D15a). Raising it lets
+    // tolerances explain a change.
     double between_days = 0.2;
     // Guess. With it, 15 of 15 values of effects found on cars of the second generator lay within two standard
     // deviations of the truth (D42).
@@ -129,7 +130,9 @@ struct Settings {
         field(TREAD_FIELD(reference_inflation),
               About{"-", "factor on noise and disturbances where drives have references: guess"});
         field(TREAD_FIELD(between_days),
-              About{"-", "day-to-day variation of a car as a share of its tolerances: guess"});
+              About{"-",
+                    "share of its tolerance by which a number of the car may differ between two days, unless weather "
+                    "and load change it by more: guess"});
         field(TREAD_FIELD(structure), About{"-",
                                             "relative standard deviation of an effect's value because the model's "
                                             "structure may differ from the car's"});
@@ -140,8 +143,8 @@ struct Settings {
         field(TREAD_FIELD(effect), About{"nat", "log evidence that each effect must gain"});
         field(TREAD_FIELD(false_alarm),
               About{"-",
-                    "probability of the set of causes without an effect, above which the effect is not named; and that "
-                    "chance leaves as large a gap, below which a remainder is reported"});
+                    "an effect is not named if the set of causes without it is more probable than this; a remainder is "
+                    "reported if chance leaves as large a gap with a smaller probability"});
         field(TREAD_FIELD(clear), About{"nat",
                                         "log evidence that distinguishes two effects, and above which an effect may be "
                                         "visible or a force law is reported"});

@@ -296,5 +296,16 @@ TEST(EffectKnob, SharesMoveAxlesAgainstEachOther) {
     EXPECT_EQ(subject.vehicle.rear.suspension.anti_roll_bar, rear - 2000);
 }
 
+TEST(EffectKnob, RollStiffnessTakesBothBarsAway) {
+    const Subject with = subjectOf("compact");
+    ASSERT_NE(with.vehicle.front.suspension.anti_roll_bar, with.vehicle.rear.suspension.anti_roll_bar);
+    const model::Parameter knob = model::knobsOf(effectOf("roll_stiffness"), with).at(0);
+    Subject without = with;
+    model::move(without, knob, knob.lowest);
+    EXPECT_EQ(without.vehicle.front.suspension.anti_roll_bar, 0);
+    EXPECT_EQ(without.vehicle.rear.suspension.anti_roll_bar, 0);
+    EXPECT_FALSE(knob.implausibleAt(knob.lowest));
+}
+
 }  // namespace
 }  // namespace tread::diagnose_catalogue_test
