@@ -29,7 +29,7 @@ inline TyreParams tyreWithCouples() {
     return tyre;
 }
 
-struct Table {
+struct TyreTable {
     std::vector<std::string> names;
     std::vector<std::vector<double>> rows;
 
@@ -40,11 +40,11 @@ struct Table {
         throw std::runtime_error("no column " + name);
     }
     double& at(std::size_t row, const std::string& name) {
-        return const_cast<double&>(static_cast<const Table&>(*this).at(row, name));
+        return const_cast<double&>(static_cast<const TyreTable&>(*this).at(row, name));
     }
 };
 
-inline std::string csv(const Table& table) {
+inline std::string csv(const TyreTable& table) {
     std::string text;
     for (const std::string& name : table.names) text += (text.empty() ? "" : ",") + name;
     for (const std::vector<double>& row : table.rows) {
@@ -58,8 +58,8 @@ inline std::string csv(const Table& table) {
     return text + '\n';
 }
 
-inline Table parse(const std::string& text) {
-    Table table;
+inline TyreTable parse(const std::string& text) {
+    TyreTable table;
     std::istringstream lines(text);
     std::string line, cell;
     std::getline(lines, line);
@@ -77,7 +77,7 @@ inline Table parse(const std::string& text) {
 }
 
 // The program's table for an input table; the option is --table or --transient.
-inline Table programTable(const std::string& option, const Table& input, const std::vector<std::string>& more) {
+inline TyreTable programTable(const std::string& option, const TyreTable& input, const std::vector<std::string>& more) {
     const Scratch scratch;
     std::vector<std::string> words{
         "tyre", kCarTyre, option, scratch.file("in.csv", csv(input)), "-o", scratch.path("out.csv")};

@@ -34,8 +34,8 @@ private:
     std::mt19937 generator_;
 };
 
-Table randomSlips(int points, unsigned seed, bool with_lambdas) {
-    Table table{kSlipColumns, {}};
+TyreTable randomSlips(int points, unsigned seed, bool with_lambdas) {
+    TyreTable table{kSlipColumns, {}};
     TyreScaling lambda;
     if (with_lambdas) {
         for (const Number& n : numbers(lambda)) table.names.push_back("lambda_" + n.path);
@@ -54,7 +54,7 @@ Table randomSlips(int points, unsigned seed, bool with_lambdas) {
     return table;
 }
 
-Table steadyTable(const Table& input, const std::string& axes, std::vector<std::string> more = {}) {
+TyreTable steadyTable(const TyreTable& input, const std::string& axes, std::vector<std::string> more = {}) {
     more.insert(more.end(), {"--axes", axes});
     return programTable("--table", input, more);
 }
@@ -79,7 +79,7 @@ double floorOf(const std::string& column, double Fz, const TyreCoefficients& p) 
 
 constexpr double kSteadyTolerance = 1e-10;  // both formulations round differently
 
-void expectReference(const Table& table, const TyreParams& tyre) {
+void expectReference(const TyreTable& table, const TyreParams& tyre) {
     double worst = 0;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         TyreScaling lambda = tyre.lambda;
@@ -103,21 +103,21 @@ void expectReference(const Table& table, const TyreParams& tyre) {
 }
 
 TEST(TyreTable, AgreesWithASecondFormulation) {
-    const Table input = randomSlips(2000, 1, false);
-    const Table output = steadyTable(input, "paper");
+    const TyreTable input = randomSlips(2000, 1, false);
+    const TyreTable output = steadyTable(input, "paper");
     ASSERT_EQ(output.rows.size(), 2000u);
     expectReference(output, tyreWithCouples());
 }
 
 TEST(TyreTable, TakesEveryScalingFactorFromItsColumn) {
-    const Table input = randomSlips(1000, 2, true);
+    const TyreTable input = randomSlips(1000, 2, true);
     ASSERT_EQ(input.names.size(), 30u);
     expectReference(steadyTable(input, "paper"), tyreWithCouples());
 }
 
 TEST(TyreTable, RepeatsTheInputAndThenNamesTheResultsOfTheDescription) {
-    const Table input = randomSlips(50, 3, true);
-    const Table output = steadyTable(input, "paper");
+    const TyreTable input = randomSlips(50, 3, true);
+    const TyreTable output = steadyTable(input, "paper");
     std::vector<std::string> names = input.names;
     names.insert(names.end(), kResultColumns.begin(), kResultColumns.end());
     EXPECT_EQ(output.names, names);
@@ -127,12 +127,12 @@ TEST(TyreTable, RepeatsTheInputAndThenNamesTheResultsOfTheDescription) {
 }
 
 TEST(TyreTable, AColumnReplacesTheFactorOfTheTyre) {
-    Table input = randomSlips(20, 4, false);
-    const Table plain = steadyTable(input, "paper", {"--set", "lambda.muy=0.7"});
+    TyreTable input = randomSlips(20, 4, false);
+    const TyreTable plain = steadyTable(input, "paper", {"--set", "lambda.muy=0.7"});
     input.names.push_back("lambda_muy");
     for (auto& row : input.rows) row.push_back(0.7);
-    const Table column = steadyTable(input, "paper", {"--set", "lambda.muy=1.3"});
-    const Table full = steadyTable(randomSlips(20, 4, false), "paper");
+    const TyreTable column = steadyTable(input, "paper", {"--set", "lambda.muy=1.3"});
+    const TyreTable full = steadyTable(randomSlips(20, 4, false), "paper");
     for (std::size_t row = 0; row < 20; ++row) {
         for (const std::string& name : kResultColumns) EXPECT_EQ(column.at(row, name), plain.at(row, name)) << name;
         EXPECT_TRUE(near(plain.at(row, "muy"), 0.7 * full.at(row, "muy"), 1e-14));
@@ -145,7 +145,7 @@ TEST(TyreTable, WritesNumbersThatReadBackExactlyAndAreShort) {
     const Result result = runProgram({"tyre", kCarTyre, "--axes", "paper", "--table", in});
     EXPECT_EQ(result.status, 0);
     EXPECT_NE(result.out.find("\n4000,0.05,20,-1,0.1,"), std::string::npos) << result.out;
-    const Table table = parse(result.out);
+    const TyreTable table = parse(result.out);
     const TyreSteadyState exact = steadyState(reference::car205(), {4000, 0.05, 20, -1, 0.1});
     EXPECT_EQ(table.at(0, "Fy"), exact.Fy);
     EXPECT_EQ(table.at(0, "Mz"), exact.Mz);
@@ -157,10 +157,10 @@ TEST(TyreTable, ConvertsUnitsInBracketsAndThenGivesUnitsToTheResults) {
     const std::string units = scratch.file(
         "units.csv",
         "\xEF\xBB\xBFVx [km/h], \"gamma [deg]\",Vsx,Fz [kN],Vsy [m/s]\r\n# a comment\r\n\r\n72,2,-1,4,2\r\n");
-    const Table a = parse(runProgram({"tyre", kCarTyre, "--axes", "paper", "--table", si}).out);
+    const TyreTable a = parse(runProgram({"tyre", kCarTyre, "--axes", "paper", "--table", si}).out);
     const Result result = runProgram({"tyre", kCarTyre, "--axes", "paper", "--table", units});
     ASSERT_EQ(result.status, 0) << result.err;
-    const Table b = parse(result.out);
+    const TyreTable b = parse(result.out);
     const std::vector<std::string> head(b.names.begin(), b.names.begin() + 10);
     EXPECT_EQ(head, (std::vector<std::string>{"Vx [km/h]", "gamma [deg]", "Vsx", "Fz [kN]", "Vsy [m/s]", "Fx [N]",
                                               "Fy [N]", "Mx [N m]", "My [N m]", "Mz [N m]"}));
@@ -181,10 +181,10 @@ bool isTurned(const std::string& column) {
 }
 
 TEST(TyreAxes, IsoAndPaperAreTheSamePhysicsAfterHalfATurnAboutX) {
-    const Table paper_input = randomSlips(500, 5, false);
-    Table iso_input = paper_input;
+    const TyreTable paper_input = randomSlips(500, 5, false);
+    TyreTable iso_input = paper_input;
     for (std::size_t row = 0; row < iso_input.rows.size(); ++row) iso_input.at(row, "Vsy") *= -1;
-    const Table paper = steadyTable(paper_input, "paper"), iso = steadyTable(iso_input, "iso");
+    const TyreTable paper = steadyTable(paper_input, "paper"), iso = steadyTable(iso_input, "iso");
     for (std::size_t row = 0; row < paper.rows.size(); ++row) {
         for (const std::string& column : kResultColumns) {
             const double sign = isTurned(column) ? -1 : 1;
@@ -195,9 +195,9 @@ TEST(TyreAxes, IsoAndPaperAreTheSamePhysicsAfterHalfATurnAboutX) {
 }
 
 TEST(TyreAxes, TheAligningTorqueIsTheSumOfItsPartsInBothSystems) {
-    const Table input = randomSlips(300, 6, false);
+    const TyreTable input = randomSlips(300, 6, false);
     for (const char* axes : {"paper", "iso"}) {
-        const Table out = steadyTable(input, axes);
+        const TyreTable out = steadyTable(input, axes);
         for (std::size_t row = 0; row < out.rows.size(); ++row) {
             const auto x = [&](const char* name) { return out.at(row, name); };
             const double sum = -x("t") * (x("Fy") - x("SVyk")) + x("Mzr") + x("s") * x("Fx");  // (86), (88)
@@ -210,8 +210,8 @@ TEST(TyreAxes, TheAligningTorqueIsTheSumOfItsPartsInBothSystems) {
 TEST(TyreAxes, ASlipAngleToTheLeftIsPositiveInIsoAndGivesAForceToTheRight) {
     // 5 deg: the wheel moves to its left, which is +y in ISO and -y in the paper; it rolls forward and is not cambered.
     const double speed = 20, slip = speed * std::tan(5 * std::numbers::pi / 180);
-    const Table iso = steadyTable({kSlipColumns, {{slip, 4000, speed, 0, 0}}}, "iso");
-    const Table paper = steadyTable({kSlipColumns, {{-slip, 4000, speed, 0, 0}}}, "paper");
+    const TyreTable iso = steadyTable({kSlipColumns, {{slip, 4000, speed, 0, 0}}}, "iso");
+    const TyreTable paper = steadyTable({kSlipColumns, {{-slip, 4000, speed, 0, 0}}}, "paper");
     EXPECT_TRUE(near(iso.at(0, "alpha"), slip / speed, 1e-15));
     EXPECT_LT(iso.at(0, "Fy"), -2500);
     EXPECT_GT(iso.at(0, "Mz"), 20);  // turns the wheel to the left, into its direction of travel
@@ -225,7 +225,7 @@ TEST(TyreAxes, ASlipAngleToTheLeftIsPositiveInIsoAndGivesAForceToTheRight) {
 
     // Camber to the right pulls to the right.
     const auto camberForce = [&](const char* axes) {
-        const Table out = steadyTable({kSlipColumns, {{0, 4000, speed, 0.1, 0}, {0, 4000, speed, -0.1, 0}}}, axes);
+        const TyreTable out = steadyTable({kSlipColumns, {{0, 4000, speed, 0.1, 0}, {0, 4000, speed, -0.1, 0}}}, axes);
         return out.at(0, "Fy") - out.at(1, "Fy");
     };
     EXPECT_LT(camberForce("iso"), -500);

@@ -19,8 +19,8 @@ using reference::near;
 const std::vector<std::string> kMotionColumns{"t", "Vsx", "Vsy", "Vx", "Omega", "psidot", "gamma", "Fz"};
 const std::vector<std::string> kPatchColumns{"u", "v", "du", "dv", "Fx", "Fy", "Mx", "My", "Mz"};
 
-Table motionTable(const reference::Case& c) {
-    Table table{kMotionColumns, {}};
+TyreTable motionTable(const reference::Case& c) {
+    TyreTable table{kMotionColumns, {}};
     for (const reference::Sample& s : c.samples) {
         table.rows.push_back({double(s.t), double(s.Vsx), double(s.Vsy), double(s.Vx), double(s.Omega),
                               double(s.psidot), double(s.gamma), double(s.Fz)});
@@ -28,7 +28,7 @@ Table motionTable(const reference::Case& c) {
     return table;
 }
 
-Table transientTable(const Table& motion, const std::vector<std::string>& more) {
+TyreTable transientTable(const TyreTable& motion, const std::vector<std::string>& more) {
     return programTable("--transient", motion, more);
 }
 
@@ -58,8 +58,9 @@ constexpr double kTransientTolerance = 0.005;  // of the peak of each column
 void expectTransient(const std::string& name, int substeps) {
     const reference::Case c = caseNamed(name);
     const bool linear = c.between == reference::Between::linear;
-    const Table out = transientTable(motionTable(c), {"--axes", "paper", "--interpolate", linear ? "linear" : "hold",
-                                                      "--substeps", std::to_string(substeps)});
+    const TyreTable out = transientTable(
+        motionTable(c),
+        {"--axes", "paper", "--interpolate", linear ? "linear" : "hold", "--substeps", std::to_string(substeps)});
     const auto expected = expectedRows(tyreWithCouples(), c);
     ASSERT_EQ(out.rows.size(), expected.size());
     std::printf("%s:", name.c_str());
@@ -98,15 +99,15 @@ TEST(TyreTransient, FollowsTheReferenceAfterAStepOfYawRate) {
 }
 
 TEST(TyreTransient, IsoAndPaperAreTheSamePhysics) {
-    Table motion = motionTable(caseNamed("yaw rate 0.5 rad/s at 30 m/s"));
+    TyreTable motion = motionTable(caseNamed("yaw rate 0.5 rad/s at 30 m/s"));
     for (std::size_t row = 0; row < motion.rows.size(); ++row)
         motion.at(row, "Vsy") = 0.4 * std::sin(0.1 * double(row));
-    const Table paper = transientTable(motion, {"--axes", "paper"});
+    const TyreTable paper = transientTable(motion, {"--axes", "paper"});
     for (std::size_t row = 0; row < motion.rows.size(); ++row) {
         motion.at(row, "Vsy") *= -1;
         motion.at(row, "psidot") *= -1;
     }
-    const Table iso = transientTable(motion, {"--axes", "iso"});
+    const TyreTable iso = transientTable(motion, {"--axes", "iso"});
     const std::vector<std::string> turned{"v", "dv", "Fy", "My", "Mz"};
     for (std::size_t row = 0; row < motion.rows.size(); ++row) {
         for (const std::string& column : kPatchColumns) {
@@ -117,17 +118,17 @@ TEST(TyreTransient, IsoAndPaperAreTheSamePhysics) {
 }
 
 TEST(TyreTransient, StartsUndeflectedAndAtRest) {
-    const Table out = transientTable(motionTable(caseNamed("alpha 0.3 at 20 m/s")), {});
+    const TyreTable out = transientTable(motionTable(caseNamed("alpha 0.3 at 20 m/s")), {});
     for (const char* column : {"u", "v", "du", "dv", "Fx", "Fy"}) EXPECT_EQ(out.at(0, column), 0) << column;
     EXPECT_NE(out.at(1, "v"), 0);
 }
 
 TEST(TyreTransient, ForcesOfARowFollowFromItsOwnMotion) {
     // Camber steps at 20 ms: its non-lagging part (24) is in the force of the very row, the patch follows later.
-    Table motion = motionTable(caseNamed("camber 0.05 at 20 m/s"));
-    const Table out = transientTable(motion, {"--axes", "paper"});
+    TyreTable motion = motionTable(caseNamed("camber 0.05 at 20 m/s"));
+    const TyreTable out = transientTable(motion, {"--axes", "paper"});
     for (std::size_t row = 0; row < motion.rows.size(); ++row) motion.at(row, "gamma") = 0;
-    const Table upright = transientTable(motion, {"--axes", "paper"});
+    const TyreTable upright = transientTable(motion, {"--axes", "paper"});
     const TyreCoefficients p = tyreWithCouples().parameters;
     ASSERT_EQ(out.at(19, "gamma"), 0);
     ASSERT_EQ(out.at(20, "gamma"), 0.05);
@@ -166,19 +167,19 @@ TEST(TyreTransient, ForcesOfAKnownStateAreThoseThatTheAdvanceReturned) {
 }
 
 TEST(TyreTransient, TheStandstillExtensionHoldsAParkedWheelThatThePaperLetsCreep) {
-    Table motion{kMotionColumns, {}};
+    TyreTable motion{kMotionColumns, {}};
     for (int i = 0; i <= 1000; ++i) motion.rows.push_back({0.02 * i, 0, i < 5 ? 0.01 : 0, 0, 0, 0, 0, 4000});
-    const Table paper = transientTable(motion, {}), held = transientTable(motion, {"--standstill"});
+    const TyreTable paper = transientTable(motion, {}), held = transientTable(motion, {"--standstill"});
     ASSERT_LT(held.at(10, "Fy"), -50);
     EXPECT_TRUE(near(held.at(1000, "Fy"), held.at(50, "Fy"), 1e-3 * std::abs(held.at(50, "Fy"))));
     EXPECT_LT(std::abs(paper.at(1000, "Fy")), 0.9 * std::abs(paper.at(50, "Fy")));
 }
 
 TEST(TyreTransient, HeldAndLinearMotionAreHalfASampleApart) {
-    Table motion{kMotionColumns, {}};
+    TyreTable motion{kMotionColumns, {}};
     for (int i = 0; i <= 100; ++i) motion.rows.push_back({0.01 * i, 0, -0.02 * i, 20, 20 / 0.3055, 0, 0, 4000});
-    const Table held = transientTable(motion, {"--substeps", "20"});
-    const Table linear = transientTable(motion, {"--substeps", "20", "--interpolate", "linear"});
+    const TyreTable held = transientTable(motion, {"--substeps", "20"});
+    const TyreTable linear = transientTable(motion, {"--substeps", "20", "--interpolate", "linear"});
     const double slope = (linear.at(60, "v") - linear.at(50, "v")) / 0.1;
     const double late = (linear.at(55, "v") - held.at(55, "v")) / slope;
     EXPECT_NEAR(late, 0.005, 0.0008);  // s; the patch follows in 16 ms, so a staircase of 10 ms still ripples
