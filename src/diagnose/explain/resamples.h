@@ -6,7 +6,7 @@
 
 namespace tread::diagnose::explain {
 
-constexpr int kResamples = 400;
+constexpr int kResamples = 400;  // for an interval
 
 // The 90 % interval of a share from its values in the samples, widened where it would not hold the share; the share
 // itself where there are no samples.
