@@ -3,7 +3,7 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 #include <LinearMath/btIDebugDraw.h>
 
-#include "base/elementary.h"
+#include "base/math/elementary.h"
 #include "bullet/body_link.h"
 #include "bullet/convert.h"
 #include "bullet/planned_pose.h"

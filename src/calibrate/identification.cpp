@@ -8,10 +8,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/number_text.h"
-#include "base/numbers.h"
-#include "base/pattern.h"
-#include "base/yaml_session.h"
+#include "base/fields/numbers.h"
+#include "base/text/number_text.h"
+#include "base/text/pattern.h"
+#include "base/yaml/session.h"
 #include "calibrate/identification_text.h"
 #include "diagnose/explain/how_far.h"
 #include "diagnose/explain/where.h"

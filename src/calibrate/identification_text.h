@@ -11,8 +11,8 @@ namespace tread::calibrate {
 // "4 of 5 numbers are determined by these drives; ...".
 std::string identificationInWords(const Identification& found);
 
-// Yes when the drives determine every number, the fit has converged and the car has become better: the exit status of the
-// command and the sign of the page's badge.
+// Yes when the drives determine every number, the fit has converged and the car has become better: the exit status of
+// the command and the sign of the page's badge.
 bool hasSucceeded(const Identification& found);
 // "determined", or what is wrong first.
 std::string outcomeInWords(const Identification& found);

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "base/read_yaml.h"
-#include "base/setting.h"
+#include "base/yaml/read.h"
+#include "base/yaml/setting.h"
 #include "store/named_file.h"
 
 namespace tread::campaign {

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-#include "base/random.h"
+#include "base/math/random.h"
 
 namespace tread::campaign {
 namespace {

@@ -10,8 +10,8 @@
 #include <charconv>
 #include <system_error>
 
-#include "base/number_text.h"
-#include "base/trimmed.h"
+#include "base/text/number_text.h"
+#include "base/text/trimmed.h"
 #include "log/csv.h"
 #include "store/result_folder.h"
 #include "store/whole_file.h"

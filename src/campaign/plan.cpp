@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/number_text.h"
+#include "base/text/number_text.h"
 #include "metrics/channels.h"
 
 namespace tread::campaign {

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <map>
 
-#include "base/did_you_mean.h"
-#include "base/number_text.h"
-#include "base/possible.h"
-#include "base/units.h"
-#include "base/write_yaml.h"
-#include "base/yaml_position.h"
-#include "base/yaml_session.h"
+#include "base/fields/possible.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
+#include "base/units/units.h"
+#include "base/yaml/position.h"
+#include "base/yaml/session.h"
+#include "base/yaml/write.h"
 #include "campaign/correlated.h"
 #include "campaign/plan.h"
 #include "metrics/channels.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/number_text.h"
+#include "base/text/number_text.h"
 
 namespace tread::campaign {
 namespace {

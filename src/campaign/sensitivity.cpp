@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "metrics/channels.h"
 
 namespace tread::campaign {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "base/setting.h"
+#include "base/yaml/setting.h"
 #include "campaign/draws.h"
 
 namespace tread::campaign {

@@ -1,6 +1,6 @@
 #include "compare/compare.h"
 
-#include "base/pattern.h"
+#include "base/text/pattern.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/number_text.h"
+#include "base/text/number_text.h"
 #include "compare/compare.h"
 
 namespace tread {

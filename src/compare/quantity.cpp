@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "base/number_text.h"
-#include "base/read_yaml.h"
-#include "base/reference_table.h"
-#include "base/schema.h"
-#include "base/trimmed.h"
-#include "base/units.h"
-#include "base/write_yaml.h"
+#include "base/fields/reference_table.h"
+#include "base/text/number_text.h"
+#include "base/text/trimmed.h"
+#include "base/units/units.h"
+#include "base/yaml/read.h"
+#include "base/yaml/schema.h"
+#include "base/yaml/write.h"
 
 namespace tread {
 

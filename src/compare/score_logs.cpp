@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/pattern.h"
+#include "base/text/pattern.h"
 #include "compare/score.h"
 #include "log/resample.h"
 

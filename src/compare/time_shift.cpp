@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "base/median.h"
+#include "base/math/median.h"
 #include "log/resample.h"
 
 namespace tread {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "base/number_text.h"
-#include "base/pattern.h"
-#include "base/units.h"
+#include "base/text/number_text.h"
+#include "base/text/pattern.h"
+#include "base/units/units.h"
 
 namespace tread {
 namespace {

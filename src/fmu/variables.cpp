@@ -3,9 +3,9 @@
 #include <cmath>
 #include <span>
 
-#include "base/concat.h"
-#include "base/field_path.h"
-#include "base/numbers.h"
+#include "base/fields/field_path.h"
+#include "base/fields/numbers.h"
+#include "base/text/concat.h"
 #include "host/channels.h"
 #include "host/snapshot.h"
 #include "host/version.h"

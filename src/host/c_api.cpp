@@ -8,8 +8,8 @@
 #include <span>
 #include <string>
 
-#include "base/concat.h"
-#include "base/number_text.h"
+#include "base/text/concat.h"
+#include "base/text/number_text.h"
 #include "host/car.h"
 #include "host/channels.h"
 #include "host/failure.h"

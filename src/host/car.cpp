@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "base/concat.h"
-#include "base/elementary.h"
-#include "base/interpolate.h"
-#include "base/number_text.h"
-#include "base/turn.h"
+#include "base/math/elementary.h"
+#include "base/math/interpolate.h"
+#include "base/math/turn.h"
+#include "base/text/concat.h"
+#include "base/text/number_text.h"
 #include "host/channels.h"
 #include "host/failure.h"
 #include "host/settled.h"

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/concat.h"
-#include "base/did_you_mean.h"
-#include "base/number_text.h"
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
+#include "base/text/concat.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
 #include "host/failure.h"
 
 namespace tread::host {

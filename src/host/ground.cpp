@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "base/concat.h"
+#include "base/text/concat.h"
 #include "host/failure.h"
 
 namespace tread::host {

@@ -1,7 +1,7 @@
 // The velocity that takes a body from one attitude to another in a given time.
 #pragma once
 
-#include "base/elementary.h"
+#include "base/math/elementary.h"
 #include "tread/vector.h"
 
 namespace tread {

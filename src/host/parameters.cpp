@@ -1,10 +1,10 @@
 #include "host/parameters.h"
 
-#include "base/concat.h"
-#include "base/did_you_mean.h"
-#include "base/number_text.h"
-#include "base/numbers.h"
-#include "base/setting.h"
+#include "base/fields/numbers.h"
+#include "base/text/concat.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
+#include "base/yaml/setting.h"
 
 namespace tread::host {
 namespace {

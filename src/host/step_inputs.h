@@ -1,7 +1,7 @@
 // The driver's inputs over one step of the world, in which the car takes several of its own.
 #pragma once
 
-#include "base/interpolate.h"
+#include "base/math/interpolate.h"
 #include "tread/vehicle_output.h"
 
 namespace tread {

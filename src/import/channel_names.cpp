@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "base/did_you_mean.h"
-#include "base/number_text.h"
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
 #include "log/log_columns.h"
 
 namespace tread {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/number_text.h"
+#include "base/text/number_text.h"
 #include "import/columns.h"
 #include "import/formats/unit_spelling.h"
 #include "import/time_base.h"

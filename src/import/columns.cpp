@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "base/did_you_mean.h"
-#include "base/number_text.h"
-#include "base/units.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
+#include "base/units/units.h"
 #include "import/formats/unit_spelling.h"
 
 namespace tread {

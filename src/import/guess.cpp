@@ -10,14 +10,14 @@
 #include <optional>
 #include <set>
 
-#include "base/median.h"
-#include "base/units.h"
-#include "base/write_yaml.h"
+#include "base/math/median.h"
+#include "base/units/units.h"
+#include "base/yaml/write.h"
 #include "import/channel_names.h"
 #include "import/columns.h"
+#include "import/formats/unit_spelling.h"
 #include "import/import.h"
 #include "import/relations.h"
-#include "import/formats/unit_spelling.h"
 #include "import/vehicle_reach.h"
 #include "log/log_columns.h"
 #include "tread/wheels.h"

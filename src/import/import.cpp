@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <set>
 
-#include "base/number_text.h"
+#include "base/text/number_text.h"
 #include "import/channel_names.h"
 #include "import/channel_reader.h"
 #include "import/columns.h"
 #include "import/doubts.h"
+#include "import/formats/unit_spelling.h"
 #include "import/repair.h"
 #include "import/time_base.h"
-#include "import/formats/unit_spelling.h"
 #include "log/log_columns.h"
 
 namespace tread {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/median.h"
-#include "base/number_text.h"
+#include "base/math/median.h"
+#include "base/text/number_text.h"
 #include "import/spikes.h"
 #include "import/time_base.h"
 #include "import/vehicle_reach.h"

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/did_you_mean.h"
-#include "base/median.h"
-#include "base/number_text.h"
+#include "base/math/median.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
 #include "import/columns.h"
 #include "import/formats/foreign_text.h"
 

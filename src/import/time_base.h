@@ -22,6 +22,6 @@ std::vector<double> timeOfRows(const ForeignTable& table, const ImportTime& how,
 
 // Rows without time and repeated stamps dropped, split where time jumps. Strictly increasing within each.
 std::vector<Stretch> recordingsOf(const std::vector<double>& time, const ForeignTable& table,
-                                    const ImportRepairs& repairs, std::vector<Change>& changes);
+                                  const ImportRepairs& repairs, std::vector<Change>& changes);
 
 }  // namespace tread

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/median.h"
+#include "base/math/median.h"
 
 namespace tread::inference {
 namespace {

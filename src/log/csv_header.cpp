@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "base/trimmed.h"
+#include "base/text/trimmed.h"
 
 namespace tread {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <system_error>
 
-#include "base/text_file.h"
+#include "base/text/text_file.h"
 #include "log/binary_log.h"
 #include "log/csv.h"
 #include "log/csv_header.h"

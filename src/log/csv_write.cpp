@@ -1,6 +1,6 @@
 #include <cassert>
 
-#include "base/number_text.h"
+#include "base/text/number_text.h"
 #include "log/csv.h"
 #include "log/csv_header.h"
 

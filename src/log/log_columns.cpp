@@ -4,10 +4,10 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "base/concat.h"
-#include "base/number_text.h"
-#include "base/numbers.h"
-#include "base/text_file.h"
+#include "base/fields/numbers.h"
+#include "base/text/concat.h"
+#include "base/text/number_text.h"
+#include "base/text/text_file.h"
 #include "log/csv_header.h"
 #include "log/csv_lines.h"
 

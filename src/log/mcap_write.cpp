@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "base/json_string.h"
-#include "base/number_text.h"
+#include "base/text/json_string.h"
+#include "base/text/number_text.h"
 #include "log/log_columns.h"
 #include "log/mcap_format.h"
 #include "tread/problem.h"

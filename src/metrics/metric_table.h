@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/concat.h"
+#include "base/text/concat.h"
 #include "metrics/metric.h"
 
 namespace tread {

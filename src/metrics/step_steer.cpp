@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/median.h"
+#include "base/math/median.h"
 #include "metrics/channels.h"
 #include "metrics/manoeuvres.h"
 #include "metrics/metric_table.h"

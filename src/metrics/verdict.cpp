@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "base/did_you_mean.h"
-#include "base/number_text.h"
-#include "base/trimmed.h"
-#include "base/units.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
+#include "base/text/trimmed.h"
+#include "base/units/units.h"
 #include "scenario/condition.h"
 
 namespace tread {

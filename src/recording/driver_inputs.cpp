@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "base/lag.h"
+#include "base/math/lag.h"
 #include "inference/whitening.h"
 #include "log/log_columns.h"
 #include "recording/observation.h"

@@ -1,10 +1,10 @@
 #include <algorithm>
 
-#include "base/did_you_mean.h"
-#include "base/number_text.h"
-#include "base/read_yaml.h"
-#include "base/setting.h"
-#include "base/yaml_position.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
+#include "base/yaml/position.h"
+#include "base/yaml/read.h"
+#include "base/yaml/setting.h"
 #include "log/log_columns.h"
 #include "recording/diagnosis_file.h"
 #include "recording/further_instruments.h"

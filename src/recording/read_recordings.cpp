@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/did_you_mean.h"
-#include "base/number_text.h"
-#include "base/read_yaml.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
+#include "base/yaml/read.h"
 #include "import/import.h"
 #include "log/csv.h"
 #include "log/log_columns.h"

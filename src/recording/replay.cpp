@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "recording/driver_inputs.h"
 #include "recording/observation.h"
 #include "scenario/run_in.h"

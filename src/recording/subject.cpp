@@ -1,6 +1,6 @@
 #include "recording/subject.h"
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 
 namespace tread::recording {
 

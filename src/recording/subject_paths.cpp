@@ -4,8 +4,8 @@
 #include <cctype>
 #include <map>
 
-#include "base/number_text.h"
-#include "base/pattern.h"
+#include "base/text/number_text.h"
+#include "base/text/pattern.h"
 #include "recording/subject.h"
 
 namespace tread::recording {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/reference_table.h"
+#include "base/fields/reference_table.h"
 
 namespace tread::recording {
 

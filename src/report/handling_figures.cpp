@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/median.h"
+#include "base/math/median.h"
 #include "metrics/metrics.h"
 #include "metrics/sine_with_dwell.h"
 #include "report/cross_plot.h"

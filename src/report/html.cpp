@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "base/changed.h"
-#include "base/markup.h"
+#include "base/text/changed.h"
+#include "base/text/markup.h"
 #include "report/chart_data.h"
 #include "report/embedded.h"
 #include "report/pack.h"

@@ -84,7 +84,7 @@ struct Cell {
 class HtmlPage {
 public:
     // `headline`: follows the title in the title of the window. What settings have changed of what the title says
-    // (base/changed.h) stands below it in a line of its own.
+    // (base/text/changed.h) stands below it in a line of its own.
     explicit HtmlPage(std::string title, std::string_view headline = {});
 
     // The top of the page: the answer in one sentence; `verdict` (may be empty) is a word that is green when good, else

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/markup.h"
+#include "base/text/markup.h"
 
 namespace tread {
 namespace {

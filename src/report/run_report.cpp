@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/changed.h"
+#include "base/text/changed.h"
 #include "report/cross_plot.h"
 #include "report/html.h"
 #include "report/manoeuvre_figures.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/changed.h"
+#include "base/text/changed.h"
 #include "diagnose/answer/words.h"
 #include "report/html.h"
 #include "report/series_figures.h"

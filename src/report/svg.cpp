@@ -9,7 +9,7 @@
 #include <limits>
 #include <span>
 
-#include "base/markup.h"
+#include "base/text/markup.h"
 #include "report/decimate.h"
 #include "report/text.h"
 #include "report/ticks.h"

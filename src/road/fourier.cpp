@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "base/elementary.h"
+#include "base/math/elementary.h"
 
 namespace tread {
 namespace {

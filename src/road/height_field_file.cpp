@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/number_text.h"
-#include "base/text_file.h"
-#include "base/trimmed.h"
+#include "base/text/number_text.h"
+#include "base/text/text_file.h"
+#include "base/text/trimmed.h"
 
 namespace tread {
 namespace {

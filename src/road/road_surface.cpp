@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/elementary.h"
+#include "base/math/elementary.h"
 #include "road/fade.h"
 #include "road/obstacle.h"
 #include "road/plane.h"

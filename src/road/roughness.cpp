@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/elementary.h"
-#include "base/power.h"
-#include "base/random.h"
+#include "base/math/elementary.h"
+#include "base/math/power.h"
+#include "base/math/random.h"
 #include "road/fade.h"
 #include "road/fourier.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/elementary.h"
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
+#include "base/math/elementary.h"
 #include "run/simulate.h"
 
 namespace tread {

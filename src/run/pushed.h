@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "base/turn.h"
+#include "base/math/turn.h"
 #include "run/push.h"
 #include "run/sensors.h"
 

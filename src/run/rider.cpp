@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "base/turn.h"
+#include "base/math/turn.h"
 #include "run/convoy.h"
 
 namespace tread {

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <set>
 
-#include "base/did_you_mean.h"
-#include "base/elementary.h"
-#include "base/number_text.h"
-#include "base/turn.h"
+#include "base/math/elementary.h"
+#include "base/math/turn.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
 #include "vehicle/vectors.h"
 
 namespace tread {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "scenario/sensor.h"
 #include "tread/vehicle.h"
 

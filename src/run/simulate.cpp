@@ -6,10 +6,10 @@
 #include <cmath>
 #include <memory>
 
-#include "base/elementary.h"
-#include "base/numbers.h"
-#include "base/pattern.h"
-#include "base/turn.h"
+#include "base/fields/numbers.h"
+#include "base/math/elementary.h"
+#include "base/math/turn.h"
+#include "base/text/pattern.h"
 #include "host/settled.h"
 #include "run/health.h"
 #include "run/pushed.h"

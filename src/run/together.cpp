@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "base/parallel.h"
+#include "base/threads/parallel.h"
 #include "run/convoy.h"
 
 namespace tread {

@@ -10,7 +10,7 @@
 
 namespace tread {
 
-// inParallel (base/parallel.h) for work that simulates.
+// inParallel (base/threads/parallel.h) for work that simulates.
 void drivenTogether(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
 
 // On this thread: calls doNext() until it returns false, up to `most` calls at once. It must not throw.

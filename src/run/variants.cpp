@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 
 namespace tread {
 namespace {

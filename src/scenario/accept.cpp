@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "base/number_text.h"
-#include "base/read_yaml.h"
-#include "base/reference_table.h"
-#include "base/schema.h"
-#include "base/write_yaml.h"
+#include "base/fields/reference_table.h"
+#include "base/text/number_text.h"
+#include "base/yaml/read.h"
+#include "base/yaml/schema.h"
+#include "base/yaml/write.h"
 #include "scenario/condition.h"
 
 namespace tread {

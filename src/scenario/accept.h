@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/visitors.h"
+#include "base/fields/visitors.h"
 #include "tread/describe.h"
 
 namespace tread {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "base/number_text.h"
-#include "base/trimmed.h"
-#include "base/units.h"
+#include "base/text/number_text.h"
+#include "base/text/trimmed.h"
+#include "base/units/units.h"
 #include "tread/describe.h"
 
 namespace tread {

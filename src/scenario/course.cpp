@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/elementary.h"
+#include "base/math/elementary.h"
 
 namespace tread {
 namespace {

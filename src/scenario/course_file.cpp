@@ -5,14 +5,14 @@
 #include <cmath>
 #include <optional>
 
-#include "base/concat.h"
-#include "base/did_you_mean.h"
-#include "base/elementary.h"
-#include "base/number_text.h"
-#include "base/text_file.h"
-#include "base/trimmed.h"
-#include "base/units.h"
-#include "base/yaml_position.h"
+#include "base/math/elementary.h"
+#include "base/text/concat.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
+#include "base/text/text_file.h"
+#include "base/text/trimmed.h"
+#include "base/units/units.h"
+#include "base/yaml/position.h"
 #include "log/csv_header.h"
 #include "log/csv_lines.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/elementary.h"
+#include "base/math/elementary.h"
 #include "scenario/smooth_line.h"
 
 namespace tread {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/elementary.h"
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
+#include "base/math/elementary.h"
 #include "scenario/expression/parse.h"
 #include "scenario/replay.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/read_yaml.h"
+#include "base/yaml/read.h"
 #include "scenario/course_file.h"
 #include "scenario/replay.h"
 

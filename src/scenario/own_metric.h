@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/units.h"
+#include "base/units/units.h"
 #include "scenario/expression/expression_text.h"
 #include "tread/describe.h"
 

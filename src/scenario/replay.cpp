@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/did_you_mean.h"
-#include "base/number_text.h"
-#include "base/yaml_session.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
+#include "base/yaml/session.h"
 #include "log/csv.h"
 #include "scenario/run_in.h"
 

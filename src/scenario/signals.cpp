@@ -6,9 +6,9 @@
 #include <numbers>
 #include <type_traits>
 
-#include "base/elementary.h"
-#include "base/power.h"
-#include "base/random.h"
+#include "base/math/elementary.h"
+#include "base/math/power.h"
+#include "base/math/random.h"
 
 namespace tread {
 namespace {

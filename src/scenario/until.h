@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/did_you_mean.h"
+#include "base/text/did_you_mean.h"
 #include "scenario/expression/expression_text.h"
 #include "tread/describe.h"
 #include "tread/vehicle_output.h"

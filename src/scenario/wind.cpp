@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "base/elementary.h"
+#include "base/math/elementary.h"
 
 namespace tread {
 namespace {

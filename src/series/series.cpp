@@ -6,10 +6,10 @@
 #include <cmath>
 #include <tuple>
 
-#include "base/did_you_mean.h"
-#include "base/number_text.h"
-#include "base/numbers.h"
-#include "base/setting.h"
+#include "base/fields/numbers.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
+#include "base/yaml/setting.h"
 #include "metrics/channels.h"
 #include "metrics/metrics.h"
 #include "run/simulate.h"

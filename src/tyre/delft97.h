@@ -10,7 +10,7 @@
 // slip, is T or Dual<T>.
 #pragma once
 
-#include "base/lanes.h"
+#include "base/math/lanes.h"
 #include "tread/tyre.h"
 #include "tyre/dual.h"
 

@@ -2,7 +2,7 @@
 // written once, also give the slopes that the implicit integrator needs. T is double or Lanes.
 #pragma once
 
-#include "base/elementary.h"
+#include "base/math/elementary.h"
 
 namespace tread {
 inline namespace TREAD_ISA {

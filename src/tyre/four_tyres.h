@@ -1,7 +1,7 @@
 // The tyres of a car's four wheels, evaluated together: the same formulas as for one, and the same bits.
 #pragma once
 
-#include "base/lanes.h"
+#include "base/math/lanes.h"
 #include "tread/tyre.h"
 
 namespace tread {

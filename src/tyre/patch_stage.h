@@ -1,6 +1,6 @@
-// One implicit stage of the contact patch: the unknowns are the patch velocities du and dv; u, v, the slip and the wheel
-// spin are affine in them. Solved by a damped Newton. T is double, or Lanes for four wheels at once: a lane that has
-// converged keeps its result while the others go on, so that it gets the bits that it would get alone.
+// One implicit stage of the contact patch: the unknowns are the patch velocities du and dv; u, v, the slip and the
+// wheel spin are affine in them. Solved by a damped Newton. T is double, or Lanes for four wheels at once: a lane that
+// has converged keeps its result while the others go on, so that it gets the bits that it would get alone.
 #pragma once
 
 #include "tyre/standstill.h"
@@ -138,7 +138,7 @@ Patch<T> solve(const Stage<T>& s, PatchVelocity<T> x) {
         const T change = magnitude(T(slip.kappa - r.slip.kappa)) + magnitude(T(slip.alpha - r.slip.alpha));
         const Mask close = change <= kSlipTolerance * (1 + magnitude(slip.kappa) + magnitude(slip.alpha));
         const Mask solved = open & close;
-        if (all(solved)) return extrapolate(r, target, slip);  // as a rule at once, and together
+        if (all(solved)) return extrapolate(r, target, slip);      // as a rule at once, and together
         if (iteration == 0) solution = extrapolate(r, x, r.slip);  // of a lane that never will be
         if (any(solved)) solution = select(solved, extrapolate(r, target, slip), solution);
         open = open & (!close);

@@ -6,9 +6,9 @@
 #include <span>
 #include <sstream>
 
-#include "base/elementary.h"
-#include "base/numbers.h"
-#include "base/text_file.h"
+#include "base/fields/numbers.h"
+#include "base/math/elementary.h"
+#include "base/text/text_file.h"
 #include "tyre/tir_map.h"
 #include "tyre/tir_text.h"
 #include "tyre/tir_units.h"

@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "base/trimmed.h"
+#include "base/text/trimmed.h"
 
 namespace tread {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "base/elementary.h"
+#include "base/math/elementary.h"
 
 namespace tread {
 

@@ -9,7 +9,7 @@
 // moment answers within the step, and is taken at its end.
 #pragma once
 
-#include "base/lag.h"
+#include "base/math/lag.h"
 #include "tread/state_parts.h"
 
 namespace tread {
@@ -24,7 +24,8 @@ struct AligningLoad {
 };
 
 // Deflection at the end of the step, rad. Exact for a moment that falls as the load says.
-[[gnu::always_inline]] inline double advance(AligningCompliance& part, double compliance, const AligningLoad& load, double dt) {
+[[gnu::always_inline]] inline double advance(AligningCompliance& part, double compliance, const AligningLoad& load,
+                                             double dt) {
     const double unresisted = load.moment + load.resistance * part.rate;
     const double change = unresisted - part.moment;
     part.moment = unresisted;

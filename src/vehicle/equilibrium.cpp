@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/turn.h"
+#include "base/math/turn.h"
 #include "vehicle/settling.h"
 #include "vehicle/tyre_load.h"
 #include "vehicle/vectors.h"

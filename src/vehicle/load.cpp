@@ -1,7 +1,7 @@
 #include "tread/load.h"
 
-#include "base/read_yaml.h"
-#include "base/write_yaml.h"
+#include "base/yaml/read.h"
+#include "base/yaml/write.h"
 
 namespace tread {
 

@@ -2,7 +2,7 @@
 
 #include "tread/vehicle.h"
 
-#include "base/elementary.h"
+#include "base/math/elementary.h"
 #include "vehicle/tyre_load.h"
 
 namespace tread {

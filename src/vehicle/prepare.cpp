@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "base/elementary.h"
+#include "base/math/elementary.h"
 #include "tread/vehicle.h"
 #include "tyre/four_tyres.h"
 #include "vehicle/tyre_load.h"

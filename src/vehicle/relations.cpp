@@ -5,8 +5,8 @@
 #include <numbers>
 #include <string>
 
-#include "base/concat.h"
-#include "base/number_text.h"
+#include "base/text/concat.h"
+#include "base/text/number_text.h"
 #include "tread/vector.h"
 
 namespace tread {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "base/implausible.h"
+#include "base/fields/implausible.h"
 #include "tread/vehicle.h"
 
 namespace tread {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "base/delay_line.h"
-#include "base/elementary.h"
-#include "base/lag.h"
+#include "base/math/delay_line.h"
+#include "base/math/elementary.h"
+#include "base/math/lag.h"
 #include "vehicle/aligning_compliance.h"
 
 namespace tread {

@@ -2,7 +2,7 @@
 // LaneSuspension (lane_cars.h), which have no curves.
 #pragma once
 
-#include "base/elementary.h"
+#include "base/math/elementary.h"
 #include "tread/suspension.h"
 
 namespace tread {

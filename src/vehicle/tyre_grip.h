@@ -1,7 +1,7 @@
 // What a tyre can hold along the road, and what it may not store beyond that.
 #pragma once
 
-#include "base/lanes.h"
+#include "base/math/lanes.h"
 #include "tread/tyre.h"
 
 namespace tread {

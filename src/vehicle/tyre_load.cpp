@@ -1,6 +1,6 @@
 #include "vehicle/tyre_load.h"
 
-#include "base/elementary.h"
+#include "base/math/elementary.h"
 
 namespace tread {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/lanes.h"
+#include "base/math/lanes.h"
 #include "tread/tyre.h"
 #include "tyre/delft97.h"
 

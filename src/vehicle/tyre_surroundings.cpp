@@ -1,6 +1,6 @@
 #include "tread/tyre_surroundings.h"
 
-#include "base/elementary.h"
+#include "base/math/elementary.h"
 #include "vehicle/tyre_conditions.h"
 
 namespace tread {

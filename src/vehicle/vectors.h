@@ -1,9 +1,9 @@
 // Vectors over the numbers with which a car is computed: Eigen's for double, and for lanes, of which each holds another
 // car, vectors with the same names and the same order of operations. Eigen's own templates are not instantiated for
-// lanes: the linker could take those of one instruction set for another (base/lanes.h).
+// lanes: the linker could take those of one instruction set for another (base/math/lanes.h).
 #pragma once
 
-#include "base/elementary.h"
+#include "base/math/elementary.h"
 #include "tread/vector.h"
 
 namespace tread {

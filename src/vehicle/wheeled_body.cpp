@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/turn.h"
+#include "base/math/turn.h"
 #include "vehicle/body.h"
 #include "vehicle/contact.h"
 #include "vehicle/strut.h"

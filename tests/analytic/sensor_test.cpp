@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "base/read_yaml.h"
+#include "base/yaml/read.h"
 #include "compare/time_shift.h"
 #include "recording/observation.h"
 #include "run/sensors.h"

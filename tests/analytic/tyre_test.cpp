@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "shared/car_205_60R15.h"
 #include "shared/transient_cases.h"
 #include "shared/transient_reference.h"

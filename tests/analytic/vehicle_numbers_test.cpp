@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "shared/equipped_car.h"
 #include "shared/vehicles.h"
 

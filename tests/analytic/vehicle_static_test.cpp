@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "shared/vehicles.h"
 
 namespace tread::vehicle_static_test {

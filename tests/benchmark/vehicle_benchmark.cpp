@@ -5,8 +5,8 @@
 #include <numeric>
 #include <vector>
 
-#include "base/keep_memory.h"
-#include "base/parallel.h"
+#include "base/threads/keep_memory.h"
+#include "base/threads/parallel.h"
 #include "run/together.h"
 #include "shared/bullet_scene.h"
 #include "shared/equipped_car.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "base/setting.h"
+#include "base/yaml/setting.h"
 #include "log/csv.h"
 #include "run/simulate.h"
 #include "run/together.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <functional>
 
-#include "base/numbers.h"
-#include "base/parallel.h"
+#include "base/fields/numbers.h"
+#include "base/threads/parallel.h"
 #include "blind/drives/measure.h"
 #include "blind/faults/drawn_case.h"
 #include "blind/other_errors.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "blind/faults/outsiders.h"
 #include "blind/key/key.h"
 #include "blind/other_truth.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
-#include "base/numbers.h"
-#include "base/pattern.h"
+#include "base/fields/numbers.h"
+#include "base/text/pattern.h"
 #include "blind/world/draws.h"
 #include "recording/instruments.h"
 #include "recording/subject.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "recording/subject.h"
 
 namespace other_car {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "base/parallel.h"
+#include "base/threads/parallel.h"
 #include "blind/drives/measure.h"
 #include "blind/other_measure.h"
 #include "run/simulate.h"

@@ -1,7 +1,7 @@
 // Outsiders in the other car.
 #pragma once
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "blind/faults/outsiders.h"
 #include "blind/other_truth.h"
 #include "recording/subject.h"

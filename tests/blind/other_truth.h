@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "diagnose/catalogue/effect.h"
 #include "log/log.h"
 #include "recording/instruments.h"

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "base/number_text.h"
+#include "base/text/number_text.h"
 #include "cli/killed.h"
 #include "cli/tread_run.h"
 #include "log/csv.h"

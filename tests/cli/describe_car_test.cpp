@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "base/concat.h"
-#include "base/markup.h"
+#include "base/text/concat.h"
+#include "base/text/markup.h"
 #include "cli/program.h"
 #include "report/text.h"
 #include "shared/scratch.h"

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "base/concat.h"
-#include "base/reference_table.h"
+#include "base/fields/reference_table.h"
+#include "base/text/concat.h"
 #include "cli/program.h"
 #include "compare/tolerances.h"
 #include "diagnose/catalogue/effect.h"

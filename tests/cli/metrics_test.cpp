@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/did_you_mean.h"
+#include "base/text/did_you_mean.h"
 #include "cli/logs.h"
 #include "cli/program.h"
 #include "metrics/metrics.h"

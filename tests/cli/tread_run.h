@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "base/did_you_mean.h"
+#include "base/text/did_you_mean.h"
 #include "cli/program.h"
 #include "metrics/metrics.h"
 #include "places/places.h"

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "cli/program.h"
 #include "cli/tyre_table.h"
 #include "shared/delft97_reference.h"

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "base/read_yaml.h"
+#include "base/yaml/read.h"
 #include "fuzz/demand.h"
 #include "import/import.h"
 

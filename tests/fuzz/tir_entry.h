@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "fuzz/demand.h"
 #include "tread/problem.h"
 #include "tyre/tir_file.h"

@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include "base/read_yaml.h"
-#include "base/write_yaml.h"
+#include "base/yaml/read.h"
+#include "base/yaml/write.h"
 #include "fuzz/demand.h"
 #include "tread/tyre.h"
 #include "tread/wheels.h"

@@ -93,9 +93,9 @@ Log run(const std::string& name, const VehicleParams& car) {
 }
 
 Comparison compareToGolden(const std::string& name, const Log& log) {
-    // What the rounding of a formula that is written in another way may change: locked wheels blow up the sixteenth digit
-    // to 2e-7 of a force's peak and 1e-8 rad/s of a yaw rate that should be none. Another compiler or processor changes
-    // nothing (tests/bits).
+    // What the rounding of a formula that is written in another way may change: locked wheels blow up the sixteenth
+    // digit to 2e-7 of a force's peak and 1e-8 rad/s of a yaw rate that should be none. Another compiler or processor
+    // changes nothing (tests/bits).
     constexpr double kRelative = 1e-5;
     constexpr double kAbsolute = 1e-6;       // of any unit
     constexpr double kAbsoluteForce = 1e-2;  // N and N m

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "blind/drives/measure.h"
 #include "blind/world/instruments.h"
 #include "diagnose/answer/diagnosis.h"

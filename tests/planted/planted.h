@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "diagnose/answer/diagnosis.h"
 #include "places/places.h"
 #include "recording/diagnosis_file.h"

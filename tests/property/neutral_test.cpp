@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
-#include "base/number_text.h"
-#include "base/numbers.h"
-#include "base/setting.h"
+#include "base/fields/numbers.h"
+#include "base/text/number_text.h"
+#include "base/yaml/setting.h"
 #include "shared/vehicles.h"
 
 namespace tread::neutral_test {

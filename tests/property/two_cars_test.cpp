@@ -112,8 +112,9 @@ TEST(TwoCars, MeetTheRoadAlike) {
         const WheelPose pose{.displacement_B = {0, 0, game.compression}, .camber = s.camber, .steer = s.end.steer};
         const WheelContact contact = wheelContact(body, s.corner, pose, s.road, 0);
         const double load = tyreLoad(s.corner, contact, body, game.strut_rate).load;
-        const TyreMotion motion = tyreMotion(contact, body, Vector3(0, 0, 0), 0.0, (s.end.steer - s.begin.steer) / kStep,
-                                             grippingLoad(s.corner.tyre, game.load));
+        const TyreMotion motion =
+            tyreMotion(contact, body, Vector3(0, 0, 0), 0.0, (s.end.steer - s.begin.steer) / kStep,
+                       grippingLoad(s.corner.tyre, game.load));
 
         const auto& [x, y, z] = game.contact_B;
         EXPECT_LT((contact.point_B - Vector3(x, y, z)).norm(), kRounding);

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "places/places.h"
 #include "tread/tyre.h"
 

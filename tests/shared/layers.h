@@ -23,6 +23,7 @@ inline const std::vector<std::string> kOrder{"base",      "inference", "road",  
 // Inside of a layer, a file may include from its own room and from those to its left. A room is a folder; "" is the
 // layer's own, but for the files that kGroundFloor names.
 inline const std::map<std::string, std::vector<std::string>> kRooms{
+    {"base", {"", "math", "threads", "text", "units", "fields", "yaml"}},
     {"fmu", {"", "object", "package"}},
     {"bullet", {"", "ground", "drop_in"}},
     {"import", {"formats", ""}},

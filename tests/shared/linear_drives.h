@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "diagnose/model/remainder.h"
 #include "diagnose/select/search.h"
 

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "base/read_yaml.h"
+#include "base/yaml/read.h"
 #include "places/places.h"
 #include "run/simulate.h"
 #include "shared/bullet_scene.h"

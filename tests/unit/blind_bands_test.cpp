@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "tread/problem.h"
 
 namespace tread::blind_bands_test {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "blind/detectability/detectability.h"
 #include "blind/world/reading_noise.h"
 

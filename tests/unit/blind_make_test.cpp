@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "blind/detectability/detectable_effects.h"
 #include "blind/faults/outsiders.h"
 #include "blind/make/make_cases.h"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "blind/score/bands.h"
 #include "blind/score/claims.h"
 #include "blind/score/score.h"

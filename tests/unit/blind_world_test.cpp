@@ -6,8 +6,8 @@
 #include <map>
 #include <numbers>
 
-#include "base/numbers.h"
-#include "base/pattern.h"
+#include "base/fields/numbers.h"
+#include "base/text/pattern.h"
 #include "blind/world/draws.h"
 #include "blind/world/errors.h"
 #include "blind/world/instruments.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "inference/laplace.h"
 
 namespace tread::bounded_step_test {

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "base/random.h"
-#include "base/read_yaml.h"
+#include "base/math/random.h"
+#include "base/yaml/read.h"
 #include "shared/bullet_scene.h"
 #include "tread/road_surface.h"
 

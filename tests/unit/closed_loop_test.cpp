@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "base/read_yaml.h"
+#include "base/yaml/read.h"
 #include "scenario/driver.h"
 
 namespace tread::closed_loop_test {

@@ -1,5 +1,5 @@
 #include "compare/compare.h"
-#include "base/pattern.h"
+#include "base/text/pattern.h"
 
 #include <gtest/gtest.h>
 

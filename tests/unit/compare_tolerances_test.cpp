@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "base/read_yaml.h"
-#include "base/write_yaml.h"
+#include "base/yaml/read.h"
+#include "base/yaml/write.h"
 #include "compare/tolerances.h"
 
 namespace tread::compare_tolerances_test {

@@ -1,4 +1,4 @@
-#include "base/delay_line.h"
+#include "base/math/delay_line.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "shared/described_samples.h"
 #include "tread/curve.h"
 #include "tread/wheels.h"

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "diagnose/catalogue/effect.h"
 #include "diagnose/model/parameter.h"
 #include "diagnose/model/similarity.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "recording/checks/data_checks.h"
 #include "recording/diagnosis_file.h"
 #include "recording/subject.h"

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "shared/linear_drives.h"
 
 namespace tread::diagnose_force_law_test {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "diagnose/settings.h"
 
 namespace tread::diagnose_held_out_test {

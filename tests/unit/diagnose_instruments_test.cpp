@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/numbers.h"
-#include "base/random.h"
+#include "base/fields/numbers.h"
+#include "base/math/random.h"
 #include "diagnose/catalogue/catalogue.h"
 #include "diagnose/catalogue/effects_to_consider.h"
 #include "diagnose/diagnose.h"

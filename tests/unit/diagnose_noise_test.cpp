@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "base/random.h"
+#include "base/math/random.h"
 
 namespace tread::diagnose_noise_test {
 namespace {

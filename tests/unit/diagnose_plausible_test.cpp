@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "diagnose/catalogue/effect.h"
 #include "diagnose/catalogue/plausible.h"
 #include "diagnose/model/imperfection.h"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "diagnose/model/problem.h"
 #include "diagnose/select/calibration.h"
 #include "diagnose/select/search.h"

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "diagnose/select/doubt.h"
 #include "diagnose/select/left_out.h"
 #include "shared/linear_drives.h"

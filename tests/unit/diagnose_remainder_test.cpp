@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "diagnose/select/calibration.h"
 #include "shared/linear_drives.h"
 #include "shared/most_probable_sizes.h"

@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "recording/checks/rigid_body.h"
 #include "recording/checks/windows.h"
 #include "recording/position.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "diagnose/model/disturbance.h"
 #include "diagnose/model/noise.h"
 #include "diagnose/model/uncertainty.h"

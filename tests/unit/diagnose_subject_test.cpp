@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "recording/subject.h"
 
 namespace tread::diagnose_subject_test {

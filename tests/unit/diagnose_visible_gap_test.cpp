@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "shared/linear_drives.h"
 
 namespace tread::diagnose_visible_gap_test {

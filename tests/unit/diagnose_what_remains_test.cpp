@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "diagnose/settings.h"
 #include "shared/linear_drives.h"
 

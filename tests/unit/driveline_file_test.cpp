@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "base/read_yaml.h"
-#include "base/write_yaml.h"
+#include "base/yaml/read.h"
+#include "base/yaml/write.h"
 #include "tread/brakes.h"
 #include "tread/driveline.h"
 

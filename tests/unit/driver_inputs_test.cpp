@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/random.h"
+#include "base/math/random.h"
 
 namespace tread::driver_inputs_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/read_yaml.h"
+#include "base/yaml/read.h"
 #include "scenario/load.h"
 
 namespace tread::driver_test {

@@ -1,5 +1,5 @@
 // The elementary functions of a run against those of the C library in long double.
-#include "base/elementary.h"
+#include "base/math/elementary.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <numbers>
 #include <random>
 
-#include "base/power.h"
+#include "base/math/power.h"
 
 namespace tread::elementary_test {
 namespace {

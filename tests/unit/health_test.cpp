@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "run/simulate.h"
 
 namespace tread::health_test {

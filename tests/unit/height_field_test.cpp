@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "base/read_yaml.h"
+#include "base/yaml/read.h"
 #include "shared/scratch.h"
 #include "tread/road_params.h"
 

@@ -1,11 +1,11 @@
-#include "base/implausible.h"
+#include "base/fields/implausible.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "base/slip.h"
+#include "base/units/slip.h"
 #include "places/places.h"
 #include "scenario/scenario.h"
 #include "tread/load.h"

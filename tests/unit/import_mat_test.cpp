@@ -8,7 +8,7 @@
 #include <iterator>
 #include <numeric>
 
-#include "base/read_yaml.h"
+#include "base/yaml/read.h"
 #include "import/import.h"
 #include "log/csv.h"
 #include "shared/foreign_logs.h"

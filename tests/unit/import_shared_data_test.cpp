@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "base/read_yaml.h"
+#include "base/yaml/read.h"
 #include "import/import.h"
 #include "places/places.h"
 #include "recording/checks/rigid_body.h"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "base/read_yaml.h"
+#include "base/yaml/read.h"
 #include "shared/foreign_logs.h"
 #include "shared/import_problems.h"
 

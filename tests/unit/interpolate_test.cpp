@@ -1,8 +1,8 @@
-#include "base/interpolate.h"
+#include "base/math/interpolate.h"
 
 #include <gtest/gtest.h>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "tread/vehicle_output.h"
 
 namespace tread::interpolate_test {

@@ -1,4 +1,4 @@
-#include "base/lag.h"
+#include "base/math/lag.h"
 
 #include <gtest/gtest.h>
 

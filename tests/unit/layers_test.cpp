@@ -69,7 +69,7 @@ TEST(Layers, FindForeignLibraries) {
 }
 
 TEST(Layers, InferenceKnowsNoCarAndNoFile) {
-    EXPECT_EQ(faults("src/inference/a.cpp", "#include \"base/median.h\"\n#include <Eigen/Dense>\n"), "");
+    EXPECT_EQ(faults("src/inference/a.cpp", "#include \"base/math/median.h\"\n#include <Eigen/Dense>\n"), "");
     EXPECT_NE(faults("src/inference/a.cpp", "#include \"log/log.h\""), "");
     EXPECT_NE(faults("src/inference/a.cpp", "#include \"tread/vehicle.h\""), "");
     EXPECT_NE(faults("src/inference/a.cpp", "#include \"recording/recorded_drive.h\""), "");
@@ -154,11 +154,11 @@ TEST(Layers, FindPrivateAndVectorCodeInPublicHeaders) {
     EXPECT_NE(faults("include/tread/tyre.h", "#include <immintrin.h>"), "");
     EXPECT_NE(faults("include/tread/tyre.h", "typedef double V __attribute__((vector_size(32)));"), "");
     EXPECT_NE(faults("include/tread/vehicle.h", "    BasicTyreScaling<Lanes> lambda;"), "");
-    EXPECT_EQ(faults("src/base/lanes.h", "typedef double V __attribute__((vector_size(32)));"), "");
+    EXPECT_EQ(faults("src/base/math/lanes.h", "typedef double V __attribute__((vector_size(32)));"), "");
 }
 
 TEST(Layers, FindSourcesThatAreIncludedAndFilesWithoutLayer) {
-    EXPECT_NE(faults("tests/unit/a_test.cpp", "#include \"base/units.cpp\""), "");
+    EXPECT_NE(faults("tests/unit/a_test.cpp", "#include \"base/units/units.cpp\""), "");
     EXPECT_NE(faults("tools/tread/main.cpp", "#include \"run.cpp\""), "");
     EXPECT_NE(faults("src/common/a.h", ""), "");
     EXPECT_NE(faults("include/tread/surprise.h", ""), "");

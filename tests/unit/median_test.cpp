@@ -1,4 +1,4 @@
-#include "base/median.h"
+#include "base/math/median.h"
 
 #include <gtest/gtest.h>
 

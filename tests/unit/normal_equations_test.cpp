@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "inference/normal_equations.h"
 #include "shared/linear_model.h"
 

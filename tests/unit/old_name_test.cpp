@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "base/read_yaml.h"
-#include "base/setting.h"
-#include "base/write_yaml.h"
+#include "base/yaml/read.h"
+#include "base/yaml/setting.h"
+#include "base/yaml/write.h"
 #include "places/places.h"
 #include "shared/scratch.h"
 #include "tread/load.h"

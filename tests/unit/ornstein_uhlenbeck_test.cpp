@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "shared/linear_model.h"
 
 namespace tread::ornstein_uhlenbeck_test {

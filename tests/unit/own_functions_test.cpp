@@ -1,5 +1,5 @@
-// What computes a run takes elementary functions from base/elementary.h and base/power.h, and sums in an order of its
-// own: those of the C library and the vectorised products of Eigen differ between machines.
+// What computes a run takes elementary functions from base/math/elementary.h and base/math/power.h, and sums in an
+// order of its own: those of the C library and the vectorised products of Eigen differ between machines.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 const std::array<std::string, 8> kFolders{"base", "road", "tyre", "vehicle", "host", "bullet", "scenario", "run"};
 
 // Files that only judge numbers of a file or put them into words.
-const std::array<std::string, 3> kExceptions{"src/base/implausible.cpp", "src/base/slip.cpp",
+const std::array<std::string, 3> kExceptions{"src/base/fields/implausible.cpp", "src/base/units/slip.cpp",
                                              "src/vehicle/relations.cpp"};
 
 // Functions of the C library that are not exact; distributions, which each library has of its own; turns and inverses
@@ -42,9 +42,10 @@ TEST(OwnFunctions, AreUsedByAllThatComputesRuns) {
         std::smatch found;
         if (!std::regex_search(file.text, found, kForeign)) continue;
         const auto line = 1 + std::count(file.text.begin(), found[0].first, '\n');
-        ADD_FAILURE() << file.name.string() << ':' << line << ": found " << found.str()
-                      << ", which differs between machines; use base/elementary.h, base/power.h, base/turn.h or "
-                         "vehicle/vectors.h";
+        ADD_FAILURE()
+            << file.name.string() << ':' << line << ": found " << found.str()
+            << ", which differs between machines; use base/math/elementary.h, base/math/power.h, base/math/turn.h or "
+               "vehicle/vectors.h";
     }
 }
 

@@ -1,17 +1,17 @@
 // Numbers that describe no car are refused, whatever number it is; what is taken drives, or the simulation says why
 // not.
-#include "base/possible.h"
+#include "base/fields/possible.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdlib>
 
-#include "base/byte_limit.h"
-#include "base/numbers.h"
-#include "base/read_yaml.h"
-#include "base/schema.h"
-#include "base/setting.h"
+#include "base/fields/numbers.h"
+#include "base/text/byte_limit.h"
+#include "base/yaml/read.h"
+#include "base/yaml/schema.h"
+#include "base/yaml/setting.h"
 #include "run/simulate.h"
 #include "shared/equipped_car.h"
 #include "shared/vehicles.h"

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "base/read_yaml.h"
+#include "base/yaml/read.h"
 #include "compare/compare.h"
 #include "import/import.h"
 #include "log/csv.h"

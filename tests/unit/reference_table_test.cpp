@@ -1,4 +1,4 @@
-#include "base/reference_table.h"
+#include "base/fields/reference_table.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "tread/tyre.h"
 #include "tread/wheels.h"
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "base/read_yaml.h"
-#include "base/write_yaml.h"
+#include "base/yaml/read.h"
+#include "base/yaml/write.h"
 #include "road/plane.h"
 
 namespace tread::road_surface_test {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/read_yaml.h"
+#include "base/yaml/read.h"
 #include "log/csv.h"
 #include "scenario/driver.h"
 #include "scenario/load.h"

@@ -1,4 +1,4 @@
-#include "base/schema.h"
+#include "base/yaml/schema.h"
 
 #include <gtest/gtest.h>
 #include <regex.h>
@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
-#include "base/quantity_pattern.h"
-#include "base/units.h"
+#include "base/units/quantity_pattern.h"
+#include "base/units/units.h"
 #include "tread/tyre.h"
 #include "tread/wheels.h"
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "base/read_yaml.h"
+#include "base/yaml/read.h"
 #include "metrics/metrics.h"
 #include "run/simulate.h"
 #include "shared/scratch.h"

@@ -1,4 +1,4 @@
-#include "base/setting.h"
+#include "base/yaml/setting.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-#include "base/reference_table.h"
+#include "base/fields/reference_table.h"
 #include "metrics/metrics.h"
 #include "run/simulate.h"
 #include "scenario/load.h"

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/numbers.h"
-#include "base/units.h"
+#include "base/fields/numbers.h"
+#include "base/units/units.h"
 #include "shared/vehicle_run.h"
 
 namespace tread::speed_follower_test {

@@ -8,7 +8,7 @@
 #include <random>
 #include <sstream>
 
-#include "base/markup.h"
+#include "base/text/markup.h"
 #include "report/decimate.h"
 #include "report/text.h"
 #include "report/ticks.h"

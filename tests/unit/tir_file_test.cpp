@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "shared/delft97_reference.h"
 #include "shared/near.h"
 #include "shared/scratch.h"

@@ -1,4 +1,4 @@
-#include "base/units.h"
+#include "base/units/units.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "tread/tyre.h"
 
 namespace tread::units_test {

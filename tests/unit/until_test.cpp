@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/read_yaml.h"
+#include "base/yaml/read.h"
 #include "scenario/driver.h"
 
 namespace tread::until_test {

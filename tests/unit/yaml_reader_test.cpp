@@ -1,4 +1,4 @@
-#include "base/read_yaml.h"
+#include "base/yaml/read.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "base/concat.h"
+#include "base/text/concat.h"
 #include "places/places.h"
 #include "shared/described_samples.h"
 #include "shared/scratch.h"

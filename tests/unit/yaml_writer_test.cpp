@@ -1,4 +1,4 @@
-#include "base/write_yaml.h"
+#include "base/yaml/write.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@
 #include <variant>
 #include <vector>
 
-#include "base/number_text.h"
-#include "base/numbers.h"
-#include "base/read_yaml.h"
+#include "base/fields/numbers.h"
+#include "base/text/number_text.h"
+#include "base/yaml/read.h"
 #include "places/places.h"
 #include "tread/tyre.h"
 #include "tread/wheels.h"

@@ -1,6 +1,6 @@
 #include "script.h"
 
-#include "base/read_yaml.h"
+#include "base/yaml/read.h"
 
 namespace tread::demo {
 

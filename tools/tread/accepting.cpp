@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "base/did_you_mean.h"
-#include "base/field_path.h"
-#include "base/number_text.h"
-#include "base/read_yaml.h"
-#include "base/yaml_position.h"
+#include "base/fields/field_path.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
+#include "base/yaml/position.h"
+#include "base/yaml/read.h"
 #include "metrics/metrics.h"
 #include "own_metrics.h"
 #include "series/series.h"

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "base/number_text.h"
-#include "base/write_yaml.h"
+#include "base/text/number_text.h"
+#include "base/yaml/write.h"
 #include "campaign/result.h"
 #include "campaign/work.h"
 #include "campaign_begin.h"

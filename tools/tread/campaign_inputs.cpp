@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "accepting.h"
-#include "base/number_text.h"
-#include "base/read_yaml.h"
-#include "base/setting.h"
-#include "base/yaml_position.h"
+#include "base/text/number_text.h"
+#include "base/yaml/position.h"
+#include "base/yaml/read.h"
+#include "base/yaml/setting.h"
 #include "blind/key/program_hash.h"
 #include "campaign/correlated.h"
 #include "campaign/folder.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "base/number_text.h"
+#include "base/text/number_text.h"
 #include "campaign/database.h"
 #include "campaign_begin.h"
 #include "campaign_figures.h"

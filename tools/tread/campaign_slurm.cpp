@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "base/number_text.h"
-#include "base/trimmed.h"
+#include "base/text/number_text.h"
+#include "base/text/trimmed.h"
 #include "campaign.h"
 #include "campaign/folder.h"
 #include "campaign_begin.h"

@@ -6,12 +6,12 @@
 #include <set>
 #include <tuple>
 
-#include "base/did_you_mean.h"
-#include "base/number_text.h"
-#include "base/problem_texts.h"
-#include "base/text_file.h"
-#include "base/yaml_document.h"
-#include "base/yaml_session.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
+#include "base/text/problem_texts.h"
+#include "base/text/text_file.h"
+#include "base/yaml/document.h"
+#include "base/yaml/session.h"
 #include "commands.h"
 #include "describable.h"
 #include "kind_of_file.h"

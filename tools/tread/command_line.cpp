@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/number_text.h"
+#include "base/text/number_text.h"
 #include "campaign.h"
 #include "command_guide.h"
 #include "commands.h"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "base/read_yaml.h"
+#include "base/yaml/read.h"
 #include "commands.h"
 #include "compare_folders.h"
 #include "judge.h"

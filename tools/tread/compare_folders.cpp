@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "base/read_yaml.h"
-#include "base/text_file.h"
-#include "base/yaml_position.h"
+#include "base/text/text_file.h"
+#include "base/yaml/position.h"
+#include "base/yaml/read.h"
 #include "log/csv.h"
 #include "output.h"
 #include "output_folder.h"

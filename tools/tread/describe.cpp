@@ -7,9 +7,9 @@
 #include <regex>
 #include <span>
 
-#include "base/did_you_mean.h"
-#include "base/field_path.h"
-#include "base/number_text.h"
+#include "base/fields/field_path.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
 #include "commands.h"
 #include "describable.h"
 #include "describe_car.h"

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "base/setting.h"
+#include "base/yaml/setting.h"
 #include "kind_of_file.h"
 #include "output.h"
 #include "plausibility.h"

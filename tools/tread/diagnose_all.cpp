@@ -7,7 +7,7 @@
 #include <cmath>
 #include <thread>
 
-#include "base/number_text.h"
+#include "base/text/number_text.h"
 #include "campaign/row.h"
 #include "diagnose/answer/parts.h"
 #include "diagnose/answer/words.h"

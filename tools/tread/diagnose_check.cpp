@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "base/number_text.h"
-#include "base/yaml_position.h"
-#include "base/yaml_session.h"
+#include "base/text/number_text.h"
+#include "base/yaml/position.h"
+#include "base/yaml/session.h"
 #include "diagnose/answer/diagnosis_json.h"
 #include "diagnose/answer/precheck.h"
 #include "diagnose/catalogue/effect.h"

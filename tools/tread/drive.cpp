@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "answer.h"
-#include "base/write_yaml.h"
+#include "base/yaml/write.h"
 #include "log/csv.h"
 #include "metrics/metrics.h"
 #include "metrics/own/own_metrics.h"

@@ -1,7 +1,7 @@
 // A car as an FMU for co-simulation.
 #include <fmt/format.h>
 
-#include "base/text_file.h"
+#include "base/text/text_file.h"
 #include "commands.h"
 #include "fmu/package/archive.h"
 #include "host/parameters.h"

@@ -1,4 +1,4 @@
-#include "base/yaml_session.h"
+#include "base/yaml/session.h"
 #include "calibrate/identification.h"
 #include "calibrate/identification_text.h"
 #include "commands.h"

@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "base/read_yaml.h"
-#include "base/write_yaml.h"
-#include "base/yaml_position.h"
+#include "base/yaml/position.h"
+#include "base/yaml/read.h"
+#include "base/yaml/write.h"
 #include "commands.h"
 #include "import/essentials.h"
 #include "kind_of_file.h"

@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/did_you_mean.h"
-#include "base/number_text.h"
-#include "base/read_yaml.h"
-#include "base/yaml_position.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
+#include "base/yaml/position.h"
+#include "base/yaml/read.h"
 #include "compare/cross_plots.h"
 #include "compare/score.h"
 #include "log/csv.h"

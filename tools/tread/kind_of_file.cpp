@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "base/did_you_mean.h"
-#include "base/number_text.h"
-#include "base/text_file.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
+#include "base/text/text_file.h"
 
 namespace tread::program {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/yaml_document.h"
+#include "base/yaml/document.h"
 #include "describable.h"
 
 namespace tread::program {

@@ -1,4 +1,4 @@
-#include "base/number_text.h"
+#include "base/text/number_text.h"
 #include "campaign.h"
 #include "log/csv.h"
 #include "log/mcap_write.h"

@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "base/did_you_mean.h"
-#include "base/keep_memory.h"
-#include "base/number_text.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
+#include "base/threads/keep_memory.h"
 #include "command_line.h"
 #include "commands.h"
 #include "output.h"

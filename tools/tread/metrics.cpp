@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "accepting.h"
-#include "base/yaml_session.h"
+#include "base/yaml/session.h"
 #include "commands.h"
 #include "describable.h"
 #include "kind_of_file.h"

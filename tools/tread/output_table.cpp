@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "base/concat.h"
-#include "base/number_text.h"
+#include "base/text/concat.h"
+#include "base/text/number_text.h"
 
 namespace tread::program {
 

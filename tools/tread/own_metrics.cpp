@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "base/read_yaml.h"
-#include "base/yaml_position.h"
+#include "base/yaml/position.h"
+#include "base/yaml/read.h"
 #include "log/log_columns.h"
 #include "metrics/metrics.h"
 #include "run/simulate.h"

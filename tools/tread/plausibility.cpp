@@ -5,10 +5,10 @@
 #include <set>
 #include <tuple>
 
-#include "base/field_path.h"
-#include "base/implausible.h"
-#include "base/trimmed.h"
-#include "base/yaml_position.h"
+#include "base/fields/field_path.h"
+#include "base/fields/implausible.h"
+#include "base/text/trimmed.h"
+#include "base/yaml/position.h"
 #include "terminal.h"
 #include "vehicle/relations.h"
 

@@ -8,7 +8,7 @@
 
 #include "accepting.h"
 #include "answer.h"
-#include "base/number_text.h"
+#include "base/text/number_text.h"
 #include "drive.h"
 #include "kind_of_file.h"
 #include "log/csv.h"

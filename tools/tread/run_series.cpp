@@ -7,8 +7,8 @@
 
 #include "accepting.h"
 #include "answer.h"
-#include "base/number_text.h"
-#include "base/write_yaml.h"
+#include "base/text/number_text.h"
+#include "base/yaml/write.h"
 #include "metrics/metrics.h"
 #include "output.h"
 #include "plausibility.h"

@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include "base/number_text.h"
+#include "base/text/number_text.h"
 #include "drive.h"
 #include "refuse.h"
 

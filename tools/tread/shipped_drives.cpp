@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "base/setting.h"
+#include "base/yaml/setting.h"
 #include "commands.h"
 #include "diagnose/options.h"
 #include "scenario/load.h"

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/number_text.h"
-#include "base/setting.h"
+#include "base/text/number_text.h"
+#include "base/yaml/setting.h"
 #include "commands.h"
 #include "kind_of_file.h"
 #include "output.h"

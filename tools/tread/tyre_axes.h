@@ -16,7 +16,7 @@
 #include <array>
 #include <string_view>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "tread/tyre.h"
 #include "tyre_table.h"
 

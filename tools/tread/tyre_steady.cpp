@@ -1,6 +1,6 @@
 #include "tyre_steady.h"
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "output_table.h"
 #include "tyre_table.h"
 

@@ -7,10 +7,10 @@
 #include <system_error>
 #include <utility>
 
-#include "base/concat.h"
-#include "base/did_you_mean.h"
-#include "base/number_text.h"
-#include "base/text_file.h"
+#include "base/text/concat.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
+#include "base/text/text_file.h"
 #include "log/csv_header.h"
 #include "log/csv_lines.h"
 #include "tread/problem.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/units.h"
+#include "base/units/units.h"
 #include "commands.h"
 #include "tread/describe.h"
 

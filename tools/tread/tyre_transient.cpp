@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "base/concat.h"
-#include "base/number_text.h"
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
+#include "base/text/concat.h"
+#include "base/text/number_text.h"
 #include "output_table.h"
 #include "tread/problem.h"
 #include "tyre_table.h"

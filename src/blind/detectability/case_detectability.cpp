@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/parallel.h"
+#include "base/threads/parallel.h"
 #include "blind/detectability/drive_replay.h"
 #include "blind/detectability/noise_and_pushes.h"
 #include "diagnose/catalogue/effect.h"

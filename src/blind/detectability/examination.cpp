@@ -5,8 +5,8 @@
 #include <functional>
 #include <optional>
 
-#include "base/numbers.h"
-#include "base/parallel.h"
+#include "base/fields/numbers.h"
+#include "base/threads/parallel.h"
 #include "blind/detectability/drive_replay.h"
 #include "diagnose/catalogue/effect.h"
 #include "recording/subject.h"

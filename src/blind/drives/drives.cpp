@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "base/enum_named.h"
+#include "base/text/enum_named.h"
 
 namespace tread::blind::drives {
 namespace {

@@ -1,6 +1,6 @@
 #include "blind/key/key.h"
 
-#include "base/enum_named.h"
+#include "base/text/enum_named.h"
 #include "store/described_json.h"
 #include "tread/problem.h"
 

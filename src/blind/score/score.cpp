@@ -7,7 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "base/median.h"
+#include "base/math/median.h"
 #include "tread/problem.h"
 
 namespace tread::blind::score {

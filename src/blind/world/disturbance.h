@@ -1,7 +1,7 @@
 // Unmeasured forces of an uneven road and moving air in World::assumed, as the diagnosis assumes them.
 #pragma once
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "run/push.h"
 
 namespace tread::blind::world {

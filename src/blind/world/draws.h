@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "base/random.h"
+#include "base/math/random.h"
 
 namespace tread::blind::world {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "recording/subject.h"
 
 namespace tread::blind::world {

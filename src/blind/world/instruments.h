@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "blind/world/reading_noise.h"
 #include "log/log.h"
 #include "recording/instruments.h"

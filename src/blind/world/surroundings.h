@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "run/push.h"
 #include "tread/vehicle.h"
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <string_view>
 
-#include "base/enum_named.h"
+#include "base/text/enum_named.h"
 #include "blind/world/draws.h"
 #include "blind/world/instruments.h"
 #include "diagnose/model/parameter.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/crew.h"
+#include "base/threads/crew.h"
 #include "bullet/drop_in/raycast_parts.h"
 
 namespace tread {

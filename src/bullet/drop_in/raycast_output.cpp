@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/elementary.h"
+#include "base/math/elementary.h"
 #include "bullet/convert.h"
 #include "bullet/drop_in/raycast_parts.h"
 #include "vehicle/tyre_load.h"

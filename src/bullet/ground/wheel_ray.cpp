@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "base/elementary.h"
+#include "base/math/elementary.h"
 #include "bullet/convert.h"
 #include "bullet/ground/ground_search.h"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/number_text.h"
+#include "base/text/number_text.h"
 #include "recording/subject_paths.h"
 #include "tread/load.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "recording/subject.h"
 
 namespace tread::diagnose::catalogue {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "base/did_you_mean.h"
-#include "base/number_text.h"
-#include "base/pattern.h"
-#include "base/yaml_session.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
+#include "base/text/pattern.h"
+#include "base/yaml/session.h"
 #include "diagnose/catalogue/catalogue.h"
 
 namespace tread::diagnose::catalogue {

@@ -5,7 +5,7 @@
 #include <map>
 #include <string_view>
 
-#include "base/numbers.h"
+#include "base/fields/numbers.h"
 #include "diagnose/catalogue/catalogue.h"
 #include "recording/further_instruments.h"
 #include "recording/position.h"

@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "base/number_text.h"
-#include "base/read_yaml.h"
-#include "base/yaml_position.h"
+#include "base/text/number_text.h"
+#include "base/yaml/position.h"
+#include "base/yaml/read.h"
 #include "diagnose/catalogue/effect.h"
 #include "recording/subject_paths.h"
 

@@ -5,9 +5,9 @@
 #include <tuple>
 #include <utility>
 
-#include "base/concat.h"
-#include "base/number_text.h"
-#include "base/pattern.h"
+#include "base/text/concat.h"
+#include "base/text/number_text.h"
+#include "base/text/pattern.h"
 
 namespace tread::diagnose::catalogue {
 namespace {

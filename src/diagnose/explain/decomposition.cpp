@@ -6,7 +6,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "diagnose/explain/resamples.h"
 #include "diagnose/model/gap.h"
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <tuple>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "diagnose/explain/resamples.h"
 #include "diagnose/model/gap.h"
 #include "log/resample.h"

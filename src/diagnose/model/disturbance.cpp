@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/parallel.h"
+#include "base/threads/parallel.h"
 #include "diagnose/model/sensitivities.h"
 #include "diagnose/settings.h"
 #include "inference/ornstein_uhlenbeck.h"

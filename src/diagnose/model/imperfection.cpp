@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/pattern.h"
+#include "base/text/pattern.h"
 #include "diagnose/settings.h"
 
 namespace tread::diagnose::model {

@@ -1,6 +1,6 @@
 #include "diagnose/model/linearisation.h"
 
-#include "base/parallel.h"
+#include "base/threads/parallel.h"
 
 namespace tread::diagnose::model {
 namespace {

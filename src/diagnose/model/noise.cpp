@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "base/median.h"
+#include "base/math/median.h"
 #include "diagnose/settings.h"
 #include "inference/whitening.h"
 

@@ -5,8 +5,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "base/numbers.h"
-#include "base/pattern.h"
+#include "base/fields/numbers.h"
+#include "base/text/pattern.h"
 #include "diagnose/catalogue/plausible.h"
 #include "diagnose/model/similarity.h"
 #include "recording/further_instruments.h"

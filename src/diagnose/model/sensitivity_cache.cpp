@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "base/byte_limit.h"
-#include "base/text_file.h"
-#include "base/write_yaml.h"
+#include "base/text/byte_limit.h"
+#include "base/text/text_file.h"
+#include "base/yaml/write.h"
 #include "store/sha256.h"
 #include "store/whole_file.h"
 

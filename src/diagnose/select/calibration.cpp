@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/parallel.h"
+#include "base/threads/parallel.h"
 #include "diagnose/model/gap.h"
 #include "diagnose/model/remainder.h"
 #include "run/simulate.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "base/parallel.h"
+#include "base/threads/parallel.h"
 #include "diagnose/settings.h"
 
 namespace tread::diagnose::select {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/random.h"
+#include "base/math/random.h"
 #include "diagnose/answer/diagnosis.h"
 #include "diagnose/model/imperfection.h"
 #include "diagnose/model/linearisation.h"

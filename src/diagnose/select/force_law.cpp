@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "base/parallel.h"
+#include "base/threads/parallel.h"
 #include "diagnose/model/remainder.h"
 #include "diagnose/select/screen.h"
 #include "diagnose/settings.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "base/parallel.h"
+#include "base/threads/parallel.h"
 #include "diagnose/select/posterior.h"
 #include "diagnose/select/screen.h"
 #include "inference/bounded_step.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/parallel.h"
+#include "base/threads/parallel.h"
 #include "diagnose/model/gap.h"
 #include "inference/whitening.h"
 

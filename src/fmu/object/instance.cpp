@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstring>
 
-#include "base/concat.h"
-#include "base/elementary.h"
-#include "base/number_text.h"
-#include "base/text_file.h"
+#include "base/math/elementary.h"
+#include "base/text/concat.h"
+#include "base/text/number_text.h"
+#include "base/text/text_file.h"
 #include "host/failure.h"
 #include "host/parameters.h"
 

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "base/concat.h"
+#include "base/text/concat.h"
 #include "host/failure.h"
 
 namespace tread::fmu {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "base/concat.h"
+#include "base/text/concat.h"
 #include "fmu/variables.h"
 #include "tread/load.h"
 

@@ -5,10 +5,10 @@
 #include <set>
 #include <vector>
 
-#include "base/concat.h"
-#include "base/markup.h"
-#include "base/number_text.h"
-#include "base/units.h"
+#include "base/text/concat.h"
+#include "base/text/markup.h"
+#include "base/text/number_text.h"
+#include "base/units/units.h"
 #include "fmu/variables.h"
 #include "host/version.h"
 

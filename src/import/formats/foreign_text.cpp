@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "base/number_text.h"
-#include "base/text_file.h"
+#include "base/text/number_text.h"
+#include "base/text/text_file.h"
 
 namespace tread {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "base/units.h"
+#include "base/units/units.h"
 #include "import/formats/foreign_text.h"
 
 namespace tread {

@@ -1,5 +1,5 @@
 // The product of two matrices by packs of doubles. A file of its own per set of instructions includes this in a
-// namespace of its own (TREAD_ISA), as base/lanes.h explains.
+// namespace of its own (TREAD_ISA), as base/math/lanes.h explains.
 //
 // Both operands are copied into panels that lie in memory as they are read, then each tile of C is computed in
 // registers: three packs high, as wide as registers are left (K. Goto & R. van de Geijn, Anatomy of high-performance

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <optional>
 
-#include "base/concat.h"
-#include "base/number_text.h"
-#include "base/numbers.h"
-#include "base/reference_table.h"
+#include "base/fields/numbers.h"
+#include "base/fields/reference_table.h"
+#include "base/text/concat.h"
+#include "base/text/number_text.h"
 #include "metrics/channels.h"
 #include "metrics/own/evaluate.h"
 #include "scenario/expression/parse.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/median.h"
+#include "base/math/median.h"
 #include "recording/checks/log_checks.h"
 
 namespace tread::recording::checks {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "base/median.h"
+#include "base/math/median.h"
 #include "recording/checks/log_checks.h"
 #include "recording/observation.h"
 

@@ -9,7 +9,7 @@
 #include <map>
 #include <numbers>
 
-#include "base/median.h"
+#include "base/math/median.h"
 #include "log/direction.h"
 #include "recording/checks/log_checks.h"
 #include "recording/checks/rigid_body.h"

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/concat.h"
-#include "base/did_you_mean.h"
-#include "base/number_text.h"
+#include "base/text/concat.h"
+#include "base/text/did_you_mean.h"
+#include "base/text/number_text.h"
 #include "scenario/expression/functions.h"
 
 namespace tread {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cctype>
 
-#include "base/read_yaml.h"
-#include "base/reference_table.h"
-#include "base/schema.h"
-#include "base/write_yaml.h"
+#include "base/fields/reference_table.h"
+#include "base/yaml/read.h"
+#include "base/yaml/schema.h"
+#include "base/yaml/write.h"
 
 namespace tread {
 namespace {

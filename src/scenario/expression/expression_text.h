@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/text_file.h"
+#include "base/text/text_file.h"
 #include "tread/describe.h"
 
 namespace tread {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "base/elementary.h"
-#include "base/power.h"
+#include "base/math/elementary.h"
+#include "base/math/power.h"
 #include "scenario/expression/functions.h"
 #include "scenario/expression/term.h"
 

@@ -4,8 +4,8 @@
 #include <cctype>
 #include <utility>
 
-#include "base/concat.h"
-#include "base/number_text.h"
+#include "base/text/concat.h"
+#include "base/text/number_text.h"
 
 namespace tread {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/units.h"
+#include "base/units/units.h"
 
 namespace tread {
 

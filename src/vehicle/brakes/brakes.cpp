@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/delay_line.h"
-#include "base/elementary.h"
-#include "base/lag.h"
+#include "base/math/delay_line.h"
+#include "base/math/elementary.h"
+#include "base/math/lag.h"
 
 namespace tread {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/lag.h"
+#include "base/math/lag.h"
 
 namespace tread {
 

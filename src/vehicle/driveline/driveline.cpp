@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/elementary.h"
+#include "base/math/elementary.h"
 #include "vehicle/driveline/coupling.h"
 #include "vehicle/driveline/differential.h"
 #include "vehicle/driveline/gearbox.h"

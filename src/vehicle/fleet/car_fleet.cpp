@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "base/crew.h"
+#include "base/threads/crew.h"
 #include "road/plane.h"
 #include "vehicle/fleet/lane_kind.h"
 

@@ -1,4 +1,4 @@
-// Cars that are advanced together, one in each lane (base/lanes.h): what others need of it. A set of instructions
+// Cars that are advanced together, one in each lane (base/math/lanes.h): what others need of it. A set of instructions
 // brings its own kind of lanes, compiled apart; nothing but plain numbers and pointers passes between.
 #pragma once
 

@@ -1,6 +1,6 @@
 #include "car_inputs.h"
 
-#include "base/setting.h"
+#include "base/yaml/setting.h"
 #include "kind_of_file.h"
 #include "shipped_file.h"
 #include "tread/load.h"

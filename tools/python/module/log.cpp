@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
-#include "base/write_yaml.h"
-#include "base/yaml_session.h"
+#include "base/yaml/session.h"
+#include "base/yaml/write.h"
 #include "bind.h"
 #include "log/binary_log.h"
 #include "log/csv.h"

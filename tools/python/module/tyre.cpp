@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "base/numbers.h"
-#include "base/setting.h"
+#include "base/fields/numbers.h"
+#include "base/yaml/setting.h"
 #include "bind.h"
 #include "interruptible.h"
 #include "kind_of_file.h"

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "base/reference_table.h"
+#include "base/fields/reference_table.h"
 #include "bind.h"
 #include "car_inputs.h"
 #include "host/car.h"

@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-#include "base/number_text.h"
+#include "base/text/number_text.h"
 #include "import/formats/foreign_table.h"
 #include "import/formats/mcap/json_message.h"
 #include "import/formats/mcap/mcap_scan.h"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "base/number_text.h"
-#include "base/text_file.h"
+#include "base/text/number_text.h"
+#include "base/text/text_file.h"
 #include "import/formats/byte_reader.h"
 #include "import/formats/mcap/lz4_frame.h"
 #include "log/mcap_format.h"

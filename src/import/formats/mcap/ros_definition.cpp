@@ -3,8 +3,8 @@
 #include <map>
 #include <optional>
 
-#include "base/number_text.h"
-#include "base/text_file.h"
+#include "base/text/number_text.h"
+#include "base/text/text_file.h"
 #include "import/formats/foreign_text.h"
 #include "import/formats/mcap/ros_message.h"
 
