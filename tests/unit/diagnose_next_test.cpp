@@ -28,17 +28,19 @@ const std::vector<Effect> kLookAlikes{
     {"understeer", "", "", {{.paths = {"steering.play"}, .typical = 8e-4}}},
 };
 
-Diagnosis diagnosed(const std::vector<Scenario>& drives) {
+Diagnosis diagnosed(const std::vector<Scenario>& drives, const std::vector<diagnose::PossibleDrive>& possible) {
     VehicleParams truth = simple_car::Case{}.nominal.vehicle;
     truth.steering.play = 8e-4;  // as a ratio that is 12 % larger at 20 m/s
     const simple_car::Case made = simple_car::recorded(truth, drives, 5);
     diagnose::Options options = simple_car::options();
-    options.possible_next = {{"the same again", slalom(20)}, {"slower", slalom(15)}, {"much slower", slalom(6)}};
+    options.possible_next = possible;
     return diagnose::diagnosisOf(made.nominal, made.file, made.recorded, kLookAlikes, options);
 }
 
 TEST(NextDrive, SeparatesWhatOneSpeedCannot) {
-    const Diagnosis open = diagnosed({slalom(20), slalom(20)});
+    const std::vector<diagnose::PossibleDrive> possible{
+        {"the same again", slalom(20)}, {"slower", slalom(15)}, {"much slower", slalom(6)}};
+    const Diagnosis open = diagnosed({slalom(20), slalom(20)}, possible);
     EXPECT_EQ(open.verdict, Verdict::ambiguous) << open.answer;
     ASSERT_EQ(open.next.size(), 1u);
     EXPECT_TRUE(open.next[0].scenario == "slower" || open.next[0].scenario == "much slower") << open.next[0].scenario;
@@ -47,7 +49,7 @@ TEST(NextDrive, SeparatesWhatOneSpeedCannot) {
 
     // Driven, it does.
     const Scenario advised = open.next[0].scenario == "slower" ? slalom(15) : slalom(6);
-    const Diagnosis settled = diagnosed({slalom(20), slalom(20), advised});
+    const Diagnosis settled = diagnosed({slalom(20), slalom(20), advised}, possible);
     EXPECT_EQ(settled.verdict, Verdict::explained) << settled.answer;
     EXPECT_EQ(settled.causes, std::vector<std::string>{"understeer"});
     const auto evidence = [](const Diagnosis& d, const std::string& name) {
@@ -59,6 +61,15 @@ TEST(NextDrive, SeparatesWhatOneSpeedCannot) {
                           (evidence(open, "understeer") - evidence(open, "ratio"));
     // The gain of a true cause is normal, with twice its mean as variance.
     EXPECT_GT(gained, open.next[0].nats - 2 * std::sqrt(2 * open.next[0].nats)) << "what was promised, less chance";
+}
+
+TEST(NextDrive, IsNotMuchFasterThanTheRecordings) {
+    const std::vector<Scenario> drives{slalom(20), slalom(20)};
+    EXPECT_TRUE(diagnosed(drives, {{"more than twice as fast", slalom(41)}}).next.empty());
+    const Diagnosis faster = diagnosed(drives, {{"more than twice as fast", slalom(41)}, {"faster", slalom(30)}});
+    ASSERT_EQ(faster.next.size(), 1u);
+    EXPECT_EQ(faster.next[0].scenario, "faster");
+    EXPECT_FALSE(diagnosed(drives, {{"nearly twice as fast", slalom(39)}}).next.empty());
 }
 
 TEST(NextDrive, IsNotAskedWhereNothingIsPossible) {

@@ -10,6 +10,7 @@
 #include "diagnose/explain/open_question.h"
 #include "diagnose/settings.h"
 #include "log/log_columns.h"
+#include "recording/observation.h"
 #include "run/together.h"
 
 namespace tread::diagnose::explain {
@@ -24,6 +25,8 @@ using select::Fit;
 
 constexpr std::size_t kStudied = 3;  // manoeuvres that are studied per question
 constexpr double kLoggedRate = 100;  // Hz, sampling rate of imagined recordings
+// Times the highest recorded speed, above which nothing is proposed: neither the place nor the car may allow it. Guess.
+constexpr double kFaster = 2;
 
 // Gives a log of the model the channels of further instruments; a rehearsal needs only their times.
 void addChannels(Log& log, const std::vector<ObservedChannel>& channels) {
@@ -53,6 +56,22 @@ Log imagined(const recording::Replayer& replayer, const Scenario& told, const st
     return log;
 }
 
+// Highest speed that a log contains, m/s; 0 without any.
+double highestSpeed(const Log& log) {
+    const Channel* speed = recording::measuredAs(log, "chassis.vx");
+    double highest = 0;
+    if (speed)
+        for (const double v : speed->values)
+            if (std::isfinite(v)) highest = std::max(highest, v);
+    return highest;
+}
+
+double highestSpeed(recording::Drives drives) {
+    double highest = 0;
+    for (const RecordedDrive& drive : drives) highest = std::max({highest, drive.speed, highestSpeed(drive.log)});
+    return highest;
+}
+
 // The possible manoeuvres as if they had been recorded with the nominal car.
 struct Rehearsal {
     std::deque<recording::Recording> recordings;  // the drives point to these; a deque keeps their addresses
@@ -69,8 +88,9 @@ Rehearsal rehearsed(const Problem& problem, const std::vector<PossibleDrive>& po
     });
     problem.replays.simulations.add(static_cast<int>(possible.size()));
     Rehearsal rehearsal;
+    const double fastest = kFaster * highestSpeed(problem.drives);
     for (std::size_t i = 0; i < possible.size(); ++i) {
-        if (logs[i].channels.empty() || logs[i].samples() < 2) continue;
+        if (logs[i].channels.empty() || logs[i].samples() < 2 || highestSpeed(logs[i]) > fastest) continue;
         rehearsal.recordings.push_back({.log = possible[i].name, .name = possible[i].name});
         rehearsal.recordings.back().road = possible[i].scenario.road;
         rehearsal.drives.push_back(recording::recordedDrive(rehearsal.recordings.back(), logs[i], file));
