@@ -25,7 +25,8 @@ using select::Fit;
 
 constexpr std::size_t kStudied = 3;  // manoeuvres that are studied per question
 constexpr double kLoggedRate = 100;  // Hz, sampling rate of imagined recordings
-// Times the highest recorded speed, above which nothing is proposed: neither the place nor the car may allow it. Guess.
+// Times the highest recorded speed: faster manoeuvres are not proposed, as the place or the car may not allow them.
+// Guess.
 constexpr double kFaster = 2;
 
 // Gives a log of the model the channels of further instruments; a rehearsal needs only their times.
