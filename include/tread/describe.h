@@ -122,21 +122,12 @@ struct ConvertsToAnything {
     }
 };
 
+// Whether the aggregate T has at least as many members as there are indices.
 template <class T, std::size_t... I>
 constexpr bool bracesTake(std::index_sequence<I...>) {
     return requires {
         T{((void)I, ConvertsToAnything{})...};
     };
-}
-
-// Number of members of an aggregate: the longest brace initialiser that it takes.
-template <class T, std::size_t N = 0>
-constexpr std::size_t memberCount() {
-    if constexpr (bracesTake<T>(std::make_index_sequence<N + 1>{})) {
-        return memberCount<T, N + 1>();
-    } else {
-        return N;
-    }
 }
 
 // Room for a T that is never made: only compilers look at the places of its members.
@@ -181,7 +172,9 @@ struct IsVariant<std::variant<T...>> : std::true_type {};
 // True when `T::describe` visits as many fields as `T` has members.
 template <class T>
 constexpr bool describesEveryMember() {
-    return detail::describedCount<T>() == detail::memberCount<T>();
+    constexpr std::size_t described = detail::describedCount<T>();
+    return detail::bracesTake<T>(std::make_index_sequence<described>{}) &&
+           !detail::bracesTake<T>(std::make_index_sequence<described + 1>{});
 }
 
 }  // namespace tread

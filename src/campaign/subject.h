@@ -11,6 +11,7 @@
 #include "scenario/scenario.h"
 #include "tread/describe.h"
 #include "tread/vehicle.h"
+#include "vehicle/fields.h"
 
 namespace tread::campaign {
 

@@ -9,6 +9,7 @@
 #include "host/channels.h"
 #include "host/snapshot.h"
 #include "host/version.h"
+#include "vehicle/fields.h"
 
 namespace tread::fmu {
 namespace {

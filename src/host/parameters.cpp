@@ -5,6 +5,7 @@
 #include "base/text/did_you_mean.h"
 #include "base/text/number_text.h"
 #include "base/yaml/setting.h"
+#include "vehicle/fields.h"
 
 namespace tread::host {
 namespace {

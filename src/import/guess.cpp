@@ -690,9 +690,9 @@ void comment(YamlItem& item, std::string_view field, const std::string& text) {
 }
 
 YamlItem mappingItem(const ImportMap& map) {
-    const YamlItem plain_channel = detail::mapOf("", ImportChannel{});
-    YamlItem root = detail::mapOf("", map);
-    leaveOutDefaults(root, detail::mapOf("", ImportMap{}));
+    const YamlItem plain_channel = detail::FieldsOf<ImportChannel>::write("", {});
+    YamlItem root = detail::FieldsOf<ImportMap>::write("", map);
+    leaveOutDefaults(root, detail::FieldsOf<ImportMap>::write("", {}));
     for (YamlItem& item : root.children) {
         if (item.name != "map") continue;
         for (YamlItem& channel : item.children) leaveOutDefaults(channel, plain_channel);

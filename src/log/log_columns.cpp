@@ -12,6 +12,9 @@
 #include "log/csv_lines.h"
 
 namespace tread {
+
+template void detail::FieldsOf<LogColumns>::addNumbers(LogColumns&, const std::string&, std::vector<Number>&);
+
 namespace {
 
 struct Header {

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/fields/visitors.h"
 #include "log/log.h"
 #include "tread/describe.h"
 #include "tread/problem.h"
@@ -86,6 +87,8 @@ struct LogColumns {
         field(TREAD_FIELD(course), About{"", "place on the course"});
     }
 };
+
+extern template void detail::FieldsOf<LogColumns>::addNumbers(LogColumns&, const std::string&, std::vector<Number>&);
 
 // A channel of a further instrument bears the word for its source behind @: chassis.yaw_rate@can.
 std::string_view quantityOf(std::string_view channel);  // "chassis.yaw_rate"

@@ -12,3 +12,7 @@ double* numberAt(Subject& subject, std::string_view path) {
 }
 
 }  // namespace tread::recording
+
+template void tread::detail::FieldsOf<tread::recording::Subject>::addNumbers(tread::recording::Subject&,
+                                                                             const std::string&,
+                                                                             std::vector<tread::Number>&);

@@ -9,6 +9,7 @@
 #include "tread/describe.h"
 #include "tread/road_params.h"
 #include "tread/vehicle.h"
+#include "vehicle/fields.h"
 
 namespace tread::recording {
 
@@ -31,3 +32,7 @@ struct Subject {
 double* numberAt(Subject& subject, std::string_view path);
 
 }  // namespace tread::recording
+
+extern template void tread::detail::FieldsOf<tread::recording::Subject>::addNumbers(tread::recording::Subject&,
+                                                                                    const std::string&,
+                                                                                    std::vector<tread::Number>&);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/fields/visitors.h"
 #include "scenario/accept.h"
 #include "scenario/course.h"
 #include "scenario/own_metric.h"
@@ -150,5 +151,6 @@ struct Scenario {
     }
 };
 static_assert(describesEveryMember<Scenario>());
+extern template struct detail::FieldsOf<Scenario>;
 
 }  // namespace tread

@@ -2,6 +2,7 @@
 
 #include "base/yaml/read.h"
 #include "base/yaml/write.h"
+#include "vehicle/fields.h"
 
 namespace tread {
 

@@ -16,6 +16,7 @@
 #include "run/together.h"
 #include "scenario/load.h"
 #include "tread/load.h"
+#include "vehicle/fields.h"
 
 namespace tread {
 namespace {

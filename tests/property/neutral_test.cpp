@@ -16,6 +16,7 @@
 #include "base/text/number_text.h"
 #include "base/yaml/setting.h"
 #include "shared/vehicles.h"
+#include "vehicle/fields.h"
 
 namespace tread::neutral_test {
 namespace {

@@ -12,6 +12,7 @@
 #include "base/fields/numbers.h"
 #include "places/places.h"
 #include "tread/tyre.h"
+#include "vehicle/fields.h"
 
 namespace reference {
 

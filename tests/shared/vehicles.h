@@ -8,6 +8,7 @@
 #include "tread/equilibrium.h"
 #include "tread/load.h"
 #include "tread/vehicle.h"
+#include "vehicle/fields.h"
 
 namespace reference {
 

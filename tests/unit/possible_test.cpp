@@ -15,6 +15,7 @@
 #include "run/simulate.h"
 #include "shared/equipped_car.h"
 #include "shared/vehicles.h"
+#include "vehicle/fields.h"
 
 namespace tread::possible_test {
 namespace {

@@ -12,6 +12,7 @@
 #include "base/fields/numbers.h"
 #include "tread/tyre.h"
 #include "tread/wheels.h"
+#include "vehicle/fields.h"
 
 // Not an anonymous namespace: clang 14 wants to see conversions to a type without linkage defined.
 namespace tread::reference_table_test {

@@ -14,6 +14,7 @@
 #include "base/units/units.h"
 #include "tread/tyre.h"
 #include "tread/wheels.h"
+#include "vehicle/fields.h"
 
 // Not an anonymous namespace: clang 14 wants to see conversions to a type without linkage defined.
 namespace tread::schema_test {

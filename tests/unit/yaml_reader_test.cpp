@@ -17,6 +17,7 @@
 #include "shared/scratch.h"
 #include "tread/tyre.h"
 #include "tread/wheels.h"
+#include "vehicle/fields.h"
 
 // Not an anonymous namespace: clang 14 wants to see conversions to a type without linkage defined.
 namespace tread::yaml_reader_test {

@@ -19,6 +19,7 @@
 #include "places/places.h"
 #include "tread/tyre.h"
 #include "tread/wheels.h"
+#include "vehicle/fields.h"
 
 // Not an anonymous namespace: clang 14 wants to see conversions to a type without linkage defined.
 namespace tread::yaml_writer_test {

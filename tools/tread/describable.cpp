@@ -26,6 +26,7 @@
 #include "shipped_file.h"
 #include "tread/load.h"
 #include "tyres_of.h"
+#include "vehicle/fields.h"
 
 namespace tread::program {
 namespace {

@@ -16,6 +16,7 @@
 #include "sheet/sheet.h"
 #include "terminal.h"
 #include "tread/load.h"
+#include "vehicle/fields.h"
 
 namespace tread::program {
 namespace {

@@ -11,6 +11,7 @@
 #include "log/csv.h"
 #include "log/log_columns.h"
 #include "output.h"
+#include "vehicle/fields.h"
 
 namespace tread::program {
 namespace {

@@ -10,6 +10,7 @@
 #include "base/text/trimmed.h"
 #include "base/yaml/position.h"
 #include "terminal.h"
+#include "vehicle/fields.h"
 #include "vehicle/relations.h"
 
 namespace tread::program {

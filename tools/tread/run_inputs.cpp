@@ -24,6 +24,7 @@
 #include "scenario/replay.h"
 #include "series/series.h"
 #include "shipped_file.h"
+#include "vehicle/fields.h"
 
 namespace tread::program {
 namespace {

@@ -15,6 +15,7 @@
 #include "tyre_overview.h"
 #include "tyre_steady.h"
 #include "tyre_transient.h"
+#include "vehicle/fields.h"
 
 namespace tread::program {
 namespace {

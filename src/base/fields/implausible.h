@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/fields/field_path.h"
+#include "base/fields/visitors.h"
 #include "tread/curve.h"
 #include "tread/describe.h"
 
@@ -54,7 +55,7 @@ struct Judge {
         } else if constexpr (std::is_same_v<T, Curve>) {
             curve(value, way, about);
         } else if constexpr (Described<T>) {
-            fields(value, way);
+            FieldsOf<T>::judge(*this, value, way);
         } else if constexpr (IsOptional<T>::value) {
             if (value) this->value(*value, way, about);
         } else if constexpr (IsVector<T>::value) {
@@ -62,19 +63,20 @@ struct Judge {
         } else if constexpr (IsVariant<T>::value) {
             std::visit(
                 [&](const auto& alternative) {
-                    fields(alternative, way.to(std::remove_cvref_t<decltype(alternative)>::kName));
+                    using Alternative = std::remove_cvref_t<decltype(alternative)>;
+                    FieldsOf<Alternative>::judge(*this, alternative, way.to(Alternative::kName));
                 },
                 value);
         }
     }
-
-    template <Described T>
-    void fields(const T& object, const Way& way) {
-        T::describe(object, [&](std::string_view name, const auto& field, const About& about) {
-            value(field, way.to(name, about.old_name), about);
-        });
-    }
 };
+
+template <class T>
+void FieldsOf<T>::judge(Judge& judge, const T& object, const Way& way) {
+    T::describe(object, [&](std::string_view name, const auto& field, const About& about) {
+        judge.value(field, way.to(name, about.old_name), about);
+    });
+}
 
 }  // namespace detail
 
@@ -82,7 +84,7 @@ struct Judge {
 template <Described T>
 std::vector<Implausible> implausible(const T& object) {
     detail::Judge judge;
-    judge.fields(object, {"", {""}});
+    detail::FieldsOf<T>::judge(judge, object, {"", {""}});
     return std::move(judge.found);
 }
 

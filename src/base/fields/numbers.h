@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/fields/visitors.h"
 #include "tread/describe.h"
 
 namespace tread {
@@ -25,35 +26,37 @@ concept NamedInPaths = requires(const T& element) {
 namespace detail {
 
 template <class T>
-void collectNumbers(T& object, const std::string& prefix, std::vector<Number>& out) {
+void FieldsOf<T>::addNumbers(T& object, const std::string& prefix, std::vector<Number>& numbers) {
     T::describe(object, [&](std::string_view name, auto& value, const About& about) {
         using Value = std::remove_reference_t<decltype(value)>;
         std::string path = prefix.empty() ? std::string(name) : prefix + "." + std::string(name);
         if constexpr (std::is_same_v<Value, double>) {
-            out.push_back({std::move(path), &value, about});
+            numbers.push_back({std::move(path), &value, about});
         } else if constexpr (Described<Value>) {
-            collectNumbers(value, path, out);
+            FieldsOf<Value>::addNumbers(value, path, numbers);
         } else if constexpr (IsOptional<Value>::value) {
             if constexpr (Described<typename Value::value_type>) {
-                if (value) collectNumbers(*value, path, out);
+                if (value) FieldsOf<typename Value::value_type>::addNumbers(*value, path, numbers);
             } else if constexpr (std::is_same_v<typename Value::value_type, double>) {
-                if (value) out.push_back({std::move(path), &*value, about});
+                if (value) numbers.push_back({std::move(path), &*value, about});
             }
         } else if constexpr (IsVector<Value>::value) {
+            using Element = typename Value::value_type;
             for (std::size_t i = 0; i < value.size(); ++i) {
-                if constexpr (NamedInPaths<typename Value::value_type>) {
-                    collectNumbers(value[i], path + "." + std::string(value[i].pathName()), out);
-                } else if constexpr (Described<typename Value::value_type>) {
-                    collectNumbers(value[i], path + "." + std::to_string(i), out);
-                } else if constexpr (std::is_same_v<typename Value::value_type, double>) {
-                    out.push_back({path + "." + std::to_string(i), &value[i], about});
+                if constexpr (NamedInPaths<Element>) {
+                    FieldsOf<Element>::addNumbers(value[i], path + "." + std::string(value[i].pathName()), numbers);
+                } else if constexpr (Described<Element>) {
+                    FieldsOf<Element>::addNumbers(value[i], path + "." + std::to_string(i), numbers);
+                } else if constexpr (std::is_same_v<Element, double>) {
+                    numbers.push_back({path + "." + std::to_string(i), &value[i], about});
                 }
             }
         } else if constexpr (IsVariant<Value>::value) {
             std::visit(
                 [&](auto& alternative) {
                     using Alternative = std::remove_reference_t<decltype(alternative)>;
-                    collectNumbers(alternative, path + "." + std::string(Alternative::kName), out);
+                    FieldsOf<Alternative>::addNumbers(alternative, path + "." + std::string(Alternative::kName),
+                                                      numbers);
                 },
                 value);
         }
@@ -66,7 +69,7 @@ void collectNumbers(T& object, const std::string& prefix, std::vector<Number>& o
 template <Described T>
 std::vector<Number> numbers(T& object, const std::string& prefix = {}) {
     std::vector<Number> out;
-    detail::collectNumbers(object, prefix, out);
+    detail::FieldsOf<T>::addNumbers(object, prefix, out);
     return out;
 }
 

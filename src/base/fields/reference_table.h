@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/fields/field_path.h"
+#include "base/fields/visitors.h"
 #include "base/text/did_you_mean.h"
 #include "tread/curve.h"
 #include "tread/describe.h"
@@ -47,13 +48,10 @@ std::string defaultText(const Curve& value);
 std::string limitsOf(const About& about);
 
 template <class T>
-void addRows(ReferenceRows& table, const std::string& path, const T& value, const About& about);
-
-template <Described T>
-void addFieldRows(ReferenceRows& table, const std::string& path, const T& object) {
+void FieldsOf<T>::addRows(ReferenceRows& table, const std::string& path, const T& object) {
     if (!table.opens(typeid(T))) return;
     T::describe(object, [&](std::string_view name, const auto& value, const About& about) {
-        addRows(table, joinPath(path, name), value, about);
+        detail::addRows(table, joinPath(path, name), value, about);
     });
     table.open_types.pop_back();
 }
@@ -63,7 +61,7 @@ void addAlternativeRows(ReferenceRows& table, const std::string& path, const std
                         const About& about) {
     constexpr std::array<std::string_view, sizeof...(T)> kNames{T::kName...};
     table.add(path, about, listed(kNames), std::string(kNames[variant.index()]));
-    (addFieldRows(table, joinPath(path, T::kName), T{}), ...);
+    (FieldsOf<T>::addRows(table, joinPath(path, T::kName), T{}), ...);
 }
 
 template <class T>
@@ -82,7 +80,7 @@ void addRows(ReferenceRows& table, const std::string& path, const T& value, cons
         table.add(path, about, "a list", value.empty() ? "empty" : std::to_string(value.size()) + " elements");
         addRows(table, joinPath(path, "0"), typename T::value_type{}, about);
     } else if constexpr (Described<T>) {
-        addFieldRows(table, path, value);
+        FieldsOf<T>::addRows(table, path, value);
     } else {
         table.add(path, about, limitsOf(about), defaultText(value));
     }
@@ -94,7 +92,7 @@ void addRows(ReferenceRows& table, const std::string& path, const T& value, cons
 template <Described T>
 std::vector<ReferenceRow> referenceTable() {
     detail::ReferenceRows table;
-    detail::addFieldRows(table, "", T{});
+    detail::FieldsOf<T>::addRows(table, "", T{});
     return std::move(table.rows);
 }
 

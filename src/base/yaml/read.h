@@ -24,6 +24,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/fields/visitors.h"
 #include "base/yaml/fields.h"
 #include "base/yaml/reader.h"
 
@@ -51,10 +52,7 @@ concept HasForeignFiles = requires(T& object, const std::filesystem::path& file,
 };
 
 template <class T>
-void readValue(const YamlReader& reader, const YamlPlace& place, T& value, const About& about);
-
-template <Described T>
-void readFields(const YamlReader& reader, const YamlPlace& place, T& object) {
+void FieldsOf<T>::read(const YamlReader& reader, const YamlPlace& place, T& object) {
     const std::size_t faults_before = reader.faults();
     YamlFields fields(reader, place);
     if (!fields.readable()) return;
@@ -76,7 +74,7 @@ void readFields(const YamlReader& reader, const YamlPlace& place, T& object) {
 template <Described T>
 void readPart(const YamlReader& reader, const YamlPlace& place, T& object) {
     const std::size_t faults_before = reader.faults();
-    readFields(reader, place, object);
+    FieldsOf<T>::read(reader, place, object);
     if (!place.node) reader.gatherMissing(place, faults_before);
 }
 
@@ -95,7 +93,7 @@ void readNothing(YamlSession& session, const std::string& source, const std::str
     const YamlDocument nothing{source, {}};
     const YamlReader reader(session, nothing);
     const bool before = std::exchange(session.check_absent, true);
-    readFields(reader, reader.root(path), object);
+    FieldsOf<T>::read(reader, reader.root(path), object);
     session.check_absent = before;
 }
 
@@ -114,7 +112,7 @@ void readFile(const YamlReader& reader, const YamlPlace& place, const std::files
     const auto document = openYaml(reader, place, file);
     if (!document || isAnotherKind(reader, place, *document, object)) return;
     const YamlReader inner(session, *document);
-    readFields(inner, inner.root(place.path), object);
+    FieldsOf<T>::read(inner, inner.root(place.path), object);
 }
 
 template <class T>
@@ -141,7 +139,9 @@ void readVariant(const YamlReader& reader, const YamlPlace& place, std::variant<
         (tryOne(index++, std::type_identity<T>{}), ...);
     } else if (!place.node) {
         const YamlPlace inner{nullptr, place.line, place.column, joinPath(place.path, kNames[variant.index()])};
-        std::visit([&](auto& alternative) { readFields(reader, inner, alternative); }, variant);
+        std::visit([&]<class Alternative>(
+                       Alternative& alternative) { FieldsOf<Alternative>::read(reader, inner, alternative); },
+                   variant);
     }
 }
 
@@ -212,7 +212,7 @@ T readYamlText(std::string_view text, const std::string& file) {
     T object{};
     if (const auto document = parseYaml(text, file, session.problems)) {
         const YamlReader reader(session, *document);
-        detail::readFields(reader, reader.root(""), object);
+        detail::FieldsOf<T>::read(reader, reader.root(""), object);
     }
     throwIfAny(std::move(session.problems));
     return object;

@@ -39,6 +39,14 @@ std::optional<Setting> parseSetting(std::string_view assignment, std::string_vie
     return Setting{path, {std::string(what), {{kind, std::string(value), false, 0, 0, {}}}}};
 }
 
+bool ReadSetting::isFirstOf(const std::string& path) const {
+    const std::string& spelling = place_.path;
+    const auto& [present, spelt] = *given_.emplace(path, spelling).first;
+    if (spelt == spelling) return true;
+    reader_.complain(place_, sameFieldTwice(spelt == present ? spelling : spelt, present));
+    return false;
+}
+
 std::vector<std::string> lastNames(const std::vector<Problem>& problems) {
     std::vector<std::string> names;
     for (const Problem& problem : problems) {

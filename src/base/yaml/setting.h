@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -40,6 +41,29 @@ std::vector<std::string> lastNames(const std::vector<Problem>& problems);
 
 std::string unknownPathText(const std::string& path, const std::vector<ReferenceRow>& known, PathListing listing);
 
+// Gives the field of a setting its value, and complains about a field that an earlier setting has given.
+class ReadSetting {
+public:
+    // `given`: paths of the fields that have a value by now, each as its setting spells it.
+    ReadSetting(const YamlReader& reader, const YamlPlace& place, std::map<std::string, std::string>& given)
+        : reader_(reader), place_(place), given_(given) {}
+
+    template <class T>
+    void operator()(T& field, const About& about, const std::string& path) const {
+        if (isFirstOf(path)) readValue(reader_, place_, field, about);
+    }
+
+private:
+    bool isFirstOf(const std::string& path) const;
+
+    const YamlReader& reader_;
+    const YamlPlace& place_;
+    std::map<std::string, std::string>& given_;
+};
+
+template <class T, class Visit>
+bool visitFieldOf(T& object, std::string_view path, const Visit& visit, const std::string& walked);
+
 // Calls `visit(field, about, its path)` for the field at the path; false when there is none. The path may have old
 // names, the one that is visited has not; `walked` is what lies before `value`.
 template <class T, class Visit>
@@ -51,11 +75,8 @@ bool visitField(T& value, std::string_view path, const About& about, const Visit
     }
     bool found = false;
     if constexpr (Described<T>) {
-        const std::string_view name = takeName(path);
-        T::describe(value, [&](std::string_view field, auto& inner, const About& inner_about) {
-            if (field != name && (inner_about.old_name.empty() || inner_about.old_name != name)) return;
-            found = visitField(inner, path, inner_about, visit, joinPath(walked, field));
-        });
+        if constexpr (std::is_same_v<Visit, ReadSetting>) found = FieldsOf<T>::set(value, path, visit, walked);
+        else found = visitFieldOf(value, path, visit, walked);
     } else if constexpr (IsVector<T>::value) {
         const std::string_view name = takeName(path);
         const std::size_t index = elementIndex(name, value.size());
@@ -75,6 +96,23 @@ bool visitField(T& value, std::string_view path, const About& about, const Visit
     return found;
 }
 
+// The same for a described struct and a path that is not empty.
+template <class T, class Visit>
+bool visitFieldOf(T& object, std::string_view path, const Visit& visit, const std::string& walked) {
+    bool found = false;
+    const std::string_view name = takeName(path);
+    T::describe(object, [&](std::string_view field, auto& inner, const About& about) {
+        if (field != name && (about.old_name.empty() || about.old_name != name)) return;
+        found = visitField(inner, path, about, visit, joinPath(walked, field));
+    });
+    return found;
+}
+
+template <class T>
+bool FieldsOf<T>::set(T& object, std::string_view path, const ReadSetting& read, const std::string& walked) {
+    return visitFieldOf(object, path, read, walked);
+}
+
 }  // namespace detail
 
 // Sets fields one after the other, then looks at the whole object again: rules across fields see all new values. A rule
@@ -90,12 +128,7 @@ void applySettings(T& object, std::span<const std::string> assignments, std::str
         if (!setting) continue;
         const YamlReader reader(session, setting->value);
         const YamlPlace place = reader.root(setting->path);
-        const auto read = [&](auto& field, const About& about, const std::string& path) {
-            const auto& [present, spelt] = *given.emplace(path, setting->path).first;
-            if (spelt != setting->path)
-                return reader.complain(place, sameFieldTwice(spelt == present ? setting->path : spelt, present));
-            detail::readValue(reader, place, field, about);
-        };
+        const detail::ReadSetting read(reader, place, given);
         const bool found = detail::visitField(changed, setting->path, About{}, read);
         if (!found) reader.complain(place, detail::unknownPathText(setting->path, referenceTable<T>(), listing));
     }

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "base/fields/visitors.h"
 #include "base/yaml/item.h"
 #include "tread/describe.h"
 
@@ -14,10 +15,7 @@ namespace tread {
 namespace detail {
 
 template <class T>
-YamlItem itemOf(std::string_view name, const T& value, const About& about);
-
-template <Described T>
-YamlItem mapOf(std::string_view name, const T& object) {
+YamlItem FieldsOf<T>::write(std::string_view name, const T& object) {
     YamlItem map{YamlItem::Kind::map, std::string(name), "", "", {}};
     T::describe(object, [&](std::string_view field, const auto& value, const About& about) {
         map.children.push_back(itemOf(field, value, about));
@@ -30,7 +28,8 @@ template <class... T>
 YamlItem alternativeOf(std::string_view name, const std::variant<T...>& variant) {
     return std::visit(
         [&](const auto& alternative) {
-            YamlItem inner = mapOf(std::decay_t<decltype(alternative)>::kName, alternative);
+            using Alternative = std::decay_t<decltype(alternative)>;
+            YamlItem inner = FieldsOf<Alternative>::write(Alternative::kName, alternative);
             if (!inner.hasValues()) return textItem(name, inner.name);
             return YamlItem{YamlItem::Kind::map, std::string(name), "", "", {std::move(inner)}};
         },
@@ -64,7 +63,7 @@ YamlItem itemOf(std::string_view name, const T& value, const About& about) {
         return {YamlItem::Kind::remark, std::string(name), "not given", "", {}};
     } else {
         static_assert(Described<T>, "a field of this type cannot be written");
-        return mapOf(name, value);
+        return FieldsOf<T>::write(name, value);
     }
 }
 
@@ -72,7 +71,7 @@ YamlItem itemOf(std::string_view name, const T& value, const About& about) {
 
 template <Described T>
 std::string writeYaml(const T& object) {
-    return yamlText(detail::mapOf("", object));
+    return yamlText(detail::FieldsOf<T>::write("", object));
 }
 
 }  // namespace tread

@@ -11,6 +11,7 @@
 #include "metrics/channels.h"
 #include "metrics/own/evaluate.h"
 #include "scenario/expression/parse.h"
+#include "vehicle/fields.h"
 
 namespace tread {
 namespace {

@@ -5,6 +5,7 @@
 #include "shipped_file.h"
 #include "tread/load.h"
 #include "tread/road_surface.h"
+#include "vehicle/fields.h"
 
 namespace tread::python {
 

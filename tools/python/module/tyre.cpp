@@ -17,6 +17,7 @@
 #include "shipped_file.h"
 #include "tread/load.h"
 #include "tyre_axes.h"
+#include "vehicle/fields.h"
 
 namespace tread::python {
 namespace {

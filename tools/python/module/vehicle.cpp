@@ -16,6 +16,7 @@
 #include "host/channels.h"
 #include "host/failure.h"
 #include "run/simulate.h"
+#include "vehicle/fields.h"
 
 namespace tread::python {
 namespace {
