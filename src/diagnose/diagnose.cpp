@@ -11,6 +11,7 @@
 #include "diagnose/select/baselines.h"
 #include "diagnose/select/car_before.h"
 #include "diagnose/select/verdict.h"
+#include "diagnose/select/vibration.h"
 #include "diagnose/settings.h"
 
 namespace tread::diagnose {
@@ -34,6 +35,7 @@ void tellUnexplained(Diagnosis& diagnosis, const explain::MissingForce& missing,
     unexplained.generalised_force = largest->first;
     unexplained.when = missing.when;
     unexplained.law = remains.law;
+    unexplained.vibration = remains.vibration;
     unexplained.beyond_ordinary = std::max(remains.beyond_ordinary, remains.rejected);
     for (std::size_t k = 0; k < model::kDisturbances; ++k)
         unexplained.sizes[std::string(model::kDisturbedNames[k])] = judgement.answer.sizes[k];
@@ -74,7 +76,8 @@ Diagnosis diagnosisOf(const recording::Subject& nominal, const recording::Diagno
     if (before) diagnosis.before = {before->gap.nominal, before->gap.calibrated, before->moved};
     diagnosis.baselines = select::baselines(car);
     const select::HeldOut held_out = select::heldOut(car);
-    const select::Judgement judgement = select::judge(diagnosis, car, expected, found, held_out);
+    const select::Judgement judgement =
+        select::judge(diagnosis, car, expected, found, held_out, select::vibrationOf(recorded));
     diagnosis.confusable = select::confusablePairs(car, screened, expected);
     tellNuisances(diagnosis, problem, judgement.named->fit);
 

@@ -139,19 +139,21 @@ void addRemainder(HtmlPage& page, const Diagnosis& diagnosis) {
     const Unexplained& rest = diagnosis.unexplained;
     const bool told =
         diagnosis.verdict == DiagnosisVerdict::unknown || diagnosis.verdict == DiagnosisVerdict::partly_explained;
-    const std::string compared =
-        told ? fmt::format("it is larger than that of an ordinary drive by {:.0f} nats of evidence",
-                           rest.beyond_ordinary)
-        : rest.beyond_ordinary > 0.5 ? fmt::format(
-                                           "{:.0f} nats of evidence support a larger remainder than in an ordinary "
-                                           "drive, too few to report an unknown cause",
-                                           rest.beyond_ordinary)
-                                     : "no more than in an ordinary drive";
+    std::string compared = "no more than in an ordinary drive";
+    if (rest.beyond_ordinary > 0.5)
+        compared = told ? fmt::format("it is larger than that of an ordinary drive by {:.0f} nats of evidence",
+                                      rest.beyond_ordinary)
+                        : fmt::format(
+                              "{:.0f} nats of evidence support a larger remainder than in an ordinary drive, "
+                              "too few to report an unknown cause",
+                              rest.beyond_ordinary);
     page.text(fmt::format("{} of the gap remains unexplained; {}.",
                           diagnose::answer::percentInWords(diagnosis.training.remainder.share), compared));
     const std::string law = lawInWords(rest.law);
     if (!law.empty() && rest.law.generalised_force.empty()) page.text("In addition to the best answer, " + law + ".");
     else if (!law.empty()) page.text(capitalised(law) + ".");
+    if (const std::string vibration = vibrationInWords(rest.vibration); !vibration.empty())
+        page.text("There is " + vibration + ".");
     addForces(page, rest);
     addSharesTable(page, "Channel", remainderOfChannels(diagnosis));
     addSharesTable(page, "Recording", remainderOfRecordings(diagnosis));

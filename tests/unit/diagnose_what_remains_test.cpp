@@ -150,6 +150,14 @@ TEST(WhatRemains, MayLookLikeASetThatCannotBeTheAnswer) {
                 1 / (1 + 9 * std::exp(-5)), 1e-12);
 }
 
+// It is faster than the rows, whose gap says nothing of it.
+TEST(WhatRemains, MayBeAVibration) {
+    EXPECT_TRUE(seen({.by_chance = 1, .law = {}, .vibration = {.frequency = 5, .gain = 4.5}}));
+    EXPECT_FALSE(seen({.by_chance = 1, .law = {}, .vibration = {.frequency = 5, .gain = 4.3}}));
+    EXPECT_NEAR((Remains{.beyond_ordinary = 2, .by_chance = 0, .law = {}, .vibration = {.gain = 5}}.probability()),
+                1 / (1 + 9 * std::exp(-5)), 1e-12);
+}
+
 // Student's t with four degrees of freedom and variance 1, against the normal distribution; lgamma(2.5) - lgamma(2) and
 // the scale differ for both by a constant, which is left out.
 TEST(WhatRemains, IsSeenWhereOneNumberMovedFarBeyondItsTolerance) {

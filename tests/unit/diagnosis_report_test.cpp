@@ -317,6 +317,20 @@ TEST(DiagnosisReport, AnUnknownCauseThatIsNotToldDoesNotContradictTheAnswer) {
     EXPECT_TRUE(contains(page(d), "it is larger than that of an ordinary drive by 4 nats"));
 }
 
+TEST(DiagnosisReport, TellsAVibrationThatTheReferencesLack) {
+    Diagnosis d = shared::sampleDiagnosis();
+    EXPECT_FALSE(contains(page(d), "vibration"));
+    EXPECT_FALSE(contains(diagnosisText(d), "vibration"));
+    d.verdict = Verdict::partly_explained;
+    d.unexplained.beyond_ordinary = -0.2;
+    d.unexplained.vibration = {.frequency = 5, .growth = {{"chassis.ay", 6.2}}, .gain = 12};
+    const std::string told = "a vibration at 5 Hz that the references lack: lateral acceleration 6.2 times";
+    EXPECT_TRUE(contains(page(d), "no more than in an ordinary drive")) << "the remainder is another matter";
+    EXPECT_TRUE(contains(page(d), "There is " + told));
+    EXPECT_TRUE(contains(diagnosisText(d), told));
+    EXPECT_EQ(diagnosisJson(d)["unexplained"]["vibration"]["growth"]["chassis.ay"], 6.2);
+}
+
 TEST(DiagnosisReport, WhatIsNamedIsNotListedAsNotSeen) {
     Diagnosis d = shared::sampleDiagnosis();
     EXPECT_EQ(unseenEffects(d), (std::vector<std::string>{"brake_fade", "brake_gain"}));

@@ -31,6 +31,7 @@ using diagnose::answer::RankedEffect;
 using diagnose::answer::ToldPart;
 using diagnose::answer::toldParts;
 using diagnose::answer::Verdict;
+using diagnose::answer::vibrationInWords;
 
 Part part(double share) {
     return {share, share, share};
@@ -160,6 +161,28 @@ TEST(Headline, OfAnUnknownCauseSaysWhatRemainsAndWhatIsExplained) {
         headline(d),
         "Unknown: nothing of the gap exceeds noise (30 % in the held-out drives), but what remains has a pattern; no "
         "effect in the catalogue explains it; missing force: lateral, it is constant");
+}
+
+TEST(Headline, OfAnUnknownCauseSaysThatTheCarVibrates) {
+    Diagnosis d = twoCausesFound();
+    d.causes.clear();
+    d.verdict = Verdict::unknown;
+    d.training = twoCauses(0.1, 0, 0.6, 0.3);
+    d.training.each.clear();
+    d.unexplained.vibration = {
+        .frequency = 5, .growth = {{"chassis.roll_rate", 21.6}, {"chassis.ay", 6.2}}, .gain = 12};
+    EXPECT_EQ(headline(d),
+              "Mostly unknown: 60 % of the gap remains unexplained; no effect in the catalogue explains it; the car "
+              "vibrates at 5 Hz, unlike before the change");
+    d.training = twoCauses(0.1, 0, 0, 0.9);
+    d.training.each.clear();
+    EXPECT_EQ(headline(d),
+              "Unknown: nothing of the gap exceeds noise, but the car vibrates at 5 Hz, unlike before the change; no "
+              "effect in the catalogue explains it");
+    EXPECT_EQ(vibrationInWords(d.unexplained.vibration),
+              "a vibration at 5 Hz that the references lack: roll rate 22 times, lateral acceleration 6.2 times their "
+              "amplitude (12 nats)");
+    EXPECT_EQ(vibrationInWords({}), "");
 }
 
 TEST(Headline, OfNothingSaysWhatTheGapConsistsOf) {

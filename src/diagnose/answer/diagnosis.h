@@ -193,6 +193,13 @@ struct ForceLaw {
     double gain = 0;                                  // nats over the best model
 };
 
+// Vibration that the references lack.
+struct Vibration {
+    double frequency = 0;                       // Hz, where it is clearest; 0: none
+    std::map<std::string, double> growth = {};  // of channels that show it: amplitude, over that in the references
+    double gain = 0;                            // nats over a difference from day to day
+};
+
 struct Moment {
     std::string recording = {};  // empty: no moment found
     double time = 0;             // s
@@ -202,6 +209,7 @@ struct Unexplained {
     std::string generalised_force;  // longitudinal, lateral, yaw or roll: the largest missing force
     Moment when;                    // moment at which it is largest
     ForceLaw law = {};              // law that it follows, if one was found
+    Vibration vibration = {};
     // Size of each kind of remainder, over that of an ordinary drive: disturbances, errors in proportion to the
     // acceleration ("lateral error"), drift of readings, and imperfections of each part.
     std::map<std::string, double> sizes = {};

@@ -50,17 +50,20 @@ Json closedJson(const Decomposition& gap) {
 // What no cause explains, and where it acts.
 Json unexplainedOf(const Diagnosis& d) {
     const Unexplained& rest = d.unexplained;
-    return {{"generalised_force", rest.generalised_force},
-            {"channels", remainderOfChannels(d)},
-            {"recordings", remainderOfRecordings(d)},
-            {"sizes", rest.sizes},
-            {"beyond_ordinary", rest.beyond_ordinary},
-            {"when", momentInWords(rest.when)},
-            {"law",
-             {{"follows", rest.law.follows},
-              {"unit", rest.law.unit},
-              {"coefficients", rest.law.coefficients},
-              {"gain", rest.law.gain}}}};
+    return {
+        {"generalised_force", rest.generalised_force},
+        {"channels", remainderOfChannels(d)},
+        {"recordings", remainderOfRecordings(d)},
+        {"sizes", rest.sizes},
+        {"beyond_ordinary", rest.beyond_ordinary},
+        {"when", momentInWords(rest.when)},
+        {"law",
+         {{"follows", rest.law.follows},
+          {"unit", rest.law.unit},
+          {"coefficients", rest.law.coefficients},
+          {"gain", rest.law.gain}}},
+        {"vibration",
+         {{"frequency", rest.vibration.frequency}, {"growth", rest.vibration.growth}, {"gain", rest.vibration.gain}}}};
 }
 
 }  // namespace

@@ -137,7 +137,10 @@ std::string remainsOf(const Diagnosis& d) {
         text += fmt::format("; {}: {:.1f} times the usual size", kindOfForceInWords(large[i].second), large[i].first);
     if (large.empty()) text += "; no force is larger than in an ordinary drive";
     const std::string law = d.causes.empty() ? "" : lawInWords(d.unexplained.law);
-    return listed("REMAINS", {law.empty() ? text : text + "; " + law});
+    if (!law.empty()) text += "; " + law;
+    if (const std::string vibration = vibrationInWords(d.unexplained.vibration); !vibration.empty())
+        text += "; " + vibration;
+    return listed("REMAINS", {text});
 }
 
 std::string rivalsOf(const Diagnosis& d) {

@@ -69,9 +69,18 @@ std::string inHeldOutDrives(const Diagnosis& d) {
                : "";
 }
 
+// "the car vibrates at 5 Hz, unlike before the change"; empty when it does not.
+std::string vibrates(const Diagnosis& d) {
+    const Vibration& vibration = d.unexplained.vibration;
+    if (vibration.growth.empty()) return {};
+    return fmt::format("the car vibrates at {:.0f} Hz, unlike before the change", vibration.frequency);
+}
+
 // Of an unknown cause where nothing is left that exceeds noise.
 std::string pattern(const Diagnosis& d) {
-    return "nothing of the gap exceeds noise" + inHeldOutDrives(d) + ", but what remains has a pattern";
+    const std::string vibration = vibrates(d);
+    return "nothing of the gap exceeds noise" + inHeldOutDrives(d) + ", but " +
+           (vibration.empty() ? "what remains has a pattern" : vibration);
 }
 
 // "12 % of the gap remains unexplained (15 % in the held-out drives)"
@@ -138,8 +147,10 @@ std::string ofUnknown(const Diagnosis& d) {
     else text += fmt::format("; {} {}", ranked(d, causesInOrder(d)), effectOf(d.training.causes));
     if (!d.unexplained.generalised_force.empty())
         text += fmt::format("; missing force: {}", d.unexplained.generalised_force);
-    const std::string law = followsInWords(d.unexplained.law);
-    return text + (law.empty() ? "" : ", it " + law) + doubtOfTolerances(d);
+    if (const std::string law = followsInWords(d.unexplained.law); !law.empty()) text += ", it " + law;
+    const bool told = isDecomposed(d.training) && d.training.remainder.share <= 0;  // as its pattern
+    if (const std::string vibration = vibrates(d); !told && !vibration.empty()) text += "; " + vibration;
+    return text + doubtOfTolerances(d);
 }
 
 // "Nothing certain, perhaps mass (p = 0.9)": an effect may be likely and yet not certain enough to be a cause.

@@ -181,6 +181,17 @@ std::string lawInWords(const ForceLaw& law) {
                        law.unit.empty() ? "" : " per " + law.unit, law.gain);
 }
 
+std::string vibrationInWords(const Vibration& vibration) {
+    if (vibration.growth.empty()) return {};
+    std::vector<std::pair<double, std::string>> channels;
+    for (const auto& [name, growth] : vibration.growth) channels.push_back({growth, channelInWords(name)});
+    std::stable_sort(channels.begin(), channels.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<std::string> grown;
+    for (const auto& [growth, name] : channels) grown.push_back(fmt::format("{} {:.2g} times", name, growth));
+    return fmt::format("a vibration at {:.0f} Hz that the references lack: {} their amplitude ({:.0f} nats)",
+                       vibration.frequency, fmt::join(grown, ", "), vibration.gain);
+}
+
 std::string together(const std::vector<std::string>& causes) {
     std::vector<std::string> names;
     for (const std::string& cause : causes) names.push_back(effectInWords(cause));

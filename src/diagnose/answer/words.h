@@ -44,6 +44,10 @@ std::string followsInWords(const ForceLaw& law);
 // The law of an unexplained force, with its coefficients; empty when there is none.
 std::string lawInWords(const ForceLaw& law);
 
+// "a vibration at 5 Hz that the references lack: roll rate 22 times, lateral acceleration 6 times their amplitude (12
+// nats)"; empty when there is none.
+std::string vibrationInWords(const Vibration& vibration);
+
 // "step_1, at about 3.2 s"; empty without a recording.
 std::string momentInWords(const Moment& moment);
 

@@ -313,12 +313,13 @@ Verdict verdictOf(const Diagnosis& diagnosis, const Calibration& car, const Judg
 }  // namespace
 
 Judgement judge(answer::Diagnosis& diagnosis, const Calibration& car, const std::vector<double>& expected_evidence,
-                Search& found, const HeldOut& held_out) {
+                Search& found, const HeldOut& held_out, answer::Vibration vibration) {
     const Problem& problem = car.problem;
     Answer chosen = answerOf(car, found, held_out);
     const Candidate& named = *chosen.named;
     Remains remains = whatRemains(car, named, chosen.closeness.with.rows);
     remains.rejected = rejectedOver(car, found, chosen);
+    remains.vibration = std::move(vibration);
     Judgement judgement{&named, std::move(chosen.fit), std::move(chosen.closeness), std::move(remains),
                         predicted(car, named.fit, found.none().fit)};
     diagnosis.causes = problem.namesOf(named.effects);

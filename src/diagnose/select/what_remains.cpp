@@ -46,25 +46,25 @@ double costOfFreedom(const Sizes& sizes, const model::Left& left) {
     return nats;
 }
 
-// Nats by which Student's t with four degrees of freedom and the same variance is likelier than the normal
-// distribution, for the numbers that moved far enough to tell.
 double strainOf(const Fit& fit) {
     double nats = 0;
-    for (Eigen::Index i = 0; i < fit.numbers(); ++i) {
-        const double square = fit.at(fit.free[i]) * fit.at(fit.free[i]);
-        nats += std::max(0.0, 0.5 * square - 2.5 * std::log1p(0.5 * square));
-    }
+    for (Eigen::Index i = 0; i < fit.numbers(); ++i) nats += natsOfTail(fit.at(fit.free[i]));
     return nats;
 }
 
 }  // namespace
+
+double natsOfTail(double deviation) {
+    const double half = 0.5 * deviation * deviation;
+    return std::max(0.0, half - 2.5 * std::log1p(half));
+}
 
 bool Remains::visible() const {
     return by_chance < kSettings.false_alarm;
 }
 
 double Remains::nats() const {
-    return std::max(visible() ? std::max(beyond_ordinary + of_law, rejected) : 0, strain);
+    return std::max({visible() ? std::max(beyond_ordinary + of_law, rejected) : 0, strain, vibration.gain});
 }
 
 double Remains::probability() const {

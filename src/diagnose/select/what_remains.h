@@ -17,12 +17,18 @@ struct Remains {
     // Nats by which sets of effects that cannot be the answer are likelier than those that can: an unknown cause may
     // look like one of them (D33c).
     double rejected = -kInfinity;
-    answer::ForceLaw law;  // that the remainder follows; empty unless clear and visible
+    answer::ForceLaw law;              // that the remainder follows; empty unless clear and visible
+    answer::Vibration vibration = {};  // faster than the rows (D33e)
 
     bool visible() const;        // in the gap; otherwise it needs no cause, however surely it is there
     double nats() const;         // for an unknown cause
     double probability() const;  // that a cause of no catalogue is part of it
 };
+
+// Nats by which Student's t with four degrees of freedom and the same variance is likelier than the normal distribution
+// for a deviation, in standard deviations; 0 where it is not (D33a).
+double natsOfTail(double deviation);
+
 // `rows`: of the answer, with its sizes free of their prior.
 Remains whatRemains(const Calibration& car, const Candidate& model, const Rows& rows);
 
