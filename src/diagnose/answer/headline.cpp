@@ -145,11 +145,11 @@ std::string ofUnknown(const Diagnosis& d) {
     std::string text = unknownPart(d);
     if (d.causes.empty()) text += "; no effect in the catalogue explains it";
     else text += fmt::format("; {} {}", ranked(d, causesInOrder(d)), effectOf(d.training.causes));
-    if (!d.unexplained.generalised_force.empty())
-        text += fmt::format("; missing force: {}", d.unexplained.generalised_force);
-    if (const std::string law = followsInWords(d.unexplained.law); !law.empty()) text += ", it " + law;
-    const bool told = isDecomposed(d.training) && d.training.remainder.share <= 0;  // as its pattern
-    if (const std::string vibration = vibrates(d); !told && !vibration.empty()) text += "; " + vibration;
+    const std::string vibration = vibrates(d), law = followsInWords(d.unexplained.law);
+    const bool is_pattern = isDecomposed(d.training) && d.training.remainder.share <= 0;
+    if (!d.unexplained.generalised_force.empty() && (vibration.empty() || !is_pattern))
+        text += fmt::format("; missing force: {}{}", d.unexplained.generalised_force, law.empty() ? "" : ", it " + law);
+    if (!vibration.empty() && !is_pattern) text += "; " + vibration;
     return text + doubtOfTolerances(d);
 }
 

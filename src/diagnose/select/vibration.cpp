@@ -7,12 +7,13 @@
 #include <map>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/math/median.h"
 #include "diagnose/select/what_remains.h"
-#include "log/log_columns.h"
+#include "diagnose/settings.h"
 
 namespace tread::diagnose::select {
 namespace {
@@ -23,14 +24,13 @@ constexpr int kHighest = 20;           // Hz: above it, a body is no longer rigi
 constexpr double kShown = 0.4;         // highest frequency that samples show, in their rate
 constexpr std::size_t kFewest = 3;     // windows of a drive
 constexpr Eigen::Index kFewestAt = 4;  // frequencies, whose median is the level of a channel
-// Guess: the power of the vibrations of one car differs by a factor of two from day to day, with road and speed.
-constexpr double kDayToDay = std::numbers::ln2;
 
 constexpr std::array<std::string_view, 6> kMotions{"chassis.ax",       "chassis.ay",        "chassis.az",
                                                    "chassis.yaw_rate", "chassis.roll_rate", "chassis.pitch_rate"};
 
+// Of the first instrument: a further one would count the same vibration again.
 bool isMotion(const Channel& channel) {
-    return std::find(kMotions.begin(), kMotions.end(), quantityOf(channel.name)) != kMotions.end();
+    return std::find(kMotions.begin(), kMotions.end(), channel.name) != kMotions.end();
 }
 
 // Logarithm of the power of a channel at each frequency: medians over windows, so that neither a bump nor an abrupt
@@ -104,7 +104,7 @@ struct Difference {
 
     double deviation() const {
         const auto drives = static_cast<double>(log_power.size());
-        return std::hypot(kDayToDay, std::sqrt(0.5 * std::numbers::pi * variance) / drives);
+        return std::hypot(kSettings.vibration_between_days, std::sqrt(0.5 * std::numbers::pi * variance) / drives);
     }
 };
 
