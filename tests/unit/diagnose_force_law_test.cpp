@@ -100,7 +100,7 @@ double gainAtTheSizesOf(const Fit& fit, const std::vector<LinearDrive>& drives,
     double most = -kInfinity;
     for (const double force : {2.0, 8.0, 32.0})
         most = std::max(most, densityWithLaw(drives, effects, force, fit.sizes));
-    return most - logDensity(drives, effects, fit.sizes) - std::log(39);
+    return most - logDensity(drives, effects, fit.sizes) - std::log(45);
 }
 
 // The search for the sizes ends when their logarithms move by less than 0.05; the density is flat at its maximum.
@@ -151,7 +151,7 @@ TEST(ForceLaws, HaveTheEvidenceOfTheRemainderThatTheyLeave) {
     for (const double force : {8.0, 32.0}) {
         const double with = largestOf(
             [&](const Sizes& sizes) { return densityWithLaw(told.drives, {}, force, sizes) + priorOf(sizes); });
-        expected = std::max(expected, with - before - std::log(39));
+        expected = std::max(expected, with - before - std::log(45));
     }
     EXPECT_GT(expected, gainAtTheSizesOf(fit, told.drives, {}) + 5);
     EXPECT_NEAR(ForceLaws(car).best(fit).gain, expected, kNearMaximum);

@@ -82,6 +82,11 @@ const std::vector<Law>& laws() {
              of({ax, ay}, [](const auto& v) { return v[0] * v[1]; })},
             {"the magnitude of the lateral acceleration, to the same side in every turn", "m/s2", roll,
              of({ay}, [](const auto& v) { return std::abs(v[0]); })},
+            // Of springs or bushes that stiffen, and of slack. (The noise of a roll rate would follow itself.)
+            {"the signed square of the lateral acceleration", "m2/s4", roll,
+             of({ay}, [](const auto& v) { return squareWithSign(v[0]); })},
+            {"the lateral acceleration up to 1 m/s2", "m/s2", roll,
+             of({ay}, [](const auto& v) { return std::clamp(v[0], -1.0, 1.0); })},
             {"the square of the lateral acceleration", "m2/s4", along,
              of({ay}, [](const auto& v) { return v[0] * v[0]; })},
             {"no motion", "", oblique, of({}, [](const auto&) { return 1.0; })},
