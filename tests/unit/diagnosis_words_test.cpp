@@ -159,8 +159,8 @@ TEST(Headline, OfAnUnknownCauseSaysWhatRemainsAndWhatIsExplained) {
     d.training.remainder = part(0), d.held_out = twoCauses(0.1, 0.2, 0.3, 0.4);
     EXPECT_EQ(
         headline(d),
-        "Unknown: nothing of the gap exceeds noise (30 % in the held-out drives), but what remains has a pattern; no "
-        "effect in the catalogue explains it; missing force: lateral, it is constant");
+        "Unknown: nothing of the gap exceeds noise (30 % in the held-out drives), but what remains is constant; no "
+        "effect in the catalogue explains it; missing force: lateral");
 }
 
 TEST(Headline, OfAnUnknownCauseSaysThatTheCarVibrates) {
@@ -172,8 +172,8 @@ TEST(Headline, OfAnUnknownCauseSaysThatTheCarVibrates) {
     d.unexplained.vibration = {
         .frequency = 5, .growth = {{"chassis.roll_rate", 21.6}, {"chassis.ay", 6.2}}, .gain = 12};
     EXPECT_EQ(headline(d),
-              "Mostly unknown: 60 % of the gap remains unexplained; no effect in the catalogue explains it; the car "
-              "vibrates at 5 Hz, unlike before the change");
+              "Mostly unknown: 60 % of the gap remains unexplained, and the car vibrates at 5 Hz, unlike before the "
+              "change; no effect in the catalogue explains it");
     d.training = twoCauses(0.1, 0, 0, 0.9);
     d.training.each.clear();
     EXPECT_EQ(headline(d),
@@ -183,6 +183,16 @@ TEST(Headline, OfAnUnknownCauseSaysThatTheCarVibrates) {
               "a vibration at 5 Hz that the references lack: roll rate 22 times, lateral acceleration 6.2 times their "
               "amplitude (12 nats)");
     EXPECT_EQ(vibrationInWords({}), "");
+}
+
+TEST(Headline, OfCausesSaysThatTheCarVibratesBeside) {
+    Diagnosis d = twoCausesFound();
+    d.verdict = Verdict::partly_explained;
+    d.training = twoCauses(0.1, 0.5, 0.2, 0.2);
+    d.unexplained.vibration = {.frequency = 5, .growth = {{"chassis.ay", 6.2}}, .gain = 12};
+    EXPECT_NE(headline(d).find("; 20 % of the gap remains unexplained, and the car vibrates at 5 Hz, unlike before"),
+              std::string::npos)
+        << headline(d);
 }
 
 TEST(Headline, OfNothingSaysWhatTheGapConsistsOf) {

@@ -76,20 +76,22 @@ std::string vibrates(const Diagnosis& d) {
     return fmt::format("the car vibrates at {:.0f} Hz, unlike before the change", vibration.frequency);
 }
 
-// Of an unknown cause where nothing is left that exceeds noise.
+// What speaks for an unknown cause where nothing is left that exceeds noise.
 std::string pattern(const Diagnosis& d) {
-    const std::string vibration = vibrates(d);
+    const std::string vibration = vibrates(d), law = followsInWords(d.unexplained.law);
+    const std::string what_remains = "what remains " + (law.empty() ? "has a pattern" : law);
     return "nothing of the gap exceeds noise" + inHeldOutDrives(d) + ", but " +
-           (vibration.empty() ? "what remains has a pattern" : vibration);
+           (vibration.empty() ? what_remains : vibration);
 }
 
-// "12 % of the gap remains unexplained (15 % in the held-out drives)"
+// "12 % of the gap remains unexplained (15 % in the held-out drives), and the car vibrates at 5 Hz, unlike before ..."
 std::string remainder(const Diagnosis& d) {
     if (!isDecomposed(d.training)) return {};
     const double share = d.training.remainder.share;
     if (share <= 0 && d.verdict == Verdict::partly_explained) return pattern(d);
+    const std::string vibration = vibrates(d);
     return (share > 0 ? percentInWords(share) + " of the gap" : "nothing") + " remains unexplained" +
-           inHeldOutDrives(d);
+           inHeldOutDrives(d) + (vibration.empty() ? "" : (share > 0 ? ", and " : ", but ") + vibration);
 }
 
 // "explains 20 % of the gap"
@@ -128,7 +130,7 @@ std::string doubtOfTolerances(const Diagnosis& d) {
 }
 
 // "Mostly unknown: 60 % of the gap remains unexplained", "Mostly tolerances: they explain 70 % of the gap; 20 % of the
-// gap remains unexplained", or what speaks for an unknown cause where nothing is left that exceeds noise: a pattern.
+// gap remains unexplained", "Unknown: nothing of the gap exceeds noise, but what remains has a pattern"
 std::string unknownPart(const Diagnosis& d) {
     if (!isDecomposed(d.training)) return "Mostly unknown";
     if (d.training.remainder.share > 0) {
@@ -145,11 +147,10 @@ std::string ofUnknown(const Diagnosis& d) {
     std::string text = unknownPart(d);
     if (d.causes.empty()) text += "; no effect in the catalogue explains it";
     else text += fmt::format("; {} {}", ranked(d, causesInOrder(d)), effectOf(d.training.causes));
-    const std::string vibration = vibrates(d), law = followsInWords(d.unexplained.law);
-    const bool is_pattern = isDecomposed(d.training) && d.training.remainder.share <= 0;
-    if (!d.unexplained.generalised_force.empty() && (vibration.empty() || !is_pattern))
+    const bool exceeds_noise = !isDecomposed(d.training) || d.training.remainder.share > 0;
+    const std::string law = exceeds_noise ? followsInWords(d.unexplained.law) : "";  // else the pattern tells it
+    if (!d.unexplained.generalised_force.empty() && (exceeds_noise || vibrates(d).empty()))
         text += fmt::format("; missing force: {}{}", d.unexplained.generalised_force, law.empty() ? "" : ", it " + law);
-    if (!vibration.empty() && !is_pattern) text += "; " + vibration;
     return text + doubtOfTolerances(d);
 }
 
