@@ -1,6 +1,7 @@
 // A force that follows the motion of the car, and that no effect of the catalogue is: found as such, with its size.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "blind/drives/measure.h"
@@ -93,6 +94,33 @@ TEST(ForceLaw, OfARearAxleThatPushesAsideInEveryTurnIsAnErrorOfTheForces) {
                                           [](const auto& a, const auto& b) { return a.second < b.second; });
     EXPECT_TRUE(largest->first == "yaw error" || largest->first == "lateral error") << largest->first;
     EXPECT_GT(largest->second, 7);
+}
+
+TEST(ForceLaw, OfARollSpringWithSlackIsFoundWithItsMoment) {
+    constexpr double kMoment = 400;  // N m, of a spring that carries nothing before the car leans at 1 m/s2
+    const Diagnosis d = diagnosed([] {
+        return [](double, const VehicleInput&, const VehicleOutput& car) {
+            return Push{.force = {}, .moment = {kMoment * std::clamp(car.chassis.ay, -1.0, 1.0), 0, 0}};
+        };
+    });
+    EXPECT_EQ(d.verdict, Verdict::unknown) << d.answer;
+    EXPECT_EQ(d.unexplained.law.follows, "the lateral acceleration up to 1 m/s2") << d.answer;
+    EXPECT_EQ(d.unexplained.generalised_force, "roll");
+    EXPECT_NEAR(d.unexplained.law.coefficients.at("roll"), kMoment, 0.2 * kMoment);
+}
+
+// Its estimated size, which is not tested, is three quarters of the true one.
+TEST(ForceLaw, OfARollSpringThatStiffensIsFound) {
+    constexpr double kMoment = 15;  // N m per m2/s4: 400 N m at 0.5 g
+    const Diagnosis d = diagnosed([] {
+        return [](double, const VehicleInput&, const VehicleOutput& car) {
+            return Push{.force = {}, .moment = {-kMoment * car.chassis.ay * std::abs(car.chassis.ay), 0, 0}};
+        };
+    });
+    EXPECT_EQ(d.verdict, Verdict::unknown) << d.answer;
+    EXPECT_EQ(d.unexplained.law.follows, "the signed square of the lateral acceleration") << d.answer;
+    EXPECT_EQ(d.unexplained.generalised_force, "roll");
+    EXPECT_LT(d.unexplained.law.coefficients.at("roll"), 0);
 }
 
 TEST(ForceLaw, IsNotSeenInACarThatIsAsItsFileSays) {
