@@ -149,6 +149,38 @@ TEST_F(Mat, FaultsNameTheFileOrTheVariable) {
     EXPECT_THROW(readForeignTable(file_), FileError);
 }
 
+std::string word(std::uint32_t value) {
+    return std::string(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+std::string element(std::uint32_t type, std::string content) {
+    const std::string tag = word(type) + word(static_cast<std::uint32_t>(content.size()));
+    content.resize((content.size() + 7) / 8 * 8, '\0');
+    return tag + content;
+}
+
+// Objects (texts, tables, times) have no sizes: their name follows the flags.
+TEST_F(Mat, AnObjectIsSkippedWhateverTheLengthOfItsName) {
+    const std::string short_name = word(3u << 16 | 1) + std::string("tab\0", 4), long_name = element(1, "a_long_name");
+    for (const std::string& name : {short_name, long_name}) {
+        write({column("v", {1, 2})});
+        const std::string parts =
+            element(6, word(17) + word(0)) + name + word(4u << 16 | 1) + "MCOS" + element(1, "table");
+        rewrite(bytes() + element(14, parts));
+        const ForeignTable table = readForeignTable(file_);
+        ASSERT_EQ(table.columns.size(), 1u);
+        EXPECT_EQ(table.columns[0].values, (std::vector<double>{1, 2}));
+    }
+}
+
+TEST_F(Mat, AVersionThatDoesNotExistIsRefused) {
+    write({column("v", {1, 2})});
+    std::string changed = bytes();
+    changed[124] = 7;
+    rewrite(changed);
+    EXPECT_EQ(faultsOf([&] { readForeignTable(file_); }), file_.string() + ": is neither of version 4, 5 nor 7.3");
+}
+
 // Cut off at any byte: whole variables, or a fault, never a crash; and never numbers that the file has not.
 TEST_F(Mat, CutOffAnywhereItIsRefusedOrGivesWholeVariables) {
     for (const auto& [version, compression] :

@@ -15,12 +15,12 @@
 namespace tread {
 namespace {
 
-constexpr std::uint32_t kMatrixElement = 14;
+constexpr std::uint32_t kInt8Element = 1, kInt32Element = 5, kUint32Element = 6, kMatrixElement = 14;
 constexpr std::size_t kAlignment = 8, kElementTag = 8, kFlags = 8;
 constexpr std::size_t kSmall = 4;                            // bytes of data within a tag, at most
 constexpr int kDeepestArray = 64;                            // arrays in arrays
 constexpr std::size_t kMostUnpacked = std::size_t{1} << 30;  // of one variable
-enum Class : std::uint32_t { kCell = 1, kStruct, kObject, kChar, kSparse, kFunction = 16 };
+enum Class : std::uint32_t { kCell = 1, kStruct, kObject, kChar, kSparse, kFunction = 16, kOpaque };
 constexpr std::uint32_t kComplex = 0x800;
 
 // Bytes of a number of a type; 0: it has none.
@@ -32,7 +32,25 @@ std::size_t bytesOfNumber(std::uint32_t type) {
 struct MatElement {
     std::uint32_t type = 0;
     std::string_view data;
+    bool within_tag = false;
 };
+
+// matio takes these for granted: where they do not hold, it reads tags where there are none.
+bool isFlags(const std::optional<MatElement>& flags) {
+    return flags && flags->type == kUint32Element && !flags->within_tag && flags->data.size() == kFlags;
+}
+bool isSizes(const std::optional<MatElement>& sizes) {
+    return sizes && sizes->type == kInt32Element && !sizes->within_tag &&
+           sizes->data.size() >= 2 * sizeof(std::int32_t) && sizes->data.size() % sizeof(std::int32_t) == 0;
+}
+bool isName(const std::optional<MatElement>& name) {
+    return name && name->type == kInt8Element;
+}
+// It looks for a tag within the name of an object.
+bool isNameOfObject(const std::optional<MatElement>& name) {
+    const auto is_letter = [](unsigned char c) { return c > ' '; };
+    return isName(name) && std::all_of(name->data.begin(), name->data.end(), is_letter);
+}
 
 std::uint32_t wordOf(std::string_view bytes, bool big) {
     return ByteReader(bytes).number<std::uint32_t>(big);
@@ -47,10 +65,12 @@ public:
         if (content.empty()) return true;  // an array that is empty
         if (depth > kDeepestArray) return false;
         ByteReader reader(content);
-        const auto flags = next(reader), sizes = next(reader), name = next(reader);
-        if (!flags || !sizes || !name || flags->data.size() < kFlags || sizes->data.size() < 2 * sizeof(std::int32_t))
-            return false;
+        const auto flags = next(reader);
+        if (!isFlags(flags)) return false;
         const std::uint32_t word = wordOf(flags->data, big_), kind = word & 0xff;
+        if (kind == kOpaque) return isNameOfObject(next(reader)) && elements(reader);  // no sizes; not read
+        const auto sizes = next(reader), name = next(reader);
+        if (!isSizes(sizes) || !isName(name)) return false;
         const std::optional<std::size_t> count = product(sizes->data);
         if (!count) return false;
         if (kind == kCell) return matrices(reader, *count, depth);
@@ -67,7 +87,7 @@ private:
         if (type >> 16 != 0) {  // four bytes at most, within the tag
             const std::string_view data = reader.take(kSmall);
             if (!reader.ok() || type >> 16 > kSmall) return {};
-            return MatElement{type & 0xffff, data.substr(0, type >> 16)};
+            return MatElement{type & 0xffff, data.substr(0, type >> 16), true};
         }
         const auto size = reader.number<std::uint32_t>(big_);
         const std::string_view data = reader.take(size);
@@ -151,7 +171,7 @@ std::optional<std::string> inflated(std::string_view bytes) {
 }  // namespace
 
 std::string matrixFault(std::string_view content, bool big_endian) {
-    return MatWalk(big_endian).matrix(content, 0) ? "" : "claims more than it holds";
+    return MatWalk(big_endian).matrix(content, 0) ? "" : "has a part that is out of place or claims more than it holds";
 }
 
 std::string compressedFault(std::string_view content, bool big_endian) {

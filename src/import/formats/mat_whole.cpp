@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "import/formats/byte_reader.h"
 #include "import/formats/mat_elements.h"
 
 namespace tread {
@@ -13,6 +14,7 @@ namespace {
 
 constexpr std::size_t kHeader = 128;     // of a version 5 file
 constexpr std::size_t kVersionAt = 124;  // in it: version, then the letters that tell the order of bytes
+constexpr std::uint32_t kVersion5 = 0x0100, kVersion73 = 0x0200;
 constexpr std::size_t kTag = 8, kHeader4 = 20;
 constexpr std::uint32_t kMatrix = 14, kCompressed = 15;
 constexpr std::uint32_t kLargest4 = 1u << 30;  // rows, columns, name: a version 4 file with more is none
@@ -81,11 +83,14 @@ MatContents matContents(std::string_view bytes) {
         const std::string_view order = bytes.substr(kVersionAt + 2, 2);
         if (order == "IM" || order == "MI") {
             const bool big = order == "MI";
-            const bool hdf5 = bytes[kVersionAt + (big ? 0 : 1)] == 2;
-            return hdf5 ? MatContents{} : version5(bytes, big);
+            const std::uint32_t version = ByteReader(bytes.substr(kVersionAt)).number<std::uint16_t>(big);
+            if (version == kVersion73) return {};
+            if (version == kVersion5) return version5(bytes, big);
         }
     }
-    if (bytes.starts_with("MATLAB")) return {"is cut off within its header"};
+    if (bytes.starts_with("MATLAB")) {
+        return {bytes.size() < kHeader ? "is cut off within its header" : "is neither of version 4, 5 nor 7.3"};
+    }
     return version4(bytes);
 }
 
