@@ -137,13 +137,14 @@ union Unmade {
     T value;
     constexpr ~Unmade() {}
 };
-template <class T>
-extern Unmade<T> unmade;  // not defined anywhere
-
 #ifdef __clang__
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wundefined-var-template"
+#pragma clang diagnostic ignored "-Wundefined-internal"
 #endif
+template <class T>
+extern Unmade<T> unmade;  // not defined anywhere
+
 template <class T>
 constexpr std::size_t describedCount() {
     std::size_t count = 0;

@@ -71,8 +71,8 @@ void addVerdicts(HtmlPage& page, const std::vector<Verdict>& verdicts) {
     }
     std::vector<std::string> header{"Metric", "Value", "Condition", "Margin", "Verdict"};
     if (several) header.insert(header.begin(), "Run");
-    constexpr std::size_t kMostOpen = 12;  // rows: more are folded away, the tightest stand above
-    const bool fold = rows.size() > kMostOpen;
+    constexpr std::size_t kMostVerdictsOpen = 12;  // rows: more are folded away, the tightest stand above
+    const bool fold = rows.size() > kMostVerdictsOpen;
     if (fold) page.fold(fmt::format("All {} verdicts", rows.size()));
     page.table(header, rows);
     if (fold) page.unfold();

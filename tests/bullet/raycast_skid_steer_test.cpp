@@ -76,13 +76,14 @@ public:
         return seen;
     }
 
+    World world;
+
 private:
     double mass_;
     btBoxShape shape_;
     btDefaultVehicleRaycaster raycaster_{&world.dynamics};
 
 public:
-    World world;
     std::unique_ptr<btRigidBody> chassis;
     std::unique_ptr<Vehicle> vehicle;
 };

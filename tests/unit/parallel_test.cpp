@@ -23,15 +23,19 @@ TEST(InParallel, EveryPieceIsDoneOnceAndTheFirstFailureIsThrown) {
 
 // Calls within a piece share the threads: as many pieces as threads leave one each, a single piece has all of them.
 TEST(InParallel, PiecesShareTheThreads) {
-    for (const auto& [pieces, threads, each] :
-         {std::array{1, 4, 4}, std::array{2, 4, 2}, std::array{3, 4, 1}, std::array{8, 4, 1}}) {
-        std::vector<std::size_t> seen(pieces), deeper(pieces);
-        inParallel(seen.size(), threads, [&](std::size_t i) {
-            seen[i] = threadCount(threads);
-            inParallel(1, threads, [&](std::size_t) { deeper[i] = threadCount(0); });
+    struct Case {
+        std::size_t pieces;
+        int threads;
+        std::size_t each;
+    };
+    for (const Case& c : {Case{1, 4, 4}, Case{2, 4, 2}, Case{3, 4, 1}, Case{8, 4, 1}}) {
+        std::vector<std::size_t> seen(c.pieces), deeper(c.pieces);
+        inParallel(c.pieces, c.threads, [&](std::size_t i) {
+            seen[i] = threadCount(c.threads);
+            inParallel(1, c.threads, [&](std::size_t) { deeper[i] = threadCount(0); });
         });
-        EXPECT_EQ(seen, std::vector<std::size_t>(pieces, each)) << pieces;
-        EXPECT_TRUE(std::all_of(deeper.begin(), deeper.end(), [&](std::size_t n) { return n <= std::size_t(each); }));
+        EXPECT_EQ(seen, std::vector<std::size_t>(c.pieces, c.each)) << c.pieces;
+        EXPECT_TRUE(std::all_of(deeper.begin(), deeper.end(), [&](std::size_t n) { return n <= c.each; }));
     }
     EXPECT_EQ(threadCount(5), 5u);  // outside again
 }

@@ -62,13 +62,15 @@ template <class T>
 TREAD_INLINE inline T arctan2(const T& y, const T& x) {
     constexpr double kPiLowBits = 1.2246467991473531772e-16;
     constexpr double kEndless = std::numeric_limits<double>::infinity();
-    const T far = larger(magnitude(y), magnitude(x));
+    const T height = magnitude(y);
+    const T width = magnitude(x);
+    const T far = larger(height, width);
     const T near = select(far < T(0x1p-900), T(0x1p100), T(1));
     const T scale = select(far > T(0x1p1000), T(0x1p-100), near);  // sums shall not overflow, nor products vanish
-    const auto nowhere = (magnitude(y) == T(0)) & (magnitude(x) == T(0));
-    const auto endless = (magnitude(y) == T(kEndless)) & (magnitude(x) == T(kEndless));
-    const T up = select(endless, T(1), T(scale * magnitude(y)));
-    const T along = select(endless | nowhere, T(1), T(scale * magnitude(x)));
+    const auto nowhere = (height == T(0)) & (width == T(0));
+    const auto endless = (height == T(kEndless)) & (width == T(kEndless));
+    const T up = select(endless, T(1), T(scale * height));
+    const T along = select(endless | nowhere, T(1), T(scale * width));
     const T angle = arctanOfQuotient(up, along);
     const auto behind = withSign(T(1), x) < T(0);
     return withSign(select(behind, T((std::numbers::pi - angle) + kPiLowBits), angle), y);

@@ -142,7 +142,8 @@ answer::Vibration vibrationOf(const recording::Recorded& recorded) {
     std::map<std::string, Eigen::ArrayXd> growths, of_channels;
     for (const auto& [name, channel] : channels) {
         const Eigen::ArrayXd growth = channel.growth();
-        const auto tail = [&](double more) { return more > 0 ? natsOfTail(more / channel.deviation()) : 0; };
+        const double deviation = channel.deviation();
+        const auto tail = [&](double more) { return more > 0 ? natsOfTail(more / deviation) : 0; };
         growths[name] = growth;
         of_channels[name] = growth.unaryExpr(tail);
         nats += of_channels[name];
