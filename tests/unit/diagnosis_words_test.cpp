@@ -302,6 +302,8 @@ TEST(Numbers, ChangeInPercentOfTheirNominalValue) {
     EXPECT_EQ(changeInPercent(-1.5, -1), "-50 %");
     EXPECT_EQ(changeInPercent(1.0034, 1), "+0.34 %");
     EXPECT_EQ(changeInPercent(1, 0), "");
+    EXPECT_EQ(changeInPercent(0, 0), "");
+    EXPECT_EQ(changeInPercent(-0.39, 0.001), "");
     EXPECT_EQ(percentInWords(0.123), "12 %");
     EXPECT_EQ(percentInWords(0.004), "less than 1 %");
     EXPECT_EQ(percentInWords(0), "0 %");

@@ -104,7 +104,8 @@ std::string numberInWords(const std::vector<std::string>& paths) {
 }
 
 std::string changeInPercent(double value, double nominal) {
-    if (nominal == 0) return {};
+    constexpr double kLargest = 10;  // times nominal: beyond, nominal is next to zero
+    if (std::abs(value - nominal) > kLargest * std::abs(nominal) || nominal == 0) return {};
     const double change = 100 * (value - nominal) / std::abs(nominal);
     return std::abs(change) < 9.5 ? fmt::format("{:+.2g} %", change) : fmt::format("{:+.0f} %", change);
 }

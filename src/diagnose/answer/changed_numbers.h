@@ -29,7 +29,7 @@ std::string numberInWords(const std::vector<std::string>& paths);
 // SI unit of a number; "-" for a pure number.
 std::string unitOf(const std::string& path);
 
-// "-32 %"; empty where the nominal value is 0.
+// "-32 %"; empty where the change is more than ten times the nominal value, which is then next to zero.
 std::string changeInPercent(double value, double nominal);
 
 // A number that moved within its tolerance.
