@@ -160,7 +160,7 @@ std::string element(std::uint32_t type, std::string content) {
 }
 
 // Objects (texts, tables, times) have no sizes: their name follows the flags.
-TEST_F(Mat, AnObjectIsSkippedWhateverTheLengthOfItsName) {
+TEST_F(Mat, AnObjectIsSkipped) {
     const std::string short_name = word(3u << 16 | 1) + std::string("tab\0", 4), long_name = element(1, "a_long_name");
     for (const std::string& name : {short_name, long_name}) {
         write({column("v", {1, 2})});
