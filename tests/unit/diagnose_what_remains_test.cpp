@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 
 #include "base/math/random.h"
 #include "diagnose/settings.h"
@@ -38,16 +39,17 @@ Sizes ordinarySizes() {
 }
 
 // Two drives of a car with an effect and disturbances of these sizes.
-std::vector<LinearDrive> drawn(double first, double second) {
-    Random random(11);
+std::vector<LinearDrive> drawn(double first, double second, std::uint64_t seed = 11) {
+    Random random(seed);
     std::vector<LinearDrive> all;
     for (int d = 0; d < 2; ++d) {
         LinearDrive drive{normals(14, 1, random), normals(14, 1, random), {}, normals(14, 8, random), {}};
         drive.kinds.assign(8, kFirst);
         std::fill(drive.kinds.begin() + 4, drive.kinds.end(), kSecond);
-        drive.measured = normals(14, 1, random) + 1.5 * drive.effects +
-                         first * drive.disturbances.leftCols(4) * normals(4, 1, random) +
-                         second * drive.disturbances.rightCols(4) * normals(4, 1, random);
+        const VectorXd noise = normals(14, 1, random), of_first = normals(4, 1, random),
+                       of_second = normals(4, 1, random);
+        drive.measured = noise + 1.5 * drive.effects + first * drive.disturbances.leftCols(4) * of_first +
+                         second * drive.disturbances.rightCols(4) * of_second;
         all.push_back(std::move(drive));
     }
     return all;
@@ -56,7 +58,7 @@ std::vector<LinearDrive> drawn(double first, double second) {
 // Logarithm of the Bayes factor, integrated over both sizes on a grid, with rows of their full covariance. Half of
 // each prior lies above the usual size; below it, both are the same.
 double bayesFactor(const std::vector<LinearDrive>& drives) {
-    constexpr double kStep = 0.1, kLowest = -3.5, kHighest = 4;  // of the logarithm of a size
+    constexpr double kStep = 0.2, kLowest = -3.5, kHighest = 4;  // of the logarithm of a size
     const auto prior = [](double log_size, double spread) {
         const double within = log_size > 0 ? spread : kLargePrior.spread;
         return std::exp(-0.5 * std::pow(log_size / within, 2)) / within;
@@ -94,14 +96,22 @@ bool seen(const Remains& remains) {
     return remains.probability() >= diagnose::kSettings.sure;
 }
 
-// The Gaussian in the logarithms of the sizes that (D33) puts in place of the integral is an approximation.
-constexpr double kOfApproximation = 0.5;  // nats
+// The Gaussian in the logarithms of the sizes that (D33) puts in place of the integral is an approximation: it errs by
+// this (root mean square over draws), or by a tenth of the evidence.
+constexpr double kOfApproximation = 0.6;  // nats
 
 TEST(WhatRemains, IsBeyondOrdinaryByTheEvidenceOfLargerSizes) {
+    constexpr int kDraws = 8;
     for (const auto& [first, second] : {std::pair{1.0, 1.0}, {2.0, 0.1}, {4.0, 1.0}, {0.2, 9.0}, {12.0, 12.0}}) {
-        const std::vector<LinearDrive> drives = drawn(first, second);
-        const Remains found = remainsOf(drives);
-        EXPECT_NEAR(found.beyond_ordinary, bayesFactor(drives), kOfApproximation) << first << ", " << second;
+        double squares = 0, evidence = 0;
+        Remains found;
+        for (std::uint64_t seed = 1; seed <= kDraws; ++seed) {
+            const std::vector<LinearDrive> drives = drawn(first, second, seed);
+            found = remainsOf(drives);
+            const double exact = bayesFactor(drives);
+            squares += std::pow(found.beyond_ordinary - exact, 2) / kDraws, evidence += exact / kDraws;
+        }
+        EXPECT_LE(std::sqrt(squares), std::max(kOfApproximation, 0.1 * evidence)) << first << ", " << second;
         const double nats = std::max(found.visible() ? found.beyond_ordinary : 0, found.strain);
         EXPECT_NEAR(found.probability(), 1 / (1 + 9 * std::exp(-nats)), 1e-12);
         EXPECT_EQ(seen(found), nats >= std::log(81)) << "odds of 9 to 1 after 1 to 9";
