@@ -73,9 +73,9 @@ public:
         if (!isSizes(sizes) || !isName(name)) return false;
         const std::optional<std::size_t> count = product(sizes->data);
         if (!count) return false;
-        if (kind == kCell) return matrices(reader, *count, depth);
+        if (kind == kCell || kind == kFunction) return matrices(reader, *count, depth);
         if (kind == kStruct || kind == kObject) return fields(reader, kind, *count, depth);
-        if (kind == kSparse || kind == 0 || kind >= kFunction) return elements(reader);  // not read
+        if (kind == kSparse || kind == 0 || kind > kOpaque) return elements(reader);  // not read
         return numbers(reader, *count) && ((word & kComplex) == 0 || numbers(reader, *count));
     }
 
