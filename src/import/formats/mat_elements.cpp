@@ -46,7 +46,7 @@ bool isSizes(const std::optional<MatElement>& sizes) {
 bool isName(const std::optional<MatElement>& name) {
     return name && name->type == kInt8Element;
 }
-// It looks for a tag within the name of an object.
+// matio looks for a tag within the name of an object.
 bool isNameOfObject(const std::optional<MatElement>& name) {
     const auto is_letter = [](unsigned char c) { return c > ' '; };
     return isName(name) && std::all_of(name->data.begin(), name->data.end(), is_letter);

@@ -20,12 +20,7 @@ constexpr std::uint32_t kMatrix = 14, kCompressed = 15;
 constexpr std::uint32_t kLargest4 = 1u << 30;  // rows, columns, name: a version 4 file with more is none
 
 std::uint32_t word(std::string_view bytes, std::size_t at, bool big) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const auto byte = static_cast<unsigned char>(bytes[at + (big ? i : 3 - i)]);
-        value = value << 8 | byte;
-    }
-    return value;
+    return ByteReader(bytes.substr(at)).number<std::uint32_t>(big);
 }
 
 MatContents cutOff(std::size_t variable, std::size_t missing) {
@@ -88,9 +83,7 @@ MatContents matContents(std::string_view bytes) {
             if (version == kVersion5) return version5(bytes, big);
         }
     }
-    if (bytes.starts_with("MATLAB")) {
-        return {bytes.size() < kHeader ? "is cut off within its header" : "is neither of version 4, 5 nor 7.3"};
-    }
+    if (bytes.size() < kHeader && bytes.starts_with("MATLAB")) return {"is cut off within its header"};
     return version4(bytes);
 }
 
