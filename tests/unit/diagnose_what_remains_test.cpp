@@ -58,7 +58,7 @@ std::vector<LinearDrive> drawn(double first, double second, std::uint64_t seed =
 // Logarithm of the Bayes factor, integrated over both sizes on a grid, with rows of their full covariance. Half of
 // each prior lies above the usual size; below it, both are the same.
 double bayesFactor(const std::vector<LinearDrive>& drives) {
-    constexpr double kStep = 0.2, kLowest = -3.5, kHighest = 4;  // of the logarithm of a size
+    constexpr double kStep = 0.1, kLowest = -3.5, kHighest = 4;  // of the logarithm of a size
     const auto prior = [](double log_size, double spread) {
         const double within = log_size > 0 ? spread : kLargePrior.spread;
         return std::exp(-0.5 * std::pow(log_size / within, 2)) / within;
@@ -101,7 +101,7 @@ bool seen(const Remains& remains) {
 constexpr double kOfApproximation = 0.6;  // nats
 
 TEST(WhatRemains, IsBeyondOrdinaryByTheEvidenceOfLargerSizes) {
-    constexpr int kDraws = 8;
+    constexpr int kDraws = 4;
     for (const auto& [first, second] : {std::pair{1.0, 1.0}, {2.0, 0.1}, {4.0, 1.0}, {0.2, 9.0}, {12.0, 12.0}}) {
         double squares = 0, evidence = 0;
         Remains found;
