@@ -264,6 +264,13 @@ TEST(YamlReader, TextIsAnyScalarButNotNothing) {
     EXPECT_EQ(faults("name: {a: 1}\n").size(), 1u);
 }
 
+TEST(YamlReader, EscapesOfCharactersBeyondAsciiAreThoseCharacters) {
+    EXPECT_EQ(read(R"(name: "a\Nb\_\_ä\x85\u00e4\L")"
+                   "\n")
+                  .name,
+              "a\u0085b\u00a0\u00a0ä\u0085ä\u2028");
+}
+
 TEST(YamlReader, EnumNamesTheLikelyValue) {
     EXPECT_EQ(faults("drive: reer\n"),
               (Texts{"car.yaml:1:8: drive: found \"reer\", expected front, rear or all; did you mean \"rear\"?"}));

@@ -34,15 +34,6 @@ std::size_t sequenceLength(std::string_view text) {
     return overlong || surrogate || beyond ? 0 : length;
 }
 
-std::size_t findInvalidUtf8(std::string_view text) {
-    for (std::size_t i = 0; i < text.size();) {
-        const std::size_t length = sequenceLength(text.substr(i));
-        if (length == 0) return i;
-        i += length;
-    }
-    return kNowhere;
-}
-
 // The first tab that stands before the first word of a line.
 std::size_t findTabInIndentation(std::string_view text) {
     for (std::size_t line = 0; line < text.size();) {
@@ -141,6 +132,15 @@ std::optional<std::string> readTextFile(const std::filesystem::path& file, std::
         return {};
     }
     return text;
+}
+
+std::size_t findInvalidUtf8(std::string_view text) {
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t length = sequenceLength(text.substr(i));
+        if (length == 0) return i;
+        i += length;
+    }
+    return kNowhere;
 }
 
 bool isUtf8(std::string_view text) {

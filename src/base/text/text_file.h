@@ -27,6 +27,8 @@ std::optional<std::string> readTextFile(const std::filesystem::path& file, std::
 bool isPlainText(std::string_view text, const std::string& file, std::vector<Problem>& problems);
 
 bool isUtf8(std::string_view text);
+// The first byte at which the text is not UTF-8; npos when there is none.
+std::size_t findInvalidUtf8(std::string_view text);
 
 // Line and column (from 1, in characters) of a byte of the text.
 struct TextPosition {

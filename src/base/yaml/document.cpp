@@ -23,6 +23,19 @@ struct Fault {
     std::string text;
 };
 
+// yaml-cpp 0.7 writes the characters of the escapes \N and \_, U+0085 and U+00A0, as their last byte alone.
+std::string withWholeEscapes(std::string_view scalar) {
+    std::string whole;
+    while (true) {
+        const std::size_t stray = findInvalidUtf8(scalar);
+        whole += scalar.substr(0, stray);
+        if (stray == std::string_view::npos) return whole;
+        whole += '\xC2';
+        whole += scalar[stray];
+        scalar.remove_prefix(stray + 1);
+    }
+}
+
 // Positions as an editor shows them: the parser counts bytes, people count characters.
 class Positions {
 public:
@@ -78,7 +91,7 @@ public:
                   const std::string& value) override {
         rejectTag(mark, tag);
         const std::size_t index = open(mark, anchor, YamlNode::Kind::scalar);
-        nodes_[index].text = value;
+        nodes_[index].text = withWholeEscapes(value);
         nodes_[index].quoted = tag == "!";
         addToParent(mark, index);
     }
