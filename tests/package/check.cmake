@@ -1,6 +1,6 @@
 # Installs the build into a prefix of its own (STEP=install), makes Debian packages of it and unpacks them (STEP=debian), or
-# builds and runs the consumer against it in one of the ways of consumer/CMakeLists.txt (STEP=package, source, pkgconfig,
-# wrong_bullet, ...), by another linker where one is named (STEP=package, LINKER=gold).
+# builds and runs the consumer against it in one of the ways of consumer/CMakeLists.txt (STEP=package, pkgconfig, wrong_bullet,
+# ...), by another linker where one is named (STEP=package, LINKER=gold).
 #   cmake -DSTEP=... -DLINKER=... -DFOLDER=... -DBUILD=... -DSOURCE=... -DCOMPILER=... -DFLAGS=... -DLAUNCHER=... -DPYTHON=... -P check.cmake
 set(prefix "${FOLDER}/installed tread")
 
@@ -129,13 +129,8 @@ file(COPY ${CMAKE_CURRENT_LIST_DIR}/consumer DESTINATION ${place})
 file(GLOB_RECURSE pc_file "${prefix}/tread.pc")
 cmake_path(GET pc_file PARENT_PATH pc_folder)
 set(ENV{PKG_CONFIG_PATH} ${pc_folder})
-set(build_type Release)
-if(STEP STREQUAL source)
-    set(build_type Debug)  # all of the library is built again: whether that works does not depend on optimisation
-    list(APPEND FLAGS -g0)
-endif()
-must_run(${CMAKE_COMMAND} -S ${place}/consumer -B ${place}/build -G Ninja -DTREAD_FROM=${STEP} -DCMAKE_BUILD_TYPE=${build_type}
-    -DCMAKE_PREFIX_PATH=${prefix} -DTREAD_PREFIX=${prefix} -DTREAD_SOURCE=${SOURCE}
+must_run(${CMAKE_COMMAND} -S ${place}/consumer -B ${place}/build -G Ninja -DTREAD_FROM=${STEP} -DCMAKE_BUILD_TYPE=Release
+    -DCMAKE_PREFIX_PATH=${prefix} -DTREAD_PREFIX=${prefix}
     -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
     -DTREAD_LINKER=${LINKER})
 run(${CMAKE_COMMAND} --build ${place}/build)
