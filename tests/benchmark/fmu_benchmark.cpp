@@ -3,6 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "benchmark/step.h"
 #include "fmu/package/archive.h"
 #include "host/car.h"
 #include "host/channels.h"
@@ -11,8 +12,6 @@
 
 namespace tread {
 namespace {
-
-constexpr double kStep = 0.001;  // s
 
 void fmuStep(benchmark::State& state, fmu::FmiVersion version) {
     const Scratch scratch;

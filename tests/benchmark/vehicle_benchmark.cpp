@@ -7,6 +7,7 @@
 
 #include "base/threads/keep_memory.h"
 #include "base/threads/parallel.h"
+#include "benchmark/step.h"
 #include "run/together.h"
 #include "shared/bullet_scene.h"
 #include "shared/equipped_car.h"
@@ -15,8 +16,7 @@
 namespace tread {
 namespace {
 
-constexpr double kStep = 0.001;  // s
-constexpr double kSpeed = 20;    // m/s
+constexpr double kSpeed = 20;  // m/s
 
 // The car goes straight on; it is set back before it leaves where a float world would still be exact.
 template <class Car>

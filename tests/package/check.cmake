@@ -93,15 +93,16 @@ if(STEP STREQUAL debian_consumer)
     set(prefix "${FOLDER}/unpacked/usr")
 endif()
 
-# ---- Build the programs of tools/port against the installed tread, and run them ----
+# ---- Build the programs of tools/port against the installed tread, and run them: all of them for Bullet as Debian and
+# most games build it, in single precision ----
 if(STEP MATCHES "^port")
-    set(precision double)
+    set(part -DPORT_PRECISION=double -DTREAD_PORT_PROGRAMS=OFF)
     if(STEP STREQUAL port_float)
-        set(precision float)
+        set(part -DPORT_PRECISION=float)
     endif()
     set(place ${FOLDER}/${STEP})
     file(REMOVE_RECURSE ${place})
-    must_run(${CMAKE_COMMAND} -S ${SOURCE}/tools/port -B ${place} -G Ninja -DPORT_PRECISION=${precision}
+    must_run(${CMAKE_COMMAND} -S ${SOURCE}/tools/port -B ${place} -G Ninja ${part}
         -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${COMPILER}
         -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
     must_run(${CMAKE_COMMAND} --build ${place})

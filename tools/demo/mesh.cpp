@@ -12,7 +12,7 @@ using scene::vector;
 constexpr int kSides = 28;  // of what is round
 constexpr float kGrid = 2;
 
-std::array<float, 3> floats(const btVector3& v) {
+std::array<float, 3> coordinates(const btVector3& v) {
     return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
@@ -36,8 +36,8 @@ void addTriangle(Mesh& mesh, const btVector3& a, const btVector3& b, const btVec
                  float gloss) {
     const btVector3 across = (b - a).cross(c - a);
     if (across.length2() < scalar(1e-14)) return;
-    const auto normal = floats(across.normalized());
-    for (const btVector3& p : {a, b, c}) mesh.push_back({floats(p), normal, colour, gloss});
+    const auto normal = coordinates(across.normalized());
+    for (const btVector3& p : {a, b, c}) mesh.push_back({coordinates(p), normal, colour, gloss});
 }
 
 void addQuad(Mesh& mesh, const btVector3& a, const btVector3& b, const btVector3& c, const btVector3& d,

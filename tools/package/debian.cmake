@@ -29,6 +29,15 @@ set(CPACK_COMPONENT_PYTHON_DESCRIPTION
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tread)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+if(TREAD_LAB)
+    # matio is loaded and not linked: that it is needed stands nowhere else.
+    cmake_path(GET matio_file PARENT_PATH matio_folder)
+    find_program(TREAD_DPKG_QUERY dpkg-query)
+    if(TREAD_DPKG_QUERY)
+        execute_process(COMMAND ${TREAD_DPKG_QUERY} --search ${matio_folder}/${tread_matio} OUTPUT_VARIABLE matio_owner ERROR_QUIET)
+        string(REGEX MATCH "^[^:]+" CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${matio_owner}")
+    endif()
+endif()
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
     "full-vehicle simulator on Delft Tyre 97\n Runs standard manoeuvres headless, computes their metrics, compares and reports logs.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libtread-dev)

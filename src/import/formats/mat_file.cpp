@@ -1,11 +1,10 @@
 // MATLAB files (.mat, versions 4, 5 and, as far as matio was built with HDF5, 7.3): every real numeric array becomes
 // one column or, when it has several, one for each of its columns; fields of structs are named with dots.
-#include <matio.h>
-
 #include <algorithm>
 #include <memory>
 
 #include "import/formats/foreign_table.h"
+#include "import/formats/mat_library.h"
 #include "import/formats/mat_whole.h"
 #include "log/csv.h"
 
@@ -15,13 +14,6 @@ namespace {
 constexpr std::size_t kLargestMat = std::size_t{2} << 30;  // bytes of one array
 constexpr std::size_t kMostColumns = 20000;                // of a file
 constexpr int kDeepest = 16;                               // structs in structs
-
-struct CloseMat {
-    void operator()(mat_t* mat) const { Mat_Close(mat); }
-};
-struct FreeVar {
-    void operator()(matvar_t* variable) const { Mat_VarFree(variable); }
-};
 
 double element(const matvar_t& variable, std::size_t i) {
     const auto at = [&]<class T>(T) { return static_cast<double>(static_cast<const T*>(variable.data)[i]); };
@@ -57,7 +49,7 @@ bool isNumeric(const matvar_t& variable) {
 
 class Flatten {
 public:
-    explicit Flatten(ForeignTable& table) : table_(table) {}
+    Flatten(const MatLibrary& matio, ForeignTable& table) : matio_(matio), table_(table) {}
 
     void take(matvar_t* variable, const std::string& name, int depth = 0) {
         if (!variable || depth > kDeepest || table_.columns.size() > kMostColumns) return;
@@ -82,12 +74,12 @@ private:
     void takeStruct(matvar_t& variable, const std::string& name, int depth) {
         std::size_t elements = 1;
         for (int i = 0; i < variable.rank; ++i) elements *= variable.dims[i];
-        const unsigned fields = Mat_VarGetNumberOfFields(&variable);
-        char* const* const names = Mat_VarGetStructFieldnames(&variable);
+        const unsigned fields = matio_.varGetNumberOfFields(&variable);
+        char* const* const names = matio_.varGetStructFieldnames(&variable);
         for (std::size_t e = 0; e < elements && names; ++e) {
             const std::string index = elements == 1 ? "" : "(" + std::to_string(e + 1) + ")";
             for (unsigned f = 0; f < fields; ++f) {
-                take(Mat_VarGetStructFieldByIndex(&variable, f, e), name + index + "." + names[f], depth + 1);
+                take(matio_.varGetStructFieldByIndex(&variable, f, e), name + index + "." + names[f], depth + 1);
             }
         }
     }
@@ -105,6 +97,7 @@ private:
         }
     }
 
+    const MatLibrary& matio_;
     ForeignTable& table_;
     std::size_t passed_over_ = 0;
     std::string first_;
@@ -117,15 +110,16 @@ ForeignTable readMat(const std::filesystem::path& path) {
     ForeignTable table{file, "MATLAB file", {}, {}, {}};
     const MatContents contents = matContents(readBytes(path));
     if (!contents.fault.empty()) throw LoadError({{file, 0, 0, "", contents.fault}});
-    Mat_LogInitFunc("tread", [](int, char*) {});  // its words would stand between ours
-    const std::unique_ptr<mat_t, CloseMat> mat(Mat_Open(file.c_str(), MAT_ACC_RDONLY));
+    const MatLibrary& matio = matLibrary(file);
+    const std::unique_ptr<mat_t, decltype(matio.close)> mat(matio.open(file.c_str(), MAT_ACC_RDONLY), matio.close);
     if (!mat)
         throw LoadError(
             {{file, 0, 0, "", "is not a MATLAB file that can be read, or one of version 7.3 that is cut off"}});
 
-    Flatten flatten(table);
+    Flatten flatten(matio, table);
     std::size_t variables = 0;
-    while (const auto info = std::unique_ptr<matvar_t, FreeVar>(Mat_VarReadNextInfo(mat.get()))) {
+    while (const auto info =
+               std::unique_ptr<matvar_t, decltype(matio.varFree)>(matio.varReadNextInfo(mat.get()), matio.varFree)) {
         ++variables;
         const std::string name = info->name ? info->name : "";
         if (name.empty()) continue;  // where MATLAB keeps the parts of objects
@@ -135,7 +129,7 @@ ForeignTable readMat(const std::filesystem::path& path) {
             throw LoadError({{file, 0, 0, name, "claims " + std::to_string(elements) + " values, more than 2 GB"}});
         }
         const bool needed = info->class_type == MAT_C_STRUCT || isNumeric(*info);
-        if (needed && Mat_VarReadDataAll(mat.get(), info.get()) != 0) {
+        if (needed && matio.varReadDataAll(mat.get(), info.get()) != 0) {
             throw LoadError({{file, 0, 0, name, "could not be read; the file is cut off or damaged there"}});
         }
         flatten.take(info.get(), name);
