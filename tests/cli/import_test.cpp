@@ -234,6 +234,23 @@ TEST_F(Import, MakesATyreOfATirFile) {
     EXPECT_EQ(runProgram({"import", tir, "--map", map}).status, 2);
 }
 
+// The program does without the library of MATLAB files until it is given one.
+TEST_F(Import, MatlabFilesNeedALibraryThatOthersDoNot) {
+    std::filesystem::create_directory(scratch.path("lib"));
+    for (int version = 0; version < 100; ++version) scratch.file("lib/libmatio.so." + std::to_string(version), "");
+    setenv("LD_LIBRARY_PATH", scratch.path("lib").c_str(), 1);
+    const std::string matlab = sourceFile("tests/fuzz/corpus/mat/v5.mat");
+    const Result refused = runProgram({"import", matlab, "-o", log});
+    const Result other = runProgram({"import", table, "--map", map, "-o", log});
+    unsetenv("LD_LIBRARY_PATH");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_EQ(refused.err.find(matlab + ": is a MATLAB file, and matio, the library that reads it, cannot"), 0u)
+        << refused.err;
+    EXPECT_NE(refused.err.find("; install matio"), std::string::npos) << refused.err;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+    EXPECT_EQ(other.status, 0) << other.err;
+}
+
 TEST_F(Import, NeverOverwritesAFileThatWasNotNamed) {
     const Result nowhere = runProgram({"import", scratch.path("none.vbo"), "-o", log});
     EXPECT_EQ(nowhere.status, 2);

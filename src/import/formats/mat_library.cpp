@@ -9,10 +9,9 @@ namespace {
 
 [[noreturn]] void fail(const std::string& file) {
     const char* const reason = dlerror();
-    throw LoadError(
-        {{file, 0, 0, "",
-          std::string("is a MATLAB file, for which the library matio is needed, and that cannot be loaded (") +
-              (reason ? reason : "no reason is given") + "); install it (Debian: libmatio11)"}});
+    throw LoadError({{file, 0, 0, "",
+                      std::string("is a MATLAB file, and matio, the library that reads it, cannot be loaded (") +
+                          (reason ? reason : "no reason is given") + "); install matio"}});
 }
 
 MatLibrary load(const std::string& file) {
