@@ -14,7 +14,7 @@ foreach(i RANGE ${last})
 endforeach()
 foreach(command
         "${CMAKE_COMMAND};-S;${SOURCE}/tests/package/consumer;-B;${BUILD};-G;Ninja;-DTREAD_FROM=source;-DTREAD_SOURCE=${SOURCE};-DTREAD_LAB=ON;-DTREAD_TESTS=ON;-DTREAD_WERROR=ON;-DCMAKE_BUILD_TYPE=RelWithDebInfo;-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-Og --param asan-instrumentation-with-call-threshold=0;-DCMAKE_CXX_FLAGS=${flags};-DCMAKE_CXX_COMPILER=${COMPILER};-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}"
-        "${CMAKE_COMMAND};--build;${BUILD};--target;consumer;tests_bullet;tests_bullet_float")
+        "${CMAKE_COMMAND};--build;${BUILD};--target;consumer;tests_bullet")
     execute_process(COMMAND ${command} RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
     if(NOT status EQUAL 0)
         list(JOIN command " " words)

@@ -147,7 +147,7 @@ TEST(Sheet, HeaveAndPitchAreModesOfAnIndependentCarOnFourWheels) {
     for (const VehicleParams& shipped : {reference::compact(), reference::rearDriveSedan()}) {
         const VehicleParams car = reference::linearCar(shipped);
         const Sheet sheet = sheetOf(car);
-        const Eigen::EigenSolver<reference::Matrix14> modes(reference::linearModel(car).system());
+        const Eigen::EigenSolver<Eigen::MatrixXd> modes(reference::linearModel(car).system());
         for (const std::string mode : {"heave", "pitch"}) {
             const double omega = 2 * std::numbers::pi * value(sheet, mode + "_frequency");
             const double zeta = value(sheet, mode + "_damping");
