@@ -1,4 +1,4 @@
-// The step at which the benchmarks of cars advance.
+// The time step of the benchmarks of cars.
 #pragma once
 
 namespace tread {

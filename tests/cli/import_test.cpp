@@ -234,7 +234,7 @@ TEST_F(Import, MakesATyreOfATirFile) {
     EXPECT_EQ(runProgram({"import", tir, "--map", map}).status, 2);
 }
 
-// The program does without the library of MATLAB files until it is given one.
+// Empty files in place of matio: only the import of a MATLAB file fails.
 TEST_F(Import, MatlabFilesNeedALibraryThatOthersDoNot) {
     std::filesystem::create_directory(scratch.path("lib"));
     for (int version = 0; version < 100; ++version) scratch.file("lib/libmatio.so." + std::to_string(version), "");

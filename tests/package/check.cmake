@@ -93,8 +93,8 @@ if(STEP STREQUAL debian_consumer)
     set(prefix "${FOLDER}/unpacked/usr")
 endif()
 
-# ---- Build the programs of tools/port against the installed tread, and run them: all of them for Bullet as Debian and
-# most games build it, in single precision ----
+# ---- Build the programs of tools/port against the installed tread, and run them: all of them for Bullet in single
+# precision, which most games use; for double precision, only the game before and after its port ----
 if(STEP MATCHES "^port")
     set(part -DPORT_PRECISION=double -DTREAD_PORT_PROGRAMS=OFF)
     if(STEP STREQUAL port_float)

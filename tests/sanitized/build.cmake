@@ -1,4 +1,4 @@
-# Builds a game that has tread in its own build (tests/package/consumer), and with it the tests of the plugin, with the
+# Builds a game that adds tread with add_subdirectory (tests/package/consumer) and the tests of the plugin, with the
 # sanitizers of the preset `sanitize`. With -Og, and with calls of the checks in place of their code: more optimisation and
 # checks in line take longer to compile than they save in the few tests that run.
 #   cmake -DSOURCE=... -DBUILD=... -DCOMPILER=... -DLAUNCHER=... -P build.cmake

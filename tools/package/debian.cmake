@@ -30,7 +30,7 @@ set(CPACK_COMPONENT_PYTHON_DESCRIPTION
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tread)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 if(TREAD_LAB)
-    # matio is loaded and not linked: that it is needed stands nowhere else.
+    # dpkg-shlibdeps cannot see this dependency: matio is loaded, not linked.
     cmake_path(GET matio_file PARENT_PATH matio_folder)
     find_program(TREAD_DPKG_QUERY dpkg-query)
     if(TREAD_DPKG_QUERY)

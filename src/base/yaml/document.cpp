@@ -23,7 +23,7 @@ struct Fault {
     std::string text;
 };
 
-// yaml-cpp 0.7 writes the characters of the escapes \N and \_, U+0085 and U+00A0, as their last byte alone.
+// yaml-cpp 0.7 decodes the escapes \N and \_ (U+0085 and U+00A0) to the last byte of their UTF-8 alone.
 std::string withWholeEscapes(std::string_view scalar) {
     std::string whole;
     while (true) {

@@ -1,5 +1,5 @@
-// The functions of matio with which MATLAB files are read. matio is loaded with the first such file: the thirty
-// libraries that it brings along (HDF5, and what HDF5 reads over networks) would take two thirds of the start of every
+// The functions of matio that read MATLAB files. matio is loaded when the first such file is read, because the thirty
+// libraries on which it depends (HDF5 and its network libraries) would nearly double the start-up time of every
 // program.
 #pragma once
 
