@@ -13,11 +13,8 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "acceleration";
 constexpr double kFullThrottle = 0.9;      // of the pedal
 constexpr double kLeastGain = 5;           // m/s
-constexpr double kPedal = 0.02;            // of the pedal: less is a resting foot
-constexpr double kSpeedHalfWidth = 0.1;    // s
 constexpr double kRollsFrom = 1.0;         // m/s: a car that is faster when it starts does not start from rest
 constexpr double kStandingDistance = 400;  // m
 
@@ -45,7 +42,7 @@ double fromRest(const Acceleration& a, double value) {
     return a.initial < kRollsFrom ? value : kUndefined;
 }
 
-MetricTable<Acceleration> table() {
+MetricTable<Acceleration> accelerationTable() {
     return {
         {{"time_0_to_100_kmh", "Time from 0 to 100 km/h", "s",
           "from the throttle pedal to 100 km/h; undefined when the car is already rolling",
@@ -73,15 +70,15 @@ MetricTable<Acceleration> table() {
 }
 
 Acceleration findAcceleration(const Log& log) {
-    const auto needed = channels(log, kName, {"driver.throttle", "chassis.vx"});
+    const auto needed = channels(log, {"driver.throttle", "chassis.vx"});
     const TimeSeries& throttle = needed[0];
     const auto full = throttle.value.front() >= kFullThrottle
                           ? throttle.begin()
                           : firstCrossing(throttle, kFullThrottle, throttle.begin());
-    if (!full) notFound(kName, "the throttle is never opened fully");
+    if (!full) notFound("the throttle is never opened fully");
     double end = throttle.end();
-    if (const auto brake = channelIfThere(log, kName, "driver.brake")) {
-        end = firstCrossing(*brake, kPedal, *full).value_or(end);
+    if (const auto brake = channelIfThere(log, "driver.brake")) {
+        end = firstCrossing(*brake, kRestingFoot, *full).value_or(end);
     }
     end = std::min(end, firstCrossing(throttle, kFullThrottle, std::min(*full + 0.2, end)).value_or(end));
     Acceleration a{};
@@ -91,8 +88,8 @@ Acceleration findAcceleration(const Log& log) {
     a.initial = a.v.value.front();
     a.most = highest(a.v, a.onset, end).value;
     if (a.most - a.initial < kLeastGain) {
-        notFound(kName, fmt::format("with full throttle the car gains only {:.2g} m/s, expected at least {:.2g} m/s",
-                                    a.most - a.initial, kLeastGain));
+        notFound(fmt::format("with full throttle the car gains only {:.2g} m/s, expected at least {:.2g} m/s",
+                             a.most - a.initial, kLeastGain));
     }
     a.peak = highest(derivative(a.v, kSpeedHalfWidth), a.onset, end).value;
     a.way = a.v;
@@ -106,8 +103,9 @@ Acceleration findAcceleration(const Log& log) {
 }  // namespace
 
 Manoeuvre acceleration() {
-    return {kName, "full throttle: times and distances to speeds", [] { return definitions(table()); },
-            [](const Log& log, const KnownCar&) { return values(table(), findAcceleration(log)); }};
+    return {"acceleration", "full throttle: times and distances to speeds",
+            [] { return definitions(accelerationTable()); },
+            [](const Log& log, const KnownCar&) { return values(accelerationTable(), findAcceleration(log)); }};
 }
 
 }  // namespace tread

@@ -13,10 +13,9 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "bump";
-constexpr double kBefore = 0.3;       // s of even road
+constexpr double kEvenRoad = 0.3;     // s of even road
 constexpr double kEven = 0.03;        // share of its mean by which a wheel load may vary before
-constexpr double kLeast = 0.25;       // share by which a bump changes it
+constexpr double kLeastBump = 0.25;   // share by which a bump changes it
 constexpr double kOffTheRoad = 0.01;  // share of the static load below which a wheel is off the road
 constexpr double kCalm = 0.5;         // m/s2 of vertical acceleration that counts as settled
 
@@ -30,7 +29,7 @@ struct Bump {
     double settling = 0;                                    // s
 };
 
-MetricTable<Bump> table() {
+MetricTable<Bump> bumpTable() {
     return {
         {{"speed", "Speed before the bump", "m/s", "before the bump"}, [](const Bump& b) { return b.speed; }},
         {{"highest_az", "Vertical acceleration, upward peak", "m/s2", "largest upward acceleration of the body",
@@ -76,14 +75,14 @@ double findLoads(Bump& bump, const Log& log) {
     double first = std::numeric_limits<double>::infinity();
     for (std::string_view wheel : kWheelNames) {
         const std::string name = fmt::format("wheel.{}.load", wheel);
-        const TimeSeries load = channels(log, kName, {name}).front();
-        const double begin = load.begin(), still = mean(load, begin, begin + kBefore);
+        const TimeSeries load = channels(log, {name}).front();
+        const double begin = load.begin(), still = mean(load, begin, begin + kEvenRoad);
         // Samples: no parabola at the edges where a wheel leaves the road.
         const auto [low, high] = range(load);
-        const auto [low_at_first, high_at_first] = range(part(load, begin, begin + kBefore));
+        const auto [low_at_first, high_at_first] = range(part(load, begin, begin + kEvenRoad));
         if (still <= 0 || std::max(high_at_first - still, still - low_at_first) > kEven * still)
-            notFound(kName, fmt::format("{} is not steady for the first {:.2g} s", name, kBefore));
-        if (std::max(high - still, still - low) > kLeast * still) {
+            notFound(fmt::format("{} is not steady for the first {:.2g} s", name, kEvenRoad));
+        if (std::max(high - still, still - low) > kLeastBump * still) {
             for (double level : {1 - kEven, 1 + kEven})
                 first = std::min(first, firstCrossing(load, level * still, begin).value_or(first));
         }
@@ -91,15 +90,15 @@ double findLoads(Bump& bump, const Log& log) {
         bump.lowest_load = std::fmin(bump.lowest_load, low / still);
         bump.off_the_road = std::max(bump.off_the_road, timeBelow(load, kOffTheRoad * still));
     }
-    if (std::isinf(first)) notFound(kName, fmt::format("no wheel load changes by more than {:.0f} %", 100 * kLeast));
+    if (std::isinf(first)) notFound(fmt::format("no wheel load changes by more than {:.0f} %", 100 * kLeastBump));
     return first;
 }
 
 void findTravel(Bump& bump, const Log& log) {
     for (std::string_view wheel : kWheelNames) {
-        const auto travel = channelIfThere(log, kName, fmt::format("wheel.{}.travel", wheel));
+        const auto travel = channelIfThere(log, fmt::format("wheel.{}.travel", wheel));
         if (!travel) continue;
-        const double begin = travel->begin(), end = travel->end(), still = mean(*travel, begin, begin + kBefore);
+        const double begin = travel->begin(), end = travel->end(), still = mean(*travel, begin, begin + kEvenRoad);
         bump.compression = std::fmax(bump.compression, highest(*travel, begin, end).value - still);
         bump.rebound = std::fmax(bump.rebound, still - lowest(*travel, begin, end).value);
     }
@@ -108,24 +107,24 @@ void findTravel(Bump& bump, const Log& log) {
 // Braking, steering and driving off shift the loads as well.
 void refuseOtherCauses(const Log& log) {
     for (std::string_view name : {"chassis.ax", "chassis.ay"}) {
-        const auto acceleration = channelIfThere(log, kName, name);
+        const auto acceleration = channelIfThere(log, name);
         if (!acceleration) continue;
         const TimeSeries slow = averaged(*acceleration, 0.25);
         constexpr double kMost = 1.5;  // m/s2
         if (largestSample(slow) > kMost)
-            notFound(kName, fmt::format("{} reaches {:.2g} m/s2, expected at most {:.2g} m/s2", name,
-                                        largestSample(slow), kMost));
+            notFound(
+                fmt::format("{} reaches {:.2g} m/s2, expected at most {:.2g} m/s2", name, largestSample(slow), kMost));
     }
 }
 
 Bump findBump(const Log& log) {
-    const auto needed = channels(log, kName, {"chassis.vx", "chassis.az", "chassis.pitch_rate", "chassis.roll_rate"});
+    const auto needed = channels(log, {"chassis.vx", "chassis.az", "chassis.pitch_rate", "chassis.roll_rate"});
     const TimeSeries& az = needed[1];
     refuseOtherCauses(log);
     Bump bump;
     const double first = findLoads(bump, log);
     findTravel(bump, log);
-    bump.speed = mean(needed[0], az.begin(), az.begin() + kBefore);
+    bump.speed = mean(needed[0], az.begin(), az.begin() + kEvenRoad);
     bump.highest_az = highest(az, first, az.end()).value;
     bump.lowest_az = lowest(az, first, az.end()).value;
     bump.pitch_rate = largestSample(needed[2]);
@@ -140,9 +139,9 @@ Bump findBump(const Log& log) {
 }  // namespace
 
 Manoeuvre bump() {
-    return {kName, "drive over a bump: vertical acceleration, wheel loads, suspension travel",
-            [] { return definitions(table()); },
-            [](const Log& log, const KnownCar&) { return values(table(), findBump(log)); }};
+    return {"bump", "drive over a bump: vertical acceleration, wheel loads, suspension travel",
+            [] { return definitions(bumpTable()); },
+            [](const Log& log, const KnownCar&) { return values(bumpTable(), findBump(log)); }};
 }
 
 }  // namespace tread

@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "metrics/channels.h"
+#include "metrics/least_squares.h"
 #include "metrics/manoeuvres.h"
 #include "metrics/metric_table.h"
 #include "metrics/smoothing.h"
@@ -14,30 +15,28 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "coast_down";
-constexpr double kPedal = 0.02;          // of the pedal: less is a resting foot
-constexpr double kSteering = 0.1;        // rad at the steering wheel
-constexpr double kShortest = 3.0;        // s
-constexpr double kLeastLoss = 0.1;       // of the speed
-constexpr double kSlowest = 1.0;         // m/s: below, the resistance law does not hold
-constexpr double kAirDensity = 1.225;    // kg/m3, standard atmosphere at sea level
-constexpr double kBand = 20 * kKmh;      // m/s
-constexpr double kSpeedHalfWidth = 0.5;  // s; coasting is slow
+constexpr double kSteering = 0.1;           // rad at the steering wheel
+constexpr double kShortestCoasting = 3.0;   // s
+constexpr double kLeastLoss = 0.1;          // of the speed
+constexpr double kSlowestCoasting = 1.0;    // m/s: below, the resistance law does not hold
+constexpr double kAirDensity = 1.225;       // kg/m3, standard atmosphere at sea level
+constexpr double kBand = 20 * kKmh;         // m/s
+constexpr double kCoastingHalfWidth = 0.5;  // s; coasting is slow
 
-struct Interval {
+struct FreeRolling {
     double from = 0;
     double to = 0;
     double length() const { return to - from; }
 };
 
 // Longest time with both pedals released and the steering straight.
-Interval findCoasting(const TimeSeries& throttle, const TimeSeries& brake, const TimeSeries& v,
-                      const std::optional<TimeSeries>& steering) {
-    Interval longest, current;
+FreeRolling findCoasting(const TimeSeries& throttle, const TimeSeries& brake, const TimeSeries& v,
+                         const std::optional<TimeSeries>& steering) {
+    FreeRolling longest, current;
     bool coasting = false;
     for (std::size_t i = 0; i < v.size(); ++i) {
-        const bool free = throttle.value[i] < kPedal && brake.value[i] < kPedal && v.value[i] > kSlowest &&
-                          (!steering || std::abs(steering->value[i]) < kSteering);
+        const bool free = throttle.value[i] < kRestingFoot && brake.value[i] < kRestingFoot &&
+                          v.value[i] > kSlowestCoasting && (!steering || std::abs(steering->value[i]) < kSteering);
         if (free && !coasting) current.from = v.time[i];
         coasting = free;
         current.to = v.time[i];
@@ -68,7 +67,7 @@ Resistance fitResistance(const TimeSeries& v) {
         terms.row(i) << 1, -(v.time[k] - v.begin()), -squares;
         target[i] = v.value[k];
     }
-    const Eigen::Vector3d found = terms.colPivHouseholderQr().solve(target);
+    const Eigen::VectorXd found = leastSquares(terms, target);
     const double rms = (terms * found - target).norm() / std::sqrt(static_cast<double>(n));
     return {found[1], found[2], rms};
 }
@@ -78,7 +77,7 @@ struct Coasting {
     Resistance resistance;
 };
 
-MetricTable<Coasting> table() {
+MetricTable<Coasting> coastDownTable() {
     return {
         {{"initial_speed", "Initial speed", "m/s", "speed at the beginning of coasting"},
          [](const Coasting& c) { return c.clean.value.front(); }},
@@ -106,19 +105,19 @@ MetricTable<Coasting> table() {
     };
 }
 
-struct Band {
+struct SpeedBand {
     double time;      // s
     double distance;  // m
 };
 
 // The metrics of a band of speeds; the ends in km/h.
-MetricTable<Band> bandTable(const std::string& high, const std::string& low) {
+MetricTable<SpeedBand> bandTable(const std::string& high, const std::string& low) {
     const std::string band = fmt::format("{}_to_{}_kmh", high, low);
     const std::string words = fmt::format("while the speed falls from {} to {} km/h", high, low);
     return {{{"time_" + band, fmt::format("Time from {} to {} km/h", high, low), "s", "time " + words},
-             [](const Band& b) { return b.time; }},
+             [](const SpeedBand& b) { return b.time; }},
             {{"distance_" + band, fmt::format("Distance from {} to {} km/h", high, low), "m", "distance " + words},
-             [](const Band& b) { return b.distance; }}};
+             [](const SpeedBand& b) { return b.distance; }}};
 }
 
 std::vector<Metric> bands(const TimeSeries& v) {
@@ -129,28 +128,30 @@ std::vector<Metric> bands(const TimeSeries& v) {
         const double low = high - kBand;
         const auto from = firstCrossing(v, high, v.begin()), to = firstCrossing(v, low, v.begin());
         if (!from || !to) continue;
-        const auto band = values(bandTable(text(high), text(low)), Band{*to - *from, integral(v, *from, *to)});
+        const auto band = values(bandTable(text(high), text(low)), SpeedBand{*to - *from, integral(v, *from, *to)});
         out.insert(out.end(), band.begin(), band.end());
     }
     return out;
 }
 
 Coasting findCoastDown(const Log& log) {
-    const auto needed = channels(log, kName, {"driver.throttle", "driver.brake", "chassis.vx"});
-    const auto steering = channelIfThere(log, kName, "driver.steering_wheel_angle");
-    const Interval found = findCoasting(needed[0], needed[1], needed[2], steering);
-    if (found.length() < kShortest) {
-        notFound(kName, fmt::format("the car rolls with both pedals released and straight steering for only {:.2g} s, "
-                                    "expected at least {:.2g} s",
-                                    found.length(), kShortest));
+    const auto needed = channels(log, {"driver.throttle", "driver.brake", "chassis.vx"});
+    const auto steering = channelIfThere(log, "driver.steering_wheel_angle");
+    const FreeRolling found = findCoasting(needed[0], needed[1], needed[2], steering);
+    if (found.length() < kShortestCoasting) {
+        notFound(
+            fmt::format("the car rolls with both pedals released and straight steering for only {:.2g} s, "
+                        "expected at least {:.2g} s",
+                        found.length(), kShortestCoasting));
     }
     const TimeSeries v = part(needed[2], found.from, found.to);
-    const TimeSeries clean = cleaned(v, kSpeedHalfWidth);
+    const TimeSeries clean = cleaned(v, kCoastingHalfWidth);
     const double first = clean.value.front(), last = clean.value.back();
     if (last > (1 - kLeastLoss) * first) {
-        notFound(kName, fmt::format("the speed goes from {:.3g} to {:.3g} m/s while the car rolls free, expected a "
-                                    "loss of at least {:.0f} %",
-                                    first, last, 100 * kLeastLoss));
+        notFound(
+            fmt::format("the speed goes from {:.3g} to {:.3g} m/s while the car rolls free, expected a "
+                        "loss of at least {:.0f} %",
+                        first, last, 100 * kLeastLoss));
     }
     return {v, clean, fitResistance(v)};
 }
@@ -164,14 +165,14 @@ std::vector<T> joined(std::vector<T> first, const std::vector<T>& second) {
 }  // namespace
 
 Manoeuvre coastDown() {
-    return {kName, "rolling free: rolling resistance and drag area",
+    return {"coast_down", "rolling free: rolling resistance and drag area",
             [] {
                 const std::string lower = fmt::format("<v-{:.0f}>", kBand / kKmh);
-                return joined(definitions(table()), definitions(bandTable("<v>", lower)));
+                return joined(definitions(coastDownTable()), definitions(bandTable("<v>", lower)));
             },
             [](const Log& log, const KnownCar&) {
                 const Coasting found = findCoastDown(log);
-                return joined(values(table(), found), bands(found.clean));
+                return joined(values(coastDownTable(), found), bands(found.clean));
             }};
 }
 

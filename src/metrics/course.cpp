@@ -15,8 +15,6 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "course";
-constexpr double kStep = 0.05;   // m of way between the places at which the car is looked at
 constexpr double kNearLine = 1;  // m: a drive that begins within that behind the line begins its first lap there
 
 struct Driven {
@@ -32,7 +30,7 @@ struct Driven {
     }
 };
 
-MetricTable<Driven> table() {
+MetricTable<Driven> courseTable() {
     return {
         {{"lap_time", "Lap time", "s",
           "of the fastest complete lap, from line to line, interpolated; of an open course from its beginning to its "
@@ -79,7 +77,7 @@ double rms(const TimeSeries& series) {
 }
 
 double largestOf(const Log& log, std::string_view channel) {
-    const auto series = channelIfThere(log, kName, channel);
+    const auto series = channelIfThere(log, channel);
     return series ? largestSample(*series) : kUndefined;
 }
 
@@ -116,7 +114,7 @@ double sideOf(const Point& point, const TimeSeries& x, const TimeSeries& y) {
 
 void findCones(const Log& log, const CourseParams& course, const CoursePlan& plan, Driven& found) {
     if (course.cones.empty()) return;
-    const auto needed = channels(log, kName, {"chassis.x", "chassis.y", "chassis.yaw"});
+    const auto needed = channels(log, {"chassis.x", "chassis.y", "chassis.yaw"});
     const TimeSeries &x = needed[0], &y = needed[1], &yaw = needed[2];
     found.cones_hit = found.wrong_side = 0;
     for (const PathPoint& cone : course.cones) {
@@ -127,7 +125,7 @@ void findCones(const Log& log, const CourseParams& course, const CoursePlan& pla
             if (std::hypot(place.x - x.value[i], place.y - y.value[i]) >
                 way + course.car.ahead + course.car.behind + course.car.width)
                 continue;
-            const int steps = std::max(1, static_cast<int>(std::ceil(way / kStep)));
+            const int steps = std::max(1, static_cast<int>(std::ceil(way / kWayStep)));
             for (int k = 0; k < steps && !hit; ++k) {
                 const double share = static_cast<double>(k) / steps;
                 const auto between = [&](const TimeSeries& s) {
@@ -143,12 +141,12 @@ void findCones(const Log& log, const CourseParams& course, const CoursePlan& pla
 }
 
 Driven findDriven(const Log& log, const KnownCar& known) {
-    const auto needed = channels(log, kName, {"course.distance", "course.cross_track_error", "chassis.vx"});
+    const auto needed = channels(log, {"course.distance", "course.cross_track_error", "chassis.vx"});
     Driven found;
     found.largest_error = largestSample(needed[1]);
     found.rms_error = rms(needed[1]);
     found.entry_speed = needed[2].value.front();
-    if (const auto wanted = channelIfThere(log, kName, "course.speed"); wanted && largestSample(*wanted) > 0) {
+    if (const auto wanted = channelIfThere(log, "course.speed"); wanted && largestSample(*wanted) > 0) {
         TimeSeries missing = *wanted;
         for (std::size_t i = 0; i < missing.size(); ++i) missing.value[i] -= needed[2].value[i];
         found.speed_error = rms(missing);
@@ -166,8 +164,9 @@ Driven findDriven(const Log& log, const KnownCar& known) {
 }  // namespace
 
 Manoeuvre course() {
-    return {kName, "driving a course: lap time, distance from its path, cones", [] { return definitions(table()); },
-            [](const Log& log, const KnownCar& car) { return values(table(), findDriven(log, car)); }};
+    return {"course", "driving a course: lap time, distance from its path, cones",
+            [] { return definitions(courseTable()); },
+            [](const Log& log, const KnownCar& car) { return values(courseTable(), findDriven(log, car)); }};
 }
 
 }  // namespace tread

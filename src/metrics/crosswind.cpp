@@ -12,13 +12,11 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "crosswind";
-constexpr double kReading = 2.0;           // s after the wind
-constexpr double kOnset = 0.1;             // of the largest lateral acceleration
-constexpr double kLeast = 0.1;             // m/s2: less is no gust
-constexpr double kFixed = 1.0 / kDegrees;  // rad by which the steering wheel may move
-constexpr double kBefore = 0.5;            // s of driving straight on
-constexpr double kStraight = 0.1;          // m/s2 of lateral acceleration before
+constexpr double kWindReading = 2.0;     // s after the wind
+constexpr double kOnset = 0.1;           // of the largest lateral acceleration
+constexpr double kLeastGust = 0.1;       // m/s2: less is no gust
+constexpr double kStraightBefore = 0.5;  // s of driving straight on
+constexpr double kStraight = 0.1;        // m/s2 of lateral acceleration before
 
 struct Crosswind {
     double onset;               // s
@@ -27,8 +25,8 @@ struct Crosswind {
     double peak_ay, speed;
 };
 
-MetricTable<Crosswind> table() {
-    const std::string reading = fmt::format("{:.0f} s after the wind begins", kReading);
+MetricTable<Crosswind> crosswindTable() {
+    const std::string reading = fmt::format("{:.0f} s after the wind begins", kWindReading);
     return {
         {{"path_deviation", "Path deviation", "m",
           "distance from the initial line, " + reading + ", positive in the direction in which the wind pushes",
@@ -53,41 +51,39 @@ double farthest(const TimeSeries& series, double from, double to) {
 }
 
 Crosswind findCrosswind(const Log& log) {
-    const auto needed = channels(
-        log, kName,
-        {"driver.steering_wheel_angle", "chassis.x", "chassis.y", "chassis.yaw", "chassis.yaw_rate", "chassis.ay"});
+    const auto needed = channels(log, {"driver.steering_wheel_angle", "chassis.x", "chassis.y", "chassis.yaw",
+                                       "chassis.yaw_rate", "chassis.ay"});
     const TimeSeries yaw_rate = cleaned(needed[4], kResponseHalfWidth), ay = cleaned(needed[5], kResponseHalfWidth);
     const TimeSeries& hand = needed[0];
-    if (const double moved = range(hand).width(); moved > kFixed) {
-        notFound(kName,
-                 fmt::format("the steering wheel moves by {:.2g} deg, expected fixed steering", kDegrees * moved));
+    if (const double moved = range(hand).width(); moved > kFixedSteering) {
+        notFound(fmt::format("the steering wheel moves by {:.2g} deg, expected fixed steering", kDegrees * moved));
     }
     const double largest = farthest(ay, ay.begin(), ay.end());
-    if (std::abs(largest) < kLeast) {
-        notFound(kName, fmt::format("the lateral acceleration stays below {:.2g} m/s2", kLeast));
+    if (std::abs(largest) < kLeastGust) {
+        notFound(fmt::format("the lateral acceleration stays below {:.2g} m/s2", kLeastGust));
     }
     const auto onset = firstCrossing(ay, kOnset * largest, ay.begin());
-    if (!onset || *onset - ay.begin() < kBefore || std::abs(farthest(ay, ay.begin(), *onset - 0.2)) > kStraight)
-        notFound(kName, fmt::format("the car does not drive straight ahead for the first {:.2g} s", kBefore));
-    const double then = *onset + kReading;
-    if (then > ay.end()) notFound(kName, fmt::format("the log ends before {:.0f} s after the wind", kReading));
+    if (!onset || *onset - ay.begin() < kStraightBefore || std::abs(farthest(ay, ay.begin(), *onset - 0.2)) > kStraight)
+        notFound(fmt::format("the car does not drive straight ahead for the first {:.2g} s", kStraightBefore));
+    const double then = *onset + kWindReading;
+    if (then > ay.end()) notFound(fmt::format("the log ends before {:.0f} s after the wind", kWindReading));
 
-    const double side = largest > 0 ? 1 : -1, heading = mean(needed[3], *onset - kBefore, *onset);
+    const double side = largest > 0 ? 1 : -1, heading = mean(needed[3], *onset - kStraightBefore, *onset);
     const double dx = at(needed[1], then) - at(needed[1], *onset), dy = at(needed[2], then) - at(needed[2], *onset);
     return {.onset = *onset,
             .deviation = side * (dy * std::cos(heading) - dx * std::sin(heading)),
             .yaw = side * (at(needed[3], then) - heading),
             .peak_yaw_rate = side * farthest(yaw_rate, *onset, then),
             .peak_ay = side * farthest(ay, *onset, then),
-            .speed = at(speed(log, kName), *onset)};
+            .speed = at(speed(log), *onset)};
 }
 
 }  // namespace
 
 Manoeuvre crosswind() {
-    return {kName, "side wind at fixed steering: path, heading and yaw rate (after ISO 12021)",
-            [] { return definitions(table()); },
-            [](const Log& log, const KnownCar&) { return values(table(), findCrosswind(log)); }};
+    return {"crosswind", "side wind at fixed steering: path, heading and yaw rate (after ISO 12021)",
+            [] { return definitions(crosswindTable()); },
+            [](const Log& log, const KnownCar&) { return values(crosswindTable(), findCrosswind(log)); }};
 }
 
 }  // namespace tread

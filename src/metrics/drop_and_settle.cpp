@@ -14,14 +14,12 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "drop_and_settle";
 constexpr double kLeastDrop = 0.01;        // m
-constexpr double kFastest = 0.5;           // m/s, horizontally
+constexpr double kFastestDrop = 0.5;       // m/s, horizontally
 constexpr double kSettledShare = 0.02;     // of the drop: within, the body has settled
 constexpr double kLeastSwing = 0.01;       // of the drop, peak to peak: smaller swings are left out
 constexpr double kSwingNoise = 10;         // or smaller than this many standard deviations of the noise
 constexpr double kHeightHalfWidth = 0.05;  // s
-constexpr double kMillimetres = 1000;
 
 struct Bounce {
     double damped_frequency = kUndefined;  // Hz
@@ -35,7 +33,7 @@ struct Drop {
     Bounce bounce;
 };
 
-MetricTable<Drop> table() {
+MetricTable<Drop> dropAndSettleTable() {
     return {
         {{"drop", "Height of the drop", "mm", "height of the body at the beginning over that at rest"},
          [](const Drop& d) { return kMillimetres * d.height; }},
@@ -99,19 +97,19 @@ double settlingTime(const TimeSeries& z, double rest, double band) {
 }
 
 Drop findDrop(const Log& log) {
-    const TimeSeries measured = channels(log, kName, {"chassis.z", "chassis.vx"}).front();
+    const TimeSeries measured = channels(log, {"chassis.z", "chassis.vx"}).front();
     const TimeSeries z = cleaned(measured, kHeightHalfWidth);
-    const TimeSeries v = speed(log, kName);
+    const TimeSeries v = speed(log);
     const double fastest =
         *std::max_element(v.value.begin(), v.value.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-    if (std::abs(fastest) > kFastest) {
-        notFound(kName, fmt::format("the car moves at {:.2g} m/s, expected at most {:.2g} m/s", fastest, kFastest));
+    if (std::abs(fastest) > kFastestDrop) {
+        notFound(fmt::format("the car moves at {:.2g} m/s, expected at most {:.2g} m/s", fastest, kFastestDrop));
     }
     const double rest = mean(z, z.end() - 0.1 * (z.end() - z.begin()), z.end());
     const double drop = z.value.front() - rest;
     if (drop < kLeastDrop) {
-        notFound(kName, fmt::format("the body sinks by {:.1f} mm, expected at least {:.1f} mm", kMillimetres * drop,
-                                    kMillimetres * kLeastDrop));
+        notFound(fmt::format("the body sinks by {:.1f} mm, expected at least {:.1f} mm", kMillimetres * drop,
+                             kMillimetres * kLeastDrop));
     }
     const auto turns = turningPoints(z, std::max(kLeastSwing * drop, kSwingNoise * noise(measured)));
     return {.height = drop,
@@ -123,9 +121,9 @@ Drop findDrop(const Log& log) {
 }  // namespace
 
 Manoeuvre dropAndSettle() {
-    return {kName, "the car falls onto its wheels: settling time, bounce frequency, damping",
-            [] { return definitions(table()); },
-            [](const Log& log, const KnownCar&) { return values(table(), findDrop(log)); }};
+    return {"drop_and_settle", "the car falls onto its wheels: settling time, bounce frequency, damping",
+            [] { return definitions(dropAndSettleTable()); },
+            [](const Log& log, const KnownCar&) { return values(dropAndSettleTable(), findDrop(log)); }};
 }
 
 }  // namespace tread

@@ -14,13 +14,12 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "free_steer";
-constexpr double kOff = 0.5;                 // of the signal, above which the hands are off
-constexpr double kLeastTime = 2;             // s without hands
-constexpr double kBefore = 0.3;              // s before the release, for what was steady
-constexpr double kLeastTurn = 1 / kDegrees;  // rad/s
-constexpr double kSettled = 0.1;             // of the yaw rate at release
-constexpr double kFirst = 1;                 // s after release
+constexpr double kOff = 0.5;                     // of the signal, above which the hands are off
+constexpr double kLeastTime = 2;                 // s without hands
+constexpr double kBeforeRelease = 0.3;           // s before the release, for what was steady
+constexpr double kLeastFreeTurn = 1 / kDegrees;  // rad/s
+constexpr double kSettled = 0.1;                 // of the yaw rate at release
+constexpr double kFirst = 1;                     // s after release
 
 struct FreeSteer {
     double speed, yaw_rate, ay, steering;  // at release
@@ -30,7 +29,7 @@ struct FreeSteer {
     double last_steering;                  // rad
 };
 
-MetricTable<FreeSteer> table() {
+MetricTable<FreeSteer> freeSteerTable() {
     return {
         {{"settling_time", "Settling time", "s",
           fmt::format("from the release until the yaw rate stays within {:.0f} % of that at release; undefined when it "
@@ -77,24 +76,24 @@ double settlingOf(const TimeSeries& series, double release, double band) {
 
 FreeSteer findFreeSteer(const Log& log) {
     const auto needed =
-        channels(log, kName, {"driver.hands_off", "driver.steering_wheel_angle", "chassis.yaw_rate", "chassis.ay"});
+        channels(log, {"driver.hands_off", "driver.steering_wheel_angle", "chassis.yaw_rate", "chassis.ay"});
     const TimeSeries& off = needed[0];
     const auto release = firstCrossing(off, kOff, off.begin());
     if (!release || off.value.back() < kOff || lastCrossing(off, kOff, *release, off.end()).value_or(0) > *release)
-        notFound(kName, "the steering wheel is not released for good");
+        notFound("the steering wheel is not released for good");
     if (off.end() - *release < kLeastTime) {
-        notFound(kName, fmt::format("the log ends {:.2g} s after the release, expected at least {:.2g} s",
-                                    off.end() - *release, kLeastTime));
+        notFound(fmt::format("the log ends {:.2g} s after the release, expected at least {:.2g} s",
+                             off.end() - *release, kLeastTime));
     }
     const TimeSeries yaw_rate = cleaned(needed[2], kResponseHalfWidth);
-    const auto before = [&](const TimeSeries& series) { return mean(series, *release - kBefore, *release); };
+    const auto before = [&](const TimeSeries& series) { return mean(series, *release - kBeforeRelease, *release); };
     FreeSteer found{};
     found.yaw_rate = before(yaw_rate);
-    if (std::abs(found.yaw_rate) < kLeastTurn) {
-        notFound(kName, fmt::format("the car turns at {:.2g} deg/s before the release, expected at least {:.2g} deg/s",
-                                    kDegrees * std::abs(found.yaw_rate), kDegrees * kLeastTurn));
+    if (std::abs(found.yaw_rate) < kLeastFreeTurn) {
+        notFound(fmt::format("the car turns at {:.2g} deg/s before the release, expected at least {:.2g} deg/s",
+                             kDegrees * std::abs(found.yaw_rate), kDegrees * kLeastFreeTurn));
     }
-    found.speed = before(speed(log, kName));
+    found.speed = before(speed(log));
     found.ay = before(needed[3]);
     found.steering = before(needed[1]);
     found.first = at(yaw_rate, *release + kFirst) / found.yaw_rate;
@@ -108,9 +107,10 @@ FreeSteer findFreeSteer(const Log& log) {
 }  // namespace
 
 Manoeuvre freeSteer() {
-    return {kName, "hands off the wheel in a steady turn: how the car returns to straight running (after ISO 17288-1)",
-            [] { return definitions(table()); },
-            [](const Log& log, const KnownCar&) { return values(table(), findFreeSteer(log)); }};
+    return {"free_steer",
+            "hands off the wheel in a steady turn: how the car returns to straight running (after ISO 17288-1)",
+            [] { return definitions(freeSteerTable()); },
+            [](const Log& log, const KnownCar&) { return values(freeSteerTable(), findFreeSteer(log)); }};
 }
 
 }  // namespace tread

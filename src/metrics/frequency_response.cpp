@@ -17,17 +17,16 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "frequency_response";
-constexpr double kSegment = 20;          // s, of Welch's method: eight periods of the lowest frequency that counts
-constexpr double kLowest = 0.1;          // Hz
-constexpr double kHighest = 4.0;         // Hz
-constexpr double kSpacing = 0.05;        // Hz between the points
-constexpr double kLeastPower = 0.01;     // of the largest: below, the steering asks nothing at that frequency
-constexpr double kNarrow = 2.5;          // highest over lowest frequency: less is one sine
-constexpr double kSmallest = 0.005;      // rad at the steering wheel; less is a correction
-constexpr double kRest = 0.02;           // of the largest deflection
-constexpr double kRestTime = 0.5;        // s at both ends of a record that is taken as a whole
-constexpr std::size_t kFewestTurns = 6;  // of random steering
+constexpr double kSegment = 20;              // s, of Welch's method: eight periods of the lowest frequency that counts
+constexpr double kLowestFrequency = 0.1;     // Hz
+constexpr double kHighestFrequency = 4.0;    // Hz
+constexpr double kSpacing = 0.05;            // Hz between the points
+constexpr double kLeastPower = 0.01;         // of the largest: below, the steering asks nothing at that frequency
+constexpr double kNarrow = 2.5;              // highest over lowest frequency: less is one sine
+constexpr double kSmallestSteering = 0.005;  // rad at the steering wheel; less is a correction
+constexpr double kRest = 0.02;               // of the largest deflection
+constexpr double kRestTime = 0.5;            // s at both ends of a record that is taken as a whole
+constexpr std::size_t kFewestRandomTurns = 6;                     // of random steering
 constexpr std::array kFrequencies{0.2, 0.5, 1.0, 1.5, 2.0, 3.0};  // Hz, at which values are quoted
 constexpr double kPhase = 45;                                     // deg
 
@@ -46,7 +45,8 @@ bool restsAtBothEnds(const TimeSeries& series) {
 
 std::vector<double> raster() {
     std::vector<double> frequencies;
-    for (int i = 0; kLowest + i * kSpacing <= kHighest + 1e-9; ++i) frequencies.push_back(kLowest + i * kSpacing);
+    for (int i = 0; kLowestFrequency + i * kSpacing <= kHighestFrequency + 1e-9; ++i)
+        frequencies.push_back(kLowestFrequency + i * kSpacing);
     return frequencies;
 }
 
@@ -107,7 +107,7 @@ MetricTable<SteeringResponse> answerTable(FrequencyCurve SteeringResponse::*answ
     return lines;
 }
 
-MetricTable<SteeringResponse> table() {
+MetricTable<SteeringResponse> frequencyResponseTable() {
     MetricTable<SteeringResponse> lines;
     const auto add = [&](MetricTable<SteeringResponse> more) { lines.insert(lines.end(), more.begin(), more.end()); };
     add(answerTable(&SteeringResponse::yaw_rate, "yaw_rate", "yaw rate", "1/s"));
@@ -136,34 +136,33 @@ MetricTable<SteeringResponse> table() {
 }  // namespace
 
 SteeringResponse steeringResponse(const Log& log) {
-    const auto needed =
-        channels(log, kName, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
+    const auto needed = channels(log, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
     const TimeSeries& steering = needed[0];
     const double level = mean(steering, steering.begin(), steering.begin() + kRestTime);
     const double largest = largestSample(increments(steering, level));
-    if (largest < kSmallest) {
-        notFound(kName, fmt::format("the steering wheel moves by only {:.2g} deg, expected at least {:.2g} deg",
-                                    kDegrees * largest, kDegrees * kSmallest));
+    if (largest < kSmallestSteering) {
+        notFound(fmt::format("the steering wheel moves by only {:.2g} deg, expected at least {:.2g} deg",
+                             kDegrees * largest, kDegrees * kSmallestSteering));
     }
     const bool whole = restsAtBothEnds(steering);
     const std::size_t turns = turningPoints(steering, 0.5 * largest).size();
-    if (whole && turns > 1 && turns < kFewestTurns) {
-        notFound(
-            kName,
-            fmt::format(
-                "the steering turns back {} times, expected a pulse (1), or a sweep or random steering (at least {})",
-                turns, kFewestTurns));
+    if (whole && turns > 1 && turns < kFewestRandomTurns) {
+        notFound(fmt::format(
+            "the steering turns back {} times, expected a pulse (1), or a sweep or random steering (at least {})",
+            turns, kFewestRandomTurns));
     }
     if (!whole) {
-        if (turns < kFewestTurns) {
-            notFound(kName, fmt::format("the steering turns back {} times and does not end where it began, expected a "
-                                        "pulse, a sweep or random steering",
-                                        turns));
+        if (turns < kFewestRandomTurns) {
+            notFound(
+                fmt::format("the steering turns back {} times and does not end where it began, expected a "
+                            "pulse, a sweep or random steering",
+                            turns));
         }
         if (steering.end() - steering.begin() < kSegment) {
-            notFound(kName, fmt::format("the log lasts {:.3g} s, expected at least {:.3g} s of steering that does not "
-                                        "begin and end at rest",
-                                        steering.end() - steering.begin(), kSegment));
+            notFound(
+                fmt::format("the log lasts {:.3g} s, expected at least {:.3g} s of steering that does not "
+                            "begin and end at rest",
+                            steering.end() - steering.begin(), kSegment));
         }
     }
     SteeringResponse found{};
@@ -184,8 +183,8 @@ SteeringResponse steeringResponse(const Log& log) {
     found.from = first->frequency;
     found.to = last->frequency;
     if (found.to < kNarrow * found.from) {
-        notFound(kName, fmt::format("the steering has its power between {:.2g} and {:.2g} Hz, expected a broad band",
-                                    found.from, found.to));
+        notFound(fmt::format("the steering has its power between {:.2g} and {:.2g} Hz, expected a broad band",
+                             found.from, found.to));
     }
     found.yaw_rate.assign(first, last + 1);
     found.ay.assign(all[1].begin() + (first - power.begin()), all[1].begin() + (last - power.begin()) + 1);
@@ -193,9 +192,10 @@ SteeringResponse steeringResponse(const Log& log) {
 }
 
 Manoeuvre frequencyResponse() {
-    return {kName, "sweep, pulse or random steering: gain, phase and coherence over frequency (after ISO 7401)",
-            [] { return definitions(table()); },
-            [](const Log& log, const KnownCar&) { return values(table(), steeringResponse(log)); }};
+    return {"frequency_response",
+            "sweep, pulse or random steering: gain, phase and coherence over frequency (after ISO 7401)",
+            [] { return definitions(frequencyResponseTable()); },
+            [](const Log& log, const KnownCar&) { return values(frequencyResponseTable(), steeringResponse(log)); }};
 }
 
 }  // namespace tread

@@ -13,12 +13,11 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "hill_start";
-constexpr double kHeld = 0.05;        // of the brake: less is released
-constexpr double kStill = 0.1;        // m/s: a car that is held is slower
-constexpr double kDriving = 2.0;      // m/s
-constexpr double kHalfWidth = 0.05;   // s
-constexpr double kLeastGrade = 0.02;  // rise over run
+constexpr double kBrakeHeld = 0.05;      // of the brake: less is released
+constexpr double kStill = 0.1;           // m/s: a car that is held is slower
+constexpr double kDriving = 2.0;         // m/s
+constexpr double kHillHalfWidth = 0.05;  // s
+constexpr double kLeastGrade = 0.02;     // rise over run
 
 struct HillStart {
     double release;       // s, of the brake
@@ -28,7 +27,7 @@ struct HillStart {
     double held_drift;    // m, while the brake held the car
 };
 
-MetricTable<HillStart> table() {
+MetricTable<HillStart> hillStartTable() {
     return {
         {{"roll_back", "Roll-back", "m", "largest distance rolled backwards after the brake is released",
           Say{1, "rolls back by {} m", 2}},
@@ -46,21 +45,21 @@ MetricTable<HillStart> table() {
 }
 
 HillStart findHillStart(const Log& log) {
-    const auto needed = channels(log, kName, {"driver.brake", "driver.throttle", "chassis.vx"});
+    const auto needed = channels(log, {"driver.brake", "driver.throttle", "chassis.vx"});
     const TimeSeries& brake = needed[0];
-    const TimeSeries v = cleaned(needed[2], kHalfWidth);
-    const auto release = firstCrossing(brake, kHeld, brake.begin());
-    if (brake.value.front() <= kHeld || !release) notFound(kName, "the brake is not held first and then released");
+    const TimeSeries v = cleaned(needed[2], kHillHalfWidth);
+    const auto release = firstCrossing(brake, kBrakeHeld, brake.begin());
+    if (brake.value.front() <= kBrakeHeld || !release) notFound("the brake is not held first and then released");
     const TimeSeries before = part(v, v.begin(), *release);
     for (double speed : before.value) {
-        if (std::abs(speed) > kStill) notFound(kName, "the car moves while the brake is on");
+        if (std::abs(speed) > kStill) notFound("the car moves while the brake is on");
     }
-    if (const auto pitch = channelIfThere(log, kName, "chassis.pitch")) {
+    if (const auto pitch = channelIfThere(log, "chassis.pitch")) {
         // Nose up is negative.
         const double grade = -mean(*pitch, v.begin(), *release);
-        if (std::abs(grade) < kLeastGrade) notFound(kName, "the car does not stand on a hill");
+        if (std::abs(grade) < kLeastGrade) notFound("the car does not stand on a hill");
     }
-    if (highest(needed[1], *release, v.end()).value < kHeld) notFound(kName, "the throttle is not used");
+    if (highest(needed[1], *release, v.end()).value < kBrakeHeld) notFound("the throttle is not used");
     HillStart found{};
     found.release = *release;
     double way = 0;
@@ -79,8 +78,9 @@ HillStart findHillStart(const Log& log) {
 }  // namespace
 
 Manoeuvre hillStart() {
-    return {kName, "starting on a hill: roll-back distance, time to drive off", [] { return definitions(table()); },
-            [](const Log& log, const KnownCar&) { return values(table(), findHillStart(log)); }};
+    return {"hill_start", "starting on a hill: roll-back distance, time to drive off",
+            [] { return definitions(hillStartTable()); },
+            [](const Log& log, const KnownCar&) { return values(hillStartTable(), findHillStart(log)); }};
 }
 
 }  // namespace tread

@@ -14,9 +14,7 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "lane_change";
-constexpr double kStep = 0.05;       // m of way between the places at which the car is looked at
-constexpr double kHalfWidth = 0.05;  // s
+constexpr double kLaneChangeHalfWidth = 0.05;  // s
 
 struct LaneChange {
     double cones_hit = 0;
@@ -30,7 +28,7 @@ struct LaneChange {
     bool clean() const { return completed && cones_hit == 0 && clearance >= 0; }
 };
 
-MetricTable<LaneChange> table() {
+MetricTable<LaneChange> laneChangeTable() {
     return {
         {{"clean", "Clean run (1: yes, 0: no)", "-",
           "1 when the car goes through the whole course within its lanes and without touching a cone"},
@@ -98,13 +96,12 @@ double largest(const TimeSeries& series, double from, double to) {
 
 LaneChange findLaneChange(const Log& log, const KnownCar& known) {
     const std::vector<Lane> course = lanes(known.course);
-    if (course.empty()) notFound(kName, "it can be found only with its course; name the scenario with the lanes");
-    const auto needed = channels(
-        log, kName,
-        {"chassis.x", "chassis.y", "chassis.yaw", "driver.steering_wheel_angle", "chassis.yaw_rate", "chassis.ay"});
+    if (course.empty()) notFound("it can be found only with its course; name the scenario with the lanes");
+    const auto needed = channels(log, {"chassis.x", "chassis.y", "chassis.yaw", "driver.steering_wheel_angle",
+                                       "chassis.yaw_rate", "chassis.ay"});
     const TimeSeries &x = needed[0], &y = needed[1], &yaw = needed[2];
     const auto entry = firstCrossing(x, course.front().from, x.begin());
-    if (!entry) notFound(kName, "the car does not reach the first lane");
+    if (!entry) notFound("the car does not reach the first lane");
     // The tail is through when the rear end has left the last lane; the log may end before.
     const auto exit = firstCrossing(x, course.back().to, *entry);
     const double end = firstCrossing(x, course.back().to + known.course.car.behind, *entry).value_or(x.end());
@@ -114,7 +111,7 @@ LaneChange findLaneChange(const Log& log, const KnownCar& known) {
     for (const Point& place : conesOf(course)) cones.push_back({place.x, place.y});
     for (std::size_t i = 0; i + 1 < x.size() && x.time[i] < end; ++i) {
         const double way = std::hypot(x.value[i + 1] - x.value[i], y.value[i + 1] - y.value[i]);
-        const int steps = std::max(1, static_cast<int>(std::ceil(way / kStep)));
+        const int steps = std::max(1, static_cast<int>(std::ceil(way / kWayStep)));
         for (int k = 0; k < steps; ++k) {
             const double share = static_cast<double>(k) / steps;
             const auto between = [&](const TimeSeries& s) { return (1 - share) * s.value[i] + share * s.value[i + 1]; };
@@ -127,27 +124,28 @@ LaneChange findLaneChange(const Log& log, const KnownCar& known) {
     found.cones_hit =
         static_cast<double>(std::count_if(cones.begin(), cones.end(), [](const Cone& c) { return c.hit; }));
     found.completed = exit.has_value();
-    const TimeSeries v = speed(log, kName);
+    const TimeSeries v = speed(log);
     found.entry_speed = at(v, *entry);
     if (exit) {
         found.exit_speed = at(v, *exit);
         found.duration = *exit - *entry;
     }
-    found.largest_ay = largest(cleaned(needed[5], kHalfWidth), *entry, end);
-    found.largest_yaw_rate = largest(cleaned(needed[4], kHalfWidth), *entry, end);
-    found.largest_steering = largest(cleaned(needed[3], kHalfWidth), *entry, end);
-    found.largest_steering_rate = largest(derivative(needed[3], kHalfWidth), *entry, end);
-    if (const auto slip = sideslip(log, kName))
-        found.largest_sideslip = largest(cleaned(*slip, kHalfWidth), *entry, end);
+    found.largest_ay = largest(cleaned(needed[5], kLaneChangeHalfWidth), *entry, end);
+    found.largest_yaw_rate = largest(cleaned(needed[4], kLaneChangeHalfWidth), *entry, end);
+    found.largest_steering = largest(cleaned(needed[3], kLaneChangeHalfWidth), *entry, end);
+    found.largest_steering_rate = largest(derivative(needed[3], kLaneChangeHalfWidth), *entry, end);
+    if (const auto slip = sideslip(log))
+        found.largest_sideslip = largest(cleaned(*slip, kLaneChangeHalfWidth), *entry, end);
     return found;
 }
 
 }  // namespace
 
 Manoeuvre laneChange() {
-    return {kName, "lane changes between cones: cones hit, clearance, speeds (after ISO 3888)",
-            [] { return definitions(table()); },
-            [](const Log& log, const KnownCar& known) { return values(table(), findLaneChange(log, known)); }};
+    return {
+        "lane_change", "lane changes between cones: cones hit, clearance, speeds (after ISO 3888)",
+        [] { return definitions(laneChangeTable()); },
+        [](const Log& log, const KnownCar& known) { return values(laneChangeTable(), findLaneChange(log, known)); }};
 }
 
 }  // namespace tread

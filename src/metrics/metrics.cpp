@@ -41,10 +41,22 @@ const std::vector<Manoeuvre>& manoeuvres() {
     return list;
 }
 
+namespace {
+
+std::vector<Metric> metricsOf(const Manoeuvre& manoeuvre, const Log& log, const KnownCar& car) {
+    try {
+        return manoeuvre.metrics(log, car);
+    } catch (const NotInLog& why) {
+        throw MetricError(fmt::format("no {} in this log: {}", manoeuvre.name, why.what()));
+    }
+}
+
+}  // namespace
+
 std::vector<Metric> metrics(const Log& log, std::string_view manoeuvre, const KnownCar& car) {
     std::string names;
     for (const Manoeuvre& known : manoeuvres()) {
-        if (known.name == manoeuvre) return known.metrics(log, car);
+        if (known.name == manoeuvre) return metricsOf(known, log, car);
         names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
     }
     throw MetricError(fmt::format("unknown manoeuvre '{}', expected one of {}", manoeuvre, names));
@@ -54,7 +66,7 @@ std::string detectManoeuvre(const Log& log) {
     std::string looked_for = "the log contains none of the known manoeuvres:";
     for (const Manoeuvre& known : manoeuvres()) {
         try {
-            known.metrics(log, {});
+            metricsOf(known, log, {});
             return std::string(known.name);
         } catch (const MetricError& error) {
             looked_for += fmt::format("\n  {}", error.what());

@@ -22,6 +22,12 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+// The same as a manoeuvre throws it: why, without the manoeuvre's name.
+class NotInLog : public MetricError {
+public:
+    using MetricError::MetricError;
+};
+
 // What is known of car and course besides the log; NaN: unknown, and metrics that need it are NaN.
 struct KnownCar {
     double wheelbase = std::numeric_limits<double>::quiet_NaN();       // m
@@ -40,7 +46,7 @@ struct Manoeuvre {
     std::string_view name;
     std::string_view description;
     std::vector<MetricDefinition> (*definitions)();
-    // Throws MetricError.
+    // Throws NotInLog.
     std::vector<Metric> (*metrics)(const Log&, const KnownCar&);
 };
 

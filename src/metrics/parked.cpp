@@ -12,12 +12,10 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "parked";
-constexpr double kSettling = 1.0;  // s at the beginning, in which the car may sink into its springs
-constexpr double kShortest = 1.0;  // s of standing after that
-constexpr double kFastest = 0.3;   // m/s: more is no parked car
-constexpr double kMinute = 60;     // s
-constexpr double kMillimetres = 1000;
+constexpr double kSettling = 1.0;          // s at the beginning, in which the car may sink into its springs
+constexpr double kShortestStanding = 1.0;  // s of standing after that
+constexpr double kFastestParked = 0.3;     // m/s: more is no parked car
+constexpr double kMinute = 60;             // s
 
 struct Standing {
     double drift;                 // m/s
@@ -26,7 +24,7 @@ struct Standing {
     double turning = kUndefined;  // rad/s
 };
 
-MetricTable<Standing> table() {
+MetricTable<Standing> parkedTable() {
     return {
         {{"drift", "Drift", "mm/min", "speed of the line fitted to the horizontal position after the first second",
           Say{1, "creeps by {} mm in a minute", 3}},
@@ -43,18 +41,17 @@ MetricTable<Standing> table() {
 }
 
 Standing findStanding(const Log& log) {
-    const auto needed = channels(log, kName, {"chassis.x", "chassis.y", "chassis.vx"});
+    const auto needed = channels(log, {"chassis.x", "chassis.y", "chassis.vx"});
     const double from = needed[0].begin() + kSettling, to = needed[0].end();
-    if (to - from < kShortest) {
-        notFound(kName, fmt::format("the log lasts {:.2g} s, expected at least {:.2g} s", kSettling + to - from,
-                                    kSettling + kShortest));
+    if (to - from < kShortestStanding) {
+        notFound(fmt::format("the log lasts {:.2g} s, expected at least {:.2g} s", kSettling + to - from,
+                             kSettling + kShortestStanding));
     }
-    const TimeSeries v = part(speed(log, kName), from, to), x = part(needed[0], from, to),
-                     y = part(needed[1], from, to);
+    const TimeSeries v = part(speed(log), from, to), x = part(needed[0], from, to), y = part(needed[1], from, to);
     const double fastest = largestSample(v);
-    if (fastest > kFastest) {
-        notFound(kName,
-                 fmt::format("the car moves at up to {:.2g} m/s, expected at most {:.2g} m/s", fastest, kFastest));
+    if (fastest > kFastestParked) {
+        notFound(
+            fmt::format("the car moves at up to {:.2g} m/s, expected at most {:.2g} m/s", fastest, kFastestParked));
     }
     Standing found{.drift = std::hypot(fitLine(x.time, x.value).slope, fitLine(y.time, y.value).slope),
                    .excursion = 0,
@@ -63,7 +60,7 @@ Standing findStanding(const Log& log) {
         found.excursion =
             std::max(found.excursion, std::hypot(x.value[i] - x.value.front(), y.value[i] - y.value.front()));
     }
-    if (const auto yaw = channelIfThere(log, kName, "chassis.yaw")) {
+    if (const auto yaw = channelIfThere(log, "chassis.yaw")) {
         const TimeSeries heading = part(*yaw, from, to);
         found.turning = fitLine(heading.time, heading.value).slope;
     }
@@ -73,8 +70,8 @@ Standing findStanding(const Log& log) {
 }  // namespace
 
 Manoeuvre parked() {
-    return {kName, "the car stands: drift of position and heading", [] { return definitions(table()); },
-            [](const Log& log, const KnownCar&) { return values(table(), findStanding(log)); }};
+    return {"parked", "the car stands: drift of position and heading", [] { return definitions(parkedTable()); },
+            [](const Log& log, const KnownCar&) { return values(parkedTable(), findStanding(log)); }};
 }
 
 }  // namespace tread

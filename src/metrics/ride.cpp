@@ -15,13 +15,11 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "ride";
-constexpr double kShortest = 4;      // s of riding after that
-constexpr double kSlowest = 3;       // m/s
+constexpr double kShortestRide = 4;  // s of riding after that
+constexpr double kSlowestRide = 3;   // m/s
 constexpr double kMostSteering = 5;  // deg of the steering wheel: more is driving, not riding
 constexpr double kSmooth = 0.02;     // m/s2, weighted: nobody feels less (ISO 2631-1, annex C: threshold 0.015)
 constexpr double kPercent = 100;
-constexpr double kMillimetres = 1000;
 
 struct Ride {
     double speed;  // m/s
@@ -32,7 +30,7 @@ struct Ride {
     double travel = kUndefined;       // m
 };
 
-MetricTable<Ride> table() {
+MetricTable<Ride> rideTable() {
     MetricTable<Ride> lines{
         {{"speed", "Speed, mean", "km/h", "mean speed after the first two seconds, which all metrics leave out"},
          [](const Ride& r) { return r.speed / kKmh; }},
@@ -79,45 +77,44 @@ double deviation(const TimeSeries& series) {
 
 void findWheels(Ride& ride, const Log& log, double from, double to) {
     for (std::size_t i = 0; i < kWheelNames.size(); ++i) {
-        if (const auto whole = channelIfThere(log, kName, fmt::format("wheel.{}.load", kWheelNames[i]))) {
+        if (const auto whole = channelIfThere(log, fmt::format("wheel.{}.load", kWheelNames[i]))) {
             const TimeSeries load = part(*whole, from, to);
             const double level = mean(load, from, to);
             ride.load_variation[i] = deviation(load) / level;
             const double lowest = *std::min_element(load.value.begin(), load.value.end()) / level;
             ride.lowest_load = std::fmin(ride.lowest_load, lowest);
         }
-        if (const auto travel = channelIfThere(log, kName, fmt::format("wheel.{}.travel", kWheelNames[i])))
+        if (const auto travel = channelIfThere(log, fmt::format("wheel.{}.travel", kWheelNames[i])))
             ride.travel = std::fmax(ride.travel, deviation(part(*travel, from, to)));
     }
 }
 
 Ride findRide(const Log& log) {
-    const auto needed = channels(log, kName, {"chassis.vx", "chassis.az"});
+    const auto needed = channels(log, {"chassis.vx", "chassis.az"});
     const double from = needed[0].begin() + kRideApproach, to = needed[0].end();
-    if (to - from < kShortest) {
-        notFound(kName, fmt::format("the log lasts {:.2g} s, expected at least {:.2g} s", kRideApproach + to - from,
-                                    kRideApproach + kShortest));
+    if (to - from < kShortestRide) {
+        notFound(fmt::format("the log lasts {:.2g} s, expected at least {:.2g} s", kRideApproach + to - from,
+                             kRideApproach + kShortestRide));
     }
     Ride ride{.speed = mean(needed[0], from, to),
               .vertical = weightedRms(part(needed[1], from, to), VibrationWeighting::Wk)};
-    if (ride.speed < kSlowest) {
-        notFound(kName,
-                 fmt::format("the car drives at {:.2g} m/s, expected at least {:.2g} m/s", ride.speed, kSlowest));
+    if (ride.speed < kSlowestRide) {
+        notFound(fmt::format("the car drives at {:.2g} m/s, expected at least {:.2g} m/s", ride.speed, kSlowestRide));
     }
-    if (const auto hand = channelIfThere(log, kName, "driver.steering_wheel_angle")) {
+    if (const auto hand = channelIfThere(log, "driver.steering_wheel_angle")) {
         const double turned = kDegrees * range(part(*hand, from, to)).width();
         if (turned > kMostSteering) {
-            notFound(kName, fmt::format("the steering wheel turns by {:.2g} deg, expected at most {:.2g} deg", turned,
-                                        kMostSteering));
+            notFound(fmt::format("the steering wheel turns by {:.2g} deg, expected at most {:.2g} deg", turned,
+                                 kMostSteering));
         }
     }
     if (ride.vertical < kSmooth) {
-        notFound(kName, fmt::format("the weighted vertical acceleration is {:.2g} m/s2, expected at least {:.2g} m/s2",
-                                    ride.vertical, kSmooth));
+        notFound(fmt::format("the weighted vertical acceleration is {:.2g} m/s2, expected at least {:.2g} m/s2",
+                             ride.vertical, kSmooth));
     }
-    if (const auto ax = channelIfThere(log, kName, "chassis.ax"))
+    if (const auto ax = channelIfThere(log, "chassis.ax"))
         ride.longitudinal = weightedRms(part(*ax, from, to), VibrationWeighting::Wd);
-    if (const auto ay = channelIfThere(log, kName, "chassis.ay"))
+    if (const auto ay = channelIfThere(log, "chassis.ay"))
         ride.lateral = weightedRms(part(*ay, from, to), VibrationWeighting::Wd);
     findWheels(ride, log, from, to);
     return ride;
@@ -126,9 +123,9 @@ Ride findRide(const Log& log) {
 }  // namespace
 
 Manoeuvre ride() {
-    return {kName, "driving on an uneven road: weighted accelerations (ISO 2631-1), variation of the wheel loads",
-            [] { return definitions(table()); },
-            [](const Log& log, const KnownCar&) { return values(table(), findRide(log)); }};
+    return {"ride", "driving on an uneven road: weighted accelerations (ISO 2631-1), variation of the wheel loads",
+            [] { return definitions(rideTable()); },
+            [](const Log& log, const KnownCar&) { return values(rideTable(), findRide(log)); }};
 }
 
 }  // namespace tread

@@ -20,7 +20,7 @@ constexpr double kAlike = 0.8;                    // least angle of one side ove
 constexpr double kLargeAngle = 60 / kDegrees;     // rad; less is no test of the roll-over
 constexpr double kFishhookRate = 500 / kDegrees;  // rad/s, least of 720 deg/s as logged
 constexpr double kJTurnRate = 750 / kDegrees;     // rad/s, least of 1000 deg/s; a step steer has up to 500
-constexpr double kHeld = 1;                       // s, least time at the last angle
+constexpr double kShortestLastHold = 1;           // s, least time at the last angle
 constexpr double kNoLoad = 1;                     // N, of a measured load: less is none
 
 struct Rollover {
@@ -88,10 +88,10 @@ double longestBelow(const TimeSeries& series, double limit) {
     return longest;
 }
 
-void findLift(const Log& log, std::string_view name, Rollover& found) {
+void findLift(const Log& log, Rollover& found) {
     std::vector<TimeSeries> loads;
     for (std::string_view wheel : kWheelNames) {
-        auto load = channelIfThere(log, name, fmt::format("wheel.{}.load", wheel));
+        auto load = channelIfThere(log, fmt::format("wheel.{}.load", wheel));
         if (!load) return;
         loads.push_back(*std::move(load));
     }
@@ -125,26 +125,24 @@ double fastest(const TimeSeries& hand) {
 }
 
 Rollover findRollover(const Log& log, bool fishhook) {
-    const std::string_view name = fishhook ? kFishhook : kJTurn;
-    const auto needed =
-        channels(log, name, {"driver.steering_wheel_angle", "chassis.roll", "chassis.vx", "chassis.ay"});
+    const auto needed = channels(log, {"driver.steering_wheel_angle", "chassis.roll", "chassis.vx", "chassis.ay"});
     const TimeSeries hand = increments(needed[0], needed[0].value.front());
     const Instant left = highest(hand, hand.begin(), hand.end()), right = lowest(hand, hand.begin(), hand.end());
     Rollover found{};
     found.amplitude = std::max(left.value, -right.value);
     const double less = std::min(left.value, -right.value);
     if (found.amplitude < kLargeAngle) {
-        notFound(name, fmt::format("the steering wheel turns to {:.3g} deg at most, expected {:.3g} deg or more",
-                                   kDegrees * found.amplitude, kDegrees * kLargeAngle));
+        notFound(fmt::format("the steering wheel turns to {:.3g} deg at most, expected {:.3g} deg or more",
+                             kDegrees * found.amplitude, kDegrees * kLargeAngle));
     }
     if (fishhook != (less >= kAlike * found.amplitude)) {
-        notFound(name, fishhook ? "the steering wheel turns to one side only, or farther to one than to the other"
-                                : "the steering wheel turns to both sides");
+        notFound(fishhook ? "the steering wheel turns to one side only, or farther to one than to the other"
+                          : "the steering wheel turns to both sides");
     }
     const double rate = fastest(hand), least = fishhook ? kFishhookRate : kJTurnRate;
     if (rate < least) {
-        notFound(name, fmt::format("the steering wheel turns at {:.3g} deg/s at most, expected {:.3g} deg/s or more",
-                                   kDegrees * rate, kDegrees * least));
+        notFound(fmt::format("the steering wheel turns at {:.3g} deg/s at most, expected {:.3g} deg/s or more",
+                             kDegrees * rate, kDegrees * least));
     }
     // A fishhook begins with the side that comes first, a J-turn has only one.
     const bool to_the_left = fishhook ? left.time < right.time : left.value > -right.value;
@@ -161,17 +159,16 @@ Rollover findRollover(const Log& log, bool fishhook) {
         held_to = firstBelow(increments(turned, 0, -1), kPlateau * less, held_from).value_or(turned.end());
     }
     // A log that ends before is that of a car which tipped over.
-    if (held_to < turned.end() && held_to - held_from < kHeld) {
-        notFound(name,
-                 fmt::format("the last angle is held for {:.2g} s, expected {} s or more", held_to - held_from, kHeld));
+    if (held_to < turned.end() && held_to - held_from < kShortestLastHold) {
+        notFound(fmt::format("the last angle is held for {:.2g} s, expected {} s or more", held_to - held_from,
+                             kShortestLastHold));
     }
-    found.entry_speed = at(speed(log, name), found.begin);
+    found.entry_speed = at(speed(log), found.begin);
     found.roll = largest(needed[1]);
     found.ay = largest(needed[3]);
-    if (const auto rate_of_roll = channelIfThere(log, name, "chassis.roll_rate"))
-        found.roll_rate = largest(*rate_of_roll);
-    if (const auto slip = sideslip(log, name)) found.sideslip = largest(*slip);
-    findLift(log, name, found);
+    if (const auto rate_of_roll = channelIfThere(log, "chassis.roll_rate")) found.roll_rate = largest(*rate_of_roll);
+    if (const auto slip = sideslip(log)) found.sideslip = largest(*slip);
+    findLift(log, found);
     return found;
 }
 

@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 
 #include "metrics/channels.h"
+#include "metrics/least_squares.h"
 #include "metrics/manoeuvres.h"
 #include "metrics/metric_table.h"
 #include "metrics/smoothing.h"
@@ -16,14 +17,13 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "sine_steer";
-constexpr double kSmallest = 0.02;           // rad at the steering wheel; less is a correction
-constexpr double kActive = 0.1;              // of the amplitude: beyond, the driver is steering
-constexpr double kLargestMisfit = 0.15;      // rms of what is no sine over the rms of the sine
-constexpr double kLargestUnevenness = 1.3;   // longest over shortest half-wave; more is a sweep
-constexpr double kFrequencySearch = 0.15;    // the first estimate of the frequency is within this share
-constexpr double kPeakHalfWidth = 0.1;       // of the period: a noisy peak keeps its height to 0.2 %
-constexpr double kSteeringHalfWidth = 0.05;  // s
+constexpr double kSmallestSine = 0.02;           // rad at the steering wheel; less is a correction
+constexpr double kActive = 0.1;                  // of the amplitude: beyond, the driver is steering
+constexpr double kLargestMisfit = 0.15;          // rms of what is no sine over the rms of the sine
+constexpr double kLargestUnevenness = 1.3;       // longest over shortest half-wave; more is a sweep
+constexpr double kFrequencySearch = 0.15;        // the first estimate of the frequency is within this share
+constexpr double kSinePeakHalfWidth = 0.1;       // of the period: a noisy peak keeps its height to 0.2 %
+constexpr double kSineSteeringHalfWidth = 0.05;  // s
 
 struct SineFit {
     std::complex<double> phasor;  // value(t) = real(phasor exp(i omega t))
@@ -41,7 +41,7 @@ SineFit fitSine(const TimeSeries& series, double frequency) {
         terms.row(i) << std::cos(omega * t), std::sin(omega * t), 1, t - series.begin();
         target[i] = series.value[static_cast<std::size_t>(i)];
     }
-    const Eigen::Vector4d found = terms.colPivHouseholderQr().solve(target);
+    const Eigen::VectorXd found = leastSquares(terms, target);
     const double rest = (terms * found - target).norm(), sine = (terms.leftCols<2>() * found.head<2>()).norm();
     return {{found[0], -found[1]}, rest / sine};
 }
@@ -92,14 +92,14 @@ std::vector<double> halfWaves(const TimeSeries& steering, const std::vector<Inst
 Sine findSine(const TimeSeries& steering) {
     const double middle = steering.value.front();
     const double amplitude = 0.5 * range(steering).width();
-    if (amplitude < kSmallest) {
-        notFound(kName, fmt::format("the steering wheel moves by only +-{:.2g} deg, expected at least {:.2g} deg",
-                                    kDegrees * amplitude, kDegrees * kSmallest));
+    if (amplitude < kSmallestSine) {
+        notFound(fmt::format("the steering wheel moves by only +-{:.2g} deg, expected at least {:.2g} deg",
+                             kDegrees * amplitude, kDegrees * kSmallestSine));
     }
     const auto turns = turningPoints(steering, 0.5 * amplitude);
     if (turns.size() != 2 && turns.size() < 4) {
-        notFound(kName, fmt::format("the steering turns back {} times, expected one period (2) or at least two (4)",
-                                    turns.size()));
+        notFound(
+            fmt::format("the steering turns back {} times, expected one period (2) or at least two (4)", turns.size()));
     }
     const auto [begin, end] = activeTime(steering, middle, kActive * amplitude);
     Sine sine{turns.size() == 2, 0, begin, end};
@@ -109,11 +109,10 @@ Sine findSine(const TimeSeries& steering) {
         sine.frequency = (1 - within) / (end - begin);
     } else {
         const auto halves = halfWaves(steering, turns);
-        if (halves.empty()) notFound(kName, "the steering does not swing about a constant mean");
+        if (halves.empty()) notFound("the steering does not swing about a constant mean");
         const auto [shortest, longest] = std::minmax_element(halves.begin(), halves.end());
         if (*longest > kLargestUnevenness * *shortest) {
-            notFound(kName,
-                     fmt::format("the half-waves of the steering last {:.2g} to {:.2g} s, expected one frequency",
+            notFound(fmt::format("the half-waves of the steering last {:.2g} to {:.2g} s, expected one frequency",
                                  *shortest, *longest));
         }
         double sum = 0;
@@ -125,8 +124,8 @@ Sine findSine(const TimeSeries& steering) {
     sine.frequency = bestFrequency(window, sine.frequency);
     const double misfit = fitSine(window, sine.frequency).misfit;
     if (misfit > kLargestMisfit) {
-        notFound(kName, fmt::format("the steering departs from a sine of {:.2g} Hz by {:.0f} %", sine.frequency,
-                                    100 * misfit));
+        notFound(
+            fmt::format("the steering departs from a sine of {:.2g} Hz by {:.0f} %", sine.frequency, 100 * misfit));
     }
     return sine;
 }
@@ -199,7 +198,7 @@ MetricTable<SineSteer> answerTable(Answer SineSteer::*answer, std::string_view w
     };
 }
 
-MetricTable<SineSteer> table() {
+MetricTable<SineSteer> sineSteerTable() {
     MetricTable<SineSteer> lines = {
         {{"speed", "Speed, mean", "m/s", "mean forward speed over the evaluated time"},
          [](const SineSteer& s) { return s.speed; }},
@@ -224,15 +223,14 @@ MetricTable<SineSteer> table() {
 }
 
 SineSteer findSineSteer(const Log& log) {
-    const auto needed =
-        channels(log, kName, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
-    const TimeSeries steering = cleaned(needed[0], kSteeringHalfWidth);
+    const auto needed = channels(log, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
+    const TimeSeries steering = cleaned(needed[0], kSineSteeringHalfWidth);
     const Sine sine = findSine(steering);
     const double amplitude = std::abs(fitSine(part(steering, sine.from, sine.to), sine.frequency).phasor);
     const auto answer = [&](const TimeSeries& response) {
         if (!sine.one_period) return answerToContinuous(sine, needed[0], response);
         return answerToOnePeriod(sine, turningPoints(steering, 0.5 * amplitude),
-                                 cleaned(response, kPeakHalfWidth / sine.frequency));
+                                 cleaned(response, kSinePeakHalfWidth / sine.frequency));
     };
     return {.sine = sine,
             .speed = mean(needed[1], sine.from, sine.to),
@@ -244,9 +242,9 @@ SineSteer findSineSteer(const Log& log) {
 }  // namespace
 
 Manoeuvre sineSteer() {
-    return {kName, "sine steering: gain and phase, or lags of the peaks (after ISO 7401)",
-            [] { return definitions(table()); },
-            [](const Log& log, const KnownCar&) { return values(table(), findSineSteer(log)); }};
+    return {"sine_steer", "sine steering: gain and phase, or lags of the peaks (after ISO 7401)",
+            [] { return definitions(sineSteerTable()); },
+            [](const Log& log, const KnownCar&) { return values(sineSteerTable(), findSineSteer(log)); }};
 }
 
 }  // namespace tread

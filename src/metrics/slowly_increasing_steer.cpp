@@ -14,13 +14,12 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "slowly_increasing_steer";
-constexpr double kLow = 0.1 * kGravity, kHigh = 0.375 * kGravity;  // range of the regression
-constexpr double kReading = 0.3 * kGravity;
-constexpr double kHalfWidth = 0.25;         // s; everything changes slowly here
-constexpr double kFastest = 25 / kDegrees;  // rad/s: faster is no slow steering
-constexpr double kConstant = 0.05;          // of the speed, over the range of the regression
-constexpr std::size_t kFewest = 10;         // samples
+constexpr double kRegressionFrom = 0.1 * kGravity, kRegressionTo = 0.375 * kGravity;  // range of the regression
+constexpr double kAngleReading = 0.3 * kGravity;
+constexpr double kSlowSteerHalfWidth = 0.25;         // s; everything changes slowly here
+constexpr double kFastestSlowSteer = 25 / kDegrees;  // rad/s: faster is no slow steering
+constexpr double kSlowSteerSpeed = 0.05;             // of the speed, over the range of the regression
+constexpr std::size_t kFewestRegressed = 10;         // samples
 
 struct SlowSteer {
     double angle;        // rad, at 0.3 g
@@ -32,8 +31,9 @@ struct SlowSteer {
     double understeer;   // rad per m/s2 at the road wheels
 };
 
-MetricTable<SlowSteer> table() {
-    const std::string range = fmt::format("regression over {:.3g} to {:.3g} g", kLow / kGravity, kHigh / kGravity);
+MetricTable<SlowSteer> slowlyIncreasingSteerTable() {
+    const std::string range =
+        fmt::format("regression over {:.3g} to {:.3g} g", kRegressionFrom / kGravity, kRegressionTo / kGravity);
     return {
         {{"steering_angle_03g", "Steering-wheel angle at 0.3 g", "deg",
           "A: steering-wheel angle at 0.3 g, from straight ahead, on the line of the " + range,
@@ -61,9 +61,9 @@ MetricTable<SlowSteer> table() {
 }
 
 SlowSteer findSlowSteer(const Log& log, const KnownCar& car) {
-    const auto needed = channels(log, kName, {"driver.steering_wheel_angle", "chassis.vx", "chassis.ay"});
-    const TimeSeries hand = cleaned(needed[0], kHalfWidth), ay = cleaned(needed[2], kHalfWidth);
-    const TimeSeries v = speed(log, kName);
+    const auto needed = channels(log, {"driver.steering_wheel_angle", "chassis.vx", "chassis.ay"});
+    const TimeSeries hand = cleaned(needed[0], kSlowSteerHalfWidth), ay = cleaned(needed[2], kSlowSteerHalfWidth);
+    const TimeSeries v = speed(log);
     const Instant left = highest(ay, ay.begin(), ay.end()), right = lowest(ay, ay.begin(), ay.end());
     const double sign = left.value >= -right.value ? 1 : -1;
     const Instant most = sign > 0 ? left : right;
@@ -72,35 +72,34 @@ SlowSteer findSlowSteer(const Log& log, const KnownCar& car) {
     std::vector<double> x, y, road, times, speeds;
     for (std::size_t i = 0; i < ay.size() && ay.time[i] <= most.time; ++i) {
         const double a = sign * ay.value[i];
-        if (a < kLow || a > kHigh) continue;
+        if (a < kRegressionFrom || a > kRegressionTo) continue;
         x.push_back(a);
         y.push_back(sign * (hand.value[i] - zero));
         road.push_back(sign * car.roadWheelAngle(hand.value[i]));
         times.push_back(ay.time[i]);
         speeds.push_back(v.value[i]);
     }
-    if (x.size() < kFewest || *std::max_element(x.begin(), x.end()) < kReading) {
-        notFound(kName,
-                 fmt::format(
-                     "the lateral acceleration reaches {:.2g} m/s2, expected a slow rise through {:.2g} to {:.2g} m/s2",
-                     sign * most.value, kLow, kHigh));
+    if (x.size() < kFewestRegressed || *std::max_element(x.begin(), x.end()) < kAngleReading) {
+        notFound(fmt::format(
+            "the lateral acceleration reaches {:.2g} m/s2, expected a slow rise through {:.2g} to {:.2g} m/s2",
+            sign * most.value, kRegressionFrom, kRegressionTo));
     }
     const double rate = fitLine(times, y).slope;
-    if (rate <= 0 || rate > kFastest) {
-        notFound(kName, fmt::format("the steering wheel turns at {:.3g} deg/s, expected up to {:.3g} deg/s",
-                                    kDegrees * rate, kDegrees * kFastest));
+    if (rate <= 0 || rate > kFastestSlowSteer) {
+        notFound(fmt::format("the steering wheel turns at {:.3g} deg/s, expected up to {:.3g} deg/s", kDegrees * rate,
+                             kDegrees * kFastestSlowSteer));
     }
     const auto [slowest, fastest] = std::minmax_element(speeds.begin(), speeds.end());
-    if (*fastest - *slowest > kConstant * *fastest) {
-        notFound(kName, fmt::format("the speed changes from {:.3g} to {:.3g} m/s, expected a constant one", *fastest,
-                                    *slowest));
+    if (*fastest - *slowest > kSlowSteerSpeed * *fastest) {
+        notFound(
+            fmt::format("the speed changes from {:.3g} to {:.3g} m/s, expected a constant one", *fastest, *slowest));
     }
     double sum = 0;
     for (double value : speeds) sum += value;
     const Line line = fitLine(x, y);
     SlowSteer found{};
     found.slope = line.slope;
-    found.angle = line.offset + line.slope * kReading;
+    found.angle = line.offset + line.slope * kAngleReading;
     found.speed = sum / static_cast<double>(speeds.size());
     found.rate = rate;
     found.largest_ay = sign * most.value;
@@ -112,9 +111,12 @@ SlowSteer findSlowSteer(const Log& log, const KnownCar& car) {
 }  // namespace
 
 Manoeuvre slowlyIncreasingSteer() {
-    return {kName, "slow steering at constant speed: steering-wheel angle at 0.3 g (after FMVSS 126)",
-            [] { return definitions(table()); },
-            [](const Log& log, const KnownCar& car) { return values(table(), findSlowSteer(log, car)); }};
+    return {"slowly_increasing_steer",
+            "slow steering at constant speed: steering-wheel angle at 0.3 g (after FMVSS 126)",
+            [] { return definitions(slowlyIncreasingSteerTable()); },
+            [](const Log& log, const KnownCar& car) {
+                return values(slowlyIncreasingSteerTable(), findSlowSteer(log, car));
+            }};
 }
 
 }  // namespace tread

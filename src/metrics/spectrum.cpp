@@ -1,10 +1,12 @@
 #include "metrics/spectrum.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "metrics/least_squares.h"
 
 namespace tread {
 namespace {
@@ -100,17 +102,20 @@ struct Band {
         if (x.size() < kFewest) {
             return {frequency, y[middle] / x[middle], std::numeric_limits<double>::quiet_NaN(), std::norm(x[middle])};
         }
-        const auto n = static_cast<Eigen::Index>(x.size());
-        Eigen::MatrixXcd terms(n, static_cast<Eigen::Index>(kTerms));
-        Eigen::VectorXcd target(n);
+        // Each complex number as its real and its imaginary part.
+        const auto n = static_cast<Eigen::Index>(x.size()), m = static_cast<Eigen::Index>(kTerms);
+        Eigen::MatrixXd terms(2 * n, 2 * m);
+        Eigen::VectorXd target(2 * n);
         for (Eigen::Index i = 0; i < n; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            terms.row(i) << x[k], x[k] * aside[k], x[k] * aside[k] * aside[k];
-            target[i] = y[k];
+            const auto at = static_cast<std::size_t>(i);
+            std::complex<double> term = x[at];
+            for (Eigen::Index k = 0; k < m; ++k, term *= aside[at])
+                terms.block<2, 2>(2 * i, 2 * k) << term.real(), -term.imag(), term.imag(), term.real();
+            target.segment<2>(2 * i) << y[at].real(), y[at].imag();
         }
-        const Eigen::VectorXcd found = terms.colPivHouseholderQr().solve(target);
+        const Eigen::VectorXd found = leastSquares(terms, target);
         const double rest = (terms * found - target).squaredNorm() / static_cast<double>(x.size() - kTerms);
-        return {frequency, found[0], std::max(0.0, 1 - rest / yy), xx};
+        return {frequency, {found[0], found[1]}, std::max(0.0, 1 - rest / yy), xx};
     }
 };
 

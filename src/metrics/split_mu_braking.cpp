@@ -15,10 +15,9 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "split_mu_braking";
-constexpr double kFirst = 2;                 // s, of the first correction
-constexpr double kSlow = 1;                  // m/s: below, steering and yaw rate tell nothing
-constexpr double kLeastTurn = 2 / kDegrees;  // rad, of steering wheel or car: less is straight braking
+constexpr double kFirstCorrection = 2;            // s, of the first correction
+constexpr double kSlow = 1;                       // m/s: below, steering and yaw rate tell nothing
+constexpr double kLeastSplitTurn = 2 / kDegrees;  // rad, of steering wheel or car: less is straight braking
 
 struct SplitMu {
     Stop stop;
@@ -27,12 +26,12 @@ struct SplitMu {
     double yaw_rate, yaw;    // rad/s, rad
 };
 
-MetricTable<SplitMu> table() {
+MetricTable<SplitMu> splitMuBrakingTable() {
     const std::string slow = fmt::format(", down to {:.0f} m/s", kSlow);
     return {
         {{"steering_first_2s", "Steering correction in the first 2 s", "deg",
           fmt::format("largest turn of the steering wheel from its angle at brake actuation, in the first {:.0f} s",
-                      kFirst),
+                      kFirstCorrection),
           Say{1, "the driver corrects by {} deg in the first 2 s", 0}},
          [](const SplitMu& s) { return kDegrees * s.first; }},
         {{"largest_steering", "Steering correction, maximum", "deg", "the same over the whole stop" + slow},
@@ -63,24 +62,25 @@ double largestMove(const TimeSeries& series, double from, double to) {
 }
 
 SplitMu findSplitMu(const Log& log) {
-    const auto needed = channels(log, kName, {"driver.steering_wheel_angle", "chassis.yaw_rate", "chassis.yaw"});
-    const Stop stop = findStop(log, kName);
-    expectNoTurn(log, kName, stop);
+    const auto needed = channels(log, {"driver.steering_wheel_angle", "chassis.yaw_rate", "chassis.yaw"});
+    const Stop stop = findStop(log);
+    expectNoTurn(log, stop);
     const TimeSeries hand = cleaned(needed[0], kResponseHalfWidth), turning = cleaned(needed[1], kResponseHalfWidth);
-    const TimeSeries v = cleaned(speed(log, kName), kSpeedHalfWidth);
+    const TimeSeries v = cleaned(speed(log), kSpeedHalfWidth);
     const double end = firstCrossing(v, kSlow, stop.start).value_or(stop.end);
     SplitMu found{
         .stop = stop,
         .mfdd = meanFullyDeveloped(v, stop),
-        .deviation = lateralDeviation(log, kName, stop),
-        .first = largestMove(hand, stop.start, std::min(end, stop.start + kFirst)),
+        .deviation = lateralDeviation(log, stop),
+        .first = largestMove(hand, stop.start, std::min(end, stop.start + kFirstCorrection)),
         .steering = largestMove(hand, stop.start, end),
         .yaw_rate = std::max(highest(turning, stop.start, end).value, -lowest(turning, stop.start, end).value),
         .yaw = largestMove(needed[2], stop.start, end)};
-    if (std::max(found.steering, found.yaw) < kLeastTurn) {
-        notFound(kName, fmt::format("while braking the steering wheel turns by {:.2g} deg and the car by only {:.2g} "
-                                    "deg, expected at least {:.2g} deg of one",
-                                    kDegrees * found.steering, kDegrees * found.yaw, kDegrees * kLeastTurn));
+    if (std::max(found.steering, found.yaw) < kLeastSplitTurn) {
+        notFound(
+            fmt::format("while braking the steering wheel turns by {:.2g} deg and the car by only {:.2g} "
+                        "deg, expected at least {:.2g} deg of one",
+                        kDegrees * found.steering, kDegrees * found.yaw, kDegrees * kLeastSplitTurn));
     }
     return found;
 }
@@ -88,9 +88,9 @@ SplitMu findSplitMu(const Log& log) {
 }  // namespace
 
 Manoeuvre splitMuBraking() {
-    return {kName, "braking with unequal friction left and right (after ISO 14512)",
-            [] { return definitions(table()); },
-            [](const Log& log, const KnownCar&) { return values(table(), findSplitMu(log)); }};
+    return {"split_mu_braking", "braking with unequal friction left and right (after ISO 14512)",
+            [] { return definitions(splitMuBrakingTable()); },
+            [](const Log& log, const KnownCar&) { return values(splitMuBrakingTable(), findSplitMu(log)); }};
 }
 
 }  // namespace tread

@@ -14,8 +14,7 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "steady_circle";
-constexpr double kHalfWidth = 0.5;             // s; everything changes slowly here
+constexpr double kCircleHalfWidth = 0.5;       // s; everything changes slowly here
 constexpr double kLowestAy = 0.1 * kGravity;   // below, offsets and play count for more than the car
 constexpr double kHighestAy = 0.4 * kGravity;  // the end of the linear range of most cars ...
 constexpr double kHighestShare = 0.6;          // ... and of those that grip less, of their largest ay
@@ -23,9 +22,8 @@ constexpr double kLeastSpan = 0.5;             // m/s2 between the slowest and t
 constexpr std::size_t kFewestSamples = 10;
 constexpr double kFastestSteering = 0.6;  // rad/s; the slowly increasing steer has 0.24
 constexpr std::size_t kMostSwings = 4;    // of the whole steering; a left and a right turn have up to four
-constexpr double kSlowest = 0.5;          // m/s; a car of scale 1:10 corners at 0.1 g from 0.6 m/s on
-constexpr double kPedal = 0.02;           // of the brake pedal; more is no steady state
-constexpr double kConstant = 0.03;        // standard deviation over mean of a speed that is held
+constexpr double kSlowestCircle = 0.5;    // m/s; a car of scale 1:10 corners at 0.1 g from 0.6 m/s on
+constexpr double kHeldSpeed = 0.03;       // standard deviation over mean of a speed that is held
 
 enum class Method { constant_radius = 1, constant_speed = 2, constant_steering = 3 };
 
@@ -43,8 +41,8 @@ std::vector<std::size_t> samplesOfTurn(const Circle& circle, double direction) {
     double least = high, most = 0;
     for (std::size_t i = 0; i < circle.ay.size(); ++i) {
         const double ay = direction * circle.ay.value[i];
-        if (ay < kLowestAy || ay > high || circle.v.value[i] < kSlowest) continue;
-        if (circle.brake && circle.brake->value[i] > kPedal) continue;
+        if (ay < kLowestAy || ay > high || circle.v.value[i] < kSlowestCircle) continue;
+        if (circle.brake && circle.brake->value[i] > kRestingFoot) continue;
         samples.push_back(i);
         least = std::min(least, ay);
         most = std::max(most, ay);
@@ -54,16 +52,12 @@ std::vector<std::size_t> samplesOfTurn(const Circle& circle, double direction) {
 }
 
 Circle findCircle(const Log& log) {
-    const auto needed =
-        channels(log, kName, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
-    Circle circle{cleaned(needed[0], kHalfWidth),
-                  cleaned(needed[1], kHalfWidth),
-                  cleaned(needed[2], kHalfWidth),
-                  cleaned(needed[3], kHalfWidth),
-                  channelIfThere(log, kName, "driver.brake"),
-                  {}};
+    const auto needed = channels(log, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
+    Circle circle{cleaned(needed[0], kCircleHalfWidth), cleaned(needed[1], kCircleHalfWidth),
+                  cleaned(needed[2], kCircleHalfWidth), cleaned(needed[3], kCircleHalfWidth),
+                  channelIfThere(log, "driver.brake"),  {}};
     // Changes of the steering that are too quick for a steady state are left out; a log made of them is refused.
-    const TimeSeries rate = cleanDerivative(needed[0], kHalfWidth);
+    const TimeSeries rate = cleanDerivative(needed[0], kCircleHalfWidth);
     std::size_t all = 0, slow = 0;
     for (const double direction : {1.0, -1.0}) {
         auto samples = samplesOfTurn(circle, direction);
@@ -73,18 +67,18 @@ Circle findCircle(const Log& log) {
         if (!samples.empty()) circle.turns.push_back(samples);
     }
     if (all == 0) {
-        notFound(kName, fmt::format("expected a turn whose lateral acceleration covers at least {:.1f} m/s2 between "
-                                    "{:.1f} m/s2 and {:.0f} % of its largest value",
-                                    kLeastSpan, kLowestAy, 100 * kHighestShare));
+        notFound(
+            fmt::format("expected a turn whose lateral acceleration covers at least {:.1f} m/s2 between "
+                        "{:.1f} m/s2 and {:.0f} % of its largest value",
+                        kLeastSpan, kLowestAy, 100 * kHighestShare));
     }
     if (slow < all / 2) {
-        notFound(kName,
-                 fmt::format("the steering moves faster than {:.0f} deg/s most of the time, expected slow changes",
+        notFound(fmt::format("the steering moves faster than {:.0f} deg/s most of the time, expected slow changes",
                              kDegrees * kFastestSteering));
     }
     const auto swings = turningPoints(circle.steering, largestSample(circle.steering)).size();
     if (swings > kMostSwings) {
-        notFound(kName, fmt::format("the steering swings back and forth {} times, expected slow changes", swings));
+        notFound(fmt::format("the steering swings back and forth {} times, expected slow changes", swings));
     }
     return circle;
 }
@@ -121,7 +115,7 @@ double gradient(const Circle& circle, const Quantity& quantity) {
 
 double channelGradient(const Circle& circle, const std::optional<TimeSeries>& channel) {
     if (!channel) return kUndefined;
-    const TimeSeries clean = cleaned(*channel, kHalfWidth);
+    const TimeSeries clean = cleaned(*channel, kCircleHalfWidth);
     return gradient(circle, [&](std::size_t i) { return clean.value[i]; });
 }
 
@@ -130,7 +124,7 @@ Method methodOf(const Circle& circle) {
         variation(circle, [&](std::size_t i) { return circle.yaw_rate.value[i] / circle.v.value[i]; });
     const double speed = variation(circle, [&](std::size_t i) { return circle.v.value[i]; });
     const double steering = variation(circle, [&](std::size_t i) { return circle.steering.value[i]; });
-    if (speed < kConstant && speed < radius) return Method::constant_speed;
+    if (speed < kHeldSpeed && speed < radius) return Method::constant_speed;
     return radius <= steering ? Method::constant_radius : Method::constant_steering;
 }
 
@@ -140,8 +134,8 @@ std::optional<TimeSeries> roadWheelAngle(const Log& log, const Circle& circle, c
         for (double& angle : road.value) angle = car.roadWheelAngle(angle);
         return road;
     }
-    auto road = frontLessRear(log, kName, "steer");
-    if (road) road = cleaned(*road, kHalfWidth);
+    auto road = frontLessRear(log, "steer");
+    if (road) road = cleaned(*road, kCircleHalfWidth);
     return road;
 }
 
@@ -158,8 +152,8 @@ double understeer(const Log& log, const Circle& circle, const KnownCar& car, Met
     }
     // delta - L / R is also the front slip angle less the rear one, counted positive where the tyre pushes into the
     // turn.
-    if (const auto slip = frontLessRear(log, kName, "slip_angle")) {
-        const TimeSeries front = *channelIfThere(log, kName, "wheel.front_left.slip_angle");
+    if (const auto slip = frontLessRear(log, "slip_angle")) {
+        const TimeSeries front = *channelIfThere(log, "wheel.front_left.slip_angle");
         const double sign = gradient(circle, [&](std::size_t i) { return front.value[i]; }) < 0 ? -1 : 1;
         return sign * channelGradient(circle, slip);
     }
@@ -192,7 +186,7 @@ struct SteadyCircle {
     double largest_ay;                                  // m/s2
 };
 
-MetricTable<SteadyCircle> table() {
+MetricTable<SteadyCircle> steadyCircleTable() {
     const std::string range = fmt::format("regression over {:.2g} to {:.2g} g, at most {:.0f} % of the largest",
                                           kLowestAy / kGravity, kHighestAy / kGravity, 100 * kHighestShare);
     constexpr double kPerG = kDegrees * kGravity;  // rad per m/s2 to deg per g
@@ -232,17 +226,18 @@ SteadyCircle findSteadyCircle(const Log& log, const KnownCar& car) {
             .steering_wheel = method == Method::constant_steering
                                   ? kUndefined
                                   : gradient(circle, [&](std::size_t i) { return circle.steering.value[i]; }),
-            .roll = channelGradient(circle, channelIfThere(log, kName, "chassis.roll")),
-            .sideslip = channelGradient(circle, sideslip(log, kName)),
+            .roll = channelGradient(circle, channelIfThere(log, "chassis.roll")),
+            .sideslip = channelGradient(circle, sideslip(log)),
             .largest_ay = largestSample(circle.ay)};
 }
 
 }  // namespace
 
 Manoeuvre steadyCircle() {
-    return {kName, "steady cornering: understeer, roll and sideslip gradients (after ISO 4138)",
-            [] { return definitions(table()); },
-            [](const Log& log, const KnownCar& car) { return values(table(), findSteadyCircle(log, car)); }};
+    return {
+        "steady_circle", "steady cornering: understeer, roll and sideslip gradients (after ISO 4138)",
+        [] { return definitions(steadyCircleTable()); },
+        [](const Log& log, const KnownCar& car) { return values(steadyCircleTable(), findSteadyCircle(log, car)); }};
 }
 
 }  // namespace tread

@@ -14,18 +14,16 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "step_steer";
-constexpr double kSmallestStep = 0.02;       // rad at the steering wheel; less is a correction
-constexpr double kSlowestRise = 0.6;         // s from 10 to 90 %; slower is a ramp (the standard asks for 0.15 s)
-constexpr double kShortestHold = 1.0;        // s; the yaw rate needs about that to settle
-constexpr double kHoldBand = 0.05;           // of the step: how far a driver's hands may wander while holding
-constexpr double kHoldShare = 0.9;           // of the time that must be spent within the band
-constexpr double kPedal = 0.02;              // of the pedal: less is a resting foot
-constexpr double kSlowest = 1.0;             // m/s; below, a car does not turn
-constexpr double kSteadyWindow = 1.0;        // s at the end of the hold over which the steady state is taken
-constexpr double kSteadyDrift = 0.03;        // change over that window, as a share, up to which it counts as steady
-constexpr double kLeastOvershoot = 0.005;    // less is no peak
-constexpr double kSteeringHalfWidth = 0.02;  // s; keeps the corners of a quick ramp
+constexpr double kSmallestStep = 0.02;           // rad at the steering wheel; less is a correction
+constexpr double kSlowestRise = 0.6;             // s from 10 to 90 %; slower is a ramp (the standard asks for 0.15 s)
+constexpr double kShortestHold = 1.0;            // s; the yaw rate needs about that to settle
+constexpr double kHoldBand = 0.05;               // of the step: how far a driver's hands may wander while holding
+constexpr double kHoldShare = 0.9;               // of the time that must be spent within the band
+constexpr double kSlowestStep = 1.0;             // m/s; below, a car does not turn
+constexpr double kSteadyWindow = 1.0;            // s at the end of the hold over which the steady state is taken
+constexpr double kSteadyDrift = 0.03;            // change over that window, as a share, up to which it counts as steady
+constexpr double kLeastOvershoot = 0.005;        // less is no peak
+constexpr double kStepSteeringHalfWidth = 0.02;  // s; keeps the corners of a quick ramp
 
 struct Step {
     double onset;      // s
@@ -64,8 +62,7 @@ Step findStep(const TimeSeries& steering) {
         if (std::abs(value - start) > std::abs(farthest)) farthest = value - start;
     }
     if (std::abs(farthest) < kSmallestStep) {
-        notFound(kName,
-                 fmt::format("the steering wheel moves by only {:.2g} deg, expected a step of at least {:.2g} deg",
+        notFound(fmt::format("the steering wheel moves by only {:.2g} deg, expected a step of at least {:.2g} deg",
                              kDegrees * std::abs(farthest), kDegrees * kSmallestStep));
     }
     const double rough_half = *firstCrossing(steering, start + 0.5 * farthest, steering.begin());
@@ -92,12 +89,11 @@ Step findStep(const TimeSeries& steering) {
     step.rate = 0.8 * step.amplitude / std::max(t90 - t10, 1e-9);
 
     if (t90 - t10 > kSlowestRise) {
-        notFound(kName, fmt::format("the steering takes {:.2g} s from 10 to 90 %, expected at most {:.2g} s", t90 - t10,
-                                    kSlowestRise));
+        notFound(fmt::format("the steering takes {:.2g} s from 10 to 90 %, expected at most {:.2g} s", t90 - t10,
+                             kSlowestRise));
     }
     if (hold.to - hold.from < kShortestHold || hold.share < kHoldShare) {
-        notFound(kName,
-                 fmt::format("the steering is held for only {:.2g} s, expected at least {:.2g} s within {:.0f} %",
+        notFound(fmt::format("the steering is held for only {:.2g} s, expected at least {:.2g} s within {:.0f} %",
                              hold.to - hold.from, kShortestHold, 100 * kHoldBand));
     }
     return step;
@@ -106,11 +102,10 @@ Step findStep(const TimeSeries& steering) {
 // End of the hold, or of its part before the driver brakes or lifts off: that is another manoeuvre.
 double pedalChange(const Log& log, const Step& step) {
     double end = step.hold_end;
-    const auto brake = channelIfThere(log, kName, "driver.brake"),
-               throttle = channelIfThere(log, kName, "driver.throttle");
-    if (brake) end = std::min(end, firstCrossing(*brake, kPedal, step.onset).value_or(end));
-    if (throttle && at(*throttle, step.onset) > kPedal) {
-        end = std::min(end, firstCrossing(*throttle, kPedal, step.onset).value_or(end));
+    const auto brake = channelIfThere(log, "driver.brake"), throttle = channelIfThere(log, "driver.throttle");
+    if (brake) end = std::min(end, firstCrossing(*brake, kRestingFoot, step.onset).value_or(end));
+    if (throttle && at(*throttle, step.onset) > kRestingFoot) {
+        end = std::min(end, firstCrossing(*throttle, kRestingFoot, step.onset).value_or(end));
     }
     return end;
 }
@@ -176,7 +171,7 @@ MetricTable<StepSteer> responseTable(Response StepSteer::*response, std::string_
     };
 }
 
-MetricTable<StepSteer> table() {
+MetricTable<StepSteer> stepSteerTable() {
     MetricTable<StepSteer> lines =
         responseTable(&StepSteer::yaw_rate, "yaw_rate", "yaw rate", {1, "yaw rate responds within {} ms", 0, 1000},
                       {2, "overshoots by {} %", 0, 100});
@@ -221,28 +216,27 @@ MetricTable<StepSteer> table() {
 }
 
 StepSteer findStepSteer(const Log& log) {
-    const auto needed =
-        channels(log, kName, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
-    Step step = findStep(cleaned(needed[0], kSteeringHalfWidth));
+    const auto needed = channels(log, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
+    Step step = findStep(cleaned(needed[0], kStepSteeringHalfWidth));
     step.hold_end = pedalChange(log, step);
-    if (step.hold_end - step.half < kShortestHold) notFound(kName, "the driver brakes or lifts off during the step");
+    if (step.hold_end - step.half < kShortestHold) notFound("the driver brakes or lifts off during the step");
     const double v = mean(needed[1], step.onset - 0.1, step.onset);
-    if (v < kSlowest) notFound(kName, fmt::format("the car moves at only {:.2g} m/s when it is steered", v));
+    if (v < kSlowestStep) notFound(fmt::format("the car moves at only {:.2g} m/s when it is steered", v));
     StepSteer found{.step = step,
                     .speed = v,
                     .yaw_rate = respond(needed[2], step, kResponseHalfWidth),
                     .ay = respond(needed[3], step, kResponseHalfWidth)};
-    if (const auto slip = sideslip(log, kName)) found.sideslip = step.direction() * steadyIncrement(*slip, step);
-    if (const auto roll = channelIfThere(log, kName, "chassis.roll")) found.roll = steadyIncrement(*roll, step);
+    if (const auto slip = sideslip(log)) found.sideslip = step.direction() * steadyIncrement(*slip, step);
+    if (const auto roll = channelIfThere(log, "chassis.roll")) found.roll = steadyIncrement(*roll, step);
     return found;
 }
 
 }  // namespace
 
 Manoeuvre stepSteer() {
-    return {kName, "a quick steering input, then held: response times, overshoot, gains (after ISO 7401)",
-            [] { return definitions(table()); },
-            [](const Log& log, const KnownCar&) { return values(table(), findStepSteer(log)); }};
+    return {"step_steer", "a quick steering input, then held: response times, overshoot, gains (after ISO 7401)",
+            [] { return definitions(stepSteerTable()); },
+            [](const Log& log, const KnownCar&) { return values(stepSteerTable(), findStepSteer(log)); }};
 }
 
 }  // namespace tread

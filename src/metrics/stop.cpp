@@ -11,7 +11,6 @@
 namespace tread {
 namespace {
 
-constexpr double kLeastBrake = 0.02;   // of the pedal: less is a resting foot
 constexpr double kOnsetShare = 0.001;  // of the largest pedal: where actuation starts ...
 constexpr double kOnsetNoise = 5;      // ... or in standard deviations of its noise, so that noise is no actuation
 constexpr double kSlowestStart = 2.0;  // m/s
@@ -19,9 +18,9 @@ constexpr double kLargestTurn = 0.5;   // m/s2: more is braking in a turn
 // Of the initial speed: between them the deceleration counts as fully developed (UN R13-H, MFDD).
 constexpr double kDevelopedFrom = 0.8, kDevelopedTo = 0.1;
 
-double brakeOnset(const TimeSeries& brake, std::string_view manoeuvre) {
+double brakeOnset(const TimeSeries& brake) {
     const double most = *std::max_element(brake.value.begin(), brake.value.end());
-    if (most < kLeastBrake) notFound(manoeuvre, "the brake is never applied");
+    if (most < kRestingFoot) notFound("the brake is never applied");
     // The application that leads to the stop begins where the pedal last left zero before its largest value.
     const double level = std::max(kOnsetShare * most, kOnsetNoise * noise(brake));
     const double peak = highest(brake, brake.begin(), brake.end()).time;
@@ -31,20 +30,20 @@ double brakeOnset(const TimeSeries& brake, std::string_view manoeuvre) {
 
 }  // namespace
 
-Stop findStop(const Log& log, std::string_view manoeuvre) {
-    const TimeSeries brake = channels(log, manoeuvre, {"driver.brake", "chassis.vx"}).front();
-    const TimeSeries v = cleaned(speed(log, manoeuvre), kSpeedHalfWidth);
+Stop findStop(const Log& log) {
+    const TimeSeries brake = channels(log, {"driver.brake", "chassis.vx"}).front();
+    const TimeSeries v = cleaned(speed(log), kSpeedHalfWidth);
     Stop stop{};
-    stop.start = brakeOnset(brake, manoeuvre);
+    stop.start = brakeOnset(brake);
     stop.initial_speed = at(v, stop.start);
     if (stop.initial_speed < kSlowestStart) {
-        notFound(manoeuvre, fmt::format("the car moves at only {:.2g} m/s when it is braked", stop.initial_speed));
+        notFound(fmt::format("the car moves at only {:.2g} m/s when it is braked", stop.initial_speed));
     }
     const auto nearly = firstCrossing(v, kNearlyStopped, stop.start);
     if (!nearly) {
         const double least = *std::min_element(v.value.begin(), v.value.end());
-        notFound(manoeuvre, fmt::format("the car is braked from {:.3g} m/s but does not stop (slowest {:.3g} m/s)",
-                                        stop.initial_speed, least));
+        notFound(fmt::format("the car is braked from {:.3g} m/s but does not stop (slowest {:.3g} m/s)",
+                             stop.initial_speed, least));
     }
     // Deceleration over the last stretch before; the speed sensor's noise and the car's rocking come after.
     const double before = firstCrossing(v, 0.1 * stop.initial_speed + kNearlyStopped, stop.start).value_or(stop.start);
@@ -54,11 +53,11 @@ Stop findStop(const Log& log, std::string_view manoeuvre) {
     return stop;
 }
 
-void expectNoTurn(const Log& log, std::string_view manoeuvre, const Stop& stop) {
-    if (const auto yaw_rate = channelIfThere(log, manoeuvre, "chassis.yaw_rate")) {
+void expectNoTurn(const Log& log, const Stop& stop) {
+    if (const auto yaw_rate = channelIfThere(log, "chassis.yaw_rate")) {
         const double turn = mean(*yaw_rate, stop.start - 0.2, stop.start) * stop.initial_speed;
         if (std::abs(turn) > kLargestTurn) {
-            notFound(manoeuvre, fmt::format("the car is in a turn of {:.2g} m/s2 when it is braked", std::abs(turn)));
+            notFound(fmt::format("the car is in a turn of {:.2g} m/s2 when it is braked", std::abs(turn)));
         }
     }
 }
@@ -68,10 +67,9 @@ double developedEnd(const TimeSeries& v, const Stop& stop) {
 }
 
 std::optional<double> developedEnd(const Log& log) {
-    constexpr std::string_view kBraking = "braking";
     try {
-        return developedEnd(cleaned(speed(log, kBraking), kSpeedHalfWidth), findStop(log, kBraking));
-    } catch (const MetricError&) {
+        return developedEnd(cleaned(speed(log), kSpeedHalfWidth), findStop(log));
+    } catch (const NotInLog&) {
         return {};
     }
 }
@@ -83,9 +81,9 @@ double meanFullyDeveloped(const TimeSeries& v, const Stop& stop) {
     return (vb * vb - ve * ve) / (2 * integral(v, *tb, *te));
 }
 
-double lateralDeviation(const Log& log, std::string_view manoeuvre, const Stop& stop) {
-    const auto x = channelIfThere(log, manoeuvre, "chassis.x"), y = channelIfThere(log, manoeuvre, "chassis.y");
-    const auto yaw = channelIfThere(log, manoeuvre, "chassis.yaw");
+double lateralDeviation(const Log& log, const Stop& stop) {
+    const auto x = channelIfThere(log, "chassis.x"), y = channelIfThere(log, "chassis.y");
+    const auto yaw = channelIfThere(log, "chassis.yaw");
     if (!x || !y || !yaw) return kUndefined;
     const double heading = at(*yaw, stop.start), x0 = at(*x, stop.start), y0 = at(*y, stop.start);
     TimeSeries away = *x;

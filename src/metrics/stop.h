@@ -9,7 +9,6 @@
 
 namespace tread {
 
-inline constexpr double kSpeedHalfWidth = 0.1;  // s
 // From here the last metre is extrapolated, out of the sensor's noise.
 inline constexpr double kNearlyStopped = 0.2;  // m/s
 
@@ -21,11 +20,11 @@ struct Stop {
     double duration() const { return end - start; }
 };
 
-// Throws MetricError when no car is braked to standstill; `manoeuvre` is looked for.
-Stop findStop(const Log& log, std::string_view manoeuvre);
+// Throws MetricError when no car is braked to standstill.
+Stop findStop(const Log& log);
 
 // Throws MetricError when the car turns as it is braked.
-void expectNoTurn(const Log& log, std::string_view manoeuvre, const Stop& stop);
+void expectNoTurn(const Log& log, const Stop& stop);
 
 // The end of fully developed braking, s: the speed is 10 % of the initial speed (UN R13-H). What follows is coming to
 // rest: the force of the brakes ends with the motion and the body swings back on its suspension, so that the
@@ -38,6 +37,6 @@ std::optional<double> developedEnd(const Log& log);
 double meanFullyDeveloped(const TimeSeries& v, const Stop& stop);
 
 // Largest distance of the path from the line along which the car went when the brake was applied; left is positive.
-double lateralDeviation(const Log& log, std::string_view manoeuvre, const Stop& stop);
+double lateralDeviation(const Log& log, const Stop& stop);
 
 }  // namespace tread

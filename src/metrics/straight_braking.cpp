@@ -15,12 +15,11 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "straight_braking";
-constexpr double kLargestSteering = 0.35;    // rad at the steering wheel: more is no straight line
-constexpr double kLockedSlip = -0.9;         // slip ratio below which a wheel counts as locked
-constexpr double kLockedUntil = 1.0;         // m/s: below, every braked wheel stands still sooner or later
-constexpr double kPeakHalfWidth = 0.05;      // s
-constexpr double kNominalSteps = 10 * kKmh;  // nominal speeds are whole tens of km/h
+constexpr double kLargestSteering = 0.35;       // rad at the steering wheel: more is no straight line
+constexpr double kLockedSlip = -0.9;            // slip ratio below which a wheel counts as locked
+constexpr double kLockedUntil = 1.0;            // m/s: below, every braked wheel stands still sooner or later
+constexpr double kBrakingPeakHalfWidth = 0.05;  // s
+constexpr double kNominalSteps = 10 * kKmh;     // nominal speeds are whole tens of km/h
 
 constexpr std::array kWheels = {"front_left", "front_right", "rear_left", "rear_right"};
 
@@ -38,7 +37,7 @@ double correctedDistance(const Stop& stop) {
     return stop.distance * std::pow(nominal / stop.initial_speed, 2);
 }
 
-MetricTable<Braking> table() {
+MetricTable<Braking> straightBrakingTable() {
     MetricTable<Braking> lines = {
         {{"initial_speed", "Initial speed", "m/s", "speed when the driver starts to actuate the brake"},
          [](const Braking& b) { return b.stop.initial_speed; }},
@@ -78,31 +77,31 @@ MetricTable<Braking> table() {
 }
 
 void checkStraight(const Log& log, const Stop& stop) {
-    expectNoTurn(log, kName, stop);
-    const auto steering = channelIfThere(log, kName, "driver.steering_wheel_angle");
+    expectNoTurn(log, stop);
+    const auto steering = channelIfThere(log, "driver.steering_wheel_angle");
     if (!steering) return;
     const TimeSeries during = part(*steering, stop.start, stop.end);
     for (double angle : during.value) {
         if (std::abs(angle - during.value.front()) <= kLargestSteering) continue;
-        notFound(kName, fmt::format("the steering wheel turns by more than {:.0f} deg while braking",
-                                    kDegrees * kLargestSteering));
+        notFound(
+            fmt::format("the steering wheel turns by more than {:.0f} deg while braking", kDegrees * kLargestSteering));
     }
 }
 
 double peakDeceleration(const Log& log, const TimeSeries& v, const Stop& stop) {
-    const auto logged = channelIfThere(log, kName, "chassis.ax");
+    const auto logged = channelIfThere(log, "chassis.ax");
     const TimeSeries acceleration = logged ? *logged : cleanDerivative(v, kSpeedHalfWidth);
     // Averaged and not smoothed: a parabola would overshoot where the car comes to rest with a jerk.
     const bool noisy = logged && isNoisy(*logged);
     const TimeSeries during =
-        part(noisy ? averaged(*logged, kPeakHalfWidth) : acceleration, stop.start, developedEnd(v, stop));
+        part(noisy ? averaged(*logged, kBrakingPeakHalfWidth) : acceleration, stop.start, developedEnd(v, stop));
     return -*std::min_element(during.value.begin(), during.value.end());
 }
 
 // Slip ratio of a wheel; from its spin, with the rolling radius it had when the brake was applied, if not logged.
 std::optional<TimeSeries> slipOf(const Log& log, const TimeSeries& v, const Stop& stop, const std::string& wheel) {
-    if (auto slip = channelIfThere(log, kName, wheel + ".slip_ratio")) return slip;
-    auto spin = channelIfThere(log, kName, wheel + ".spin");
+    if (auto slip = channelIfThere(log, wheel + ".slip_ratio")) return slip;
+    auto spin = channelIfThere(log, wheel + ".spin");
     if (!spin || at(*spin, stop.start) <= 0) return {};
     const double radius = stop.initial_speed / at(*spin, stop.start);
     for (std::size_t i = 0; i < spin->size(); ++i) {
@@ -121,13 +120,13 @@ double lockedShare(const Log& log, const TimeSeries& v, const Stop& stop, const 
 }
 
 Braking findBraking(const Log& log) {
-    const TimeSeries v = cleaned(speed(log, kName), kSpeedHalfWidth);
-    const Stop stop = findStop(log, kName);
+    const TimeSeries v = cleaned(speed(log), kSpeedHalfWidth);
+    const Stop stop = findStop(log);
     checkStraight(log, stop);
     Braking found{.stop = stop,
                   .mfdd = meanFullyDeveloped(v, stop),
                   .peak = peakDeceleration(log, v, stop),
-                  .deviation = lateralDeviation(log, kName, stop),
+                  .deviation = lateralDeviation(log, stop),
                   .locked_shares = {}};
     for (std::size_t wheel = 0; wheel < kWheels.size(); ++wheel) {
         found.locked_shares[wheel] = lockedShare(log, v, stop, std::string("wheel.") + kWheels[wheel]);
@@ -138,8 +137,9 @@ Braking findBraking(const Log& log) {
 }  // namespace
 
 Manoeuvre straightBraking() {
-    return {kName, "braking to standstill: stopping distance, MFDD, locked wheels", [] { return definitions(table()); },
-            [](const Log& log, const KnownCar&) { return values(table(), findBraking(log)); }};
+    return {"straight_braking", "braking to standstill: stopping distance, MFDD, locked wheels",
+            [] { return definitions(straightBrakingTable()); },
+            [](const Log& log, const KnownCar&) { return values(straightBrakingTable(), findBraking(log)); }};
 }
 
 }  // namespace tread

@@ -12,13 +12,11 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "straight_running";
-constexpr double kShortest = 50;           // m
-constexpr double kFixed = 1.0 / kDegrees;  // rad by which the steering wheel may move
-constexpr double kConstantSpeed = 0.1;     // share by which the speed may change
-constexpr double kGentle = 2;              // m/s2 of lateral acceleration
-constexpr double kAtFirst = 0.2;           // s that tell the first line
-constexpr double kAtLast = 1;              // s
+constexpr double kShortestStraight = 50;  // m
+constexpr double kConstantSpeed = 0.1;    // share by which the speed may change
+constexpr double kGentle = 2;             // m/s2 of lateral acceleration
+constexpr double kAtFirst = 0.2;          // s that tell the first line
+constexpr double kAtLast = 1;             // s
 
 struct StraightRunning {
     double drift, distance;  // m
@@ -28,7 +26,7 @@ struct StraightRunning {
     double speed;
 };
 
-MetricTable<StraightRunning> table() {
+MetricTable<StraightRunning> straightRunningTable() {
     return {
         {{"drift", "Drift", "m", "distance from the initial line at the end, positive to the left",
           Say{1, "drifts by {} m", 2}},
@@ -54,30 +52,28 @@ MetricTable<StraightRunning> table() {
 }
 
 StraightRunning findStraightRunning(const Log& log) {
-    const auto needed = channels(log, kName,
-                                 {"driver.steering_wheel_angle", "chassis.x", "chassis.y", "chassis.yaw",
-                                  "chassis.yaw_rate", "chassis.ay", "chassis.vx"});
+    const auto needed = channels(log, {"driver.steering_wheel_angle", "chassis.x", "chassis.y", "chassis.yaw",
+                                       "chassis.yaw_rate", "chassis.ay", "chassis.vx"});
     const TimeSeries &hand = needed[0], &x = needed[1], &y = needed[2];
     const double begin = x.begin(), end = x.end(), late = std::max(begin, end - kAtLast);
-    if (range(hand).width() > kFixed) {
-        notFound(kName, fmt::format("the steering wheel turns by {:.2g} deg, expected a fixed one",
-                                    kDegrees * range(hand).width()));
+    if (range(hand).width() > kFixedSteering) {
+        notFound(fmt::format("the steering wheel turns by {:.2g} deg, expected a fixed one",
+                             kDegrees * range(hand).width()));
     }
     const double speed = mean(needed[6], begin, end);
     if (!(speed > 0) || range(needed[6]).width() > kConstantSpeed * speed)
-        notFound(kName,
-                 fmt::format("the speed changes by {:.2g} m/s, expected a constant one", range(needed[6]).width()));
+        notFound(fmt::format("the speed changes by {:.2g} m/s, expected a constant one", range(needed[6]).width()));
     const double push = std::max(highest(needed[5], begin, end).value, -lowest(needed[5], begin, end).value);
     if (push > kGentle)
-        notFound(kName, fmt::format("the lateral acceleration reaches {:.2g} m/s2, expected at most {:.2g} m/s2", push,
-                                    kGentle));
+        notFound(
+            fmt::format("the lateral acceleration reaches {:.2g} m/s2, expected at most {:.2g} m/s2", push, kGentle));
 
     const double heading = mean(needed[3], begin, begin + kAtFirst);
     const double dx = at(x, end) - at(x, begin), dy = at(y, end) - at(y, begin);
     const double distance = dx * std::cos(heading) + dy * std::sin(heading);
-    if (distance < kShortest)
-        notFound(kName, fmt::format("the car drives {:.2g} m, expected at least {:.2g} m", distance, kShortest));
-    const auto torque = channelIfThere(log, kName, "steering.torque");
+    if (distance < kShortestStraight)
+        notFound(fmt::format("the car drives {:.2g} m, expected at least {:.2g} m", distance, kShortestStraight));
+    const auto torque = channelIfThere(log, "steering.torque");
     return {.drift = dy * std::cos(heading) - dx * std::sin(heading),
             .distance = distance,
             .yaw = at(needed[3], end) - heading,
@@ -90,9 +86,9 @@ StraightRunning findStraightRunning(const Log& log) {
 }  // namespace
 
 Manoeuvre straightRunning() {
-    return {kName, "straight on with the steering wheel held: drift, pull at the steering wheel",
-            [] { return definitions(table()); },
-            [](const Log& log, const KnownCar&) { return values(table(), findStraightRunning(log)); }};
+    return {"straight_running", "straight on with the steering wheel held: drift, pull at the steering wheel",
+            [] { return definitions(straightRunningTable()); },
+            [](const Log& log, const KnownCar&) { return values(straightRunningTable(), findStraightRunning(log)); }};
 }
 
 }  // namespace tread

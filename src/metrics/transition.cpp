@@ -12,12 +12,11 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "transition";
-constexpr double kHalfWidth = 0.1;               // s
-constexpr double kAyHalfWidth = 0.25;            // s
-constexpr double kFastestRamp = 6 / kDegrees;    // rad/s
-constexpr double kFirstAy = 0.2, kLastAy = 1.0;  // m/s2, range of the slopes
-constexpr std::size_t kFewest = 10;              // samples
+constexpr double kTransitionHalfWidth = 0.1;          // s
+constexpr double kAyHalfWidth = 0.25;                 // s
+constexpr double kFastestRamp = 6 / kDegrees;         // rad/s
+constexpr double kFirstAy = 0.2, kLastAy = 1.0;       // m/s2, range of the slopes
+constexpr std::size_t kFewestTransitionSamples = 10;  // samples
 
 struct Transition {
     double speed, rate;
@@ -28,7 +27,7 @@ struct Transition {
     double torque_deadband;  // N m
 };
 
-MetricTable<Transition> table() {
+MetricTable<Transition> transitionTable() {
     const std::string range = fmt::format("regression over {:.1f} to {:.1f} m/s2", kFirstAy, kLastAy);
     return {
         {{"steering_sensitivity", "Steering sensitivity", "g/100deg", "d ay / d steering-wheel angle, " + range,
@@ -51,13 +50,12 @@ MetricTable<Transition> table() {
 }
 
 Transition findTransition(const Log& log) {
-    const auto needed =
-        channels(log, kName, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
-    const TimeSeries hand = cleaned(needed[0], kHalfWidth), yaw_rate = cleaned(needed[2], kHalfWidth),
-                     ay = cleaned(needed[3], kAyHalfWidth);
+    const auto needed = channels(log, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
+    const TimeSeries hand = cleaned(needed[0], kTransitionHalfWidth),
+                     yaw_rate = cleaned(needed[2], kTransitionHalfWidth), ay = cleaned(needed[3], kAyHalfWidth);
     const double sign =
         std::abs(highest(ay, ay.begin(), ay.end()).value) > std::abs(lowest(ay, ay.begin(), ay.end()).value) ? 1 : -1;
-    const auto torque = channelIfThere(log, kName, "steering.torque");
+    const auto torque = channelIfThere(log, "steering.torque");
     std::vector<double> times, angles, accelerations, rates, torques;
     const double rest = mean(hand, hand.begin(), hand.begin() + 0.2);
     const double end = firstCrossing(ay, sign * kLastAy, ay.begin()).value_or(ay.end());
@@ -69,15 +67,15 @@ Transition findTransition(const Log& log) {
         rates.push_back(sign * yaw_rate.value[i]);
         if (torque) torques.push_back(sign * torque->value[i]);
     }
-    if (times.size() < kFewest || end == ay.end()) {
-        notFound(kName, fmt::format("expected a slow rise of the lateral acceleration through {:.1f} to {:.1f} m/s2",
-                                    kFirstAy, kLastAy));
+    if (times.size() < kFewestTransitionSamples || end == ay.end()) {
+        notFound(fmt::format("expected a slow rise of the lateral acceleration through {:.1f} to {:.1f} m/s2", kFirstAy,
+                             kLastAy));
     }
     Transition found{};
     found.rate = fitLine(times, angles).slope;
     if (found.rate <= 0 || found.rate > kFastestRamp) {
-        notFound(kName, fmt::format("the steering wheel turns at {:.2g} deg/s, expected at most {:.2g} deg/s",
-                                    kDegrees * found.rate, kDegrees * kFastestRamp));
+        notFound(fmt::format("the steering wheel turns at {:.2g} deg/s, expected at most {:.2g} deg/s",
+                             kDegrees * found.rate, kDegrees * kFastestRamp));
     }
     const Line line = fitLine(angles, accelerations);
     found.sensitivity = line.slope;
@@ -93,9 +91,9 @@ Transition findTransition(const Log& log) {
 }  // namespace
 
 Manoeuvre transition() {
-    return {kName, "a slow ramp out of straight ahead: on-centre sensitivity and dead band (after ISO 13674-2)",
-            [] { return definitions(table()); },
-            [](const Log& log, const KnownCar&) { return values(table(), findTransition(log)); }};
+    return {"transition", "a slow ramp out of straight ahead: on-centre sensitivity and dead band (after ISO 13674-2)",
+            [] { return definitions(transitionTable()); },
+            [](const Log& log, const KnownCar&) { return values(transitionTable(), findTransition(log)); }};
 }
 
 }  // namespace tread

@@ -11,20 +11,20 @@
 namespace tread {
 namespace {
 
-constexpr double kBefore = 0.5;      // s of steady turn before the onset
-constexpr double kReading = 1.0;     // s after the onset, at which the standards read
-constexpr double kHalfWidth = 0.1;   // s
-constexpr double kSlowest = 3;       // m/s
-constexpr double kLeastTurn = 1;     // m/s2: less is no turn
-constexpr double kSteady = 0.1;      // change of the yaw rate over the time before, as a share
-constexpr double kSlowestRatio = 2;  // m/s: below, no ratio to a turn is formed
+constexpr double kSteadyBefore = 0.5;   // s of steady turn before the onset
+constexpr double kTurnReading = 1.0;    // s after the onset, at which the standards read
+constexpr double kTurnHalfWidth = 0.1;  // s
+constexpr double kSlowestTurn = 3;      // m/s
+constexpr double kLeastTurn = 1;        // m/s2: less is no turn
+constexpr double kSteady = 0.1;         // change of the yaw rate over the time before, as a share
+constexpr double kSlowestRatio = 2;     // m/s: below, no ratio to a turn is formed
 
 // Distance from the circle on which the car was, positive inwards.
-double deviation(const Log& log, std::string_view name, const TurnDisturbance& d, double direction, double time) {
-    const auto x = channelIfThere(log, name, "chassis.x"), y = channelIfThere(log, name, "chassis.y"),
-               yaw = channelIfThere(log, name, "chassis.yaw");
+double deviation(const Log& log, const TurnDisturbance& d, double direction, double time) {
+    const auto x = channelIfThere(log, "chassis.x"), y = channelIfThere(log, "chassis.y"),
+               yaw = channelIfThere(log, "chassis.yaw");
     if (!x || !y || !yaw) return kUndefined;
-    const auto slip = sideslip(log, name);
+    const auto slip = sideslip(log);
     const double course = at(*yaw, d.onset) + (slip ? at(*slip, d.onset) : 0);
     const double cx = at(*x, d.onset) - direction * d.radius * std::sin(course);
     const double cy = at(*y, d.onset) + direction * d.radius * std::cos(course);
@@ -33,44 +33,42 @@ double deviation(const Log& log, std::string_view name, const TurnDisturbance& d
 
 }  // namespace
 
-TurnDisturbance turnDisturbance(const Log& log, std::string_view name, double onset, double end) {
-    const auto needed =
-        channels(log, name, {"chassis.vx", "chassis.yaw_rate", "chassis.ay", "driver.steering_wheel_angle"});
-    const TimeSeries v = cleaned(speed(log, name), kHalfWidth);
-    const TimeSeries yaw_rate = cleaned(needed[1], kHalfWidth), ay = cleaned(needed[2], kHalfWidth);
-    const double from = onset - kBefore;
+TurnDisturbance turnDisturbance(const Log& log, double onset, double end) {
+    const auto needed = channels(log, {"chassis.vx", "chassis.yaw_rate", "chassis.ay", "driver.steering_wheel_angle"});
+    const TimeSeries v = cleaned(speed(log), kTurnHalfWidth);
+    const TimeSeries yaw_rate = cleaned(needed[1], kTurnHalfWidth), ay = cleaned(needed[2], kTurnHalfWidth);
+    const double from = onset - kSteadyBefore;
     TurnDisturbance d{};
     d.onset = onset;
     d.speed = mean(v, from, onset);
     d.ay = mean(ay, from, onset);
     d.steering = mean(needed[3], from, onset);
     const double rate = mean(yaw_rate, from, onset), direction = rate < 0 ? -1 : 1;
-    if (d.speed < kSlowest || std::abs(rate) * d.speed < kLeastTurn) {
-        notFound(name, fmt::format(
-                           "the car first turns at {:.2g} m/s2 at {:.3g} m/s, expected a turn of at least {:.2g} m/s2",
-                           std::abs(rate) * d.speed, d.speed, kLeastTurn));
+    if (d.speed < kSlowestTurn || std::abs(rate) * d.speed < kLeastTurn) {
+        notFound(
+            fmt::format("the car first turns at {:.2g} m/s2 at {:.3g} m/s, expected a turn of at least {:.2g} m/s2",
+                        std::abs(rate) * d.speed, d.speed, kLeastTurn));
     }
     const TimeSeries before = part(yaw_rate, from, onset);
-    const double drift = std::abs(fitLine(before.time, before.value).slope * kBefore / rate);
-    if (onset - yaw_rate.begin() < kBefore || drift > kSteady) {
-        notFound(name,
-                 fmt::format("the yaw rate changes by {:.0f} % over the preceding {:.2g} s, expected a steady turn",
-                             100 * drift, kBefore));
+    const double drift = std::abs(fitLine(before.time, before.value).slope * kSteadyBefore / rate);
+    if (onset - yaw_rate.begin() < kSteadyBefore || drift > kSteady) {
+        notFound(fmt::format("the yaw rate changes by {:.0f} % over the preceding {:.2g} s, expected a steady turn",
+                             100 * drift, kSteadyBefore));
     }
     d.radius = std::abs(d.speed / rate);
 
-    const double reading = onset + kReading;
+    const double reading = onset + kTurnReading;
     const bool lasts = reading <= v.end();
     const auto then = [&](double value) { return lasts ? value : kUndefined; };
     const double v_then = at(v, reading);
     const bool moving = v_then > kSlowestRatio;
-    d.deceleration = then((d.speed - v_then) / kReading);
+    d.deceleration = then((d.speed - v_then) / kTurnReading);
     d.yaw_rate_ratio = then(moving ? direction * at(yaw_rate, reading) * d.radius / v_then : kUndefined);
     d.ay_ratio = then(moving ? direction * at(ay, reading) * d.radius / (v_then * v_then) : kUndefined);
     d.yaw_acceleration = then(direction * (at(yaw_rate, onset + 0.5) - rate) / 0.5);
-    const auto slip = sideslip(log, name);
+    const auto slip = sideslip(log);
     d.sideslip_change = then(slip ? -direction * (at(*slip, reading) - mean(*slip, from, onset)) : kUndefined);
-    d.path_deviation = then(deviation(log, name, d, direction, reading));
+    d.path_deviation = then(deviation(log, d, direction, reading));
     for (std::size_t i = 0; i < yaw_rate.size(); ++i) {
         const double t = yaw_rate.time[i];
         if (t < onset || t > end || v.value[i] < kSlowestRatio) continue;
@@ -82,7 +80,7 @@ TurnDisturbance turnDisturbance(const Log& log, std::string_view name, double on
 
 MetricTable<TurnDisturbance> turnDisturbanceTable(const std::string& foot, const Say& deceleration,
                                                   const Say& sideslip) {
-    const std::string reading = fmt::format("{:.0f} s after the {}", kReading, foot);
+    const std::string reading = fmt::format("{:.0f} s after the {}", kTurnReading, foot);
     return {
         {{"yaw_rate_ratio", "Yaw rate over that at the initial radius", "-",
           "yaw rate over speed / initial radius, " + reading,

@@ -30,7 +30,7 @@ struct TurnDisturbance {
 };
 
 // `end` closes the manoeuvre. Throws MetricError when the car does not turn steadily before the onset.
-TurnDisturbance turnDisturbance(const Log& log, std::string_view manoeuvre, double onset, double end);
+TurnDisturbance turnDisturbance(const Log& log, double onset, double end);
 
 MetricTable<TurnDisturbance> turnDisturbanceTable(const std::string& foot, const Say& deceleration,
                                                   const Say& sideslip);

@@ -16,8 +16,8 @@ namespace {
 struct Filter {
     double f3, f4, q4, f5, q5, f6, q6;
 };
-constexpr double kLowest = 0.4;   // Hz, f1
-constexpr double kHighest = 100;  // Hz, f2
+constexpr double kBandFrom = 0.4;  // Hz, f1
+constexpr double kBandTo = 100;    // Hz, f2
 constexpr Filter kWk{12.5, 12.5, 0.63, 2.37, 0.91, 3.35, 0.91};
 constexpr Filter kWd{2, 2, 0.63, 0, 1, 0, 1};
 
@@ -31,8 +31,8 @@ double resonance(double f, double corner, double q) {
 
 double vibrationWeight(VibrationWeighting weighting, double f) {
     const Filter& w = weighting == VibrationWeighting::Wk ? kWk : kWd;
-    const double high_pass = 1 / std::sqrt(1 + std::pow(kLowest / f, 4));                                  // (A.1)
-    const double low_pass = 1 / std::sqrt(1 + std::pow(f / kHighest, 4));                                  // (A.2)
+    const double high_pass = 1 / std::sqrt(1 + std::pow(kBandFrom / f, 4));                                // (A.1)
+    const double low_pass = 1 / std::sqrt(1 + std::pow(f / kBandTo, 4));                                   // (A.2)
     const double transition = std::hypot(1, f / w.f3) * w.f4 * w.f4 * w.q4 / resonance(f, w.f4, w.q4);     // (A.3)
     const double step = w.f5 > 0 ? w.q6 / w.q5 * resonance(f, w.f5, w.q5) / resonance(f, w.f6, w.q6) : 1;  // (A.4)
     return high_pass * low_pass * transition * step;

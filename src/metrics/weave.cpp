@@ -14,11 +14,10 @@
 namespace tread {
 namespace {
 
-constexpr std::string_view kName = "weave";
-constexpr double kHalfWidth = 0.1;            // s
-constexpr double kSmallest = 0.5 / kDegrees;  // rad at the steering wheel
-constexpr double kFastestWeave = 0.5;         // Hz: quicker is no on-centre weave
-constexpr std::size_t kFewestTurns = 4;
+constexpr double kWeaveHalfWidth = 0.1;            // s
+constexpr double kSmallestWeave = 0.5 / kDegrees;  // rad at the steering wheel
+constexpr double kFastestWeave = 0.5;              // Hz: quicker is no on-centre weave
+constexpr std::size_t kFewestWeaves = 4;
 constexpr double kCentre = 0.2;  // of the amplitude: the range of the slopes on centre
 
 double halfSwing(const TimeSeries& series, double from, double to) {
@@ -48,7 +47,7 @@ double betweenBranches(const TimeSeries& series, const TimeSeries& other, double
 double slopeOnCentre(const TimeSeries& x, const TimeSeries& y, double from, double to) {
     const double middle = mean(x, from, to);
     const double reach = kCentre * halfSwing(x, from, to);
-    const TimeSeries rate = derivative(x, kHalfWidth);
+    const TimeSeries rate = derivative(x, kWeaveHalfWidth);
     double slope = 0;
     for (const double direction : {1.0, -1.0}) {
         std::vector<double> xs, ys;
@@ -74,7 +73,7 @@ struct Weave {
     Loop ay_over_steering, yaw_rate_over_steering, torque_over_steering, torque_over_ay;
 };
 
-MetricTable<Weave> table() {
+MetricTable<Weave> weaveTable() {
     const std::string centre = fmt::format("on centre, within {:.0f} % of the amplitude", 100 * kCentre);
     const std::string no_torque = "; undefined when no torque is logged";
     return {
@@ -113,16 +112,14 @@ MetricTable<Weave> table() {
 }
 
 Weave findWeave(const Log& log) {
-    const auto needed =
-        channels(log, kName, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
-    const TimeSeries hand = cleaned(needed[0], kHalfWidth), yaw_rate = cleaned(needed[2], kHalfWidth),
-                     ay = cleaned(needed[3], kHalfWidth);
+    const auto needed = channels(log, {"driver.steering_wheel_angle", "chassis.vx", "chassis.yaw_rate", "chassis.ay"});
+    const TimeSeries hand = cleaned(needed[0], kWeaveHalfWidth), yaw_rate = cleaned(needed[2], kWeaveHalfWidth),
+                     ay = cleaned(needed[3], kWeaveHalfWidth);
     const double amplitude = halfSwing(hand, hand.begin(), hand.end());
-    if (amplitude < kSmallest) notFound(kName, "the steering wheel hardly moves");
+    if (amplitude < kSmallestWeave) notFound("the steering wheel hardly moves");
     const auto turns = turningPoints(hand, amplitude);
-    if (turns.size() < kFewestTurns) {
-        notFound(kName,
-                 fmt::format("the steering turns back {} times, expected at least {}", turns.size(), kFewestTurns));
+    if (turns.size() < kFewestWeaves) {
+        notFound(fmt::format("the steering turns back {} times, expected at least {}", turns.size(), kFewestWeaves));
     }
     // Whole periods: from one turning point to the last of the same side.
     const std::size_t periods = (turns.size() - 1) / 2;
@@ -130,8 +127,8 @@ Weave findWeave(const Log& log) {
     Weave found{};
     found.frequency = static_cast<double>(periods) / (to - from);
     if (found.frequency > kFastestWeave) {
-        notFound(kName, fmt::format("the steering swings at {:.2g} Hz, expected at most {:.2g} Hz", found.frequency,
-                                    kFastestWeave));
+        notFound(fmt::format("the steering swings at {:.2g} Hz, expected at most {:.2g} Hz", found.frequency,
+                             kFastestWeave));
     }
     found.speed = mean(needed[1], from, to);
     found.steering_amplitude = halfSwing(hand, from, to);
@@ -139,8 +136,8 @@ Weave findWeave(const Log& log) {
     found.ay_over_steering = loopOf(hand, ay, from, to);
     found.yaw_rate_over_steering = loopOf(hand, yaw_rate, from, to);
     found.torque_over_steering = found.torque_over_ay = {kUndefined, kUndefined, kUndefined};
-    if (const auto torque = channelIfThere(log, kName, "steering.torque")) {
-        const TimeSeries clean = cleaned(*torque, kHalfWidth);
+    if (const auto torque = channelIfThere(log, "steering.torque")) {
+        const TimeSeries clean = cleaned(*torque, kWeaveHalfWidth);
         found.torque_over_steering = loopOf(hand, clean, from, to);
         found.torque_over_ay = loopOf(ay, clean, from, to);
     }
@@ -163,9 +160,9 @@ Weave findWeave(const Log& log) {
 }  // namespace
 
 Manoeuvre weave() {
-    return {kName, "a slow weave about straight ahead: on-centre sensitivity, hysteresis, lag (after ISO 13674-1)",
-            [] { return definitions(table()); },
-            [](const Log& log, const KnownCar&) { return values(table(), findWeave(log)); }};
+    return {"weave", "a slow weave about straight ahead: on-centre sensitivity, hysteresis, lag (after ISO 13674-1)",
+            [] { return definitions(weaveTable()); },
+            [](const Log& log, const KnownCar&) { return values(weaveTable(), findWeave(log)); }};
 }
 
 }  // namespace tread

@@ -69,7 +69,8 @@ TEST_F(Metrics, LogWithoutTheManoeuvreSaysWhatWasLookedFor) {
     const Result result = runProgram({"metrics", log, "--manoeuvre", "straight_braking"});
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.out, "");
-    EXPECT_EQ(result.err, log + ": straight_braking needs driver.brake, which the log does not have\n");
+    EXPECT_EQ(result.err,
+              log + ": no straight_braking in this log: it needs driver.brake, which the log does not have\n");
 
     Log quiet = cli::stepSteer();
     quiet.channels.resize(2);

@@ -179,10 +179,12 @@ TEST(StepSteer, MissingChannelsAreNamedTogether) {
     Log log = stepLog(100);
     remove(log, "chassis.ay");
     remove(log, "chassis.yaw_rate");
-    EXPECT_EQ(errorOf(log, "step_steer"), "step_steer needs chassis.yaw_rate, chassis.ay, which the log does not have");
+    EXPECT_EQ(errorOf(log, "step_steer"),
+              "no step_steer in this log: it needs chassis.yaw_rate, chassis.ay, which the log does not have");
     Log broken = stepLog(100);
     channel(broken, "chassis.ay").values[50] = std::nan("");
-    EXPECT_EQ(errorOf(broken, "step_steer"), "step_steer needs chassis.ay, which is not finite at t = 0.5 s");
+    EXPECT_EQ(errorOf(broken, "step_steer"),
+              "no step_steer in this log: it needs chassis.ay, which is not finite at t = 0.5 s");
 }
 
 TEST(StepSteer, WithoutSideslipAndRollTheirMetricsAreUndefined) {

@@ -157,7 +157,8 @@ TEST(StraightBraking, WhatIsNoStopIsRefusedWithTheReason) {
               "no straight_braking in this log: the car is in a turn of 2.8 m/s2 when it is braked");
     Log bare = stopLog(100);
     remove(bare, "driver.brake");
-    EXPECT_EQ(errorOf(bare, "straight_braking"), "straight_braking needs driver.brake, which the log does not have");
+    EXPECT_EQ(errorOf(bare, "straight_braking"),
+              "no straight_braking in this log: it needs driver.brake, which the log does not have");
 }
 
 }  // namespace
