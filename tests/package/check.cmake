@@ -1,7 +1,7 @@
 # Installs the build into a prefix of its own (STEP=install), makes Debian packages of it and unpacks them (STEP=debian), or
 # builds and runs the consumer against it in one of the ways of consumer/CMakeLists.txt (STEP=package, pkgconfig, wrong_bullet,
-# ...), by another linker where one is named (STEP=package, LINKER=gold).
-#   cmake -DSTEP=... -DLINKER=... -DFOLDER=... -DBUILD=... -DSOURCE=... -DCOMPILER=... -DFLAGS=... -DLAUNCHER=... -DPYTHON=... -P check.cmake
+# ...), by the compiler's own linker and by each that is named (LINKERS=gold;lld).
+#   cmake -DSTEP=... -DLINKERS=... -DFOLDER=... -DBUILD=... -DSOURCE=... -DCOMPILER=... -DFLAGS=... -DLAUNCHER=... -DPYTHON=... -P check.cmake
 set(prefix "${FOLDER}/installed tread")
 
 # Runs a command: `status` gets its exit status, `text` all that it printed.
@@ -123,61 +123,59 @@ if(STEP STREQUAL c_program)
     return()
 endif()
 
-# ---- Configure, build and run the consumer ----
-set(place ${FOLDER}/${STEP}${LINKER})
+# ---- Configure, build and run the consumer, then link and run it by each of the other linkers ----
+set(place ${FOLDER}/${STEP})
 file(REMOVE_RECURSE ${place})
 file(COPY ${CMAKE_CURRENT_LIST_DIR}/consumer DESTINATION ${place})
 file(GLOB_RECURSE pc_file "${prefix}/tread.pc")
 cmake_path(GET pc_file PARENT_PATH pc_folder)
 set(ENV{PKG_CONFIG_PATH} ${pc_folder})
-must_run(${CMAKE_COMMAND} -S ${place}/consumer -B ${place}/build -G Ninja -DTREAD_FROM=${STEP} -DCMAKE_BUILD_TYPE=Release
-    -DCMAKE_PREFIX_PATH=${prefix} -DTREAD_PREFIX=${prefix}
-    -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
-    -DTREAD_LINKER=${LINKER})
-run(${CMAKE_COMMAND} --build ${place}/build)
-if(STEP MATCHES "^wrong_bullet")
-    set(wrong bullet_float32)
-    if(STEP STREQUAL wrong_bullet_float)
-        set(wrong bullet_float64)
-    endif()
-    if(status EQUAL 0 OR NOT text MATCHES "undefined reference to [^\n]*${wrong}[^\n]*BulletVehicle")
-        message(FATAL_ERROR "a program built for Bullet in the other precision must not link, and the linker must name "
-            "${wrong}; status ${status}:\n${text}")
-    endif()
-    return()
-endif()
 
 # What compiler or linker must say where they refuse.
+set(refusal_wrong_bullet "undefined reference to [^\n]*bullet_float32[^\n]*BulletVehicle")
+set(refusal_wrong_bullet_float "undefined reference to [^\n]*bullet_float64[^\n]*BulletVehicle")
 set(refusal_both_bullets "tread::tread is for Bullet in double precision, but this program links Bullet in single")
 set(refusal_both_bullets_float "tread::tread_float is for Bullet in single precision, but this program links Bullet in double")
 set(refusal_both_treads "#error \"This links tread::tread and tread::tread_float")
 set(refusal_no_double "#error \"Bullet is in single precision here: link tread::tread_float")
 set(refusal_double_float "#error \"Bullet is in double precision here: link tread::tread ")
 set(refusal_cpp17_rest "#error \"This header of tread needs C\\+\\+20")
-if(refusal_${STEP})
-    if(status EQUAL 0 OR NOT text MATCHES "${refusal_${STEP}}")
-        message(FATAL_ERROR "must not build, and the reason must be given: '${refusal_${STEP}}'; status ${status}:\n${text}")
-    endif()
-    return()
-endif()
-if(NOT status EQUAL 0)
-    message(FATAL_ERROR "the consumer does not build:\n${text}")
-endif()
+# Linked with both Bullets, it must end with one sentence before its main() has done anything.
+set(end_both_start "tread: this program links tread for Bullet in double precision, but runs with Bullet in single precision\\.")
+set(end_both_start_float "tread: this program links tread for Bullet in single precision, but runs with Bullet in double precision\\.")
 
-# Linked with both Bullets: it must end with one sentence before its main() has done anything.
-if(STEP MATCHES "^both_start")
-    set(sentence "tread: this program links tread for Bullet in double precision, but runs with Bullet in single precision\\.")
-    if(STEP STREQUAL both_start_float)
-        set(sentence "tread: this program links tread for Bullet in single precision, but runs with Bullet in double precision\\.")
+function(check_consumer linker)
+    must_run(${CMAKE_COMMAND} -S ${place}/consumer -B ${place}/build -G Ninja -DTREAD_FROM=${STEP} -DCMAKE_BUILD_TYPE=Release
+        -DCMAKE_PREFIX_PATH=${prefix} -DTREAD_PREFIX=${prefix}
+        -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
+        -DTREAD_LINKER=${linker})
+    run(${CMAKE_COMMAND} --build ${place}/build)
+    if(refusal_${STEP})
+        if(status EQUAL 0 OR NOT text MATCHES "${refusal_${STEP}}")
+            message(FATAL_ERROR "must not build, and the reason must be given: '${refusal_${STEP}}'; status ${status}:\n${text}")
+        endif()
+        return()
+    endif()
+    if(NOT status EQUAL 0)
+        message(FATAL_ERROR "the consumer does not build:\n${text}")
     endif()
     run(${place}/build/consumer "${prefix}/share/tread/vehicles/compact.yaml")
-    if(NOT status EQUAL 1 OR NOT text MATCHES "^${sentence}[^\n]*\n$")
-        message(FATAL_ERROR "must end with exit status 1 and '${sentence}'; status ${status}:\n${text}")
+    if(end_${STEP})
+        if(NOT status EQUAL 1 OR NOT text MATCHES "^${end_${STEP}}[^\n]*\n$")
+            message(FATAL_ERROR "must end with exit status 1 and '${end_${STEP}}'; status ${status}:\n${text}")
+        endif()
+        return()
     endif()
-    return()
-endif()
-must_run(${place}/build/consumer "${prefix}/share/tread/vehicles/compact.yaml")
-if(text MATCHES "tread:")
-    message(FATAL_ERROR "the check of Bullet's precision must say nothing in a program that is right:\n${text}")
-endif()
-message("${text}")
+    if(NOT status EQUAL 0)
+        message(FATAL_ERROR "the consumer failed (${status}):\n${text}")
+    endif()
+    if(text MATCHES "tread:")
+        message(FATAL_ERROR "the check of Bullet's precision must say nothing in a program that is right:\n${text}")
+    endif()
+    message("${text}")
+endfunction()
+check_consumer("")
+foreach(linker ${LINKERS})
+    message("by ${linker}:")
+    check_consumer(${linker})
+endforeach()
