@@ -52,8 +52,8 @@ TEST(RoadRide, RoughRoadMovesBodyAndWheelsAsTheLinearModelSays) {
         car.motion.velocity_W.x() = kSpeed;
 
         const reference::LinearModel model = reference::linearModel(params);
-        const reference::Matrix14 system = model.system();
-        const auto inverse_mass = model.mass.inverse().eval();
+        const Eigen::MatrixXd system = model.system();
+        const Eigen::MatrixXd inverse_mass = model.mass.inverse();
         const auto slope = [&](const Vector14& x, const Vector7& force) {
             Vector14 out = system * x;
             out.tail<7>() += inverse_mass * force;

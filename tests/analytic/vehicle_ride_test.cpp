@@ -18,7 +18,6 @@ namespace {
 using reference::coordinates;
 using reference::linearCar;
 using reference::linearModel;
-using reference::Matrix14;
 using reference::Vector14;
 using reference::Vector7;
 
@@ -61,7 +60,7 @@ double deviation(const VehicleParams& params, const Disturbance& d) {
                                      .force;
     }
 
-    const Matrix14 over_step = (linearModel(params).system() * kStep).exp();
+    const Eigen::MatrixXd over_step = (linearModel(params).system() * kStep).exp();
     // The accelerations of the first instant, that the velocity Verlet step starts from.
     const Vector14 slope = linearModel(params).system() * x;
     car.state.acceleration_W = {0, 0, slope(7)};

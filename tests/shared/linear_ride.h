@@ -7,8 +7,6 @@
 
 namespace reference {
 
-using Matrix7 = Eigen::Matrix<double, 7, 7>;
-using Matrix14 = Eigen::Matrix<double, 14, 14>;
 using Vector7 = Eigen::Vector<double, 7>;
 using Vector14 = Eigen::Vector<double, 14>;
 
@@ -29,24 +27,26 @@ inline tread::VehicleParams linearCar(tread::VehicleParams car) {
 // The last terms: the contacts swing with the body, in roll down the plane of the leaning wheel, in pitch below its
 // centre.
 
+// Of any size for Eigen, which takes the compiler less time than seven rows and fourteen.
 struct LinearModel {
-    Matrix7 mass, damping, stiffness;
+    Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(7, 7), damping = mass, stiffness = mass;
 
-    Matrix14 system() const {
-        Matrix14 a = Matrix14::Zero();
-        a.topRightCorner<7, 7>().setIdentity();
-        a.bottomLeftCorner<7, 7>() = -mass.inverse() * stiffness;
-        a.bottomRightCorner<7, 7>() = -mass.inverse() * damping;
+    Eigen::MatrixXd system() const {
+        const Eigen::MatrixXd inverse = mass.inverse();
+        Eigen::MatrixXd a = Eigen::MatrixXd::Zero(14, 14);
+        a.topRightCorner(7, 7).setIdentity();
+        a.bottomLeftCorner(7, 7) = -inverse * stiffness;
+        a.bottomRightCorner(7, 7) = -inverse * damping;
         return a;
     }
 };
 
 inline LinearModel linearModel(const tread::VehicleParams& car) {
     const double b = car.wheelbase - car.front_axle_distance;
-    LinearModel model{Matrix7::Zero(), Matrix7::Zero(), Matrix7::Zero()};
+    LinearModel model;
     model.mass.diagonal().head<3>() << car.mass, car.inertia.roll, car.inertia.pitch;
 
-    const auto add = [](Matrix7& m, double value, const Vector7& row) { m += value * row * row.transpose(); };
+    const auto add = [](Eigen::MatrixXd& m, double value, const Vector7& row) { m += value * row * row.transpose(); };
     for (std::size_t i = 0; i < tread::kWheels; ++i) {
         const tread::AxleParams& axle = i < 2 ? car.front : car.rear;
         Vector7 body = Vector7::Zero();
