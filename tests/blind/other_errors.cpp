@@ -94,7 +94,7 @@ void carry(Subject& car, double mass, double behind, double above) {
 // `by`: K above the temperature of the file.
 void warm(Subject& car, double by) {
     for (tread::AxleParams* axle : {&car.vehicle.front, &car.vehicle.rear}) {
-        axle->tyre.lambda.Ky *= 1 - 0.003 * by;
+        for (double* stiffness : {&axle->tyre.lambda.Kx, &axle->tyre.lambda.Ky}) *stiffness *= 1 - 0.003 * by;
         axle->tyre.lambda.muy *= 1 - 0.002 * by;
         axle->tyre.parameters.qy1 *= 1 - 0.007 * by;
         axle->suspension.damper.bump *= 1 - 0.003 * by;

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "diagnose/answer/changed_numbers.h"
 #include "diagnose/answer/diagnosis.h"
 #include "diagnose/catalogue/effect.h"
 #include "diagnose/diagnose.h"
@@ -35,6 +37,8 @@ using diagnose::model::problemOf;
 using diagnose::model::rowNoise;
 using diagnose::model::Rows;
 using diagnose::model::rowsAt;
+using diagnose::model::temperatureOfTheTyres;
+using recording::KnownWithin;
 using recording::Recording;
 using recording::Subject;
 using recording::withChannelsOf;
@@ -123,9 +127,50 @@ TEST(Reference, ACarDiffersFromDayToDayAsWeatherAndLoadDoUnlessTheFileSaysLess) 
     const std::vector<Parameter> usual = nuisances(nominal, {}, 0.2),
                                  told = nuisances(nominal, {{"mass", 0, 3}, {"*.tyre.lambda.Ky", 0.5, 0}}, 0.2);
     EXPECT_NEAR(toleranceIn(usual, "mass"), 0.02 * nominal.vehicle.mass, 1e-9);
-    EXPECT_NEAR(toleranceIn(usual, "front.tyre.lambda.Ky"), 0.05 * nominal.vehicle.front.tyre.lambda.Ky, 1e-12);
+    EXPECT_NEAR(toleranceIn(usual, "front.tyre.lambda.Ky"), 0.022 * nominal.vehicle.front.tyre.lambda.Ky, 1e-12);
     EXPECT_NEAR(toleranceIn(told, "mass"), 3, 1e-9);
     EXPECT_NEAR(toleranceIn(told, "front.tyre.lambda.Ky"), 0.1 * nominal.vehicle.front.tyre.lambda.Ky, 1e-12);
+}
+
+// What one standard deviation of the temperature makes of a factor, as a share; 0: it does not move it.
+double byTemperature(const Subject& nominal, const std::vector<KnownWithin>& tolerances, const std::string& path) {
+    const auto temperature = temperatureOfTheTyres(nominal, tolerances);
+    if (!temperature) return 0;
+    for (const Parameter::Move& one : temperature->moves)
+        if (one.path == path) return one.by / one.nominal;
+    return 0;
+}
+
+TEST(Reference, ATemperatureIsThatOfAllTyresUnlessTheFileKnowsAFactorBetter) {
+    const Subject nominal = simple_car::Case{}.nominal;
+    const double usual = -0.0035 * 15 / std::sqrt(3.0);
+    for (const std::string axle : {"front", "rear"}) {
+        for (const std::string factor : {"Kx", "Ky", "mux", "muy"})
+            EXPECT_NEAR(byTemperature(nominal, {}, axle + ".tyre.lambda." + factor), usual, 1e-12) << axle << factor;
+        EXPECT_EQ(byTemperature(nominal, {}, axle + ".tyre.lambda.Kz"), 0) << "no factor of slip stiffness or friction";
+    }
+    const std::vector<KnownWithin> told{{"*.tyre.lambda.Ky", 0.011, 0}, {"*.tyre.lambda.mux", 0.1, 0}};
+    EXPECT_NEAR(byTemperature(nominal, told, "front.tyre.lambda.Ky"), 0.5 * usual, 1e-12);
+    EXPECT_NEAR(byTemperature(nominal, told, "front.tyre.lambda.mux"), usual, 1e-12);
+    EXPECT_FALSE(temperatureOfTheTyres(nominal, {{"*.tyre.lambda.*", 0, 0}}));
+}
+
+// Only where two days are compared, and told in K.
+TEST(Reference, TemperatureOfTheTyresIsAnUncertainNumberOfTwoDays) {
+    const std::string name = "temperature of the tyres against the other day, K";
+    const auto has = [&](const simple_car::Case& made) {
+        const Problem problem =
+            problemOf(made.nominal, made.file, made.recorded, std::vector<Effect>{}, simple_car::options());
+        return std::any_of(problem.nuisances.begin(), problem.nuisances.end(),
+                           [&](Eigen::Index i) { return problem.replays.parameters[i].name() == name; });
+    };
+    simple_car::Case made = compared(15);
+    EXPECT_TRUE(has(made));
+    for (Recording& recording : made.file.recordings) recording.reference.clear();
+    EXPECT_FALSE(has(made));
+    made.file.before = made.file.recordings;
+    EXPECT_TRUE(has(made));
+    EXPECT_EQ(diagnose::answer::numberInWords({name}), name);
 }
 
 TEST(Reference, AnotherDriveIsRefused) {

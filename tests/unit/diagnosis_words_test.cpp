@@ -93,6 +93,16 @@ TEST(Headline, DoesNotSayMostlyOfACauseWhereTolerancesExplainMore) {
               "stiffness (p = 0.80); nothing remains unexplained");
 }
 
+TEST(Headline, SaysThatTolerancesWouldExplainAsMuchWhereTheyDo) {
+    Diagnosis d = twoCausesFound();
+    d.verdict = Verdict::explained;
+    d.training = twoCauses(0.56, 0.002, 0, 0.438);
+    EXPECT_EQ(
+        headline(d),
+        "Brake gain (p = 0.97), with roll stiffness (p = 0.80); unlikely values within the tolerances would explain "
+        "as much of the gap (56 %), 44 % is noise; nothing remains unexplained");
+}
+
 TEST(Headline, OfCausesBesideAPatternDoesNotSayThatNothingRemains) {
     Diagnosis d = twoCausesFound();
     d.training.remainder = part(0);

@@ -1,11 +1,13 @@
 #include "diagnose/model/parameter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <unordered_map>
 #include <utility>
 
 #include "base/fields/numbers.h"
+#include "base/text/concat.h"
 #include "base/text/pattern.h"
 #include "diagnose/catalogue/plausible.h"
 #include "diagnose/model/similarity.h"
@@ -48,14 +50,16 @@ const std::vector<KnownWithin>& usualTolerances() {
     return known;
 }
 
+// Stiffness and friction of rubber change by 0.2 to 0.5 % per K. Weather and warming up change the temperature of all
+// tyres by 15 K, and that of an axle by another 5 K (guesses).
+constexpr double kPerKelvin = 0.0035;
+constexpr double kTyresWarmer = 15;  // K
+// What a factor differs by besides: 5 K of its axle, and 0.15 % per K between it and the others.
+constexpr double kOfAFactor = 0.022;
+
 // What differs between two days although the car is the same, where that is more than a share of its tolerance.
 const std::vector<KnownWithin>& usualBetweenDays() {
     static const std::vector<KnownWithin> known{
-        // Stiffness and friction of rubber change by 0.2 to 0.5 % per K; weather and warming up by 15 K.
-        {"*.tyre.lambda.Kx", 0.05, 0},
-        {"*.tyre.lambda.Ky", 0.05, 0},
-        {"*.tyre.lambda.mux", 0.05, 0},
-        {"*.tyre.lambda.muy", 0.05, 0},
         {"*.tyre_surroundings.pressure.inflation", 0.05, 0},  // ideal gas, 10 K
         {"aero.air_density", 0.04, 0},                        // 10 K and 10 hPa
         {"mass", 0.02, 0},                                    // tank, driver and companions: 30 kg of 1500 kg
@@ -75,6 +79,13 @@ bool isWind(const std::string& path) {
                        [&](const KnownWithin& known) { return matches(known.path, path); });
 }
 
+bool feelsTemperature(const std::string& path) {
+    constexpr std::array<std::string_view, 4> kFactors{"Kx", "Ky", "mux", "muy"};
+    return std::any_of(kFactors.begin(), kFactors.end(), [&](std::string_view factor) {
+        return path.ends_with(concat({".tyre.lambda.", factor}));
+    });
+}
+
 double toleranceOf(const Number& number, const VehicleParams& car, const std::vector<KnownWithin>& told) {
     const double value = std::abs(*number.value);
     double tolerance = number.about.tolerance * value;
@@ -92,15 +103,21 @@ double toleranceOf(const Number& number, const VehicleParams& car, const std::ve
     return tolerance;
 }
 
-// Of a number of the same car on another day. It differs by no more than the file says.
+// Of a number of the same car on another day: the given one, but no more than the file says.
+double asTold(double tolerance, const Number& number, const VehicleParams& car, const std::vector<KnownWithin>& told) {
+    const auto states = [&](const KnownWithin& known) { return matches(known.path, number.path); };
+    if (std::none_of(told.begin(), told.end(), states)) return tolerance;
+    return std::min(tolerance, toleranceOf(number, car, told));
+}
+
 double toleranceBetweenDays(const Number& number, const VehicleParams& car, const std::vector<KnownWithin>& told,
                             double same) {
-    const double whole = toleranceOf(number, car, told), value = std::abs(*number.value);
-    double tolerance = same * whole;
+    const double value = std::abs(*number.value);
+    double tolerance = same * toleranceOf(number, car, told);
+    if (feelsTemperature(number.path)) tolerance = std::max(tolerance, kOfAFactor * value);
     for (const KnownWithin& known : usualBetweenDays())
         if (matches(known.path, number.path)) tolerance = std::max(tolerance, known.relative * value);
-    const auto states = [&](const KnownWithin& known) { return matches(known.path, number.path); };
-    return std::any_of(told.begin(), told.end(), states) ? std::min(whole, tolerance) : tolerance;
+    return asTold(tolerance, number, car, told);
 }
 
 // Narrows the range of the parameter, in units, so that the number stays within its limits.
@@ -197,6 +214,24 @@ std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<Known
         addNuisance(found, number, tolerance, nominal.vehicle);
     }
     return found;
+}
+
+std::optional<Parameter> temperatureOfTheTyres(const Subject& nominal, const std::vector<KnownWithin>& tolerances) {
+    Subject subject = nominal;
+    Parameter parameter;
+    parameter.cause = "temperature of the tyres against the other day, K";
+    parameter.cause_by = kTyresWarmer / std::sqrt(3.0);
+    for (const Number& number : numbers(subject)) {
+        if (!feelsTemperature(number.path) || *number.value == 0) continue;
+        // Less in proportion where the file says less of the factor than it differs by besides.
+        const double value = std::abs(*number.value), own = kOfAFactor * value;
+        const double share = asTold(own, number, nominal.vehicle, tolerances) / own;
+        const double by = -share * kPerKelvin * parameter.cause_by * value;
+        if (by != 0) addMove(parameter, number, by, nominal.vehicle);
+    }
+    if (parameter.moves.empty() || parameter.highest - parameter.lowest < kKneeDistance) return std::nullopt;
+    boundWhereNothingElseDoes(parameter);
+    return parameter;
 }
 
 std::vector<Parameter> nuisancesOfTheWind(const Subject& nominal, const std::vector<KnownWithin>& tolerances,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ struct Parameter {
         double by;  // change of the number per unit of the parameter
     };
     std::vector<Move> moves;
+    // What moves several numbers of the nominal car at once: its name, with the unit, and its size per unit of the
+    // parameter. Empty: the parameter is the first number that it moves.
+    std::string cause = {};
+    double cause_by = 0;
     // The only recording that the parameter concerns, and its name; null: it concerns all.
     const recording::Recording* only = nullptr;
     std::string only_name = {};
@@ -47,6 +52,7 @@ struct Parameter {
     bool implausibleAt(double units) const;
     const std::string& path() const { return moves.front().path; }
     std::string name() const {
+        if (!cause.empty()) return cause;
         return only ? path() + " in " + only_name : of_both ? path() + " of both cars" : path();
     }
     bool concerns(const RecordedDrive& drive) const { return !only || only == drive.recording; }
@@ -62,6 +68,10 @@ Subject movedIn(const RecordedDrive& drive, Subject subject, const std::vector<P
 // same car on another day. What stays the same, that is the car, and the instruments except for their zeros, has this
 // share of its tolerance; what changes with weather and load differs by more, if the file allows it (D15a).
 std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<KnownWithin>& tolerances, double same = 1);
+
+// The temperature of the tyres on another day: it changes stiffness and friction of all four together, by no more than
+// the tolerances told. Nothing where they leave no room (D15b).
+std::optional<Parameter> temperatureOfTheTyres(const Subject& nominal, const std::vector<KnownWithin>& tolerances);
 
 // The wind: half of its variance is that of a day, the same in all drives, and half that of each drive. With
 // references, the wind of both runs (D15).

@@ -92,6 +92,8 @@ Problem problemOf(const Subject& nominal, const recording::DiagnosisFile& file, 
         const bool same_car = recording::compared(drives);
         Differences all;
         all.parameters = nuisances(nominal, file.tolerances, same_car ? kSettings.between_days : 1);
+        if (same_car || !file.before.empty())
+            if (auto one = temperatureOfTheTyres(nominal, file.tolerances)) all.parameters.push_back(*std::move(one));
         for (Parameter& one : nuisancesOfTheWind(nominal, file.tolerances, drives))
             all.parameters.push_back(std::move(one));
         all.nuisances.resize(all.parameters.size());

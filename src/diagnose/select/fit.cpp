@@ -441,7 +441,8 @@ answer::NuisanceEstimate numberOf(const Fit& fit, const Replays& replays, Eigen:
     constexpr double kNear = 1e-6;  // units
     const Eigen::Index p = fit.free[i];
     const model::Parameter& parameter = replays.parameters[p];
-    const model::Parameter::Move& move = parameter.moves.front();
+    const model::Parameter::Move move =
+        parameter.cause.empty() ? parameter.moves.front() : model::Parameter::Move{{}, 0, parameter.cause_by};
     const double units = fit.at(p), by = std::abs(move.by);
     return {.value = move.nominal + units * move.by,
             .sd = std::sqrt(fit.covariance(i, i)) * by,
