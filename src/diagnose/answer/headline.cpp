@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kFar = 3;  // standard deviations of its tolerance beyond which a number is doubtful: 1 in 400
 constexpr std::size_t kMostNumbers = 3;  // such numbers that are named
-constexpr double kNothing = 0.005;       // share of the gap that rounds to 0 %
 // Share above which a part is the main one: of the gap for tolerances, of what they and noise leave for a cause.
 constexpr double kMostly = 0.5;
 
@@ -104,18 +103,12 @@ std::string effectOf(const Part& causes) {
 std::string ofCauses(const Diagnosis& d) {
     const std::vector<std::string> causes = causesInOrder(d);
     std::string text = d.alternatives.empty() ? ranked(d, causes) : rivals(d, causes);
-    const double tolerances = d.training.tolerances.share, of_causes = d.training.causes.share;
-    const bool as_well = isDecomposed(d.training) && tolerances > kMostly && std::abs(of_causes) < kNothing;
-    const bool mostly = !as_well && leadingShare(d) > kMostly;
-    if (!mostly) text = capitalised(text);
-    else if (tolerances <= kMostly) text = "Mostly " + text;
-    else
-        text = fmt::format("Tolerances explain {} of the gap, {} is noise; the rest is mostly {}",
-                           percentInWords(tolerances), percentInWords(d.training.noise.share), text);
-    if (as_well)
-        text +=
-            fmt::format("; unlikely values within the tolerances would explain as much of the gap ({}), {} is noise",
-                        percentInWords(tolerances), percentInWords(d.training.noise.share));
+    const double tolerances = d.training.tolerances.share;
+    const bool mostly = tolerances <= kMostly && leadingShare(d) > kMostly;
+    text = mostly ? "Mostly " + text : capitalised(text);
+    if (tolerances > kMostly)
+        text += fmt::format("; tolerances alone would explain {} of the gap, but with unlikely values; {} is noise",
+                            percentInWords(tolerances), percentInWords(d.training.noise.share));
     else if (!mostly && isDecomposed(d.training))
         text += (d.alternatives.empty() ? " " : "; it ") + effectOf(d.training.causes);
     const std::string rest = remainder(d);
