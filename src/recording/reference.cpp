@@ -20,6 +20,7 @@ namespace {
 // drive.
 constexpr double kAnotherDrive = 0.25;
 constexpr double kStill = 0.05;        // rad or share of a pedal, always allowed: small corrections by the driver
+constexpr double kOtherZero = 0.2;     // rad by which the zeros of two steering angles may differ
 constexpr double kShorter = 0.2;       // s by which a reference may be shorter
 constexpr double kAnotherSpeed = 0.1;  // relative difference in start speed; allows for a speedometer that was changed
 
@@ -28,6 +29,20 @@ double rms(std::span<const double> values) {
     for (const double value : values)
         if (std::isfinite(value)) sum += value * value, count += 1;
     return count > 0 ? std::sqrt(sum / count) : 0;
+}
+
+// Difference of an input in two drives, without what another zero of the steering angle explains: that may be the
+// change which is sought.
+std::vector<double> differences(const std::string& name, std::vector<double> here, const std::vector<double>& there) {
+    double zero = 0, count = 0;
+    for (std::size_t i = 0; i < here.size(); ++i) {
+        here[i] -= there[i];
+        if (std::isfinite(here[i])) zero += here[i], count += 1;
+    }
+    if (name != "driver.steering_wheel_angle" || count == 0) return here;
+    zero = std::clamp(zero / count, -kOtherZero, kOtherZero);
+    for (double& one : here) one -= zero;
+    return here;
 }
 
 // Throws std::invalid_argument unless the driver does the same in both.
@@ -49,9 +64,7 @@ void expectSameDrive(const RecordedDrive& drive, const RecordedDrive& reference)
         const Channel *here = drive.inputs.find(name), *there = reference.inputs.find(name);
         if (!here || !there) continue;
         const std::vector<double> then = resample(reference.time, there->values, drive.time);
-        std::vector<double> off = here->values;
-        for (std::size_t i = 0; i < off.size(); ++i) off[i] -= then[i];
-        const double size = rms(here->values), differs = rms(off);
+        const double size = rms(here->values), differs = rms(differences(name, here->values, then));
         if (differs > kAnotherDrive * size + kStill)
             another(fmt::format("{} differs by {:.3g} rms (its own rms is {:.3g}) from that of its reference", name,
                                 differs, size));

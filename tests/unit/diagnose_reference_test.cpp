@@ -192,6 +192,29 @@ TEST(Reference, AnotherDriveIsRefused) {
     EXPECT_THROW(diagnosed(made), std::invalid_argument);
 }
 
+// A steering wheel that was mounted anew is a change like any other; a drive to the other side is another drive.
+TEST(Reference, MayHaveAnotherZeroOfTheSteering) {
+    const auto straight = [](double by) {
+        simple_car::Case made = compared(16);
+        for (auto* logs : {&made.recorded.logs, &made.recorded.references})
+            for (Channel& channel : (*logs)[0].channels)
+                if (channel.name == "driver.steering_wheel_angle")
+                    for (double& angle : channel.values) angle *= 0.1;
+        for (Channel& channel : made.recorded.logs[0].channels)
+            if (channel.name == "driver.steering_wheel_angle")
+                for (double& angle : channel.values) angle += by;
+        return made;
+    };
+    for (const double by : {-0.15, 0.15}) {
+        const simple_car::Case made = straight(by);
+        EXPECT_NO_THROW(problemOf(made.nominal, made.file, made.recorded, std::vector<Effect>{}, simple_car::options()))
+            << by;
+    }
+    const simple_car::Case far = straight(0.4);
+    EXPECT_THROW(problemOf(far.nominal, far.file, far.recorded, std::vector<Effect>{}, simple_car::options()),
+                 std::invalid_argument);
+}
+
 // Slaloms of a car whose drag became another, and other slaloms of it before. The nominal car has another ratio.
 simple_car::Case changed(double drag_area) {
     VehicleParams car = simple_car::Case{}.nominal.vehicle;

@@ -219,14 +219,14 @@ std::vector<Parameter> nuisances(const Subject& nominal, const std::vector<Known
 std::optional<Parameter> temperatureOfTheTyres(const Subject& nominal, const std::vector<KnownWithin>& tolerances) {
     Subject subject = nominal;
     Parameter parameter;
-    parameter.cause = "temperature of the tyres against the other day, K";
-    parameter.cause_by = kTyresWarmer / std::sqrt(3.0);
+    parameter.quantity = "temperature of the tyres against the other day, K";
+    parameter.quantity_by = kTyresWarmer / std::sqrt(3.0);
     for (const Number& number : numbers(subject)) {
         if (!feelsTemperature(number.path) || *number.value == 0) continue;
         // Less in proportion where the file says less of the factor than it differs by besides.
         const double value = std::abs(*number.value), own = kOfAFactor * value;
         const double share = asTold(own, number, nominal.vehicle, tolerances) / own;
-        const double by = -share * kPerKelvin * parameter.cause_by * value;
+        const double by = -share * kPerKelvin * parameter.quantity_by * value;
         if (by != 0) addMove(parameter, number, by, nominal.vehicle);
     }
     if (parameter.moves.empty() || parameter.highest - parameter.lowest < kKneeDistance) return std::nullopt;

@@ -30,10 +30,10 @@ struct Parameter {
         double by;  // change of the number per unit of the parameter
     };
     std::vector<Move> moves;
-    // What moves several numbers of the nominal car at once: its name, with the unit, and its size per unit of the
-    // parameter. Empty: the parameter is the first number that it moves.
-    std::string cause = {};
-    double cause_by = 0;
+    // Of a parameter that stands for something else than the numbers that it moves, such as a temperature: its name,
+    // with the unit, and its change per unit of the parameter. Empty: it stands for the first number that it moves.
+    std::string quantity = {};
+    double quantity_by = 0;
     // The only recording that the parameter concerns, and its name; null: it concerns all.
     const recording::Recording* only = nullptr;
     std::string only_name = {};
@@ -52,7 +52,7 @@ struct Parameter {
     bool implausibleAt(double units) const;
     const std::string& path() const { return moves.front().path; }
     std::string name() const {
-        if (!cause.empty()) return cause;
+        if (!quantity.empty()) return quantity;
         return only ? path() + " in " + only_name : of_both ? path() + " of both cars" : path();
     }
     bool concerns(const RecordedDrive& drive) const { return !only || only == drive.recording; }

@@ -441,12 +441,13 @@ answer::NuisanceEstimate numberOf(const Fit& fit, const Replays& replays, Eigen:
     constexpr double kNear = 1e-6;  // units
     const Eigen::Index p = fit.free[i];
     const model::Parameter& parameter = replays.parameters[p];
-    const model::Parameter::Move move =
-        parameter.cause.empty() ? parameter.moves.front() : model::Parameter::Move{{}, 0, parameter.cause_by};
-    const double units = fit.at(p), by = std::abs(move.by);
-    return {.value = move.nominal + units * move.by,
+    const model::Parameter::Move& first = parameter.moves.front();
+    const auto [nominal, change] =
+        parameter.quantity.empty() ? std::pair(first.nominal, first.by) : std::pair(0.0, parameter.quantity_by);
+    const double units = fit.at(p), by = std::abs(change);
+    return {.value = nominal + units * change,
             .sd = std::sqrt(fit.covariance(i, i)) * by,
-            .nominal = move.nominal,
+            .nominal = nominal,
             .prior_sd = by,
             .z = units,
             .at_bound = units < parameter.lowest + kNear || units > parameter.highest - kNear};
