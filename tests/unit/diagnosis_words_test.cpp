@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/text/concat.h"
 #include "diagnose/answer/changed_numbers.h"
 #include "diagnose/answer/headline.h"
 #include "diagnose/answer/parts.h"
@@ -30,6 +31,7 @@ using diagnose::answer::percentInWords;
 using diagnose::answer::RankedEffect;
 using diagnose::answer::ToldPart;
 using diagnose::answer::toldParts;
+using diagnose::answer::unitOf;
 using diagnose::answer::Verdict;
 using diagnose::answer::vibrationInWords;
 
@@ -291,11 +293,27 @@ TEST(Numbers, AreSaidInTheWordsOfTheirDescription) {
     EXPECT_EQ(numberInWords({"rear.left.grip"}), "rear left: factor on the friction of the tyre of this wheel");
     EXPECT_EQ(numberInWords({"instruments.yaw_rate.gain"}), "yaw rate: reading divided by the true value");
     EXPECT_EQ(numberInWords({"instruments.ay.gain"}), "lateral acceleration: reading divided by the true value");
+    EXPECT_EQ(numberInWords({"instruments.steering_wheel_angle.bias"}),
+              "steering wheel angle: reading at a true value of zero");
     EXPECT_EQ(numberInWords({"instruments.latency"}).find(": "), std::string::npos);
     EXPECT_TRUE(numberInWords({"wind.x in oval"}).ends_with(" in oval"));
     EXPECT_EQ(effectInWords("yaw_rate_delay@can"), "yaw rate delay (can)");
     EXPECT_EQ(kindOfForceInWords("lateral error"),
               "errors of the side forces, in proportion to the lateral acceleration");
+}
+
+TEST(Numbers, ZeroOfAnInstrumentHasTheUnitOfItsChannel) {
+    for (const auto& [instrument, unit] : {std::pair{"ay", "m/s2"},
+                                           {"yaw_rate", "rad/s"},
+                                           {"roll", "rad"},
+                                           {"speed", "m/s"},
+                                           {"wheel_speed", "rad/s"},
+                                           {"steering_wheel_angle", "rad"},
+                                           {"further.chassis.ay@can", "m/s2"},
+                                           {"command", "N"}})
+        EXPECT_EQ(unitOf(concat({"instruments.", instrument, ".bias"})), unit) << instrument;
+    EXPECT_EQ(unitOf("instruments.ay.gain"), "-");
+    EXPECT_EQ(unitOf("instruments.ay.delay"), "s");
 }
 
 TEST(Numbers, ChangeInPercentOfTheirNominalValue) {

@@ -10,6 +10,7 @@
 
 #include "diagnose/answer/parts.h"
 #include "diagnose/answer/words.h"
+#include "log/log_columns.h"
 #include "recording/subject_paths.h"
 
 namespace tread::diagnose::answer {
@@ -22,28 +23,47 @@ std::string pathOf(const std::string& name) {
     return name.substr(0, name.find(' '));
 }
 
-// The description of a number, without the equation of the tyre model in brackets at its end.
+// The description of a number, without its unit and the equation of the tyre model in brackets at its end.
 std::string meaningOf(const std::string& path) {
     const ReferenceRow* row = recording::subjectNumber(path);
     if (!row) return path;
     std::string meaning = row->meaning;
+    if (const std::size_t unit = meaning.find(", in the SI unit of the channel"); unit != std::string::npos)
+        return meaning.substr(0, unit);
     const std::size_t open = meaning.rfind(" (");
     if (open == std::string::npos || meaning.back() != ')') return meaning;
     const bool number = std::isdigit(static_cast<unsigned char>(meaning[open + 2])) != 0;
     return number ? meaning.substr(0, open) : meaning;
 }
 
-// "yaw rate", "inertial unit"; empty for a number that concerns all instruments.
-std::string instrumentOf(const std::string& path) {
+// "yaw_rate", "chassis.yaw_rate@can"; empty for a number that concerns all instruments.
+std::string instrumentIn(const std::string& path) {
     constexpr std::string_view kInstruments = "instruments.";
     const std::size_t first = kInstruments.size(), last = path.rfind('.');
-    if (last <= first) return {};
+    if (!path.starts_with(kInstruments) || last <= first) return {};
     std::string instrument = path.substr(first, last - first);
     for (const std::string_view list : {"further.", "mountings."})
         if (instrument.starts_with(list)) instrument.erase(0, list.size());
+    return instrument;
+}
+
+// "yaw rate", "inertial unit"; empty for a number that concerns all instruments.
+std::string instrumentOf(const std::string& path) {
+    const std::string instrument = instrumentIn(path);
+    if (instrument.empty()) return {};
     for (const std::string& channel : {instrument, "chassis." + instrument})
         if (const std::string words = channelInWords(channel); words != channel) return words;
     return effectInWords(instrument);
+}
+
+// The unit of the channel that an instrument reads; empty for what reads none.
+std::string unitOfReading(const std::string& path) {
+    std::string instrument(quantityOf(instrumentIn(path)));
+    if (instrument == "speed") instrument = "vx";
+    if (instrument == "wheel_speed") instrument = "wheel.front_left.spin";
+    for (const std::string& channel : {instrument, "chassis." + instrument, "driver." + instrument})
+        if (const auto unit = logUnit(channel)) return std::string(*unit);
+    return {};
 }
 
 // "front", "rear left", or the name of an instrument; empty for a number that the car has once.
@@ -65,6 +85,7 @@ bool alike(const Estimate& a, const Estimate& b) {
 
 std::string unitOf(const std::string& path) {
     const ReferenceRow* row = recording::subjectNumber(pathOf(path));
+    if (row && pathOf(path).ends_with(".bias") && row->unit == "-") return unitOfReading(pathOf(path));
     return row ? row->unit : "-";
 }
 

@@ -34,7 +34,7 @@ std::string changeInPercent(double value, double nominal);
 
 // A number that moved within its tolerance.
 struct MovedNumber {
-    std::string name;  // its path, and " in " with the name of a recording if it concerns one
+    std::string name;  // its path, and " in " with the name of a recording if it concerns one; or that of a quantity
     NuisanceEstimate estimate;
 };
 
