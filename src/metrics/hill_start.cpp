@@ -13,7 +13,7 @@
 namespace tread {
 namespace {
 
-constexpr double kBrakeHeld = 0.05;      // of the brake: less is released
+constexpr double kPedalHeld = 0.05;      // of a pedal: less is released
 constexpr double kStill = 0.1;           // m/s: a car that is held is slower
 constexpr double kDriving = 2.0;         // m/s
 constexpr double kHillHalfWidth = 0.05;  // s
@@ -48,8 +48,8 @@ HillStart findHillStart(const Log& log) {
     const auto needed = channels(log, {"driver.brake", "driver.throttle", "chassis.vx"});
     const TimeSeries& brake = needed[0];
     const TimeSeries v = cleaned(needed[2], kHillHalfWidth);
-    const auto release = firstCrossing(brake, kBrakeHeld, brake.begin());
-    if (brake.value.front() <= kBrakeHeld || !release) notFound("the brake is not held first and then released");
+    const auto release = firstCrossing(brake, kPedalHeld, brake.begin());
+    if (brake.value.front() <= kPedalHeld || !release) notFound("the brake is not held first and then released");
     const TimeSeries before = part(v, v.begin(), *release);
     for (double speed : before.value) {
         if (std::abs(speed) > kStill) notFound("the car moves while the brake is on");
@@ -59,7 +59,7 @@ HillStart findHillStart(const Log& log) {
         const double grade = -mean(*pitch, v.begin(), *release);
         if (std::abs(grade) < kLeastGrade) notFound("the car does not stand on a hill");
     }
-    if (highest(needed[1], *release, v.end()).value < kBrakeHeld) notFound("the throttle is not used");
+    if (highest(needed[1], *release, v.end()).value < kPedalHeld) notFound("the throttle is not used");
     HillStart found{};
     found.release = *release;
     double way = 0;

@@ -5,7 +5,7 @@
 
 namespace tread {
 
-// The x of least |terms x - target|; of several, the shortest.
+// The x for which |terms x - target| is least; where several are, one of them.
 Eigen::VectorXd leastSquares(const Eigen::MatrixXd& terms, const Eigen::VectorXd& target);
 
 }  // namespace tread

@@ -18,7 +18,7 @@ constexpr double kRegressionFrom = 0.1 * kGravity, kRegressionTo = 0.375 * kGrav
 constexpr double kAngleReading = 0.3 * kGravity;
 constexpr double kSlowSteerHalfWidth = 0.25;         // s; everything changes slowly here
 constexpr double kFastestSlowSteer = 25 / kDegrees;  // rad/s: faster is no slow steering
-constexpr double kSlowSteerSpeed = 0.05;             // of the speed, over the range of the regression
+constexpr double kSpeedChange = 0.05;                // of the speed, over the range of the regression
 constexpr std::size_t kFewestRegressed = 10;         // samples
 
 struct SlowSteer {
@@ -90,7 +90,7 @@ SlowSteer findSlowSteer(const Log& log, const KnownCar& car) {
                              kDegrees * kFastestSlowSteer));
     }
     const auto [slowest, fastest] = std::minmax_element(speeds.begin(), speeds.end());
-    if (*fastest - *slowest > kSlowSteerSpeed * *fastest) {
+    if (*fastest - *slowest > kSpeedChange * *fastest) {
         notFound(
             fmt::format("the speed changes from {:.3g} to {:.3g} m/s, expected a constant one", *fastest, *slowest));
     }
