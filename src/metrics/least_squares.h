@@ -1,4 +1,4 @@
-// Linear least squares: one instance of Eigen's decomposition serves all manoeuvres, which builds quicker.
+// Linear least squares for all manoeuvres. Eigen's decomposition is slow to compile, so that only one file contains it.
 #pragma once
 
 #include <Eigen/Core>

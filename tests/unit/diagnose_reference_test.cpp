@@ -192,7 +192,7 @@ TEST(Reference, AnotherDriveIsRefused) {
     EXPECT_THROW(diagnosed(made), std::invalid_argument);
 }
 
-// A steering wheel that was mounted anew is a change like any other; a drive to the other side is another drive.
+// Another zero of the steering angle may be the change that is sought. Beyond 0.2 rad, it is another drive.
 TEST(Reference, MayHaveAnotherZeroOfTheSteering) {
     const auto straight = [](double by) {
         simple_car::Case made = compared(16);
