@@ -83,6 +83,29 @@ bool finite(const tread::Log& log) {
     });
 }
 
+// A fit that is free to do so turns the numbers of engine, brakes and wheels into those of no car.
+TEST(OtherCases, MatchedCarIsNearerAndKeepsTheNumbersThatBothModelsDefineAlike) {
+    const Matching matching = matchingOf(known(), reference::compact());
+    Truth before = known();
+    double farther = 0, nearer = 0;
+    for (const char* name : {"step_steer_80", "braking_in_turn_90", "sine_sweep_90"}) {
+        const tread::Log wanted = drivenByTread(reference::compact(), driveNamed(name));
+        farther += squares(wanted, replay(before, driveNamed(name)).log);
+        nearer += squares(wanted, replay(plainCar(matching), driveNamed(name)).log);
+    }
+    EXPECT_LT(nearer, 0.25 * farther);
+    Truth after = matched(matching, structureOf({"brush_tyre", "moving_roll_axis"}));
+    const std::vector<SharedNumber> from = sharedNumbers(before), to = sharedNumbers(after);
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        const std::string& path = from[i].path;
+        const bool radius = path.ends_with(".Re") || path.ends_with(".Ro"),
+                   of_axle = path.starts_with("front.") || path.starts_with("rear.");
+        if (of_axle && !radius && !path.ends_with(".qy1") && !path.ends_with("wheel_inertia")) continue;
+        const double apart = std::abs(*to[i].value - *from[i].value);
+        EXPECT_LE(apart, radius ? 0.1 * *from[i].value : 0) << path;
+    }
+}
+
 TEST(OtherCases, ManyEffectsOfTheCatalogueCanBePlanted) {
     const auto effects = plantable(tread::diagnose::catalogue::effectCatalogue(), nominal());
     EXPECT_GE(effects.size(), 25u);

@@ -24,26 +24,24 @@ constexpr int kNewColumns = 2;       // how often derivatives are computed anew
 constexpr double kSettled = 0.005;   // a step that improves the sum of squares by less than this share is the last one
 constexpr double kDifference = 0.1;  // finite difference, in standard deviations of the prior
 
-// A free number and the standard deviation of its prior.
+// A number that the two models define differently, and the standard deviation of its prior. All others keep their
+// values: a brake torque on another radius, or a drag torque beside another rolling resistance, would be another fault.
 struct Free {
     double* value;
     double by;
 };
 
 std::vector<Free> freeNumbers(Truth& truth) {
-    Params& p = truth.car;
     std::vector<Free> free;
-    const auto relative = [&](double& value) { free.push_back({&value, 0.1 * std::abs(value)}); };
-    for (double* value : {&p.yaw_inertia, &p.roll_inertia, &p.pitch_inertia, &p.drag_area, &p.brake_torque,
-                          &p.engine_inertia, &p.drive_scale, &p.drag_scale})
-        relative(*value);
-    for (Axle* axle : {&p.front, &p.rear}) {
+    for (Axle* axle : {&truth.car.front, &truth.car.rear}) {
         Tyre& tyre = axle->tyre;
-        for (double* value : {&axle->damping, &axle->anti_roll_bar, &tyre.stiffness, &tyre.stiffness_load,
-                              &tyre.friction, &tyre.friction_by_load, &tyre.slip_stiffness,
-                              &tyre.slip_stiffness_by_load, &tyre.camber_stiffness, &tyre.trail, &tyre.curvature,
-                              &tyre.carcass, &tyre.rolling_resistance, &tyre.loaded_radius, &tyre.rolling_radius})
-            relative(*value);
+        for (double* value :
+             {&axle->damping, &axle->anti_roll_bar, &tyre.stiffness, &tyre.stiffness_load, &tyre.friction,
+              &tyre.friction_by_load, &tyre.slip_stiffness, &tyre.slip_stiffness_by_load, &tyre.camber_stiffness,
+              &tyre.trail, &tyre.curvature, &tyre.carcass})
+            free.push_back({value, 0.1 * std::abs(*value)});
+        for (double* radius : {&tyre.rolling_radius, &tyre.loaded_radius})  // at which load?
+            free.push_back({radius, 0.005 * *radius});
         free.push_back({&axle->compliance_steer, 1e-6});
         free.push_back({&axle->toe_by_travel, 0.02});
         free.push_back({&axle->roll_axis, 0.02});
@@ -100,18 +98,21 @@ std::optional<Eigen::VectorXd> missing(const Matching& matching, const Structure
     }
 }
 
-// Gauss-Newton steps with fixed derivatives while they improve the fit; a step that does not is halved.
+// Gauss-Newton steps with fixed derivatives while they improve the fit; a step that does not is halved. What the fit
+// misses at first counts as noise, so that no number moves far from its prior to make up for the structure.
 void approach(Matching& matching, const Structure& structure) {
-    const Eigen::MatrixXd& columns = matching.columns;
-    const Eigen::Index n = columns.cols();
-    const Eigen::LLT<Eigen::MatrixXd> information(columns.transpose() * columns + Eigen::MatrixXd::Identity(n, n));
     Eigen::VectorXd& at = matching.at;
     Eigen::VectorXd misses = matching.wanted - readingsOf(moved(matching.begin, structure, at));
-    double squares = misses.squaredNorm() + at.squaredNorm(), share = 1;
+    const double noise = std::max(1.0, misses.squaredNorm() / static_cast<double>(misses.size()));
+    const Eigen::MatrixXd& columns = matching.columns;
+    const Eigen::Index n = columns.cols();
+    const Eigen::LLT<Eigen::MatrixXd> information(columns.transpose() * columns +
+                                                  noise * Eigen::MatrixXd::Identity(n, n));
+    double squares = misses.squaredNorm() + noise * at.squaredNorm(), share = 1;
     for (int round = 0; round < kRounds; ++round) {
-        const Eigen::VectorXd next = at + share * information.solve(columns.transpose() * misses - at);
+        const Eigen::VectorXd next = at + share * information.solve(columns.transpose() * misses - noise * at);
         const std::optional<Eigen::VectorXd> then = missing(matching, structure, next);
-        const double nearer = then ? then->squaredNorm() + next.squaredNorm() : squares;
+        const double nearer = then ? then->squaredNorm() + noise * next.squaredNorm() : squares;
         if (!(nearer < squares)) {
             share /= 2;
             continue;
