@@ -83,7 +83,7 @@ bool finite(const tread::Log& log) {
     });
 }
 
-// A fit that is free to do so turns the numbers of engine, brakes and wheels into those of no car.
+// With all numbers free, the fit would give engine, brakes and wheels values that no car has.
 TEST(OtherCases, MatchedCarIsNearerAndKeepsTheNumbersThatBothModelsDefineAlike) {
     const Matching matching = matchingOf(known(), reference::compact());
     Truth before = known();

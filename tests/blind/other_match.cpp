@@ -40,7 +40,7 @@ std::vector<Free> freeNumbers(Truth& truth) {
               &tyre.friction_by_load, &tyre.slip_stiffness, &tyre.slip_stiffness_by_load, &tyre.camber_stiffness,
               &tyre.trail, &tyre.curvature, &tyre.carcass})
             free.push_back({value, 0.1 * std::abs(*value)});
-        for (double* radius : {&tyre.rolling_radius, &tyre.loaded_radius})  // at the load of the wheel
+        for (double* radius : {&tyre.rolling_radius, &tyre.loaded_radius})  // at different loads in the two models
             free.push_back({radius, 0.005 * *radius});
         free.push_back({&axle->compliance_steer, 1e-6});
         free.push_back({&axle->toe_by_travel, 0.02});

@@ -21,7 +21,8 @@ std::vector<double> means(const tread::Log& log, std::string_view channel);
 double noiseOfMeans(const tread::blind::world::InstrumentSheet& sheet);
 
 // Fit of the plain car (without structural choices) to a car of tread on the training drives: least squares over all
-// readings with a Gaussian prior on each number about its initial value, by Gauss-Newton steps.
+// readings by Gauss-Newton steps. Only numbers that the two models define differently are fitted, each with a Gaussian
+// prior about its initial value.
 struct Matching {
     Truth begin;
     Eigen::VectorXd wanted;   // readings of tread's car over their noise
