@@ -9,6 +9,7 @@
 
 #include "base/math/random.h"
 #include "diagnose/model/remainder.h"
+#include "diagnose/select/doubt.h"
 #include "diagnose/select/search.h"
 
 namespace tread::linear_drives {
@@ -136,6 +137,13 @@ inline diagnose::select::Fit fitOf(const diagnose::select::Calibration& car, con
 }
 inline diagnose::select::Fit fitOf(const diagnose::select::Calibration& car, const std::vector<std::size_t>& effects) {
     return fitOf(car, effects, car.uncertainty.sizes);
+}
+
+// Doubt about the signatures of a fit, in the metric of its own remainder.
+inline double doubtAgainst(const diagnose::select::Fit& rival, const diagnose::select::Calibration& car,
+                           const diagnose::select::Fit& fit) {
+    const diagnose::model::ChannelSquares squares(car.drives(), car.uncertainty, fit.sizes);
+    return diagnose::select::doubt(car, squares, fit, rival.rows);
 }
 
 // The same with the sizes of the largest evidence.

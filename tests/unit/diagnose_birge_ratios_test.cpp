@@ -9,6 +9,7 @@ namespace tread::diagnose_birge_ratios_test {
 namespace {
 
 using diagnose::model::BirgeRatios;
+using diagnose::model::ChannelSquares;
 using diagnose::model::Problem;
 using diagnose::model::Rows;
 using diagnose::model::Uncertainty;
@@ -22,7 +23,8 @@ struct TwoChannels {
         : drives{{MatrixXd(8, 0), MatrixXd(8, 0), VectorXd{{2, -2, 2, 2, 1, -1, 1, 1}}, disturbances, {}}},
           problem(linear_drives::problemOf(drives)),
           uncertainty(linear_drives::uncertaintyOf(drives, 3)),
-          ratios(channels(), uncertainty, Rows{VectorXd::Zero(8)}, uncertainty.sizes) {}
+          squares(channels(), uncertainty, uncertainty.sizes),
+          ratios(problem.drives, uncertainty, squares, Rows{VectorXd::Zero(8)}) {}
 
     diagnose::model::Drives channels() {
         problem.drives[0].channels = {
@@ -37,6 +39,7 @@ struct TwoChannels {
     std::vector<LinearDrive> drives;
     Problem problem;
     Uncertainty uncertainty;
+    ChannelSquares squares;
     BirgeRatios ratios;
 };
 

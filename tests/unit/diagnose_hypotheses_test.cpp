@@ -2,11 +2,12 @@
 // the equations of src/diagnose/README.md: three effects in two drives, whose signatures do not overlap.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 
-#include "diagnose/select/doubt.h"
 #include "diagnose/select/posterior.h"
 #include "shared/linear_drives.h"
 
@@ -16,11 +17,11 @@ namespace {
 using diagnose::model::Problem;
 using diagnose::select::Calibration;
 using diagnose::select::Candidate;
-using diagnose::select::doubt;
 using diagnose::select::Hypothesis;
 using diagnose::select::Posterior;
 using diagnose::select::posterior;
 using diagnose::select::Search;
+using linear_drives::doubtAgainst;
 using linear_drives::LinearDrive;
 
 using Eigen::MatrixXd;
@@ -79,15 +80,20 @@ struct ThreeEffects {
         }
         return squares;
     }
-    // (D30). What a set explains in a drive is a sum over its effects.
-    double doubted(const std::vector<std::size_t>& effects) const {
-        double sum = 0, squares = 0;
+    // (D30). What a set changes in a drive, and the difference between two sets there, are sums over effects.
+    double doubted(const std::vector<std::size_t>& effects, const std::vector<std::size_t>& rival) const {
+        double sum = 0, weighted = 0;
         for (const LinearDrive& drive : drives) {
-            double explained = 0;
-            for (const std::size_t e : effects) explained += std::pow(drive.effects(e, e) * sizeOf(e), 2);
-            sum += explained, squares += explained * explained;
+            double changed = 0, differing = 0;
+            for (std::size_t e = 0; e < 3; ++e) {
+                const bool here = std::ranges::count(effects, e) > 0, there = std::ranges::count(rival, e) > 0;
+                const double squared = std::pow(drive.effects(e, e) * sizeOf(e), 2);
+                if (here) changed += squared;
+                if (here != there) differing += squared;
+            }
+            sum += differing, weighted += differing * changed;
         }
-        return sum > 0 ? 1 + 0.05 * 0.05 * squares / sum : 1;
+        return sum > 0 ? 1 + 0.05 * 0.05 * weighted / sum : 1;
     }
 };
 
@@ -112,7 +118,7 @@ Probabilities enumerated(const ThreeEffects& three, double birge, const std::vec
     double sum = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!possible[i]) continue;
-        const double divisor = all[i].fitted ? three.doubted(all[i].effects) * birge : birge;
+        const double divisor = all[i].fitted ? three.doubted(all[i].effects, {0, 1}) * birge : birge;
         sum += weight[nameOf(all[i].effects)] =
             prior[all[i].effects.size()] * std::exp((all[i].log_evidence - best) / divisor);
     }
@@ -153,13 +159,50 @@ TEST(Hypotheses, AreAsProbableAsTheirPriorsAndEvidenceSay) {
     }
 }
 
-TEST(Hypotheses, AreDoubtedInProportionToWhatTheyExplainInOneDrive) {
+TEST(Hypotheses, AreDoubtedInProportionToWhatTheyChangeWhereTheyDifferFromARival) {
     const ThreeEffects three;
     for (const Candidate& one : three.found.candidates) {
-        if (!one.fitted) continue;
-        EXPECT_NEAR(doubt(three.car, one.fit), three.doubted(one.effects), 1e-12) << nameOf(one.effects);
+        for (const Candidate& rival : three.found.candidates) {
+            if (!one.fitted || !rival.fitted) continue;
+            EXPECT_NEAR(doubtAgainst(rival.fit, three.car, one.fit), three.doubted(one.effects, rival.effects), 1e-12)
+                << nameOf(one.effects) << " against " << nameOf(rival.effects);
+        }
     }
-    EXPECT_EQ(doubt(three.car, three.found.none().fit), 1);
+    EXPECT_GT(three.doubted({0}, {0, 1}), 1.01);
+    EXPECT_EQ(three.doubted({}, {0, 1}), 1);
+}
+
+// An effect in another channel is no less certain beside a strong first one.
+TEST(Hypotheses, AreNotDoubtedForWhatTheyChangeInOtherChannels) {
+    const std::vector<LinearDrive> drives{driveOf(VectorXd{{100, 1, 2}}, VectorXd{{100, 5, 7, 0}})};
+    Problem problem = linear_drives::problemOf(drives);
+    problem.drives[0].channels = {{.name = "first", .measured = {}, .first_row = 0, .times = std::vector<double>(2)},
+                                  {.name = "second", .measured = {}, .first_row = 2, .times = std::vector<double>(2)}};
+    const Calibration car = linear_drives::calibrationOf(problem, drives);
+    const auto first = linear_drives::fitOf(car, {0});
+    const double size = 100 * 100 * 100 / (1 + 1e4);
+    EXPECT_EQ(doubtAgainst(linear_drives::fitOf(car, {0, 2}), car, first), 1);
+    EXPECT_NEAR(doubtAgainst(linear_drives::fitOf(car, {0, 1}), car, first), 1 + 0.0025 * size * size, 1e-9);
+}
+
+// Channels of one drive err together, drives do not: an effect that changes two channels, or one channel of two drives.
+TEST(Hypotheses, AreMoreDoubtfulInTwoChannelsOfADriveThanInTwoDrives) {
+    const auto driveOfRows = [](const VectorXd& slopes) {
+        return LinearDrive{MatrixXd(slopes.size(), 0), slopes, 100 * slopes, MatrixXd(slopes.size(), 0)};
+    };
+    const auto doubtOf = [](Problem problem, const std::vector<LinearDrive>& drives) {
+        const Calibration car = linear_drives::calibrationOf(problem, drives);
+        return doubtAgainst(linear_drives::fitOf(car, {}), car, linear_drives::fitOf(car, {0})) - 1;
+    };
+    const std::vector<LinearDrive> one{driveOfRows(VectorXd{{3, 4}})},
+        two{driveOfRows(VectorXd{{3}}), driveOfRows(VectorXd{{4}})};
+    Problem two_channels = linear_drives::problemOf(one);
+    two_channels.drives[0].channels = {
+        {.name = "first", .measured = {}, .first_row = 0, .times = std::vector<double>(1)},
+        {.name = "second", .measured = {}, .first_row = 1, .times = std::vector<double>(1)}};
+    const double squared = std::pow(100 * 25 / 26.0, 2);  // of the fitted size
+    EXPECT_NEAR(doubtOf(two_channels, one), 0.0025 * 25 * squared, 1e-9 * squared);
+    EXPECT_NEAR(doubtOf(linear_drives::problemOf(two), two), 0.0025 * (81 + 256) / 25 * squared, 1e-9 * squared);
 }
 
 TEST(Hypotheses, AreHalfAsDoubtfulWhenTwoDrivesShareWhatIsExplained) {
@@ -168,7 +211,7 @@ TEST(Hypotheses, AreHalfAsDoubtfulWhenTwoDrivesShareWhatIsExplained) {
         for (const double one : measured) drives.push_back(driveOf(VectorXd{{1e4, 1, 1}}, VectorXd{{one, 0, 0, 0}}));
         const Problem problem = linear_drives::problemOf(drives);
         const Calibration car = linear_drives::calibrationOf(problem, drives);
-        return doubt(car, linear_drives::fitOf(car, {0})) - 1;
+        return doubtAgainst(linear_drives::fitOf(car, {}), car, linear_drives::fitOf(car, {0})) - 1;
     };
     const double half = 1e5 / std::sqrt(2);
     EXPECT_NEAR(doubtOf({half, half}) / doubtOf({1e5}), 0.5, 1e-6);
@@ -185,7 +228,8 @@ TEST(Hypotheses, AreDoubtedInTheMetricOfTheirRemainder) {
     const MatrixXd metric =
         (MatrixXd::Identity(4, 4) + 4 * drive.disturbances * drive.disturbances.transpose()).inverse();
     const VectorXd explained = drive.effects * fit.at;
-    EXPECT_NEAR(doubt(car, fit), 1 + 0.0025 * explained.dot(metric * explained), 1e-12);
+    EXPECT_NEAR(doubtAgainst(linear_drives::fitOf(car, {}), car, fit), 1 + 0.0025 * explained.dot(metric * explained),
+                1e-12);
 }
 
 // Tolerances imitate a signature, not its error: that is a share of the whole signature. A drive counts by what they
@@ -208,7 +252,7 @@ TEST(Hypotheses, AreDoubtedForAllThatTheyChangeInDrivesThatTellThem) {
         own += squares, weighted += squares * drive.effects.col(0).squaredNorm() * size * size;
     }
     ASSERT_LT(own, 0.2 * (900 + 81)) << "tolerances imitate most of it";
-    EXPECT_NEAR(doubt(car, fit), 1 + 0.0025 * weighted / own, 1e-12);
+    EXPECT_NEAR(doubtAgainst(linear_drives::fitOf(car, {}), car, fit), 1 + 0.0025 * weighted / own, 1e-12);
 }
 
 // The truth may resemble a rival as far as its signature is wrong: a share of 0.05 of 20 standard deviations is one of

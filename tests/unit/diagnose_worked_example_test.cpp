@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "diagnose/select/doubt.h"
 #include "diagnose/select/posterior.h"
 #include "diagnose/select/prediction.h"
 #include "diagnose/select/what_remains.h"
@@ -21,7 +20,6 @@ namespace {
 using diagnose::model::Problem;
 using diagnose::select::Calibration;
 using diagnose::select::Candidate;
-using diagnose::select::doubt;
 using diagnose::select::Fit;
 using diagnose::select::Posterior;
 using diagnose::select::posterior;
@@ -40,6 +38,7 @@ using inference::normalEquations;
 using inference::productsOf;
 using inference::QuadraticModel;
 using linear_drives::candidateOf;
+using linear_drives::doubtAgainst;
 using linear_drives::fitOf;
 using linear_drives::LinearDrive;
 using linear_drives::resizedFitOf;
@@ -144,8 +143,9 @@ TEST(WorkedExample, DoubtAndPosteriorOfACatalogueOfThisEffect) {
     EXPECT_NEAR(found.best().fit.at(1), value, kExact);
     // What the effect changes, 2 and 10 times the square of its value, of which the nuisance cannot imitate 14/9 and 6.
     const double weighted = 14 / 9.0 * 2 + 6 * 10;
-    EXPECT_NEAR(doubt(example.car, found.best().fit), 1 + 0.0025 * value * value * weighted / (14 / 9.0 + 6), kExact);
-    EXPECT_NEAR(doubt(example.car, found.best().fit), 1.03576, 5e-6);
+    const double doubted = doubtAgainst(found.none().fit, example.car, found.best().fit);
+    EXPECT_NEAR(doubted, 1 + 0.0025 * value * value * weighted / (14 / 9.0 + 6), kExact);
+    EXPECT_NEAR(doubted, 1.03576, 5e-6);
     const Posterior result = posterior(example.car, found, {true, true});
     EXPECT_EQ(result.variance_factor, 1);
     EXPECT_NEAR(result.ofNothing(), 0.000649, 5e-7);

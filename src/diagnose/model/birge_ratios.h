@@ -4,28 +4,27 @@
 
 #include <map>
 #include <string>
-#include <vector>
 
-#include "diagnose/model/uncertainty.h"
+#include "diagnose/model/channel_squares.h"
 
 namespace tread::diagnose::model {
 
 class BirgeRatios {
 public:
-    // Of a model with these rows and a remainder of these sizes.
-    BirgeRatios(Drives drives, const Uncertainty& uncertainty, const Rows& rows, const Sizes& sizes);
+    // Of a model with these rows. `squares`: beside its remainder.
+    BirgeRatios(Drives drives, const Uncertainty& uncertainty, const ChannelSquares& squares, const Rows& rows);
 
     // Squared ratio for the difference between two models: the mean over the channels, weighted by the squares by which
     // they differ there (D27a).
     double between(const Rows& one, const Rows& other) const;
 
 private:
-    std::map<std::string, double> squaresOf(const std::vector<Eigen::VectorXd>& off) const;
+    std::map<std::string, double> ofChannels(const Rows& whitened) const;
 
     Drives drives_;
     const Uncertainty& uncertainty_;
-    std::vector<inference::Metric> metrics_;  // per drive
-    std::map<std::string, double> squared_;   // by channel, at least 1
+    const ChannelSquares& squares_;
+    std::map<std::string, double> squared_;  // by channel, at least 1
 };
 
 }  // namespace tread::diagnose::model

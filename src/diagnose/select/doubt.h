@@ -1,6 +1,7 @@
 // Doubt about the signatures of effects: a model that explains much may be wrong about it by more than a rival differs.
 #pragma once
 
+#include "diagnose/model/channel_squares.h"
 #include "diagnose/select/search.h"
 
 namespace tread::diagnose::select {
@@ -12,10 +13,10 @@ std::vector<double> explainedIn(const Calibration& car, const Fit& fit, const st
 // True when one drive holds nearly all of what is explained, so that the others cannot test it.
 bool toldByOneDrive(const std::vector<double>& explained);
 
-// Divisor of the evidence against a model. In each drive the error of its signatures may account for a difference of
-// the size of the signatures' error times all that the model changes there, also what its other parameters could
-// imitate: they imitate the signature, not its error. Drives count in proportion to what is explained in them. 1 for
-// the model without effects (D30).
-double doubt(const Calibration& car, const Fit& fit);
+// Divisor of the evidence for a rival, with these rows, against a model. In each channel, the signatures of the model's
+// effects may be wrong by the signatures' error times all that the effects change there, also what its other parameters
+// could imitate: they imitate the signature, not its error. In the worst case, all channels of a drive err towards the
+// rival; drives err independently. 1 for the model without effects (D30).
+double doubt(const Calibration& car, const model::ChannelSquares& squares, const Fit& fit, const Rows& rival);
 
 }  // namespace tread::diagnose::select

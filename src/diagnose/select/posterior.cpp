@@ -99,17 +99,19 @@ Posterior posterior(const Calibration& car, const Search& found, const std::vect
     }
     const Fit& best = found.best().fit;
     Posterior result;
-    const model::BirgeRatios ratios(car.drives(), car.uncertainty, best.rows, best.sizes);
+    const model::ChannelSquares squares(car.drives(), car.uncertainty, best.sizes);
+    const model::BirgeRatios ratios(car.drives(), car.uncertainty, squares, best.rows);
     result.variance_factor = ratios.between(best.rows, found.none().fit.rows);
     std::vector<double> logs;
     for (std::size_t i = 0; i < found.candidates.size(); ++i) {
         if (!possible[i]) continue;
         const Candidate& one = found.candidates[i];
-        const double behind = (strongest - one.log_evidence) / (one.fitted ? doubt(car, one.fit) : 1);
+        const double doubted = one.fitted ? doubt(car, squares, one.fit, best.rows) : 1;
         result.hypotheses.push_back({&one});
         const bool tells = one.fitted && &one != &found.best();
         const double variance = tells ? ratios.between(best.rows, one.fit.rows) : result.variance_factor;
-        logs.push_back(logPrior(car.problem, one.effects.size()) - behind / variance);
+        const double behind = (strongest - one.log_evidence) / (doubted * variance);
+        logs.push_back(logPrior(car.problem, one.effects.size()) - behind);
     }
     normalise(result.hypotheses, std::move(logs));
     return result;

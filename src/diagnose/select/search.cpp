@@ -172,7 +172,8 @@ private:
 
     // Fits the sets that the linear model about a candidate finds about as probable. Tells whether one is better.
     bool fitSetsAbout(const Candidate& best, const Linearisation& here) {
-        const double close = kClose * doubt(car_, best.fit);
+        const model::ChannelSquares squares(car_.drives(), car_.uncertainty, best.fit.sizes);
+        const double close = kClose * doubt(car_, squares, best.fit, fitter_.none().rows);
         bool better = false;
         std::vector<Attempt> attempts;
         for (const PromisingSet& set : promisingSets(car_, here, best, sought())) {
@@ -196,7 +197,7 @@ private:
         const auto more = static_cast<double>(set.effects.size() - best.effects.size());
         const double gain =
             set.promised + logPrior(problem_, best.effects.size()) - logPrior(problem_, set.effects.size());
-        return gain < 0.5 * kSettings.effect * doubt(car_, best.fit) * more;
+        return gain < 0.5 * kSettings.effect * more;
     }
 
     double logProbability(const Candidate& one) const {
@@ -253,9 +254,9 @@ private:
     }
 
     void fitRivalsOfBest() {
-        sort(found_);
-        if (found_.empty() || !found_.front().fitted || found_.front().log_evidence < kSettings.effect) return;
-        const Candidate best = found_.front();
+        if (found_.empty()) return;
+        const Candidate best = mostProbable();
+        if (!best.fitted || best.log_evidence < kSettings.effect) return;
         fitRivals(best, *linearisationAbout(car_, best), endOf(best.fit));
     }
 
@@ -274,9 +275,10 @@ private:
         std::vector<Candidate> rivals;
         for (const Candidate& one : found_)
             if (one.fitted && !one.of(best.effects) &&
-                (one.log_evidence > best.log_evidence - kFarBehind || canImitate(one, best)))
+                (logProbability(one) > logProbability(best) - kFarBehind || canImitate(one, best)))
                 rivals.push_back(one);
-        sort(rivals);
+        std::stable_sort(rivals.begin(), rivals.end(),
+                         [&](const Candidate& a, const Candidate& b) { return logProbability(a) > logProbability(b); });
         if (rivals.size() > kMostRivals) rivals.resize(kMostRivals);
         std::vector<Attempt> attempts;
         for (const Candidate& rival : rivals) {
