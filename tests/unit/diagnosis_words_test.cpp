@@ -208,7 +208,14 @@ TEST(Headline, OfNothingSaysWhatTheGapConsistsOf) {
     d.effects = {{.name = "drag", .probability = 0.93, .parameters = {}}};
     EXPECT_TRUE(headline(d).starts_with("Nothing certain, perhaps drag (p = 0.93): tolerances explain 60 %"))
         << headline(d);
-    d.effects.front().probability = 0.4;
+    d.effects = {{.name = "drag", .probability = 0.4, .parameters = {}},
+                 {.name = "mass", .probability = 0.2, .parameters = {}},
+                 {.name = "wind", .probability = 0.1, .parameters = {}},
+                 {.name = "grade", .probability = 0.09, .parameters = {}}};
+    EXPECT_TRUE(
+        headline(d).starts_with("Nothing certain, perhaps drag (p = 0.40), mass (p = 0.20) or wind (p = 0.10): "))
+        << headline(d);
+    d.probability_of_nothing = 0.4, d.probability_of_unknown = 0.2;
     EXPECT_TRUE(headline(d).starts_with("Nothing found: "));
     d.nuisance = {{"mass", {.z = -3.5}}, {"wheelbase", {.z = 2.9}}};
     EXPECT_TRUE(headline(d).ends_with("; but mass moved by more than 3 standard deviations of its tolerance"));

@@ -102,8 +102,11 @@ std::string whichOf(const Diagnosis& d) {
                                     fmt::join(changes, "; ")));
     }
     if (!lines.empty()) return listed("WHICH", lines);
+    const std::string none = d.verdict == Verdict::nothing ? fmt::format("none is certain (no effect at all: {})",
+                                                                         probabilityInWords(d.probability_of_nothing))
+                                                           : "no effect in the catalogue";
     const std::string law = lawInWords(d.unexplained.law);
-    return listed("WHICH", {"no effect in the catalogue" + (law.empty() ? "" : "; " + law)});
+    return listed("WHICH", {none + (law.empty() ? "" : "; " + law)});
 }
 
 // "mass 1362 (+0.8 sd), inertia.yaw 2010 (+1.8 sd), and 3 others"

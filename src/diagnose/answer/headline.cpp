@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
+#include "base/text/did_you_mean.h"
 #include "diagnose/answer/changed_numbers.h"
 #include "diagnose/answer/parts.h"
 #include "diagnose/answer/words.h"
@@ -153,11 +155,20 @@ std::string ofUnknown(const Diagnosis& d) {
     return text + doubtOfTolerances(d);
 }
 
-// "Nothing certain, perhaps mass (p = 0.9)": an effect may be likely and yet not certain enough to be a cause.
+// "Nothing certain, perhaps mass (p = 0.9)", "Nothing certain, perhaps mass (p = 0.4) or drag (p = 0.3)": that some
+// effect acts may be likely, and yet none certain enough to be a cause.
 std::string nothingNamed(const Diagnosis& d) {
-    constexpr double kLikely = 0.5;
-    if (d.effects.empty() || d.effects.front().probability <= kLikely) return "Nothing found";
-    return "Nothing certain, perhaps " + certainly(d, d.effects.front().name);
+    constexpr double kLikely = 0.5, kLeast = 0.1;  // probability of all effects together, and of one that is told
+    constexpr std::size_t kMostTold = 3;
+    if (d.effects.empty() || 1 - d.probability_of_nothing - d.probability_of_unknown <= kLikely) return "Nothing found";
+    const bool one_is_likely = d.effects.front().probability > kLikely;
+    std::vector<std::string> perhaps;
+    for (const RankedEffect& effect : d.effects) {
+        const bool told = !one_is_likely && effect.probability >= kLeast && perhaps.size() < kMostTold;
+        if (perhaps.empty() || told) perhaps.push_back(certainly(d, effect.name));
+    }
+    const std::vector<std::string_view> names(perhaps.begin(), perhaps.end());
+    return "Nothing certain, perhaps " + tread::listed(names);
 }
 
 std::string ofNothing(const Diagnosis& d) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace tread::diagnose::select {
 namespace {
@@ -9,22 +10,21 @@ namespace {
 // Largest share of what is explained that one drive may hold, for the others to test it.
 constexpr double kOneDrive = 0.9;
 
-// Places of some knobs among the free parameters of a fit.
-std::vector<Eigen::Index> placesInFit(const Fit& fit, const std::vector<Eigen::Index>& knobs) {
-    std::vector<Eigen::Index> places;
-    for (Eigen::Index i = 0; i < std::ssize(fit.free); ++i) {
-        if (std::find(knobs.begin(), knobs.end(), fit.free[i]) != knobs.end()) places.push_back(i);
-    }
+// Places of the free parameters of a fit: first those of some knobs, then the others.
+std::vector<Eigen::Index> knobsFirst(const Fit& fit, const std::vector<Eigen::Index>& knobs) {
+    std::vector<Eigen::Index> places(fit.free.size());
+    std::iota(places.begin(), places.end(), 0);
+    std::stable_partition(places.begin(), places.end(), [&](Eigen::Index i) {
+        return std::find(knobs.begin(), knobs.end(), fit.free[i]) != knobs.end();
+    });
     return places;
 }
 
 }  // namespace
 
 std::vector<double> explainedIn(const Calibration& car, const Fit& fit, const std::vector<Eigen::Index>& knobs) {
-    const Eigen::Index all = std::ssize(fit.free), n = std::ssize(knobs);
-    std::vector<Eigen::Index> order = placesInFit(fit, knobs);  // then the others
-    for (Eigen::Index i = 0; i < all; ++i)
-        if (std::find(order.begin(), order.begin() + n, i) == order.begin() + n) order.push_back(i);
+    const std::vector<Eigen::Index> order = knobsFirst(fit, knobs);
+    const Eigen::Index all = std::ssize(order), n = std::ssize(knobs);
     std::vector<Eigen::MatrixXd> each;
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(all, all);
     for (const model::NormalEquations& one :
@@ -46,8 +46,9 @@ bool toldByOneDrive(const std::vector<double>& explained) {
 }
 
 double doubt(const Calibration& car, const model::ChannelSquares& squares, const Fit& fit, const Rows& rival) {
-    const std::vector<Eigen::Index> places = placesInFit(fit, fit.knobs);
-    if (places.empty()) return 1;
+    if (fit.knobs.empty()) return 1;
+    std::vector<Eigen::Index> places = knobsFirst(fit, fit.knobs);
+    places.resize(fit.knobs.size());
     const Eigen::VectorXd sizes = fit.at(fit.free)(places);
     double differing = 0, aligned = 0;
     for (std::size_t d = 0; d < rival.size(); ++d) {
