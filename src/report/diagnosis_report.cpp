@@ -15,6 +15,7 @@ namespace {
 
 using diagnose::answer::Diagnosis;
 using diagnose::answer::isAnswered;
+using diagnose::answer::isUncertain;
 using DiagnosisVerdict = diagnose::answer::Verdict;
 
 std::string badge(const Diagnosis& d) {
@@ -22,7 +23,7 @@ std::string badge(const Diagnosis& d) {
         case DiagnosisVerdict::explained:
             return "explained";
         case DiagnosisVerdict::nothing:
-            return "nothing found";
+            return isUncertain(d) ? "nothing certain" : "nothing found";
         case DiagnosisVerdict::ambiguous:
             return "ambiguous";
         case DiagnosisVerdict::unknown:
@@ -43,7 +44,7 @@ std::string countOfWarnings(std::size_t count) {
 
 void addHead(HtmlPage& page, const DiagnosisReport& content) {
     const Diagnosis& d = content.diagnosis;
-    page.answer(d.answer + ".", badge(d), isAnswered(d));
+    page.answer(d.answer + ".", badge(d), isAnswered(d) && !isUncertain(d));
     page.keyValues(
         {{"Car", content.vehicle},
          {"Compared with", d.compared ? "the same drives before the car was changed: the gap of the model to them is "

@@ -106,6 +106,9 @@ TEST(DiagnosisPage, BlamesOnlyWhatDeservesIt) {
     d.training.each.clear();
     d.held_out = {};
     d.verdict = Verdict::nothing;
+    d.probability_of_nothing = 0.3;
+    EXPECT_TRUE(contains(page(d), "nothing certain"));
+    d.probability_of_nothing = 0.6;
     const std::string html = page(d);
     EXPECT_FALSE(contains(html, "▶"));
     EXPECT_TRUE(contains(html, "nothing found"));
@@ -267,9 +270,10 @@ TEST(DiagnosisReport, DoesNotCallCausesUnknownThatItNames) {
     EXPECT_TRUE(contains(page(d), "✗ cause unknown"));
 }
 
-// The sign of the badge is the exit status: `tread diagnose` returns it by the same function.
+// The sign of the badge is the exit status of `tread diagnose`, except where some effect is likely and none is certain.
 TEST(DiagnosisReport, TheBadgeIsGoodWhereTheQuestionIsAnswered) {
     Diagnosis d = shared::sampleDiagnosis();
+    d.probability_of_nothing = 1;
     for (const Verdict verdict : {Verdict::explained, Verdict::nothing, Verdict::ambiguous, Verdict::partly_explained,
                                   Verdict::unknown, Verdict::not_testable}) {
         d.verdict = verdict;
@@ -279,6 +283,9 @@ TEST(DiagnosisReport, TheBadgeIsGoodWhereTheQuestionIsAnswered) {
     EXPECT_FALSE(isAnswered(d));
     d.verdict = Verdict::ambiguous;
     EXPECT_TRUE(isAnswered(d));
+    d.verdict = Verdict::nothing;
+    d.probability_of_nothing = 0.3;
+    EXPECT_TRUE(contains(page(d), "verdict bad\">✗")) << "some effect acts, none is certain";
 }
 
 // By hand, from the numbers that stand there.

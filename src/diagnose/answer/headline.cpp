@@ -158,9 +158,9 @@ std::string ofUnknown(const Diagnosis& d) {
 // "Nothing certain, perhaps mass (p = 0.9)", "Nothing certain, perhaps mass (p = 0.4) or drag (p = 0.3)": that some
 // effect acts may be likely, and yet none certain enough to be a cause.
 std::string nothingNamed(const Diagnosis& d) {
-    constexpr double kLikely = 0.5, kLeast = 0.1;  // probability of all effects together, and of one that is told
+    constexpr double kLikely = 0.5, kLeast = 0.1;  // probability of an effect that is told alone, or beside others
     constexpr std::size_t kMostTold = 3;
-    if (d.effects.empty() || 1 - d.probability_of_nothing - d.probability_of_unknown <= kLikely) return "Nothing found";
+    if (!isUncertain(d)) return "Nothing found";
     const bool one_is_likely = d.effects.front().probability > kLikely;
     std::vector<std::string> perhaps;
     for (const RankedEffect& effect : d.effects) {

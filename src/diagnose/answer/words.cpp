@@ -112,6 +112,12 @@ std::vector<std::string> unseenEffects(const Diagnosis& d) {
     return unseen;
 }
 
+bool isUncertain(const Diagnosis& d) {
+    constexpr double kLikely = 0.5;
+    return d.verdict == Verdict::nothing && !d.effects.empty() &&
+           1 - d.probability_of_nothing - d.probability_of_unknown > kLikely;
+}
+
 bool isCause(const Diagnosis& d, const std::string& effect) {
     return std::find(d.causes.begin(), d.causes.end(), effect) != d.causes.end();
 }

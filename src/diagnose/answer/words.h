@@ -58,9 +58,12 @@ std::string separatesInWords(const NextDrive& next);
 // can know.
 std::string evidenceInWords(const NextDrive& next);
 
-// Yes: causes are named, or there is none. No: the cause is not known, or the drives cannot show one. The exit status
-// of the command and the sign of the page's badge.
+// Yes: causes are named, or none is found. No: the cause is not known, or the drives cannot show one. The exit status
+// of the command.
 bool isAnswered(const Diagnosis& diagnosis);
+
+// Whether no cause is named although it is likely that some effect acts: none of them is certain enough.
+bool isUncertain(const Diagnosis& diagnosis);
 
 bool isCause(const Diagnosis& diagnosis, const std::string& effect);
 
