@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 #include <string>
-#include <utility>
 
 #include "diagnose/select/posterior.h"
 #include "shared/linear_drives.h"

@@ -155,8 +155,8 @@ std::string ofUnknown(const Diagnosis& d) {
     return text + doubtOfTolerances(d);
 }
 
-// "Nothing certain, perhaps mass (p = 0.9)", "Nothing certain, perhaps mass (p = 0.4) or drag (p = 0.3)": that some
-// effect acts may be likely, and yet none certain enough to be a cause.
+// "Nothing certain, perhaps mass (p = 0.9)", "Nothing certain, perhaps mass (p = 0.4) or drag (p = 0.3)": it may be
+// likely that some effect acts, although none is certain enough to be a cause.
 std::string nothingNamed(const Diagnosis& d) {
     constexpr double kLikely = 0.5, kLeast = 0.1;  // probability of an effect that is told alone, or beside others
     constexpr std::size_t kMostTold = 3;

@@ -12,8 +12,8 @@ public:
     // Beside a remainder of these sizes.
     ChannelSquares(Drives drives, const Uncertainty& uncertainty, const Sizes& sizes);
 
-    // Of whitened rows of a drive, one value per channel. A channel has less than nothing where the remainder turns
-    // what is seen in another one against it.
+    // Of whitened rows of a drive, one value per channel. The values sum to the squared length of all rows. One may be
+    // negative, because the remainder correlates the channels.
     std::vector<double> in(std::size_t drive, const Eigen::VectorXd& rows) const;
 
 private:
