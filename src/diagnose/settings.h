@@ -42,6 +42,9 @@ struct Settings {
     // large hides effects that last, too small blames the car for drifts.
     double rate_drift = 5e-5, acceleration_drift = 0.003, angle_drift = 1e-3, speed_drift = 0.005,
            drift_correlation = 2;
+    // Guess: a good instrument keeps its scale from drive to drive within a thousandth, and a logger its clocks within
+    // a millisecond. Too large hides an effect that scales or delays a reading.
+    double scale_error = 0.001, timing_error = 0.001;
     // Two thirds of all drives have sizes within a factor of 2.7, one in twenty beyond 7. Narrower lets the model's
     // errors count as evidence for effects.
     double size_spread = 1;
@@ -119,9 +122,11 @@ struct Settings {
         field(TREAD_FIELD(angle_drift), About{"rad", "the same for roll and sideslip angles"});
         field(TREAD_FIELD(speed_drift), About{"m/s", "the same for speeds; wheel speeds are taken at the tyre"});
         field(TREAD_FIELD(drift_correlation), About{"s", "time in which such a drift falls to 1/e: guess"});
+        field(TREAD_FIELD(scale_error), About{"-", "usual error of the scale of an instrument in one drive: guess"});
+        field(TREAD_FIELD(timing_error), About{"s", "usual error of the timing of a channel in one drive: guess"});
         field(TREAD_FIELD(size_spread),
               About{"-", "prior standard deviation of the logarithm of a size of the remainder"});
-        field(TREAD_FIELD(reading_spread), About{"-", "share of this spread for the drift of instruments: guess"});
+        field(TREAD_FIELD(reading_spread), About{"-", "share of this spread for the errors of instruments: guess"});
         field(TREAD_FIELD(ordinary_spread),
               About{"-", "the same for disturbances and model errors of an ordinary drive"});
         field(TREAD_FIELD(imperfection),

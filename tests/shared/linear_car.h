@@ -2,6 +2,7 @@
 // closed forms.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -103,6 +104,22 @@ inline Eigen::MatrixXd drift(const recording::RecordedDrive& drive, const diagno
         between.col(i) = weighted(drive, noise, 5e-5 * tent);
     }
     return between * correlation * between.transpose();
+}
+// Covariances of the weighted rows of a drive by errors of the gyro, of the usual sizes: its drift, readings that are
+// too large by a thousandth, and that come a millisecond late. `rows`: its readings.
+using diagnose::model::Disturbed;
+constexpr std::array kMisread{Disturbed::rate_reading, Disturbed::rate_scale, Disturbed::rate_timing};
+inline std::array<Eigen::MatrixXd, kMisread.size()> misread(const recording::RecordedDrive& drive,
+                                                            const diagnose::model::RowNoise& noise,
+                                                            const Eigen::VectorXd& rows) {
+    const std::vector<double>& times = drive.channels.front().times;
+    Eigen::VectorXd rates(rows.size());
+    for (Eigen::Index i = 0; i < rows.size(); ++i) {
+        const Eigen::Index before = std::max<Eigen::Index>(i - 1, 0), after = std::min(i + 1, rows.size() - 1);
+        rates(i) = (rows(after) - rows(before)) / (times[after] - times[before]);
+    }
+    const Eigen::VectorXd scale = weighted(drive, noise, 0.001 * rows), timing = weighted(drive, noise, -0.001 * rates);
+    return {drift(drive, noise), scale * scale.transpose(), timing * timing.transpose()};
 }
 inline Eigen::VectorXd rowsOf(const recording::RecordedDrive& drive, Wave wave) {
     std::vector<double> values;

@@ -8,6 +8,7 @@
 
 #include "diagnose/model/problem.h"
 #include "inference/ornstein_uhlenbeck.h"
+#include "recording/observation.h"
 #include "shared/linear_single_track.h"
 #include "shared/simple_car.h"
 
@@ -195,7 +196,8 @@ TEST(ErrorsOfReadings, ChangeTheReadingsOfOneChannelAlone) {
         {"chassis.ax", {Disturbed::acceleration_reading, 0.003}},
         {"chassis.ay", {Disturbed::acceleration_reading, 0.003}}};
     const auto values = static_cast<Index>(std::ceil(drive.duration())) + 1;
-    Index first = told.columns.cols() - values * std::ssize(drive.channels);
+    constexpr Index kOfTheDrive = 2;  // errors of scale and timing
+    Index first = told.columns.cols() - (values + kOfTheDrive) * std::ssize(drive.channels);
     for (const recording::ObservedChannel& channel : drive.channels) {
         const auto& [kind, size] = expected.at(channel.name);
         const MatrixXd all = told.columns.middleCols(first, values);
@@ -219,17 +221,51 @@ TEST(ErrorsOfReadings, ChangeTheReadingsOfOneChannelAlone) {
         }
         EXPECT_EQ(all.topRows(channel.first_row).cwiseAbs().sum(), 0) << channel.name;
         EXPECT_EQ(all.bottomRows(drive.rows() - channel.first_row - channel.rows()).cwiseAbs().sum(), 0);
-        first += values;
+        first += values + kOfTheDrive;
+    }
+}
+
+// A reading that is too large by a thousandth, or that comes a millisecond late, throughout a drive.
+TEST(ErrorsOfReadings, ScaleAndDelayOneChannelByAThousandth) {
+    const Swing swing;
+    const RecordedDrive& drive = swing.problem.drives.front();
+    recording::Subject subject = swing.made.nominal;
+    subject.instruments.yaw_rate.bias = 0.02;
+    const Disturbances told = disturbances(swing.problem.replays, drive, subject);
+    const std::optional<Log> motion = motionAt(swing.problem.replays, drive, subject);
+    ASSERT_TRUE(motion);
+    const VectorXd right = recording::readings(drive, *motion, subject.instruments);
+    Index last = 0;
+    for (const recording::ObservedChannel& channel : drive.channels) {
+        const diagnose::model::ReadingErrors errors = diagnose::model::readingErrorsOf(channel.name);
+        recording::Instruments late = subject.instruments;
+        (late.*recording::observedQuantity(channel.name)->instrument).delay = 0.001;
+        const VectorXd later = recording::readings(drive, *motion, late) - right;
+        while (told.kinds[last] != errors.scale) ++last;
+        const VectorXd scale = told.columns.col(last), timing = told.columns.col(last + 1);
+        ASSERT_EQ(told.kinds[last + 1], errors.timing) << channel.name;
+        const double most = later.segment(channel.first_row, channel.rows()).cwiseAbs().maxCoeff();
+        const Index end = channel.first_row + channel.rows();
+        for (Index row = 0; row < drive.rows(); ++row) {
+            const bool its = row >= channel.first_row && row < end;
+            EXPECT_NEAR(scale(row), its ? 0.001 * right(row) : 0, 1e-15) << channel.name;
+            if (!its) {
+                EXPECT_EQ(timing(row), 0) << channel.name;
+            } else if (row > channel.first_row && row < end - 2) {  // the last block is short
+                EXPECT_NEAR(timing(row), later(row), 0.02 * most) << channel.name << ", row " << row;
+            }
+        }
+        last += 2;
     }
 }
 
 TEST(ErrorsOfReadings, AreOfTheInstrumentThatReadsTheChannel) {
-    using diagnose::model::readingErrorOf;
-    EXPECT_EQ(readingErrorOf("chassis.yaw_rate@can"), Disturbed::rate_reading);
-    EXPECT_EQ(readingErrorOf("chassis.roll_rate"), Disturbed::rate_reading);
-    EXPECT_EQ(readingErrorOf("chassis.sideslip"), Disturbed::angle_reading);
-    EXPECT_EQ(readingErrorOf("chassis.vy@position"), Disturbed::speed_reading);
-    EXPECT_EQ(readingErrorOf("wheel.rear_left.spin"), Disturbed::wheel_speed_reading);
+    using diagnose::model::readingErrorsOf;
+    EXPECT_EQ(readingErrorsOf("chassis.yaw_rate@can").drift, Disturbed::rate_reading);
+    EXPECT_EQ(readingErrorsOf("chassis.roll_rate").scale, Disturbed::rate_scale);
+    EXPECT_EQ(readingErrorsOf("chassis.sideslip").timing, Disturbed::angle_timing);
+    EXPECT_EQ(readingErrorsOf("chassis.vy@position").drift, Disturbed::speed_reading);
+    EXPECT_EQ(readingErrorsOf("wheel.rear_left.spin").timing, Disturbed::wheel_speed_timing);
     const VehicleParams car = Swing().made.nominal.vehicle;
     EXPECT_NEAR(usualSize(Disturbed::wheel_speed_reading, car) * car.front.tyre.parameters.Re, 0.005, 1e-12);
 }

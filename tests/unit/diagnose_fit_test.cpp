@@ -22,6 +22,7 @@ using diagnose::model::nominalCar;
 using diagnose::model::Part;
 using diagnose::model::Problem;
 using diagnose::model::problemOf;
+using diagnose::model::Sizes;
 using diagnose::select::calibrate;
 using diagnose::select::Calibration;
 using diagnose::select::Candidate;
@@ -31,6 +32,7 @@ using diagnose::select::screen;
 using diagnose::select::search;
 using diagnose::select::Search;
 using diagnose::select::SizePrior;
+using linear_car::kMisread;
 using simple_car::effect;
 
 using Eigen::Index;
@@ -41,10 +43,11 @@ const diagnose::Progress kQuiet = [](double, const std::string&) {};
 
 constexpr double kStartSpeed = 0.1;  // m/s, of what is not known of the speed at the start
 
-constexpr double kOfDrift = 0.5;  // prior standard deviation of the logarithm of a drift's size
+constexpr double kOfReadings = 0.5;  // prior standard deviation of the logarithm of the size of errors of readings
 
-// Nats: a fit, also that of no effect, ends where a step promises less.
-constexpr double kLastStep = 0.05;
+// Nats: a fit has converged when the next step promises less. In most of these cases, the last step promises less than
+// the second number.
+constexpr double kEnds = 0.2, kLastStep = 0.05;
 
 // The parameters of the problem: wheelbase (a nuisance), ratio, drag, and the model's imperfections along the last two.
 constexpr Index kWheelbase = 0, kRatio = 1, kDrag = 2, kKnobs = 2;
@@ -71,16 +74,17 @@ MatrixXd covarianceOfNumbers(const Fit& fit) {
 }
 
 // All rows of the drives over their noise: what is measured beyond the nominal car, its sensitivities in units of the
-// priors, and the covariance of noise, of the speed at the start and of the gyro's drift.
+// priors, and the covariance of noise, of the speed at the start and of the errors of the gyro's readings.
 struct Dense {
     VectorXd residual;
-    MatrixXd columns, covariance, drift;
+    MatrixXd columns, covariance;
+    std::array<MatrixXd, kMisread.size()> misread;
 
     Dense(const Calibration& car, const VehicleParams& nominal) {
         Index rows = 0;
         for (const auto& drive : car.drives()) rows += drive.rows();
         residual.resize(rows), columns.resize(rows, 3);
-        drift = MatrixXd::Zero(rows, rows);
+        misread.fill(MatrixXd::Zero(rows, rows));
         MatrixXd starts = MatrixXd::Zero(rows, std::ssize(car.drives()));
         Index first = 0;
         for (std::size_t d = 0; d < car.drives().size(); ++d) {
@@ -96,17 +100,20 @@ struct Dense {
             put(columns.col(kRatio), 0.1 * nominal.steering.ratio, linear_car::ofRatio);
             put(columns.col(kDrag), 0.1 * nominal.aero.drag_area, linear_car::ofDrag);
             put(starts.col(d), kStartSpeed * nominal.steering.play, linear_car::ofSpeed);
-            drift.block(first, first, drive.rows(), drive.rows()) = linear_car::drift(drive, car.uncertainty.noise[d]);
+            const auto here = linear_car::misread(drive, car.uncertainty.noise[d], car.about.about.rows[d]);
+            for (std::size_t i = 0; i < here.size(); ++i)
+                misread[i].block(first, first, drive.rows(), drive.rows()) = here[i];
             first += drive.rows();
         }
         covariance = MatrixXd::Identity(rows, rows) + starts * starts.transpose();
     }
 
-    // The same with drift and imperfections of these sizes: those of the fit along each of its knobs that does not
-    // move.
-    Dense with(double of_drift, const Imperfection& imperfection, const Fit& fit) const {
+    // The same with errors of readings and imperfections of these sizes: those of the fit along each of its knobs that
+    // does not move.
+    Dense with(const Sizes& sizes, const Imperfection& imperfection, const Fit& fit) const {
         Dense all = *this;
-        all.covariance += of_drift * of_drift * drift;
+        for (std::size_t i = 0; i < misread.size(); ++i)
+            all.covariance += std::pow(sizes[placeOf(kMisread[i])], 2) * misread[i];
         for (const Index i : fit.imperfections) {
             const Index knob = i - kKnobs;
             const double size = imperfection[static_cast<std::size_t>(knob == kRatio ? Part::steering : Part::body)];
@@ -114,10 +121,13 @@ struct Dense {
         }
         return all;
     }
-    Dense as(const Fit& fit) const { return with(fit.sizes[placeOf(Disturbed::rate_reading)], fit.imperfection, fit); }
+    Dense as(const Fit& fit) const { return with(fit.sizes, fit.imperfection, fit); }
     static double ofPrior(double size, double spread = 1) { return -0.5 * std::pow(std::log(size) / spread, 2); }
-    static double ofPriors(const Fit& fit) {
-        return ofPrior(fit.sizes[placeOf(Disturbed::rate_reading)], kOfDrift) + ofPriors(fit.imperfection);
+    static double ofPriors(const Fit& fit) { return ofPriors(fit.sizes) + ofPriors(fit.imperfection); }
+    static double ofPriors(const Sizes& sizes) {
+        double sum = 0;
+        for (const Disturbed kind : kMisread) sum += ofPrior(sizes[placeOf(kind)], kOfReadings);
+        return sum;
     }
     // About a common size, and this about the usual one; the likeliest common size, found by trying.
     static double ofPriors(const Imperfection& sizes) {
@@ -161,11 +171,11 @@ void expectSame(const VectorXd& found, const VectorXd& expected, double within) 
     EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), within) << found.transpose() << "; " << expected.transpose();
 }
 
-// As near to the best point as a fit goes once the drift has its last size.
+// As near to the best point as a fit goes once the errors of readings have their last sizes.
 void expectNear(const VectorXd& found, const VectorXd& best, const MatrixXd& posterior) {
     ASSERT_EQ(found.size(), best.size());
     const VectorXd off = found - best;
-    EXPECT_LT(0.5 * off.dot(posterior.llt().solve(off)), kLastStep) << found.transpose() << "; " << best.transpose();
+    EXPECT_LT(0.5 * off.dot(posterior.llt().solve(off)), kEnds) << found.transpose() << "; " << best.transpose();
 }
 
 TEST(Fit, OfALinearCarIsRidgeRegressionInTheFullCovariance) {
@@ -393,28 +403,31 @@ void expectSizesOfTheLargestEvidence(const simple_car::Case& made, double short_
         const std::optional<Fit> fit =
             fitted(problem.replays, problem.drives, car.uncertainty, car.about, knobs, {problem.replays.origin()});
         ASSERT_TRUE(fit);
-        const auto merit = [&](double size, double drift, const Imperfection& imperfection) {
-            Dense dense = plain.with(drift, imperfection, *fit);
-            dense.covariance += size * size * pushed;
-            return dense.logEvidence(free) + Dense::ofPrior(size) + Dense::ofPrior(drift, kOfDrift) +
+        const auto merit = [&](const Sizes& sizes, const Imperfection& imperfection) {
+            Dense dense = plain.with(sizes, imperfection, *fit);
+            const double roll = sizes[placeOf(Disturbed::roll)];
+            dense.covariance += roll * roll * pushed;
+            return dense.logEvidence(free) + Dense::ofPrior(roll) + Dense::ofPriors(sizes) +
                    Dense::ofPriors(imperfection);
         };
-        const double size = fit->sizes[placeOf(Disturbed::roll)], drift = fit->sizes[placeOf(Disturbed::rate_reading)];
+        const Sizes& sizes = fit->sizes;
         const Imperfection& imperfection = fit->imperfection;
-        const double here = merit(size, drift, imperfection);
+        const double here = merit(sizes, imperfection);
         EXPECT_NEAR(fit->log_evidence, here, short_of);
         double most = -kInfinity;
-        for (double log_size = -3.5; log_size < 5; log_size += 0.05) {
-            const double other = std::exp(log_size);
-            most = std::max({most, merit(other, drift, imperfection), merit(size, other, imperfection)});
+        for (const Disturbed kind : {Disturbed::roll, kMisread[0], kMisread[1], kMisread[2]}) {
+            for (double log_size = -3.5; log_size < 5; log_size += 0.05) {
+                Sizes other = sizes;
+                other[placeOf(kind)] = std::exp(log_size);
+                most = std::max(most, merit(other, imperfection));
+            }
         }
         for (double log_factor = -2; log_factor < 2; log_factor += 0.05) {
             for (const Part part : {Part::steering, Part::body}) {
                 Imperfection of_part = imperfection;
                 double& of_this = of_part[static_cast<std::size_t>(part)];
                 of_this *= std::exp(log_factor);
-                if (of_this <= diagnose::kSettings.largest_imperfection)
-                    most = std::max(most, merit(size, drift, of_part));
+                if (of_this <= diagnose::kSettings.largest_imperfection) most = std::max(most, merit(sizes, of_part));
             }
         }
         // All parts together, which the size common to them holds less than each by itself.
@@ -422,9 +435,9 @@ void expectSizesOfTheLargestEvidence(const simple_car::Case& made, double short_
             Imperfection all = imperfection;
             for (double& of_part : all) of_part *= std::exp(log_factor);
             if (*std::max_element(all.begin(), all.end()) <= diagnose::kSettings.largest_imperfection)
-                most = std::max(most, merit(size, drift, all));
+                most = std::max(most, merit(sizes, all));
         }
-        EXPECT_LT(most - here, kLastStep) << size << ", " << drift;
+        EXPECT_LT(most - here, kLastStep);
         for (const Disturbed kind :
              {Disturbed::longitudinal, Disturbed::lateral, Disturbed::steering, Disturbed::roll_error})
             EXPECT_EQ(fit->sizes[placeOf(kind)], 1) << nameOf(kind) << " changes nothing in the rows";
@@ -433,7 +446,6 @@ void expectSizesOfTheLargestEvidence(const simple_car::Case& made, double short_
 
 TEST(Fit, HasTheSizesOfTheLargestEvidenceAndTheirPriorInIt) {
     expectSizesOfTheLargestEvidence(someCase(0.95, 1.06), kLastStep);  // the largest imperfections
-    constexpr double kEnds = 0.2;                                      // nats: a fit ends when it promises less
     expectSizesOfTheLargestEvidence(someCase(0.995, 1.01), kEnds);
 }
 
@@ -481,7 +493,7 @@ TEST(Search, OfTwoEffectsThatAreBothTrueFindsBothWithTheEvidenceOfTheClosedForm)
     for (const Index one : {kRatio, kDrag}) {
         const Candidate* single = candidate(found, {static_cast<std::size_t>(one - kRatio)});
         ASSERT_TRUE(single);
-        EXPECT_NEAR(single->log_evidence, evidence(single->fit) - none, kLastStep);
+        EXPECT_NEAR(single->log_evidence, evidence(single->fit) - none, kEnds);
         EXPECT_LT(single->log_evidence, found.best().log_evidence - 2 * diagnose::kSettings.effect)
             << "alone it does not explain the rows";
     }

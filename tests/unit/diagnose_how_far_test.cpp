@@ -51,9 +51,10 @@ struct Driven {
         const VectorXd rows = linear_car::nominalRows(drive, nominal) +
                               0.1 * at * nominal.steering.ratio * linear_car::rowsOf(drive, linear_car::ofRatio);
         const VectorXd off = over(d, drive.measured - rows);
-        const double size = car.uncertainty.sizes[placeOf(diagnose::model::Disturbed::rate_reading)];
-        const Eigen::MatrixXd covariance = Eigen::MatrixXd::Identity(off.size(), off.size()) +
-                                           size * size * linear_car::drift(drive, car.uncertainty.noise[d]);
+        const auto misread = linear_car::misread(drive, car.uncertainty.noise[d], car.about.about.rows[d]);
+        MatrixXd covariance = MatrixXd::Identity(off.size(), off.size());
+        for (std::size_t i = 0; i < misread.size(); ++i)
+            covariance += std::pow(car.uncertainty.sizes[placeOf(linear_car::kMisread[i])], 2) * misread[i];
         return off.dot(covariance.llt().solve(off));
     }
     // Squares by which that car differs from the nominal one.

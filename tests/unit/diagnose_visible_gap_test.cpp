@@ -14,6 +14,7 @@
 namespace tread::diagnose_visible_gap_test {
 namespace {
 
+using diagnose::model::Disturbed;
 using diagnose::model::Problem;
 using diagnose::select::Calibration;
 using diagnose::select::chanceOfGap;
@@ -26,18 +27,37 @@ using linear_drives::normals;
 constexpr int kDrives = 3;
 constexpr Index kRows = 40, kNuisances = 4, kForces = 6;
 
-// Drives of one car without an effect, with forces so many times the usual size.
-std::vector<LinearDrive> drawn(double forces, Random& random) {
+// Drives of one car without an effect, with forces so many times the usual size, which cause so much motion.
+std::vector<LinearDrive> drawn(double forces, Random& random, double motion = 1) {
     const MatrixXd car = normals(kNuisances, 1, random);
     std::vector<LinearDrive> all;
     for (int d = 0; d < kDrives; ++d) {
-        LinearDrive drive{
-            normals(kRows, kNuisances, random), normals(kRows, 1, random), {}, normals(kRows, kForces, random)};
+        LinearDrive drive{normals(kRows, kNuisances, random),
+                          normals(kRows, 1, random),
+                          {},
+                          motion * normals(kRows, kForces, random),
+                          std::vector<Disturbed>(kForces, Disturbed::lateral)};
         drive.measured = normals(kRows, 1, random) + drive.nuisances * car +
                          forces * drive.disturbances * normals(kForces, 1, random);
         all.push_back(std::move(drive));
     }
     return all;
+}
+
+// The same with errors of the readings of two channels, so many times the usual size.
+std::vector<LinearDrive> misread(std::vector<LinearDrive> drives, double errors, Disturbed kind, Random& random) {
+    constexpr Index kOfChannel = kRows / 8;
+    for (LinearDrive& drive : drives) {
+        MatrixXd both = MatrixXd::Zero(kRows, 2);
+        for (const Index channel : {0, 1})
+            both.col(channel).segment(channel * kOfChannel, kOfChannel) = 0.5 * normals(kOfChannel, 1, random);
+        drive.measured += errors * both * normals(2, 1, random);
+        MatrixXd all(kRows, kForces + 2);
+        all << drive.disturbances, both;
+        drive.disturbances = all;
+        drive.kinds.resize(kForces + 2, kind);
+    }
+    return drives;
 }
 
 double chanceIn(const std::vector<LinearDrive>& drives) {
@@ -52,20 +72,43 @@ double chanceIn(const std::vector<LinearDrive>& drives) {
 TEST(VisibleGap, IsAsRareAsItSaysWhereThereIsNothing) {
     Random random(3);
     constexpr int kDraws = 4000;
-    std::vector<double> chances;
-    for (int i = 0; i < kDraws; ++i) chances.push_back(chanceIn(drawn(1, random)));
+    std::vector<double> chances, of_readings;
+    for (int i = 0; i < kDraws; ++i) {
+        chances.push_back(chanceIn(drawn(1, random)));
+        of_readings.push_back(chanceIn(misread(drawn(1, random), 1, Disturbed::speed_scale, random)));
+    }
     for (const double limit : {0.02, 0.1}) {
-        const auto below = static_cast<double>(
-            std::count_if(chances.begin(), chances.end(), [&](double chance) { return chance < limit; }));
-        const double deviation = std::sqrt(limit * kDraws);
-        EXPECT_LE(below, limit * kDraws + 3 * deviation) << limit;
-        EXPECT_GE(below, 0.5 * limit * kDraws) << limit;
+        const auto below = [&](const std::vector<double>& all) {
+            return static_cast<double>(
+                std::count_if(all.begin(), all.end(), [&](double chance) { return chance < limit; }));
+        };
+        const double most = limit * kDraws + 3 * std::sqrt(limit * kDraws);
+        EXPECT_LE(below(chances), most) << limit;
+        EXPECT_GE(below(chances), 0.5 * limit * kDraws) << limit;
+        EXPECT_LE(below(of_readings), most) << limit;
     }
 }
 
 TEST(VisibleGap, IsSeenWhereForcesAreManyTimesTheUsual) {
     Random random(4);
     for (int i = 0; i < 100; ++i) EXPECT_LT(chanceIn(drawn(12, random)), 1e-3);
+}
+
+// All channels show the motion, which is large compared with the error of two of them. It is seen because the others do
+// not show it, but not if it may be a force.
+TEST(VisibleGap, OfAnInstrumentIsSeenThroughTheMotionOfTheCar) {
+    constexpr int kDraws = 100;
+    for (const Disturbed kind : {Disturbed::speed_scale, Disturbed::lateral}) {
+        Random random(5);
+        int seen = 0;
+        for (int i = 0; i < kDraws; ++i)
+            seen += chanceIn(misread(drawn(1, random, 10), 12, kind, random)) < 0.02 ? 1 : 0;
+        if (kind == Disturbed::speed_scale) {
+            EXPECT_GT(seen, 0.9 * kDraws);
+        } else {
+            EXPECT_LT(seen, 0.1 * kDraws);
+        }
+    }
 }
 
 }  // namespace

@@ -237,19 +237,41 @@ Eigen::MatrixXd trembling(const Course& course, const VehicleParams& car, const 
     return columns * valuesAt(hats, course.of(Disturbed::steering));
 }
 
-// Change of the rows by errors of the readings of one channel: rows x impulses (D11b).
-Eigen::MatrixXd misread(const RecordedDrive& drive, const recording::ObservedChannel& channel,
-                        const VehicleParams& car) {
+// Change of the rows by the drift of one channel: rows x impulses (D11b).
+Eigen::MatrixXd drifting(const RecordedDrive& drive, const recording::ObservedChannel& channel,
+                         const VehicleParams& car) {
     const Eigen::Index hats = std::lround(std::ceil(drive.duration() / kDriftHat)) + 1;
     Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(drive.rows(), hats);
     for (Eigen::Index i = 0; i < channel.rows(); ++i)
         for (Eigen::Index h = 0; h < hats; ++h)
             columns(channel.first_row + i, h) = hat(channel.times[i], static_cast<double>(h) * kDriftHat, kDriftHat);
-    return usualSize(readingErrorOf(channel.name), car) * columns *
+    return usualSize(readingErrorsOf(channel.name).drift, car) * columns *
            inference::correlationFactor(hats, kDriftHat, kSettings.drift_correlation);
 }
 
-// Adds the columns of errors of one kind, whose hats are `apart`.
+// Change of the rows by an error of the scale of one channel in this drive (D11c).
+Eigen::VectorXd misscaled(const Course& course, const recording::ObservedChannel& channel) {
+    Eigen::VectorXd column = Eigen::VectorXd::Zero(course.drive.rows());
+    const auto rows = Eigen::seqN(channel.first_row, channel.rows());
+    column(rows) = kSettings.scale_error * course.base.rows(rows);
+    return column;
+}
+
+// Change of the rows by an error of the timing of one channel in this drive: readings that come later (D11c).
+Eigen::VectorXd mistimed(const Course& course, const recording::ObservedChannel& channel) {
+    Eigen::VectorXd column = Eigen::VectorXd::Zero(course.drive.rows());
+    const Eigen::Index last = channel.rows() - 1;
+    for (Eigen::Index i = 0; i <= last && last > 0; ++i) {
+        const Eigen::Index before = std::max<Eigen::Index>(i - 1, 0), after = std::min(i + 1, last);
+        const double change =
+            course.base.rows(channel.first_row + after) - course.base.rows(channel.first_row + before);
+        column(channel.first_row + i) =
+            -kSettings.timing_error * change / (channel.times[after] - channel.times[before]);
+    }
+    return column;
+}
+
+// Adds the columns of errors of one kind, whose hats are `apart`, s; 0 for an error of the whole drive.
 void append(Disturbances& result, Disturbed kind, const Eigen::MatrixXd& errors, double apart) {
     const Eigen::Index more = errors.cols();
     result.columns.conservativeResize(Eigen::NoChange, result.columns.cols() + more);
@@ -296,8 +318,12 @@ void fill(Disturbances& result, const std::vector<PushedReplay>& replays, std::s
         result.columns.middleCols(course.hats[k].first, course.hats[k].count()) =
             forces[k] * course.hats[k].correlation_factor;
     for (std::size_t k = 0; k < errors.size(); ++k) append(result, kForceErrors[k], errors[k], kErrorHat);
-    for (const recording::ObservedChannel& channel : course.drive.channels)
-        append(result, readingErrorOf(channel.name), misread(course.drive, channel, car), kDriftHat);
+    for (const recording::ObservedChannel& channel : course.drive.channels) {
+        const ReadingErrors its = readingErrorsOf(channel.name);
+        append(result, its.drift, drifting(course.drive, channel, car), kDriftHat);
+        append(result, its.scale, misscaled(course, channel), 0);
+        append(result, its.timing, mistimed(course, channel), 0);
+    }
 }
 
 }  // namespace
@@ -317,13 +343,14 @@ HatsOfKinds hatsOver(double duration, Resolution resolution) {
     return all;
 }
 
-Disturbed readingErrorOf(std::string_view channel) {
+ReadingErrors readingErrorsOf(std::string_view channel) {
+    using enum Disturbed;
     const auto contains = [&](const char* part) { return channel.find(part) != std::string_view::npos; };
-    if (contains("_rate")) return Disturbed::rate_reading;
-    if (contains(".spin")) return Disturbed::wheel_speed_reading;
-    if (contains(".ax") || contains(".ay")) return Disturbed::acceleration_reading;
-    if (contains(".vx") || contains(".vy")) return Disturbed::speed_reading;
-    return Disturbed::angle_reading;
+    if (contains("_rate")) return {rate_reading, rate_scale, rate_timing};
+    if (contains(".spin")) return {wheel_speed_reading, wheel_speed_scale, wheel_speed_timing};
+    if (contains(".ax") || contains(".ay")) return {acceleration_reading, acceleration_scale, acceleration_timing};
+    if (contains(".vx") || contains(".vy")) return {speed_reading, speed_scale, speed_timing};
+    return {angle_reading, angle_scale, angle_timing};
 }
 
 bool isFollowed(const RecordedDrive& drive, Disturbed kind, double time) {
@@ -356,6 +383,18 @@ double usualSize(Disturbed kind, const VehicleParams& car) {
             return kSettings.speed_drift;
         case Disturbed::wheel_speed_reading:
             return kSettings.speed_drift / car.front.tyre.parameters.Re;
+        case Disturbed::rate_scale:
+        case Disturbed::acceleration_scale:
+        case Disturbed::angle_scale:
+        case Disturbed::speed_scale:
+        case Disturbed::wheel_speed_scale:
+            return kSettings.scale_error;
+        case Disturbed::rate_timing:
+        case Disturbed::acceleration_timing:
+        case Disturbed::angle_timing:
+        case Disturbed::speed_timing:
+        case Disturbed::wheel_speed_timing:
+            return kSettings.timing_error;
     }
     return 0;
 }

@@ -14,7 +14,8 @@
 
 namespace tread::diagnose::model {
 
-// Disturbances, errors of the model's forces in proportion to these, and errors of the readings.
+// Disturbances, errors of the model's forces in proportion to these, and errors of the readings: drifts, then errors of
+// their scale and of their timing in one drive.
 enum class Disturbed {
     longitudinal,
     lateral,
@@ -29,9 +30,19 @@ enum class Disturbed {
     acceleration_reading,
     angle_reading,
     speed_reading,
-    wheel_speed_reading
+    wheel_speed_reading,
+    rate_scale,
+    acceleration_scale,
+    angle_scale,
+    speed_scale,
+    wheel_speed_scale,
+    rate_timing,
+    acceleration_timing,
+    angle_timing,
+    speed_timing,
+    wheel_speed_timing
 };
-inline constexpr std::array<std::string_view, 14> kDisturbedNames{"longitudinal",
+inline constexpr std::array<std::string_view, 24> kDisturbedNames{"longitudinal",
                                                                   "lateral",
                                                                   "yaw",
                                                                   "roll",
@@ -44,16 +55,23 @@ inline constexpr std::array<std::string_view, 14> kDisturbedNames{"longitudinal"
                                                                   "acceleration readings",
                                                                   "angle readings",
                                                                   "speed readings",
-                                                                  "wheel-speed readings"};
+                                                                  "wheel-speed readings",
+                                                                  "rate scale",
+                                                                  "acceleration scale",
+                                                                  "angle scale",
+                                                                  "speed scale",
+                                                                  "wheel-speed scale",
+                                                                  "rate timing",
+                                                                  "acceleration timing",
+                                                                  "angle timing",
+                                                                  "speed timing",
+                                                                  "wheel-speed timing"};
 inline constexpr std::size_t kDisturbances = kDisturbedNames.size();
 // The kinds that act at any time. Steering is the last of them.
 inline constexpr std::array<Disturbed, 5> kDisturbedKinds{Disturbed::longitudinal, Disturbed::lateral, Disturbed::yaw,
                                                           Disturbed::roll, Disturbed::steering};
 inline constexpr std::array<Disturbed, 4> kForceErrors{Disturbed::longitudinal_error, Disturbed::lateral_error,
                                                        Disturbed::yaw_error, Disturbed::roll_error};
-inline constexpr std::array<Disturbed, 5> kReadingErrors{Disturbed::rate_reading, Disturbed::acceleration_reading,
-                                                         Disturbed::angle_reading, Disturbed::speed_reading,
-                                                         Disturbed::wheel_speed_reading};
 
 using Sizes = std::array<double, kDisturbances>;  // of each kind, as a multiple of its usual size
 
@@ -64,20 +82,19 @@ constexpr std::string_view nameOf(Disturbed kind) {
     return kDisturbedNames[placeOf(kind)];
 }
 
-constexpr bool isReading(Disturbed kind) {
-    return kind >= kReadingErrors.front();
-}
-
 // Known from the data sheet of an instrument. The roll angle drifts with the tilt of the road.
 constexpr bool isInstruments(Disturbed kind) {
-    return isReading(kind) && kind != Disturbed::angle_reading;
+    return kind >= Disturbed::rate_reading && kind != Disturbed::angle_reading;
 }
 
-// The error of readings that a channel can have.
-Disturbed readingErrorOf(std::string_view channel);
+// The errors of readings that a channel can have.
+struct ReadingErrors {
+    Disturbed drift, scale, timing;
+};
+ReadingErrors readingErrorsOf(std::string_view channel);
 
 // Usual size of a disturbance of this car: N (longitudinal, lateral), N m (yaw, roll), rad at the road wheels
-// (steering), unit of the channel (readings).
+// (steering), unit of the channel (drift of readings), share of the reading (scale), s (timing).
 double usualSize(Disturbed kind, const VehicleParams& car);
 
 // Distance of the hats. Fine: those of lateral, yaw and roll forces resolve the roll resonance of a car; longitudinal

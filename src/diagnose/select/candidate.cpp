@@ -105,9 +105,14 @@ bool othersMovedFurther(const Candidate& single) {
     return moved(0) < moved.maxCoeff();
 }
 
-// Whether numbers stand for an effect: they moved so far that a fit from the calibrated car may end where they do its
-// work.
+// Whether numbers or errors of readings stand for an effect: they are so far from what is usual that a fit from the
+// calibrated car may end where they do its work.
 bool standsForAnEffect(const Calibration& car) {
+    for (std::size_t k = 0; k < model::kDisturbances; ++k) {
+        const auto kind = static_cast<model::Disturbed>(k);
+        if (model::isInstruments(kind) && std::log(car.fit.sizes[k]) > kFar * model::kWidePrior.spreadOf(kind))
+            return true;
+    }
     return (car.fit.at(car.problem.nuisances).array().abs() > kFar).any();
 }
 

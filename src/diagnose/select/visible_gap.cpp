@@ -8,6 +8,7 @@
 
 #include "base/threads/parallel.h"
 #include "diagnose/model/gap.h"
+#include "diagnose/model/remainder.h"
 #include "inference/whitening.h"
 
 namespace tread::diagnose::select {
@@ -45,20 +46,21 @@ private:
     }
 };
 
+// Probability that a sum of squares of this mean and variance is at least `squares`: a multiple of chi squared has the
+// same mean and variance, and its cube root is nearly normal (Satterthwaite 1946; Wilson & Hilferty 1931).
+double chanceOf(double squares, double mean, double variance) {
+    const double spread = variance / (9 * mean * mean);  // 2/9 over the degrees of freedom
+    const double normal = (std::cbrt(squares / mean) - (1 - spread)) / std::sqrt(spread);
+    return 0.5 * std::erfc(normal * std::sqrt(0.5));
+}
+
 // Sum of the squared gaps of one channel in several drives, and of its moments.
 struct Moments {
     double squares = 0, mean = 0, variance = 0;
 
     void add(const Gap& gap) { squares += gap.squares, mean += gap.mean, variance += gap.variance(); }
 
-    // Probability of such a gap, or a larger one: a multiple of chi squared has the same mean and variance, and its
-    // cube root is nearly normal (Satterthwaite 1946; Wilson & Hilferty 1931).
-    double chance() const {
-        if (!(mean > 0 && variance > 0)) return 1;
-        const double spread = variance / (9 * mean * mean);  // 2/9 over the degrees of freedom
-        const double normal = (std::cbrt(squares / mean) - (1 - spread)) / std::sqrt(spread);
-        return 0.5 * std::erfc(normal * std::sqrt(0.5));
-    }
+    double chance() const { return mean > 0 && variance > 0 ? chanceOf(squares, mean, variance) : 1; }
 };
 
 // Covariance of white noise of variance 1 behind the filter, for the rows of one channel.
@@ -88,6 +90,21 @@ std::vector<Block> blocksOf(const Calibration& car, const Fit& fit, const Rows& 
     return blocks;
 }
 
+// The same of the estimated errors of the readings, by kind (D33f): motion that the other channels show as well does
+// not hide them. The data determine at most one degree of freedom per unit of the mean, and a kind has at least one.
+std::vector<double> chancesOfReadings(const Calibration& car, const Fit& fit) {
+    Sizes usual;
+    usual.fill(1);
+    const model::Left left = model::leftBy(car.uncertainty, fit.products, usual, car.problem.replays.threads);
+    std::vector<double> chances;
+    for (std::size_t k = 0; k < model::kDisturbances; ++k) {
+        if (!model::isInstruments(static_cast<model::Disturbed>(k)) || left.determined[k] == 0) continue;
+        const double mean = std::max(1.0, left.determined[k]);
+        chances.push_back(chanceOf(left.squares[k], mean, 2 * mean));
+    }
+    return chances;
+}
+
 }  // namespace
 
 double chanceOfGap(const Calibration& car, const Fit& fit, const Rows& rows) {
@@ -106,10 +123,11 @@ double chanceOfGap(const Calibration& car, const Fit& fit, const Rows& rows) {
     for (std::size_t d = 0; d < rows.size(); ++d)
         for (std::size_t c = 0; c < of_channels[d].size(); ++c)
             channels[car.drives()[d].channels[c].name].add(of_channels[d][c]);
-    double least = 1;
-    for (const Moments& one : drives) least = std::min(least, one.chance());
-    for (const auto& [name, one] : channels) least = std::min(least, one.chance());
-    return std::min(1.0, least * static_cast<double>(drives.size() + channels.size()));
+    std::vector<double> chances = chancesOfReadings(car, fit);
+    for (const Moments& one : drives) chances.push_back(one.chance());
+    for (const auto& [name, one] : channels) chances.push_back(one.chance());
+    const double least = *std::min_element(chances.begin(), chances.end());
+    return std::min(1.0, least * static_cast<double>(chances.size()));
 }
 
 }  // namespace tread::diagnose::select

@@ -10,7 +10,9 @@ namespace tread::diagnose::select {
 struct Remains {
     // Nats by which the remainder as large as estimated is likelier than one of ordinary size (D33).
     double beyond_ordinary = 0;
-    double by_chance = 1;  // probability that chance leaves a gap as large, in any channel or drive (D33b)
+    // Probability that chance leaves a gap as large, in any channel or drive, or errors of readings as large (D33b,
+    // D33f).
+    double by_chance = 1;
     // Nats by which tolerances with long tails are likelier than those that were told: numbers moved too far (D33a).
     double strain = 0;
     double of_law = 0;  // nats that a force law gains beside it (D35)
@@ -20,7 +22,7 @@ struct Remains {
     answer::ForceLaw law;              // that the remainder follows; empty unless clear and visible
     answer::Vibration vibration = {};  // faster than the rows (D33e)
 
-    bool visible() const;        // in the gap; otherwise it needs no cause, however surely it is there
+    bool visible() const;        // otherwise it needs no cause, however surely it is there
     double nats() const;         // for an unknown cause
     double probability() const;  // that a cause of no catalogue is part of it
 };
