@@ -8,6 +8,7 @@
 #include "diagnose/explain/missing_force.h"
 #include "diagnose/explain/next_drive.h"
 #include "diagnose/explain/where.h"
+#include "diagnose/model/remainder.h"
 #include "diagnose/select/baselines.h"
 #include "diagnose/select/car_before.h"
 #include "diagnose/select/verdict.h"
@@ -27,6 +28,18 @@ void tellNuisances(Diagnosis& diagnosis, const model::Problem& problem, const se
     }
 }
 
+// The kind of errors of readings that is furthest beyond its usual size; empty if a kind of force is further.
+std::string instrumentIn(const model::Sizes& sizes) {
+    const auto beyond = [&](std::size_t k) {
+        return model::kWidePrior.deviations(static_cast<model::Disturbed>(k), sizes[k]);
+    };
+    std::size_t furthest = 0;
+    for (std::size_t k = 1; k < model::kDisturbances; ++k)
+        if (beyond(k) > beyond(furthest)) furthest = k;
+    const bool of_instruments = model::isInstruments(static_cast<model::Disturbed>(furthest));
+    return of_instruments && beyond(furthest) > 0 ? std::string(model::kDisturbedNames[furthest]) : std::string();
+}
+
 void tellUnexplained(Diagnosis& diagnosis, const explain::MissingForce& missing, const select::Judgement& judgement) {
     const select::Remains& remains = judgement.remains;
     const auto largest = std::max_element(missing.shares.begin(), missing.shares.end(),
@@ -34,6 +47,7 @@ void tellUnexplained(Diagnosis& diagnosis, const explain::MissingForce& missing,
     answer::Unexplained& unexplained = diagnosis.unexplained;
     unexplained.generalised_force = largest->first;
     unexplained.when = missing.when;
+    unexplained.instrument = instrumentIn(judgement.answer.sizes);
     unexplained.law = remains.law;
     unexplained.vibration = remains.vibration;
     unexplained.beyond_ordinary = std::max(remains.beyond_ordinary, remains.rejected);

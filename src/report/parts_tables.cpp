@@ -110,14 +110,17 @@ void addForces(HtmlPage& page, const Unexplained& rest) {
     std::vector<std::pair<double, std::string>> order;
     for (const auto& [kind, size] : rest.sizes) order.push_back({size, kind});
     std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    constexpr double kUsual = 1.5;  // up to it, a size is not shown
     std::vector<std::vector<Cell>> rows;
-    const double most = order.empty() ? 1 : std::max(order.front().first, 1e-9);
     for (const auto& [size, kind] : order) {
+        if (size <= kUsual) break;
         Cell cell{formatNumber(size, 2), true};
-        cell.bar = size / most;
+        cell.bar = size / order.front().first;
         rows.push_back({{capitalised(diagnose::answer::kindOfForceInWords(kind))}, cell});
     }
     if (!rows.empty()) page.table({"What the model lacks", "Size relative to the usual size"}, rows);
+    page.text(fmt::format("{} of {} kinds of disturbances and errors have at most {} times their usual size.",
+                          order.size() - rows.size(), order.size(), kUsual));
 }
 
 }  // namespace

@@ -166,6 +166,27 @@ TEST(Headline, OfAnUnknownCauseSaysWhatRemainsAndWhatIsExplained) {
         "effect in the catalogue explains it; missing force: lateral");
 }
 
+TEST(Headline, OfAnUnknownCauseSaysThatItLooksLikeAnErrorOfAnInstrument) {
+    Diagnosis d = twoCausesFound();
+    d.causes.clear(), d.training.each.clear();
+    d.verdict = Verdict::unknown;
+    d.training = twoCauses(0.1, 0, 0.8, 0.1);
+    d.unexplained.generalised_force = "longitudinal";
+    d.unexplained.instrument = "speed timing";
+    EXPECT_EQ(headline(d),
+              "Mostly unknown: 80 % of the gap remains unexplained; no effect in the catalogue explains it; it looks "
+              "like an error of an instrument: speeds that come late or early in some drives");
+    d.training.remainder = part(0);
+    EXPECT_EQ(
+        headline(d),
+        "Unknown: nothing of the gap exceeds noise, but what remains looks like an error of an instrument: speeds "
+        "that come late or early in some drives; no effect in the catalogue explains it");
+    d.unexplained.law.follows = "ay|ay|", d.unexplained.law.unit = "m2/s4";
+    EXPECT_EQ(headline(d),
+              "Unknown: nothing of the gap exceeds noise, but what remains follows ay|ay|; no effect in the catalogue "
+              "explains it; missing force: longitudinal");
+}
+
 TEST(Headline, OfAnUnknownCauseSaysThatTheCarVibrates) {
     Diagnosis d = twoCausesFound();
     d.causes.clear();

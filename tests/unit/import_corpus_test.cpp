@@ -43,7 +43,18 @@ TEST(ImportCorpus, EveryMatlabFileIsJudged) {
         ++files;
     }
     EXPECT_GE(files, 6u);
-    EXPECT_EQ(whole, 4u) << "versions 4, 5, one with a variable that matio does not read, and the header of 7.3";
+    EXPECT_EQ(whole, 5u) << "versions 4, 5, with a variable that matio does not read, with an object, header of 7.3";
+}
+
+// matio does not tell the name of an object.
+TEST(ImportCorpus, ObjectsThatTheLibraryDoesNotReadAreTold) {
+    const ForeignTable table = readMat(sourceFile("tests/fuzz/corpus/mat/v5_object.mat"));
+    ASSERT_EQ(table.columns.size(), 2u);
+    EXPECT_EQ(table.columns[0].name, "time");
+    EXPECT_EQ(table.columns[1].name, "speed");
+    EXPECT_EQ(table.notes,
+              std::vector<std::string>{
+                  "1 variable that tread cannot read (objects, tables, cells, complex numbers) was skipped"});
 }
 
 TEST(ImportCorpus, VariablesThatTheLibraryDoesNotReadAreTold) {

@@ -208,10 +208,11 @@ struct Moment {
 struct Unexplained {
     std::string generalised_force;  // longitudinal, lateral, yaw or roll: the largest missing force
     Moment when;                    // moment at which it is largest
+    std::string instrument = {};    // kind of errors of readings that is furthest beyond its usual size, of all kinds
     ForceLaw law = {};              // law that it follows, if one was found
     Vibration vibration = {};
     // Size of each kind of remainder, over that of an ordinary drive: disturbances, errors in proportion to the
-    // acceleration ("lateral error"), drift of readings, and imperfections of each part.
+    // acceleration ("lateral error"), errors of readings, and imperfections of each part.
     std::map<std::string, double> sizes = {};
     double beyond_ordinary = 0;  // nats by which the remainder is larger than ordinary
 };

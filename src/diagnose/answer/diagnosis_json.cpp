@@ -54,6 +54,7 @@ Json unexplainedOf(const Diagnosis& d) {
         {"generalised_force", rest.generalised_force},
         {"channels", remainderOfChannels(d)},
         {"recordings", remainderOfRecordings(d)},
+        {"instrument", rest.instrument},
         {"sizes", rest.sizes},
         {"beyond_ordinary", rest.beyond_ordinary},
         {"when", momentInWords(rest.when)},

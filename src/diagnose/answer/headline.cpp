@@ -78,10 +78,18 @@ std::string vibrates(const Diagnosis& d) {
     return fmt::format("the car vibrates at {:.0f} Hz, unlike before the change", vibration.frequency);
 }
 
+// "looks like an error of an instrument: speeds that come late or early in some drives"; empty for other remainders.
+std::string misreadInWords(const Diagnosis& d) {
+    const std::string& kind = d.unexplained.instrument;
+    return kind.empty() ? "" : "looks like an error of an instrument: " + kindOfForceInWords(kind);
+}
+
 // What speaks for an unknown cause where nothing is left that exceeds noise.
 std::string pattern(const Diagnosis& d) {
-    const std::string vibration = vibrates(d), law = followsInWords(d.unexplained.law);
-    const std::string what_remains = "what remains " + (law.empty() ? "has a pattern" : law);
+    const std::string vibration = vibrates(d), law = followsInWords(d.unexplained.law), misread = misreadInWords(d);
+    const std::string what_remains = "what remains " + (!law.empty()       ? law
+                                                        : !misread.empty() ? misread
+                                                                           : "has a pattern");
     return "nothing of the gap exceeds noise" + inHeldOutDrives(d) + ", but " +
            (vibration.empty() ? what_remains : vibration);
 }
@@ -150,7 +158,9 @@ std::string ofUnknown(const Diagnosis& d) {
     else text += fmt::format("; {} {}", ranked(d, causesInOrder(d)), effectOf(d.training.causes));
     const bool exceeds_noise = !isDecomposed(d.training) || d.training.remainder.share > 0;
     const std::string law = exceeds_noise ? followsInWords(d.unexplained.law) : "";  // else the pattern tells it
-    if (!d.unexplained.generalised_force.empty() && (exceeds_noise || vibrates(d).empty()))
+    const std::string misread = law.empty() ? misreadInWords(d) : "";
+    if (!misread.empty()) text += exceeds_noise ? "; it " + misread : "";
+    else if (!d.unexplained.generalised_force.empty() && (exceeds_noise || vibrates(d).empty()))
         text += fmt::format("; missing force: {}{}", d.unexplained.generalised_force, law.empty() ? "" : ", it " + law);
     return text + doubtOfTolerances(d);
 }

@@ -2,6 +2,8 @@
 // model leaves, together with its parameters, so that the evidence of a model counts on its own remainder.
 #pragma once
 
+#include <cmath>
+
 #include "diagnose/model/uncertainty.h"
 #include "diagnose/settings.h"
 
@@ -14,6 +16,8 @@ struct SizesPrior {
 
     // Of a kind: instruments are better known than roads, wind and forces.
     double spreadOf(Disturbed kind) const { return isInstruments(kind) ? kSettings.reading_spread * spread : spread; }
+    // Standard deviations by which the size of a kind exceeds the usual one.
+    double deviations(Disturbed kind, double size) const { return std::log(size) / spreadOf(kind); }
     double pull(double log_size) const { return pull(log_size, spread); }
     double pull(Disturbed kind, double log_size) const { return pull(log_size, spreadOf(kind)); }
 

@@ -110,8 +110,7 @@ bool othersMovedFurther(const Candidate& single) {
 bool standsForAnEffect(const Calibration& car) {
     for (std::size_t k = 0; k < model::kDisturbances; ++k) {
         const auto kind = static_cast<model::Disturbed>(k);
-        if (model::isInstruments(kind) && std::log(car.fit.sizes[k]) > kFar * model::kWidePrior.spreadOf(kind))
-            return true;
+        if (model::isInstruments(kind) && model::kWidePrior.deviations(kind, car.fit.sizes[k]) > kFar) return true;
     }
     return (car.fit.at(car.problem.nuisances).array().abs() > kFar).any();
 }

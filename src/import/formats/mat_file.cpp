@@ -58,15 +58,20 @@ public:
         } else if (isNumeric(*variable) && variable->data && variable->rank == 2) {
             takeArray(*variable, name);
         } else if (variable->class_type != MAT_C_CHAR && variable->class_type != MAT_C_EMPTY) {
-            ++passed_over_;
-            if (first_.empty()) first_ = name;
+            passOver(name);
         }
+    }
+
+    void passOver(const std::string& name) {
+        ++passed_over_;
+        if (first_.empty()) first_ = name;
     }
 
     void finish() {
         if (passed_over_ == 0) return;
         table_.notes.push_back(std::to_string(passed_over_) + " variable" + (passed_over_ == 1 ? "" : "s") +
-                               " that tread cannot read (objects, tables, cells, complex numbers: " + first_ + ")" +
+                               " that tread cannot read (objects, tables, cells, complex numbers" +
+                               (first_.empty() ? "" : ": " + first_) + ")" +
                                (passed_over_ == 1 ? " was" : " were") + " skipped");
     }
 
@@ -122,7 +127,10 @@ ForeignTable readMat(const std::filesystem::path& path) {
                std::unique_ptr<matvar_t, decltype(matio.varFree)>(matio.varReadNextInfo(mat.get()), matio.varFree)) {
         ++variables;
         const std::string name = info->name ? info->name : "";
-        if (name.empty()) continue;  // where MATLAB keeps the parts of objects
+        if (name.empty()) {  // an object, whose name matio does not tell, or the array with the parts of all objects
+            if (info->class_type == MAT_C_OPAQUE) flatten.passOver(name);
+            continue;
+        }
         std::size_t elements = 1;
         for (int i = 0; i < info->rank; ++i) elements *= std::max<std::size_t>(info->dims[i], 1);
         if (elements > kLargestMat / sizeof(double)) {
