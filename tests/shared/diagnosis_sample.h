@@ -88,7 +88,7 @@ inline diagnose::answer::Diagnosis sampleDiagnosis() {
     d.next = {{"scenarios/sine_sweep.yaml", {"tyre_relaxation"}, {"steering_delay"}, 34},
               {"scenarios/straight_braking_100.yaml", {"brake_gain"}, {}, 120}};
     d.unexplained = {.generalised_force = "lateral", .when = {"sine_sweep", 3.2}};
-    d.unexplained.sizes = {{"lateral", 1.3}, {"yaw error", 0.6}};
+    d.unexplained.sizes = {{"lateral", 1.8}, {"yaw error", 0.6}};
     d.unexplained.beyond_ordinary = 0.4;
     d.credible_set = {"tyre_relaxation"};
     d.baselines = {"steering_delay", "tyre_relaxation"};

@@ -54,7 +54,8 @@ struct Driven {
         const auto misread = linear_car::misread(drive, car.uncertainty.noise[d], car.about.about.rows[d]);
         MatrixXd covariance = MatrixXd::Identity(off.size(), off.size());
         for (std::size_t i = 0; i < misread.size(); ++i)
-            covariance += std::pow(car.uncertainty.sizes[placeOf(linear_car::kMisread[i])], 2) * misread[i];
+            covariance +=
+                std::pow(std::min(1.0, car.uncertainty.sizes[placeOf(linear_car::kMisread[i])]), 2) * misread[i];
         return off.dot(covariance.llt().solve(off));
     }
     // Squares by which that car differs from the nominal one.

@@ -75,7 +75,7 @@ TEST(VisibleGap, IsAsRareAsItSaysWhereThereIsNothing) {
     std::vector<double> chances, of_readings;
     for (int i = 0; i < kDraws; ++i) {
         chances.push_back(chanceIn(drawn(1, random)));
-        of_readings.push_back(chanceIn(misread(drawn(1, random), 1, Disturbed::speed_scale, random)));
+        of_readings.push_back(chanceIn(misread(drawn(1, random), 1, Disturbed::acceleration_scale, random)));
     }
     for (const double limit : {0.02, 0.1}) {
         const auto below = [&](const std::vector<double>& all) {
@@ -98,12 +98,12 @@ TEST(VisibleGap, IsSeenWhereForcesAreManyTimesTheUsual) {
 // not show it, but not if it may be a force.
 TEST(VisibleGap, OfAnInstrumentIsSeenThroughTheMotionOfTheCar) {
     constexpr int kDraws = 100;
-    for (const Disturbed kind : {Disturbed::speed_scale, Disturbed::lateral}) {
+    for (const Disturbed kind : {Disturbed::acceleration_scale, Disturbed::lateral}) {
         Random random(5);
         int seen = 0;
         for (int i = 0; i < kDraws; ++i)
             seen += chanceIn(misread(drawn(1, random, 10), 12, kind, random)) < 0.02 ? 1 : 0;
-        if (kind == Disturbed::speed_scale) {
+        if (kind == Disturbed::acceleration_scale) {
             EXPECT_GT(seen, 0.9 * kDraws);
         } else {
             EXPECT_LT(seen, 0.1 * kDraws);

@@ -65,6 +65,7 @@ TEST(DiagnosisPage, SaysTheAnswerFirstAndWhatItRestsOn) {
                              "a slower signal, held",
                              "6.5 s",
                              "Lateral disturbances",
+                             "1 of 2 kinds of disturbances and errors have at most 1.5 times their usual size",
                              "2310 simulations in 41 s"})
         EXPECT_TRUE(contains(html, said)) << said;
     EXPECT_LT(html.find("Mostly tyre relaxation"), html.find("Parts of the gap"));

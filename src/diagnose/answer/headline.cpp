@@ -158,7 +158,7 @@ std::string ofUnknown(const Diagnosis& d) {
     else text += fmt::format("; {} {}", ranked(d, causesInOrder(d)), effectOf(d.training.causes));
     const bool exceeds_noise = !isDecomposed(d.training) || d.training.remainder.share > 0;
     const std::string law = exceeds_noise ? followsInWords(d.unexplained.law) : "";  // else the pattern tells it
-    const std::string misread = law.empty() ? misreadInWords(d) : "";
+    const std::string misread = followsInWords(d.unexplained.law).empty() ? misreadInWords(d) : "";
     if (!misread.empty()) text += exceeds_noise ? "; it " + misread : "";
     else if (!d.unexplained.generalised_force.empty() && (exceeds_noise || vibrates(d).empty()))
         text += fmt::format("; missing force: {}{}", d.unexplained.generalised_force, law.empty() ? "" : ", it " + law);

@@ -82,8 +82,6 @@ std::string kindOfForceInWords(const std::string& kind) {
         {"rate scale", "rates whose scale differs from drive to drive, or with the reading"},
         {"acceleration scale", "accelerations whose scale differs from drive to drive, or with the reading"},
         {"angle scale", "angles whose scale differs from drive to drive, or with the reading"},
-        {"speed scale", "speeds whose scale differs from drive to drive, or with the reading"},
-        {"wheel-speed scale", "wheel speeds whose scale differs from wheel to wheel or from drive to drive"},
         {"rate timing", "rates that come late or early in some drives"},
         {"acceleration timing", "accelerations that come late or early in some drives"},
         {"angle timing", "angles that come late or early in some drives"},

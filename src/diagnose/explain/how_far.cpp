@@ -18,6 +18,13 @@
 namespace tread::diagnose::explain {
 namespace {
 
+// Larger errors of readings are not part of the floor but of the gap.
+model::Sizes ofTheFloor(model::Sizes sizes) {
+    for (std::size_t k = 0; k < sizes.size(); ++k)
+        if (model::isInstruments(static_cast<model::Disturbed>(k))) sizes[k] = std::min(sizes[k], 1.0);
+    return sizes;
+}
+
 using answer::GapLevels;
 using answer::Overlay;
 using model::Deviation;
@@ -118,6 +125,7 @@ std::map<std::string, double> gapByChannel(const RecordedDrive& drive, const Eig
 Gaps gapsOf(const Judged& judged, const std::array<Deviation, 3>& stages, std::vector<Overlay>& overlays) {
     const std::size_t n = judged.drives.size();
     Gaps gaps{.floor = std::vector<double>(n), .nominal = {}, .calibrated = {}, .extended = {}};
+    const model::Sizes sizes = ofTheFloor(judged.uncertainty.sizes);
     Stage* const each[] = {&gaps.nominal, &gaps.calibrated, &gaps.extended};
     for (Stage* stage : each) stage->rows.resize(n), stage->off.resize(n);
     std::vector<Overlay> here(n);
@@ -138,7 +146,7 @@ Gaps gapsOf(const Judged& judged, const std::array<Deviation, 3>& stages, std::v
             if (driven) rows = *driven;
             *logs[stage] = logOf(drive, rows);
             const Eigen::VectorXd off = driven ? drive.measured - rows : drive.measured;
-            each[stage]->off[d] = model::squaresOf(judged.uncertainty, d, noise.over(off), judged.uncertainty.sizes);
+            each[stage]->off[d] = model::squaresOf(judged.uncertainty, d, noise.over(off), sizes);
         }
         here[d].gap = gapByChannel(drive, gaps.nominal.rows[d], floor);
         here[d].remainder = gapByChannel(drive, gaps.extended.rows[d], floor);

@@ -321,7 +321,7 @@ void fill(Disturbances& result, const std::vector<PushedReplay>& replays, std::s
     for (const recording::ObservedChannel& channel : course.drive.channels) {
         const ReadingErrors its = readingErrorsOf(channel.name);
         append(result, its.drift, drifting(course.drive, channel, car), kDriftHat);
-        append(result, its.scale, misscaled(course, channel), 0);
+        if (its.scale) append(result, *its.scale, misscaled(course, channel), 0);
         append(result, its.timing, mistimed(course, channel), 0);
     }
 }
@@ -346,11 +346,11 @@ HatsOfKinds hatsOver(double duration, Resolution resolution) {
 ReadingErrors readingErrorsOf(std::string_view channel) {
     using enum Disturbed;
     const auto contains = [&](const char* part) { return channel.find(part) != std::string_view::npos; };
-    if (contains("_rate")) return {rate_reading, rate_scale, rate_timing};
-    if (contains(".spin")) return {wheel_speed_reading, wheel_speed_scale, wheel_speed_timing};
-    if (contains(".ax") || contains(".ay")) return {acceleration_reading, acceleration_scale, acceleration_timing};
-    if (contains(".vx") || contains(".vy")) return {speed_reading, speed_scale, speed_timing};
-    return {angle_reading, angle_scale, angle_timing};
+    if (contains("_rate")) return {rate_reading, rate_timing, rate_scale};
+    if (contains(".spin")) return {wheel_speed_reading, wheel_speed_timing};
+    if (contains(".ax") || contains(".ay")) return {acceleration_reading, acceleration_timing, acceleration_scale};
+    if (contains(".vx") || contains(".vy")) return {speed_reading, speed_timing};
+    return {angle_reading, angle_timing, angle_scale};
 }
 
 bool isFollowed(const RecordedDrive& drive, Disturbed kind, double time) {
@@ -386,8 +386,6 @@ double usualSize(Disturbed kind, const VehicleParams& car) {
         case Disturbed::rate_scale:
         case Disturbed::acceleration_scale:
         case Disturbed::angle_scale:
-        case Disturbed::speed_scale:
-        case Disturbed::wheel_speed_scale:
             return kSettings.scale_error;
         case Disturbed::rate_timing:
         case Disturbed::acceleration_timing:

@@ -7,6 +7,7 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -34,15 +35,13 @@ enum class Disturbed {
     rate_scale,
     acceleration_scale,
     angle_scale,
-    speed_scale,
-    wheel_speed_scale,
     rate_timing,
     acceleration_timing,
     angle_timing,
     speed_timing,
     wheel_speed_timing
 };
-inline constexpr std::array<std::string_view, 24> kDisturbedNames{"longitudinal",
+inline constexpr std::array<std::string_view, 22> kDisturbedNames{"longitudinal",
                                                                   "lateral",
                                                                   "yaw",
                                                                   "roll",
@@ -59,8 +58,6 @@ inline constexpr std::array<std::string_view, 24> kDisturbedNames{"longitudinal"
                                                                   "rate scale",
                                                                   "acceleration scale",
                                                                   "angle scale",
-                                                                  "speed scale",
-                                                                  "wheel-speed scale",
                                                                   "rate timing",
                                                                   "acceleration timing",
                                                                   "angle timing",
@@ -87,9 +84,11 @@ constexpr bool isInstruments(Disturbed kind) {
     return kind >= Disturbed::rate_reading && kind != Disturbed::angle_reading;
 }
 
-// The errors of readings that a channel can have.
+// The errors of readings that a channel can have. Speeds have none of scale: satellites measure speed without a scale,
+// and rolling radii hardly change from drive to drive.
 struct ReadingErrors {
-    Disturbed drift, scale, timing;
+    Disturbed drift, timing;
+    std::optional<Disturbed> scale = {};
 };
 ReadingErrors readingErrorsOf(std::string_view channel);
 
