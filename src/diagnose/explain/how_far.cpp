@@ -18,13 +18,6 @@
 namespace tread::diagnose::explain {
 namespace {
 
-// Larger errors of readings are not part of the floor but of the gap.
-model::Sizes ofTheFloor(model::Sizes sizes) {
-    for (std::size_t k = 0; k < sizes.size(); ++k)
-        if (model::isInstruments(static_cast<model::Disturbed>(k))) sizes[k] = std::min(sizes[k], 1.0);
-    return sizes;
-}
-
 using answer::GapLevels;
 using answer::Overlay;
 using model::Deviation;
@@ -119,6 +112,13 @@ std::map<std::string, double> gapByChannel(const RecordedDrive& drive, const Eig
         gap[channel.name] = std::max(0.0, squares - static_cast<double>(compared));
     }
     return gap;
+}
+
+// Sizes of the remainder as far as they are part of the floor: larger errors of readings are part of the gap.
+model::Sizes ofTheFloor(model::Sizes sizes) {
+    for (std::size_t k = 0; k < sizes.size(); ++k)
+        if (model::isInstruments(static_cast<model::Disturbed>(k))) sizes[k] = std::min(sizes[k], 1.0);
+    return sizes;
 }
 
 // Drives every stage of the model and adds its time histories to the overlays.

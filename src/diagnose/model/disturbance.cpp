@@ -260,8 +260,9 @@ Eigen::VectorXd misscaled(const Course& course, const recording::ObservedChannel
 // Change of the rows by an error of the timing of one channel in this drive: readings that come later (D11c).
 Eigen::VectorXd mistimed(const Course& course, const recording::ObservedChannel& channel) {
     Eigen::VectorXd column = Eigen::VectorXd::Zero(course.drive.rows());
+    if (channel.rows() < 2) return column;
     const Eigen::Index last = channel.rows() - 1;
-    for (Eigen::Index i = 0; i <= last && last > 0; ++i) {
+    for (Eigen::Index i = 0; i <= last; ++i) {
         const Eigen::Index before = std::max<Eigen::Index>(i - 1, 0), after = std::min(i + 1, last);
         const double change =
             course.base.rows(channel.first_row + after) - course.base.rows(channel.first_row + before);

@@ -91,7 +91,7 @@ std::vector<Block> blocksOf(const Calibration& car, const Fit& fit, const Rows& 
 }
 
 // The same of the estimated errors of the readings, by kind (D33f): motion that the other channels show as well does
-// not hide them. The data determine at most one degree of freedom per unit of the mean, and a kind has at least one.
+// not hide them. No eigenvalue of their covariance exceeds 1, so that the variance is at most twice the mean.
 std::vector<double> chancesOfReadings(const Calibration& car, const Fit& fit) {
     Sizes usual;
     usual.fill(1);
