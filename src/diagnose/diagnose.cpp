@@ -28,8 +28,10 @@ void tellNuisances(Diagnosis& diagnosis, const model::Problem& problem, const se
     }
 }
 
-// The kind of errors of readings that is furthest beyond its usual size; empty if a kind of force is further.
+// The kind of errors of readings that is furthest beyond its usual size; empty if a kind of force is further, or if
+// none is clearly beyond it.
 std::string instrumentIn(const model::Sizes& sizes) {
+    constexpr double kClearly = 2;  // standard deviations of the prior of a size
     const auto beyond = [&](std::size_t k) {
         return model::kWidePrior.deviations(static_cast<model::Disturbed>(k), sizes[k]);
     };
@@ -37,7 +39,8 @@ std::string instrumentIn(const model::Sizes& sizes) {
     for (std::size_t k = 1; k < model::kDisturbances; ++k)
         if (beyond(k) > beyond(furthest)) furthest = k;
     const bool of_instruments = model::isInstruments(static_cast<model::Disturbed>(furthest));
-    return of_instruments && beyond(furthest) > 0 ? std::string(model::kDisturbedNames[furthest]) : std::string();
+    return of_instruments && beyond(furthest) > kClearly ? std::string(model::kDisturbedNames[furthest])
+                                                         : std::string();
 }
 
 void tellUnexplained(Diagnosis& diagnosis, const explain::MissingForce& missing, const select::Judgement& judgement) {

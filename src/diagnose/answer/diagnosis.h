@@ -208,8 +208,9 @@ struct Moment {
 struct Unexplained {
     std::string generalised_force;  // longitudinal, lateral, yaw or roll: the largest missing force
     Moment when;                    // moment at which it is largest
-    std::string instrument = {};    // kind of errors of readings that is furthest beyond its usual size, of all kinds
-    ForceLaw law = {};              // law that it follows, if one was found
+    // Kind of errors of readings, if it is clearly beyond its usual size, and further than any kind of force.
+    std::string instrument = {};
+    ForceLaw law = {};  // law that it follows, if one was found
     Vibration vibration = {};
     // Size of each kind of remainder, over that of an ordinary drive: disturbances, errors in proportion to the
     // acceleration ("lateral error"), errors of readings, and imperfections of each part.
