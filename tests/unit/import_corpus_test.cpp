@@ -46,6 +46,13 @@ TEST(ImportCorpus, EveryMatlabFileIsJudged) {
     EXPECT_EQ(whole, 5u) << "versions 4, 5, with a variable that matio does not read, with an object, header of 7.3";
 }
 
+// matio would look for the data of such a field within its name, and take half a gigabyte.
+TEST(ImportCorpus, FieldsWithNamesOfTheirOwnAreDamage) {
+    const std::string told = bytesOf(sourceFile("tests/fuzz/corpus/mat/sparse_field_with_a_name.bin"));
+    EXPECT_EQ(matContents(fuzz::MatWriter(told).file()).fault,
+              "is damaged: its variable number 2 has a part that is out of place or claims more than it holds");
+}
+
 // matio does not tell the name of an object.
 TEST(ImportCorpus, ObjectsThatTheLibraryDoesNotReadAreTold) {
     const ForeignTable table = readMat(sourceFile("tests/fuzz/corpus/mat/v5_object.mat"));

@@ -46,6 +46,10 @@ bool isSizes(const std::optional<MatElement>& sizes) {
 bool isName(const std::optional<MatElement>& name) {
     return name && name->type == kInt8Element;
 }
+// The name of a field is that of its struct. matio looks for data where a further one would be.
+bool isNameOfField(const std::optional<MatElement>& name) {
+    return isName(name) && (name->within_tag || name->data.empty());
+}
 // matio looks for a tag within the name of an object.
 bool isNameOfObject(const std::optional<MatElement>& name) {
     const auto is_letter = [](unsigned char c) { return c > ' '; };
@@ -61,7 +65,7 @@ public:
     explicit MatWalk(bool big) : big_(big) {}
 
     // Each returns false where the bytes end before what they claim.
-    bool matrix(std::string_view content, int depth) {
+    bool matrix(std::string_view content, int depth, bool is_field = false) {
         if (content.empty()) return true;  // an array that is empty
         if (depth > kDeepestArray) return false;
         ByteReader reader(content);
@@ -70,7 +74,7 @@ public:
         const std::uint32_t word = wordOf(flags->data, big_), kind = word & 0xff;
         if (kind == kOpaque) return isNameOfObject(next(reader)) && elements(reader);  // no sizes; not read
         const auto sizes = next(reader), name = next(reader);
-        if (!isSizes(sizes) || !isName(name)) return false;
+        if (!isSizes(sizes) || !(is_field ? isNameOfField(name) : isName(name))) return false;
         const std::optional<std::size_t> count = product(sizes->data);
         if (!count) return false;
         if (kind == kCell || kind == kFunction) return matrices(reader, *count, depth);
@@ -107,11 +111,12 @@ private:
         return count;
     }
 
-    bool matrices(ByteReader& reader, std::size_t count, int depth) {
+    bool matrices(ByteReader& reader, std::size_t count, int depth, bool are_fields = false) {
         if (count > reader.left() / kElementTag) return false;
         for (; count > 0; --count) {
             const auto element = next(reader);
-            if (!element || element->type != kMatrixElement || !matrix(element->data, depth + 1)) return false;
+            if (!element || element->type != kMatrixElement || !matrix(element->data, depth + 1, are_fields))
+                return false;
         }
         return true;
     }
@@ -124,7 +129,7 @@ private:
         if (each == 0) return false;
         const std::size_t fields = names->data.size() / each;
         if (fields != 0 && count > reader.left() / fields) return false;
-        return (fields != 0 || count <= reader.size()) && matrices(reader, count * fields, depth);
+        return (fields != 0 || count <= reader.size()) && matrices(reader, count * fields, depth, true);
     }
 
     bool elements(ByteReader& reader) {
