@@ -32,15 +32,11 @@ void tellNuisances(Diagnosis& diagnosis, const model::Problem& problem, const se
 // none is clearly beyond it.
 std::string instrumentIn(const model::Sizes& sizes) {
     constexpr double kClearly = 2;  // standard deviations of the prior of a size
-    const auto beyond = [&](std::size_t k) {
-        return model::kWidePrior.deviations(static_cast<model::Disturbed>(k), sizes[k]);
-    };
-    std::size_t furthest = 0;
-    for (std::size_t k = 1; k < model::kDisturbances; ++k)
-        if (beyond(k) > beyond(furthest)) furthest = k;
-    const bool of_instruments = model::isInstruments(static_cast<model::Disturbed>(furthest));
-    return of_instruments && beyond(furthest) > kClearly ? std::string(model::kDisturbedNames[furthest])
-                                                         : std::string();
+    const auto beyond = [&](model::Disturbed kind) { return model::kWidePrior.deviations(kind, sizes[placeOf(kind)]); };
+    const auto furthest = *std::max_element(model::kAllDisturbed.begin(), model::kAllDisturbed.end(),
+                                            [&](auto a, auto b) { return beyond(a) < beyond(b); });
+    const bool is_error = model::isInstruments(furthest) && beyond(furthest) > kClearly;
+    return is_error ? std::string(nameOf(furthest)) : std::string();
 }
 
 void tellUnexplained(Diagnosis& diagnosis, const explain::MissingForce& missing, const select::Judgement& judgement) {

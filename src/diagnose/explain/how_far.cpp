@@ -116,8 +116,8 @@ std::map<std::string, double> gapByChannel(const RecordedDrive& drive, const Eig
 
 // Sizes of the remainder as far as they are part of the floor: larger errors of readings are part of the gap.
 model::Sizes ofTheFloor(model::Sizes sizes) {
-    for (std::size_t k = 0; k < sizes.size(); ++k)
-        if (model::isInstruments(static_cast<model::Disturbed>(k))) sizes[k] = std::min(sizes[k], 1.0);
+    for (const model::Disturbed kind : model::kAllDisturbed)
+        if (model::isInstruments(kind)) sizes[placeOf(kind)] = std::min(sizes[placeOf(kind)], 1.0);
     return sizes;
 }
 

@@ -78,6 +78,12 @@ constexpr std::size_t placeOf(Disturbed kind) {
 constexpr std::string_view nameOf(Disturbed kind) {
     return kDisturbedNames[placeOf(kind)];
 }
+// Every kind, in the order of its place.
+inline constexpr std::array<Disturbed, kDisturbances> kAllDisturbed = [] {
+    std::array<Disturbed, kDisturbances> kinds{};
+    for (std::size_t place = 0; place < kDisturbances; ++place) kinds[place] = static_cast<Disturbed>(place);
+    return kinds;
+}();
 
 // Known from the data sheet of an instrument. The roll angle drifts with the tilt of the road.
 constexpr bool isInstruments(Disturbed kind) {

@@ -50,9 +50,9 @@ Left leftBy(const Uncertainty& uncertainty, const std::vector<inference::Disturb
 
 double logPrior(const Sizes& sizes, const SizesPrior& prior) {
     double sum = 0;
-    for (std::size_t k = 0; k < kDisturbances; ++k) {
-        const double log_size = std::log(sizes[k]);
-        sum -= 0.5 * log_size * prior.pull(static_cast<Disturbed>(k), log_size);
+    for (const Disturbed kind : kAllDisturbed) {
+        const double log_size = std::log(sizes[placeOf(kind)]);
+        sum -= 0.5 * log_size * prior.pull(kind, log_size);
     }
     return sum;
 }
@@ -79,8 +79,9 @@ Sizes improvedSizes(const Uncertainty& uncertainty, const std::vector<DriveProdu
 
 Sizes improvedSizes(const Sizes& sizes, const Left& left, const SizesPrior& prior) {
     Sizes better = sizes;
-    for (std::size_t k = 0; k < kDisturbances; ++k) {
-        const double log_size = std::log(sizes[k]), off = prior.pull(static_cast<Disturbed>(k), log_size);
+    for (const Disturbed kind : kAllDisturbed) {
+        const std::size_t k = placeOf(kind);
+        const double log_size = std::log(sizes[k]), off = prior.pull(kind, log_size);
         const double curvature = left.information(k) + (log_size == 0 ? 0 : off / log_size);
         if (curvature < 1e-9) continue;
         better[k] *= std::exp((left.squares[k] - left.determined[k] - off) / curvature);

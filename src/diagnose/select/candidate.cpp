@@ -108,11 +108,12 @@ bool othersMovedFurther(const Candidate& single) {
 // Whether numbers or errors of readings stand for an effect: they are so far from what is usual that a fit from the
 // calibrated car may end where they do its work.
 bool standsForAnEffect(const Calibration& car) {
-    for (std::size_t k = 0; k < model::kDisturbances; ++k) {
-        const auto kind = static_cast<model::Disturbed>(k);
-        if (model::isInstruments(kind) && model::kWidePrior.deviations(kind, car.fit.sizes[k]) > kFar) return true;
-    }
-    return (car.fit.at(car.problem.nuisances).array().abs() > kFar).any();
+    const bool reading =
+        std::any_of(model::kAllDisturbed.begin(), model::kAllDisturbed.end(), [&](model::Disturbed kind) {
+            return model::isInstruments(kind) &&
+                   model::kWidePrior.deviations(kind, car.fit.sizes[placeOf(kind)]) > kFar;
+        });
+    return reading || (car.fit.at(car.problem.nuisances).array().abs() > kFar).any();
 }
 
 // Where an effect was fitted to keep car and model together; null when it was not.

@@ -97,8 +97,9 @@ std::vector<double> chancesOfReadings(const Calibration& car, const Fit& fit) {
     usual.fill(1);
     const model::Left left = model::leftBy(car.uncertainty, fit.products, usual, car.problem.replays.threads);
     std::vector<double> chances;
-    for (std::size_t k = 0; k < model::kDisturbances; ++k) {
-        if (!model::isInstruments(static_cast<model::Disturbed>(k)) || left.determined[k] == 0) continue;
+    for (const model::Disturbed kind : model::kAllDisturbed) {
+        const std::size_t k = placeOf(kind);
+        if (!model::isInstruments(kind) || left.determined[k] == 0) continue;
         const double mean = std::max(1.0, left.determined[k]);
         chances.push_back(chanceOf(left.squares[k], mean, 2 * mean));
     }

@@ -34,8 +34,8 @@ Sizes sizesUnder(const model::SizesPrior& prior, const Calibration& car, const F
 // determine a size, and as probable as it is that the size is above the usual one. At most 0.
 double costOfFreedom(const Sizes& sizes, const model::Left& left) {
     double nats = 0;
-    for (std::size_t k = 0; k < model::kDisturbances; ++k) {
-        const auto kind = static_cast<model::Disturbed>(k);
+    for (const model::Disturbed kind : model::kAllDisturbed) {
+        const std::size_t k = placeOf(kind);
         const double information = left.information(k);
         const auto width = [&](const model::SizesPrior& prior) {
             return std::sqrt(1 + information * std::pow(prior.spreadOf(kind), 2));
