@@ -33,7 +33,7 @@ using recording::MeasuredChannel;
 using recording::Recording;
 using recording::Subject;
 
-Diagnosis diagnosed(const std::function<Pushing()>& push) {
+Diagnosis diagnosed(const std::function<Pushing()>& push, DriveSet drives = DriveSet::step_steers) {
     Subject nominal;
     nominal.vehicle = planted::nominalCar();
     Truth truth;
@@ -46,7 +46,7 @@ Diagnosis diagnosed(const std::function<Pushing()>& push) {
         channel.channel = sheet.channel, channel.noise = sheet.noise;
     }
     std::vector<Log> logs;
-    for (const Drive& drive : caseDrives(DriveSet::step_steers)) {
+    for (const Drive& drive : caseDrives(drives)) {
         if (drive.hold_out) continue;
         Recording& recording = file.recordings.emplace_back();
         recording.log = recording.name = drive.name;
@@ -121,6 +121,21 @@ TEST(ForceLaw, OfARollSpringThatStiffensIsFound) {
     EXPECT_EQ(d.unexplained.law.follows, "the signed square of the lateral acceleration") << d.answer;
     EXPECT_EQ(d.unexplained.generalised_force, "roll");
     EXPECT_LT(d.unexplained.law.coefficients.at("roll"), 0);
+}
+
+// As of half-shafts of different length.
+TEST(ForceLaw, OfADriveThatPullsToOneSideIsFoundWithItsMoment) {
+    constexpr double kMoment = 250;  // N m per m/s2
+    const auto drivePulls = [] {
+        return [](double, const VehicleInput&, const VehicleOutput& car) {
+            return Push{.force = {}, .moment = {0, 0, kMoment * std::max(car.chassis.ax, 0.0)}};
+        };
+    };
+    const Diagnosis d = diagnosed(drivePulls, DriveSet::coast_and_accelerate);
+    EXPECT_EQ(d.verdict, Verdict::unknown) << d.answer;
+    EXPECT_EQ(d.unexplained.law.follows, "the longitudinal acceleration while the car speeds up") << d.answer;
+    EXPECT_EQ(d.unexplained.generalised_force, "yaw");
+    EXPECT_NEAR(d.unexplained.law.coefficients.at("yaw"), kMoment, 0.2 * kMoment);
 }
 
 TEST(ForceLaw, IsNotSeenInACarThatIsAsItsFileSays) {

@@ -94,13 +94,15 @@ double priorOf(const Sizes& sizes) {
     return diagnose::model::logPrior(sizes, diagnose::model::kWidePrior);
 }
 
+const double kChoices = std::log(51);  // of 17 laws, each of three sizes
+
 // (D35) with the sizes of the fit: the evidence of a law is at least as large beside the remainder that it leaves.
 double gainAtTheSizesOf(const Fit& fit, const std::vector<LinearDrive>& drives,
                         const std::vector<std::size_t>& effects) {
     double most = -kInfinity;
     for (const double force : {2.0, 8.0, 32.0})
         most = std::max(most, densityWithLaw(drives, effects, force, fit.sizes));
-    return most - logDensity(drives, effects, fit.sizes) - std::log(45);
+    return most - logDensity(drives, effects, fit.sizes) - kChoices;
 }
 
 // The search for the sizes ends when their logarithms move by less than 0.05; the density is flat at its maximum.
@@ -151,7 +153,7 @@ TEST(ForceLaws, HaveTheEvidenceOfTheRemainderThatTheyLeave) {
     for (const double force : {8.0, 32.0}) {
         const double with = largestOf(
             [&](const Sizes& sizes) { return densityWithLaw(told.drives, {}, force, sizes) + priorOf(sizes); });
-        expected = std::max(expected, with - before - std::log(45));
+        expected = std::max(expected, with - before - kChoices);
     }
     EXPECT_GT(expected, gainAtTheSizesOf(fit, told.drives, {}) + 5);
     EXPECT_NEAR(ForceLaws(car).best(fit).gain, expected, kNearMaximum);

@@ -80,6 +80,11 @@ const std::vector<Law>& laws() {
              of({"driver.steering_wheel_angle"}, [](const auto& v) { return squareWithSign(v[0]); })},
             {"the product of lateral and longitudinal acceleration", "m2/s4", side,
              of({ax, ay}, [](const auto& v) { return v[0] * v[1]; })},
+            // Of a drive or brakes that pull to one side.
+            {"the longitudinal acceleration while the car speeds up", "m/s2", side,
+             of({ax}, [](const auto& v) { return std::max(v[0], 0.0); })},
+            {"the longitudinal deceleration while the car slows down", "m/s2", side,
+             of({ax}, [](const auto& v) { return std::max(-v[0], 0.0); })},
             {"the magnitude of the lateral acceleration, to the same side in every turn", "m/s2", roll,
              of({ay}, [](const auto& v) { return std::abs(v[0]); })},
             // Of springs or bushes that stiffen, and of slack. (The noise of a roll rate would follow itself.)
