@@ -76,7 +76,8 @@ inline diagnose::model::Uncertainty uncertaintyOf(const std::vector<LinearDrive>
             uncertainty.sizes[placeOf(told.kindOf(i))] = size;
         }
         MatrixXd& directions = uncertainty.directions.emplace_back(MatrixXd::Zero(rows, impulses + 1));
-        directions.leftCols(impulses) = told.disturbances;  // the speed at the start changes nothing
+        directions.leftCols(impulses) = disturbing.columns = told.disturbances;
+        disturbing.by_start_speed = VectorXd::Zero(rows);  // the speed at the start changes nothing
         uncertainty.bare.push_back(inference::productsOf(MatrixXd(rows, 0), directions));
     }
     return uncertainty;

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "diagnose/model/gap.h"
 #include "shared/linear_drives.h"
 
 namespace tread::diagnose_closeness_test {
@@ -13,6 +15,7 @@ namespace {
 using diagnose::select::Calibration;
 using diagnose::select::closesByChance;
 using diagnose::select::Closest;
+using diagnose::select::forcesCloseByChance;
 using linear_drives::MatrixXd;
 using linear_drives::VectorXd;
 
@@ -51,6 +54,48 @@ TEST(Closeness, OfAnEffectMustExceedTheErrorsOfTheSignatures) {
     const double explained = (4 - 0.81) * kRows, least = std::sqrt(0.81 + 10 * 0.01 * explained / 20 / kRows);
     EXPECT_TRUE(byChance(0.9, 0.999 * least, 0.1));
     EXPECT_FALSE(byChance(0.9, 1.001 * least, 0.1));
+}
+
+// A constant force beside a car that leaves a mean of `mean` and a sine whose mean square is `rest`, in units of noise.
+// A nuisance of the same effect stands at `at`.
+bool constantForceByChance(double mean, double rest, double at, double nuisance_effect = 1) {
+    const std::vector<linear_drives::LinearDrive> drives{{MatrixXd::Constant(kRows, 1, nuisance_effect),
+                                                          MatrixXd(kRows, 0),
+                                                          VectorXd::Zero(kRows),
+                                                          MatrixXd(kRows, 0),
+                                                          {}}};
+    const diagnose::model::Problem problem = linear_drives::problemOf(drives);
+    Calibration car = linear_drives::calibrationOf(problem, drives);
+    car.structure_error = 0;
+    car.of_gap = diagnose::model::weightedAsTheGap(car.uncertainty, car.drives());
+    const double turn = 2 * std::numbers::pi / kRows;
+    const VectorXd sine = (2 * turn * VectorXd::LinSpaced(kRows, 0.5, kRows - 0.5)).array().sin();
+    const VectorXd rows = std::sqrt(2 * rest) * sine + VectorXd::Constant(kRows, mean);
+    Closest here{problem.replays.origin(), {rows}};
+    here.at(0) = at;
+    car.closest = here;
+    return forcesCloseByChance(car, {}, here, {MatrixXd::Ones(kRows, 1)});
+}
+
+// The nuisance is at the end of its tolerance and cannot take the place of the force.
+const double kAtItsEnd = -std::sqrt(3.0);
+
+TEST(Closeness, OfAForceMustExceedWhatChanceClosesOfTheRest) {
+    // 20 values share the 600 beyond noise: chance closes twice 30 for each nat, and 5 nats are wanted.
+    const double least = std::sqrt(5 * 2 * 30.0 / kRows);
+    EXPECT_TRUE(constantForceByChance(0.99 * least, 2.5, kAtItsEnd));
+    EXPECT_FALSE(constantForceByChance(1.01 * least, 2.5, kAtItsEnd));
+}
+
+TEST(Closeness, OfAForceMustExceedNoise) {
+    const double least = std::sqrt(5 * 2.0 / kRows);
+    EXPECT_TRUE(constantForceByChance(0.97 * least, 0.8, kAtItsEnd));
+    EXPECT_FALSE(constantForceByChance(1.03 * least, 0.8, kAtItsEnd));
+}
+
+TEST(Closeness, OfAForceIsNothingWhereATolerancePlaysItsPart) {
+    EXPECT_TRUE(constantForceByChance(1, 0.8, 0));
+    EXPECT_FALSE(constantForceByChance(1, 0.8, 0, 0.01)) << "this nuisance closes too little";
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ TEST(ForceLaws, ATenthOfTheirEvidenceCountsForASet) {
     for (const std::vector<std::size_t>& effects : {std::vector<std::size_t>{}, {0}}) {
         const Fit fit = linear_drives::fitOf(car, effects);  // with the usual sizes, which are the true ones
         const double at_least = gainAtTheSizesOf(fit, told.drives, effects);
-        const double gain = laws.best(fit).gain;
+        const double gain = laws.best(fit).told.gain;
         ASSERT_GT(at_least, 10);
         EXPECT_GE(gain, at_least - 1e-6);
         EXPECT_NEAR(gainIfUnknown(laws.best(fit)), std::log(0.9 + 0.1 * std::exp(gain)), 1e-9);
@@ -156,7 +156,7 @@ TEST(ForceLaws, HaveTheEvidenceOfTheRemainderThatTheyLeave) {
         expected = std::max(expected, with - before - kChoices);
     }
     EXPECT_GT(expected, gainAtTheSizesOf(fit, told.drives, {}) + 5);
-    EXPECT_NEAR(ForceLaws(car).best(fit).gain, expected, kNearMaximum);
+    EXPECT_NEAR(ForceLaws(car).best(fit).told.gain, expected, kNearMaximum);
 }
 
 TEST(ForceLaws, ThatDoNotActCostASetLittle) {

@@ -89,7 +89,7 @@ Remains remainsOf(const std::vector<LinearDrive>& drives) {
     const Problem problem = linear_drives::problemOf(drives);
     const Calibration car = linear_drives::calibrationOf(problem, drives);
     const Candidate model{.effects = {0}, .fit = linear_drives::resizedFitOf(car, {0}), .fitted = true};
-    return whatRemains(car, model, model.fit.rows);
+    return whatRemains(car, model, {model.fit.at, model.fit.rows});
 }
 
 bool seen(const Remains& remains) {
@@ -143,6 +143,11 @@ TEST(WhatRemains, IsNotSeenWhereChanceLeavesAsLargeAGap) {
     EXPECT_NEAR((Remains{.beyond_ordinary = 30, .by_chance = 0.021, .law = {}}.probability()), 0.1, 1e-12);
 }
 
+TEST(WhatRemains, IsSeenWhereItsLawClosesMoreOfTheGapThanChance) {
+    EXPECT_TRUE(seen({.beyond_ordinary = 30, .by_chance = 1, .of_law = 1, .law_visible = true, .law = {}}));
+    EXPECT_FALSE(seen({.beyond_ordinary = 30, .by_chance = 1, .of_law = 1, .law_visible = false, .law = {}}));
+}
+
 // The large remainder and the law that it follows together are what an unknown cause gains.
 TEST(WhatRemains, IsSeenSoonerWhereItFollowsALaw) {
     EXPECT_FALSE(seen({.beyond_ordinary = 4, .by_chance = 0, .of_law = 0.3, .law = {}}));
@@ -177,7 +182,7 @@ TEST(WhatRemains, IsSeenWhereOneNumberMovedFarBeyondItsTolerance) {
         const Calibration car = linear_drives::calibrationOf(problem, drives);
         Candidate model{.effects = {0}, .fit = linear_drives::resizedFitOf(car, {0}), .fitted = true};
         model.fit.at(model.fit.free[0]) = moved;
-        const Remains found = whatRemains(car, model, model.fit.rows);
+        const Remains found = whatRemains(car, model, {model.fit.at, model.fit.rows});
         EXPECT_NEAR(found.strain, nats, 1e-4) << moved;
         EXPECT_EQ(seen(found), moved > 4.6) << moved;
     }

@@ -180,7 +180,7 @@ TEST(WorkedExample, SizesOfTheRemainder) {
 TEST(WorkedExample, RemainderIsOrdinary) {
     const ExampleDiagnosis example;
     const diagnose::select::Candidate model{.effects = {0}, .fit = resizedFitOf(example.car, {0}), .fitted = true};
-    const Remains remains = whatRemains(example.car, model, model.fit.rows);
+    const Remains remains = whatRemains(example.car, model, {model.fit.at, model.fit.rows});
     EXPECT_NEAR(remains.beyond_ordinary, -0.1213, 5e-4);
     EXPECT_NEAR(remains.probability(), 0.1, 1e-4);
 }

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "diagnose/select/calibration.h"
+#include "diagnose/select/force_law.h"
 
 namespace tread::diagnose::select {
 
@@ -15,8 +15,8 @@ struct Candidate {
     double log_evidence = 0;           // nats over the model without effects
     Fit fit;                           // empty if not `fitted`; log_evidence is then that of the linear model
     bool fitted = false;
-    SharedLinearisation about = {};               // about its point; nothing if it was not settled
-    answer::ForceLaw law = {.gain = -kInfinity};  // of a force of unknown cause beside the effects
+    SharedLinearisation about = {};  // about its point; nothing if it was not settled
+    FoundLaw law = {};               // of a force of unknown cause beside the effects
 
     // Whether these are the effects, in any order.
     bool of(const std::vector<std::size_t>& others) const;

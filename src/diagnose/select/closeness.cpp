@@ -7,6 +7,7 @@
 #include "base/threads/parallel.h"
 #include "diagnose/model/gap.h"
 #include "diagnose/settings.h"
+#include "inference/bounded_step.h"
 
 namespace tread::diagnose::select {
 namespace {
@@ -33,6 +34,59 @@ double independentErrors(const Calibration& car) {
         errors += shown * model::comparedRows(car.uncertainty, d) * kSettings.block / kErrorLasts;
     }
     return errors;
+}
+
+// What an unrelated effect closes of the gap, for each nat that it would gain by chance, beside a set that leaves
+// `rows`.
+double closedByChance(const Calibration& car, const Rows& rows) {
+    const double explained = std::max(0.0, squaredGapOf(car, car.closest.rows) - squaredGapOf(car, rows));
+    const double by_signature = car.structure_error * car.structure_error * explained;
+    return 2 * std::max(gapBeyondNoise(car, rows), by_signature) / independentErrors(car);
+}
+
+// The linear model of the gap about a car, with these parameters and forces.
+struct Near {
+    std::vector<Eigen::MatrixXd> columns;  // changes of the rows, per drive
+    inference::QuadraticModel model;
+    inference::Bounds bounds;
+
+    // Rows after a step of some first columns to the smallest gap.
+    Rows closest(const Rows& rows, Eigen::Index some) const {
+        const inference::QuadraticModel own{.information = model.information.topLeftCorner(some, some),
+                                            .gradient = model.gradient.head(some),
+                                            .at = model.at.head(some)};
+        const Eigen::VectorXd step =
+            inference::boundedStep(own, 0, {bounds.lowest.head(some), bounds.highest.head(some)});
+        Rows moved = rows;
+        for (std::size_t d = 0; d < moved.size(); ++d) moved[d] += columns[d].leftCols(some) * step;
+        return moved;
+    }
+};
+
+Near nearTo(const Calibration& car, const std::vector<Eigen::Index>& free, const Closest& here,
+            const std::vector<Eigen::MatrixXd>& forces) {
+    const Eigen::Index numbers = std::ssize(free), all = numbers + forces.front().cols();
+    Near near{.columns = {},
+              .model = {},
+              .bounds = {Eigen::VectorXd::Constant(all, -kInfinity), Eigen::VectorXd::Constant(all, kInfinity)}};
+    std::vector<DriveProducts> products;
+    for (std::size_t d = 0; d < forces.size(); ++d) {
+        Eigen::MatrixXd& columns = near.columns.emplace_back(forces[d].rows(), all);
+        columns << car.about.about.columns[d](Eigen::all, free), forces[d];
+        Eigen::MatrixXd rows(columns.rows(), all + 1);
+        rows << car.of_gap.noise[d].over(columns), model::residual(car.drives(), car.of_gap, here.rows, d);
+        products.push_back(model::productsOf(car.of_gap, d, rows));
+    }
+    Eigen::VectorXd at = Eigen::VectorXd::Zero(all);
+    at.head(numbers) = here.at(free);
+    const Replays within = withinTolerances(car);
+    for (Eigen::Index i = 0; i < numbers; ++i) {
+        near.bounds.lowest(i) = within.parameters[free[i]].lowest;
+        near.bounds.highest(i) = within.parameters[free[i]].highest;
+    }
+    near.model = inference::quadraticModel(
+        model::normalEquations(car.of_gap, products, car.of_gap.sizes, car.problem.replays.threads), std::move(at));
+    return near;
 }
 
 }  // namespace
@@ -72,15 +126,21 @@ double scatterOfGap(const Calibration& car) {
 }
 
 bool closesByChance(const Calibration& car, const Closeness& closeness) {
-    const double independent = independentErrors(car), with = squaredGapOf(car, closeness.with.rows);
-    const double explained = std::max(0.0, squaredGapOf(car, car.closest.rows) - with);
-    const double by_signature = car.structure_error * car.structure_error * explained;
-    const double unrelated = std::max(gapBeyondNoise(car, closeness.with.rows), by_signature);
-    if (unrelated == 0) return false;  // what the set leaves is noise, which the evidence takes into account
+    const double by_chance = closedByChance(car, closeness.with.rows), with = squaredGapOf(car, closeness.with.rows);
+    if (by_chance == 0) return false;  // what the set leaves is noise, which the evidence takes into account
     return std::any_of(closeness.without.begin(), closeness.without.end(), [&](const Closest& less) {
-        const double closed = squaredGapOf(car, less.rows) - with;
-        return 0.5 * closed * independent <= kSettings.effect * unrelated;
+        return squaredGapOf(car, less.rows) - with <= kSettings.effect * by_chance;
     });
+}
+
+bool forcesCloseByChance(const Calibration& car, const std::vector<std::size_t>& effects, const Closest& with,
+                         const std::vector<Eigen::MatrixXd>& changes) {
+    const std::vector<Eigen::Index> free = model::joined(car.about.nuisances, car.problem.knobsOf(effects));
+    const Near near = nearTo(car, free, with, changes);
+    const Rows beside = near.closest(with.rows, near.model.at.size());
+    const double closed = squaredGapOf(car, near.closest(with.rows, std::ssize(free))) - squaredGapOf(car, beside);
+    constexpr double kOfNoise = 2;  // of its squares for each nat
+    return closed <= kSettings.effect * std::max(kOfNoise, closedByChance(car, beside));
 }
 
 }  // namespace tread::diagnose::select

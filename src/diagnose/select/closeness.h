@@ -30,4 +30,9 @@ double scatterOfGap(const Calibration& car);
 // the set leaves and of the errors of its signatures (D38d). Never where there is neither.
 bool closesByChance(const Calibration& car, const Closeness& closeness);
 
+// True if forces that act beside a set close no more of the gap than chance may. `with`: the closest car with the set.
+// `changes`: of the rows by each force, per drive. The car stays the closest one in one linear step (D38e).
+bool forcesCloseByChance(const Calibration& car, const std::vector<std::size_t>& effects, const Closest& with,
+                         const std::vector<Eigen::MatrixXd>& changes);
+
 }  // namespace tread::diagnose::select

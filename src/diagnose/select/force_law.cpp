@@ -143,21 +143,28 @@ History historyOf(const Law& law, const Calibration& car) {
     return history;
 }
 
+// Changes of the rows of one drive by each kind of force of a law.
+Eigen::MatrixXd changesOf(const Law& law, const History& history, const Calibration& car, std::size_t drive) {
+    const model::Disturbances& disturbing = car.uncertainty.disturbing[drive];
+    Eigen::MatrixXd changes(disturbing.columns.rows(), std::ssize(law.kinds));
+    for (std::size_t k = 0; k < law.kinds.size(); ++k) {
+        const model::Hats& hats = disturbing.of(law.kinds[k]);
+        const Eigen::VectorXd impulses =
+            hats.correlation_factor.triangularView<Eigen::Lower>().solve(history.unit * history.of_drive[drive][k]);
+        changes.col(static_cast<Eigen::Index>(k)) = disturbing.columns.middleCols(hats.first, hats.count()) * impulses;
+    }
+    return changes;
+}
+
 // Whitened columns of one drive: each kind of force of every law (D34).
 Eigen::MatrixXd columnsOf(const std::vector<History>& histories, const Calibration& car, std::size_t drive) {
-    std::vector<Eigen::VectorXd> columns;
+    Eigen::MatrixXd all(car.uncertainty.disturbing[drive].columns.rows(), 0);
     for (std::size_t l = 0; l < laws().size(); ++l) {
-        const double unit = histories[l].unit / model::disturbanceScale(car.drives()[drive]);
-        for (std::size_t k = 0; k < laws()[l].kinds.size(); ++k) {
-            const model::Hats& hats = car.uncertainty.disturbing[drive].of(laws()[l].kinds[k]);
-            const Eigen::VectorXd impulses =
-                hats.correlation_factor.triangularView<Eigen::Lower>().solve(unit * histories[l].of_drive[drive][k]);
-            columns.emplace_back(car.uncertainty.directions[drive].middleCols(hats.first, hats.count()) * impulses);
-        }
+        const Eigen::MatrixXd changes = changesOf(laws()[l], histories[l], car, drive);
+        all.conservativeResize(Eigen::NoChange, all.cols() + changes.cols());
+        all.rightCols(changes.cols()) = changes;
     }
-    Eigen::MatrixXd all(columns.front().size(), std::ssize(columns));
-    for (Eigen::Index i = 0; i < all.cols(); ++i) all.col(i) = columns[i];
-    return all;
+    return car.uncertainty.noise[drive].over(all);
 }
 
 // Columns of forces, then the residual of a fit, per drive.
@@ -219,7 +226,15 @@ ForceLaws::ForceLaws(const Calibration& car) : car_(car) {
     for (std::size_t d = 0; d < car.drives().size(); ++d) columns_.push_back(columnsOf(histories, car, d));
 }
 
-answer::ForceLaw ForceLaws::best(const Fit& fit) const {
+std::vector<Eigen::MatrixXd> changesBy(const FoundLaw& law, const Calibration& car) {
+    const Law& found = laws()[law.place];
+    const History history = historyOf(found, car);
+    std::vector<Eigen::MatrixXd> changes;
+    for (std::size_t d = 0; d < car.drives().size(); ++d) changes.push_back(changesOf(found, history, car, d));
+    return changes;
+}
+
+FoundLaw ForceLaws::best(const Fit& fit) const {
     const Eigen::MatrixXd products = productsBeside(car_, fit, withResidual(car_, fit, columns_), fit.sizes);
     const Eigen::Index last = products.cols() - 1;
     std::optional<Best> best;
@@ -235,7 +250,7 @@ answer::ForceLaw ForceLaws::best(const Fit& fit) const {
         }
         first += n;
     }
-    return best ? besideItsRemainder(fit, *best) : answer::ForceLaw{.gain = -kInfinity};
+    return best ? FoundLaw{besideItsRemainder(fit, *best), best->law} : FoundLaw{};
 }
 
 answer::ForceLaw ForceLaws::besideItsRemainder(const Fit& fit, const Best& best) const {
@@ -256,9 +271,9 @@ answer::ForceLaw ForceLaws::besideItsRemainder(const Fit& fit, const Best& best)
     return lawOf(law, units, units_[best.law], gain, car_.problem.replays.nominal().vehicle);
 }
 
-double gainIfUnknown(const answer::ForceLaw& law) {
-    const double u = kSettings.unknown_cause, gain = std::max(0.0, law.gain);
-    return gain + std::log((1 - u) * std::exp(-gain) + u * std::exp(std::min(0.0, law.gain)));
+double gainIfUnknown(const FoundLaw& law) {
+    const double u = kSettings.unknown_cause, gain = std::max(0.0, law.told.gain);
+    return gain + std::log((1 - u) * std::exp(-gain) + u * std::exp(std::min(0.0, law.told.gain)));
 }
 
 }  // namespace tread::diagnose::select

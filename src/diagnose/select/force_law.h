@@ -10,13 +10,22 @@
 
 namespace tread::diagnose::select {
 
+// A law beside a model.
+struct FoundLaw {
+    answer::ForceLaw told{.gain = -kInfinity};  // gain -infinity: none gains
+    std::size_t place = 0;                      // among the laws
+};
+
+// Changes of the rows of each drive by each force of a law, at one usual size: root mean square over all drives.
+std::vector<Eigen::MatrixXd> changesBy(const FoundLaw& law, const Calibration& car);
+
 // Their forces are combined from the columns of the disturbances, so nothing is simulated. The car must outlive them.
 class ForceLaws {
 public:
     explicit ForceLaws(const Calibration& car);
 
-    // The law that gains most beside a model, with the remainder that it leaves; gain -infinity when none gains (D35).
-    answer::ForceLaw best(const Fit& fit) const;
+    // The law that gains most beside a model, with the remainder that it leaves (D35).
+    FoundLaw best(const Fit& fit) const;
 
 private:
     struct Best;
@@ -29,6 +38,6 @@ private:
 };
 
 // Nats that a model gains because a force of unknown cause, which follows this law, may act beside it (D35a).
-double gainIfUnknown(const answer::ForceLaw& law);
+double gainIfUnknown(const FoundLaw& law);
 
 }  // namespace tread::diagnose::select

@@ -317,7 +317,7 @@ Judgement judge(answer::Diagnosis& diagnosis, const Calibration& car, const std:
     const Problem& problem = car.problem;
     Answer chosen = answerOf(car, found, held_out);
     const Candidate& named = *chosen.named;
-    Remains remains = whatRemains(car, named, chosen.closeness.with.rows);
+    Remains remains = whatRemains(car, named, chosen.closeness.with);
     remains.rejected = rejectedOver(car, found, chosen);
     remains.vibration = std::move(vibration);
     Judgement judgement{&named, std::move(chosen.fit), std::move(chosen.closeness), std::move(remains),

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "diagnose/model/remainder.h"
+#include "diagnose/select/closeness.h"
 #include "diagnose/select/visible_gap.h"
 #include "diagnose/settings.h"
 
@@ -60,7 +61,7 @@ double natsOfTail(double deviation) {
 }
 
 bool Remains::visible() const {
-    return by_chance < kSettings.false_alarm;
+    return by_chance < kSettings.false_alarm || law_visible;
 }
 
 double Remains::nats() const {
@@ -72,7 +73,7 @@ double Remains::probability() const {
     return std::isfinite(odds) ? odds / (1 + odds) : 1;
 }
 
-Remains whatRemains(const Calibration& car, const Candidate& model, const Rows& rows) {
+Remains whatRemains(const Calibration& car, const Candidate& model, const Closest& closest) {
     const Fit& fit = model.fit;
     const Sizes wide = sizesUnder(model::kLargePrior, car, fit, fit.sizes);
     Sizes usual;
@@ -86,14 +87,16 @@ Remains whatRemains(const Calibration& car, const Candidate& model, const Rows& 
     const double ratio = std::log(model::birgeRatio(car.drives(), car.uncertainty, fit.rows, fit.sizes));
     Remains remains;
     remains.strain = strainOf(fit);
-    remains.by_chance = chanceOfGap(car, fit, rows);
+    remains.by_chance = chanceOfGap(car, fit, closest.rows);
     const double of_ratio = 0.5 * ratio * (model::kOrdinaryPrior.pull(ratio) - model::kLargePrior.pull(ratio)) +
                             (ratio > 0 ? std::log(model::kOrdinaryPrior.spread / model::kLargePrior.spread) : 0);
     remains.beyond_ordinary =
         logEvidenceWith(fit, car.uncertainty, wide) + model::logPrior(wide, model::kLargePrior) - ordinary + of_ratio +
         costOfFreedom(wide, model::leftBy(car.uncertainty, fit.products, wide, car.problem.replays.threads));
-    remains.of_law = std::max(0.0, model.law.gain);
-    if (remains.visible() && model.law.gain > kSettings.clear) remains.law = model.law;
+    remains.of_law = std::max(0.0, model.law.told.gain);
+    remains.law_visible =
+        remains.of_law > 0 && !forcesCloseByChance(car, model.effects, closest, changesBy(model.law, car));
+    if (remains.visible() && remains.of_law > kSettings.clear) remains.law = model.law.told;
     return remains;
 }
 

@@ -15,7 +15,8 @@ struct Remains {
     double by_chance = 1;
     // Nats by which tolerances with long tails are likelier than those that were told: numbers moved too far (D33a).
     double strain = 0;
-    double of_law = 0;  // nats that a force law gains beside it (D35)
+    double of_law = 0;         // nats that a force law gains beside it (D35)
+    bool law_visible = false;  // it closes more of the gap than chance may (D38e)
     // Nats by which sets of effects that cannot be the answer are likelier than those that can: an unknown cause may
     // look like one of them (D33c).
     double rejected = -kInfinity;
@@ -31,7 +32,7 @@ struct Remains {
 // for a deviation, in standard deviations; 0 where it is not (D33a).
 double natsOfTail(double deviation);
 
-// `rows`: of the answer, with its sizes free of their prior.
-Remains whatRemains(const Calibration& car, const Candidate& model, const Rows& rows);
+// `closest`: the closest car with the effects of the model.
+Remains whatRemains(const Calibration& car, const Candidate& model, const Closest& closest);
 
 }  // namespace tread::diagnose::select

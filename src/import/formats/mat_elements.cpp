@@ -46,7 +46,7 @@ bool isSizes(const std::optional<MatElement>& sizes) {
 bool isName(const std::optional<MatElement>& name) {
     return name && name->type == kInt8Element;
 }
-// The name of a field is that of its struct. matio looks for data where a further one would be.
+// A field takes its name from its struct; matio looks for data where a further name would be.
 bool isNameOfField(const std::optional<MatElement>& name) {
     return isName(name) && (name->within_tag || name->data.empty());
 }
