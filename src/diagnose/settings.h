@@ -74,8 +74,9 @@ struct Settings {
     // Guess: a car hardly changes from day to day; weather and load have sizes of their own (D15a). Raising it lets
     // tolerances explain a change.
     double between_days = 0.2;
-    // Guess: the power of its vibrations differs by a factor of two, with road, speed and tyres. Smaller takes those of
-    // another road for a fault.
+    // Guess: the power of its vibrations differs by a factor of two, with road, speed and tyres. It counts like one
+    // channel of the recordings, whose other frequencies tell what it is. Smaller takes those of another road for a
+    // fault.
     double vibration_between_days = 0.7;
     // Guess. With it, 15 of 15 values of effects found on cars of the second generator lay within two standard
     // deviations of the truth (D42).
@@ -142,7 +143,8 @@ struct Settings {
                     "share of its tolerance by which a number of the car may differ between two days, unless weather "
                     "and load change it by more: guess"});
         field(TREAD_FIELD(vibration_between_days),
-              About{"-", "standard deviation of the logarithm of the power of vibrations, from day to day: guess"});
+              About{"-",
+                    "expected standard deviation of the logarithm of the power of vibrations, from day to day: guess"});
         field(TREAD_FIELD(structure), About{"-",
                                             "relative standard deviation of an effect's value because the model's "
                                             "structure may differ from the car's"});

@@ -80,6 +80,26 @@ TEST(Vibration, IsNotARougherRoad) {
     EXPECT_TRUE(isNone(vibrationOf(drives(1, {.rougher = 0.1}))));
 }
 
+// Eight other frequencies differ from the references as much as 7 Hz does, some in one direction, some in the other.
+TEST(Vibration, IsNoneWhereManyFrequenciesDifferAsMuch) {
+    Recorded recorded = drives(1, {7, 0.016});
+    EXPECT_EQ(vibrationOf(recorded).frequency, 7);
+    EXPECT_GT(vibrationOf(recorded).gain, 6);
+    for (const double frequency : {3.0, 4., 10., 11., 14., 15., 18., 19.}) {
+        for (std::vector<Log>* logs : {&recorded.logs, &recorded.references}) {
+            const bool later = std::fmod(frequency, 2) == 0;
+            if ((logs == &recorded.logs) != later) continue;
+            for (Log& log : *logs)
+                for (std::size_t i = 0; i < log.samples(); ++i) {
+                    const double more = 0.016 * std::sin(2 * std::numbers::pi * frequency * log.channels[0].values[i]);
+                    log.channels[1].values[i] += more;
+                    log.channels[2].values[i] += 0.01 * more;
+                }
+        }
+    }
+    EXPECT_TRUE(isNone(vibrationOf(recorded)));
+}
+
 TEST(Vibration, ThatEndedIsNone) {
     Recorded recorded = drives(1, {7, 0.1});
     std::swap(recorded.logs, recorded.references);

@@ -23,7 +23,7 @@ constexpr int kLowest = 3;             // Hz: drivers and manoeuvres are slower
 constexpr int kHighest = 20;           // Hz: above it, a body is no longer rigid
 constexpr double kShown = 0.4;         // highest frequency that samples show, in their rate
 constexpr std::size_t kFewest = 3;     // windows of a drive
-constexpr Eigen::Index kFewestAt = 4;  // frequencies, whose median is the level of a channel
+constexpr Eigen::Index kFewestAt = 6;  // frequencies: of three others, the median is the level of a channel
 
 constexpr std::array<std::string_view, 6> kMotions{"chassis.ax",       "chassis.ay",        "chassis.az",
                                                    "chassis.yaw_rate", "chassis.roll_rate", "chassis.pitch_rate"};
@@ -75,6 +75,12 @@ Spectrum spectrumOf(const std::vector<double>& time, const std::vector<double>& 
     return spectrum;
 }
 
+// Growth of a channel at each frequency: of the logarithm of its power, with the variance of that by noise alone.
+struct Growth {
+    Eigen::ArrayXd at;
+    double by_noise = 0;
+};
+
 // How a channel differs from that of the references.
 struct Difference {
     std::vector<Eigen::ArrayXd> log_power;  // of each drive
@@ -89,24 +95,41 @@ struct Difference {
                     std::pow(std::numbers::ln2, 2);
     }
 
-    // Median over the drives; over all frequencies, what a rougher road or a higher speed changes.
-    Eigen::ArrayXd growth() const {
-        std::vector<double> levels;
+    // Median over the drives.
+    Growth growth() const {
         Eigen::ArrayXd all(log_power.front().size());
         for (Eigen::Index i = 0; i < all.size(); ++i) {
             std::vector<double> drives;
             for (const Eigen::ArrayXd& drive : log_power) drives.push_back(drive(i));
             all(i) = median(std::move(drives));
-            levels.push_back(all(i));
         }
-        return all - median(std::move(levels));
-    }
-
-    double deviation() const {
-        const auto drives = static_cast<double>(log_power.size());
-        return std::hypot(kSettings.vibration_between_days, std::sqrt(0.5 * std::numbers::pi * variance) / drives);
+        return {std::move(all), 0.5 * std::numbers::pi * variance / std::pow(static_cast<double>(log_power.size()), 2)};
     }
 };
+
+// Growth of each channel at one frequency, beyond that at the others: what a rougher road or a higher speed changes.
+// The neighbours are not among the others, because a vibration shows in them as well.
+struct Peak {
+    std::map<std::string, double> height;  // of each channel
+    double between_days = 0;               // variance of a height, as the others tell it
+};
+
+Peak peakAt(Eigen::Index frequency, const std::map<std::string, Growth>& channels) {
+    const auto frequencies = static_cast<double>(channels.begin()->second.at.size());
+    // The expected value counts like one more channel.
+    double squares = frequencies * std::pow(kSettings.vibration_between_days, 2), count = frequencies;
+    Peak peak;
+    for (const auto& [name, growth] : channels) {
+        std::vector<double> others;
+        for (Eigen::Index i = 0; i < growth.at.size(); ++i)
+            if (std::abs(i - frequency) > 1) others.push_back(growth.at(i));
+        const double level = median(others);
+        for (const double other : others) squares += std::pow(other - level, 2) - growth.by_noise, ++count;
+        peak.height[name] = growth.at(frequency) - level;
+    }
+    peak.between_days = std::max(0.0, squares) / count;
+    return peak;
+}
 
 // Frequencies that the samples of all drives show, from the lowest.
 Eigen::Index frequenciesShown(const recording::Recorded& recorded) {
@@ -137,23 +160,22 @@ std::map<std::string, Difference> differences(const recording::Recorded& recorde
 answer::Vibration vibrationOf(const recording::Recorded& recorded) {
     const Eigen::Index frequencies = frequenciesShown(recorded);
     if (frequencies < kFewestAt) return {};
-    const std::map<std::string, Difference> channels = differences(recorded, frequencies);
-    Eigen::ArrayXd nats = Eigen::ArrayXd::Zero(frequencies);
-    std::map<std::string, Eigen::ArrayXd> growths, of_channels;
-    for (const auto& [name, channel] : channels) {
-        const Eigen::ArrayXd growth = channel.growth();
-        const double deviation = channel.deviation();
-        const auto tail = [&](double more) { return more > 0 ? natsOfTail(more / deviation) : 0; };
-        growths[name] = growth;
-        of_channels[name] = growth.unaryExpr(tail);
-        nats += of_channels[name];
+    std::map<std::string, Growth> channels;
+    for (const auto& [name, difference] : differences(recorded, frequencies)) channels[name] = difference.growth();
+    if (channels.empty()) return {};
+    answer::Vibration vibration;
+    for (Eigen::Index i = 0; i < frequencies; ++i) {
+        const Peak peak = peakAt(i, channels);
+        answer::Vibration here{.frequency = static_cast<double>(kLowest + i),
+                               .gain = -std::log(static_cast<double>(frequencies))};
+        for (const auto& [name, height] : peak.height) {
+            const double deviation = std::sqrt(peak.between_days + channels.at(name).by_noise);
+            const double nats = natsOfTail(std::max(0.0, height) / deviation);
+            if (nats > 0) here.growth[name] = std::exp(0.5 * height);
+            here.gain += nats;
+        }
+        if (here.gain > vibration.gain) vibration = std::move(here);
     }
-    Eigen::Index at = 0;
-    const double gain = nats.maxCoeff(&at) - std::log(static_cast<double>(frequencies));
-    if (!(gain > 0)) return {};
-    answer::Vibration vibration{.frequency = static_cast<double>(kLowest + at), .gain = gain};
-    for (const auto& [name, growth] : growths)
-        if (of_channels[name](at) > 0) vibration.growth[name] = std::exp(0.5 * growth(at));
     return vibration;
 }
 
