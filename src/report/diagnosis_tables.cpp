@@ -47,9 +47,9 @@ void addEffects(HtmlPage& page, const Diagnosis& diagnosis) {
     add("no effect visible in these drives", unknown < 1 ? diagnosis.probability_of_nothing / (1 - unknown) : 0, "0");
     page.table({"Effect", "Probability", "Evidence, nats"}, rows);
     page.text(
-        fmt::format("In addition to any of these, there may be an unknown cause ({}). It is reported only if the "
-                    "unexplained part of the gap gives at least {:.0f} nats of evidence for it.",
-                    diagnose::answer::probabilityInWords(unknown), kSettings.clear));
+        fmt::format("In addition to any of these, there may be an unknown cause ({}). It is part of the answer from p = "
+                    "{} on, and beside named causes from p = 0.5 on.",
+                    diagnose::answer::probabilityInWords(unknown), formatNumber(kSettings.sure, 2)));
     if (diagnosis.effects.size() > kShown)
         page.text(
             fmt::format("{} other effects were considered and are less likely.", diagnosis.effects.size() - kShown));

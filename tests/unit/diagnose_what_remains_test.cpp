@@ -85,9 +85,10 @@ double bayesFactor(const std::vector<LinearDrive>& drives) {
     return std::log(large / ordinary);
 }
 
-Remains remainsOf(const std::vector<LinearDrive>& drives) {
+Remains remainsOf(const std::vector<LinearDrive>& drives, double structure_error = 0) {
     const Problem problem = linear_drives::problemOf(drives);
-    const Calibration car = linear_drives::calibrationOf(problem, drives);
+    Calibration car = linear_drives::calibrationOf(problem, drives);
+    car.structure_error = structure_error;
     const Candidate model{.effects = {0}, .fit = linear_drives::resizedFitOf(car, {0}), .fitted = true};
     return whatRemains(car, model, {model.fit.at, model.fit.rows});
 }
@@ -122,6 +123,46 @@ TEST(WhatRemains, IsBeyondOrdinaryByTheEvidenceOfLargerSizes) {
 TEST(WhatRemains, IsSeenWhereItIsManyTimesTheUsual) {
     EXPECT_TRUE(seen(remainsOf(drawn(12, 12))));
     EXPECT_FALSE(seen(remainsOf(drawn(1, 1))));
+}
+
+// What an effect changes may be wrong by more than what remains.
+TEST(WhatRemains, MayBeTheErrorOfASignature) {
+    const std::vector<LinearDrive> drives = drawn(12, 12);
+    const double exact = remainsOf(drives).beyond_ordinary;
+    for (const double error : {0.05, 0.5, 5.0}) {
+        // The error may lie along the remainder in each drive, where its square is at most that of the effect.
+        const double divisor = exact / remainsOf(drives, error).beyond_ordinary;
+        const double of_effect = (divisor - 1) / (error * error);
+        EXPECT_NEAR(of_effect, (exact / remainsOf(drives, 1).beyond_ordinary) - 1, 1e-9 * of_effect);
+        double largest = 0;
+        for (const LinearDrive& drive : drives)
+            largest = std::max(largest, std::pow(1.5, 2) * drive.effects.squaredNorm());
+        EXPECT_GT(of_effect, 0);
+        EXPECT_LT(of_effect, 2 * largest);
+    }
+    EXPECT_FALSE(seen(remainsOf(drives, 50)));
+}
+
+// Without disturbances, the error of the signature along what a number changes has a closed form.
+TEST(WhatRemains, OfANumberThatMovedMayBeTheErrorOfASignature) {
+    constexpr double kMoved = 6, kEffect = 40, kError = 0.05;
+    std::vector<LinearDrive> drives = drawn(0, 0);
+    for (LinearDrive& drive : drives) drive.disturbances.resize(14, 0), drive.kinds.clear();
+    const Problem problem = linear_drives::problemOf(drives);
+    Calibration car = linear_drives::calibrationOf(problem, drives);
+    Candidate model{.effects = {0}, .fit = linear_drives::resizedFitOf(car, {0}), .fitted = true};
+    model.fit.at(model.fit.free[0]) = kMoved, model.fit.at(model.fit.free[1]) = kEffect;
+    car.structure_error = 0;
+    const double strain = whatRemains(car, model, {model.fit.at, model.fit.rows}).strain;
+    double along = 0, length = 0;
+    for (const LinearDrive& drive : drives) {
+        const double number = drive.nuisances.squaredNorm();
+        along += number * std::pow(kEffect, 2) * drive.effects.squaredNorm(), length += number;
+    }
+    car.structure_error = kError;
+    const Remains doubted = whatRemains(car, model, {model.fit.at, model.fit.rows});
+    EXPECT_NEAR(doubted.strain, strain / (1 + kError * kError * along / length), 1e-9);
+    EXPECT_LT(doubted.strain, strain / 10);
 }
 
 // No more and no less likely than before the drives.
@@ -179,7 +220,8 @@ TEST(WhatRemains, IsSeenWhereOneNumberMovedFarBeyondItsTolerance) {
     for (const auto& [moved, nats] : {std::pair{3.0, 0.23813}, {4.5, 4.10192}, {5.0, 5.99328}, {6.0, 10.63890}}) {
         const std::vector<LinearDrive> drives = drawn(1, 1);
         const Problem problem = linear_drives::problemOf(drives);
-        const Calibration car = linear_drives::calibrationOf(problem, drives);
+        Calibration car = linear_drives::calibrationOf(problem, drives);
+        car.structure_error = 0;
         Candidate model{.effects = {0}, .fit = linear_drives::resizedFitOf(car, {0}), .fitted = true};
         model.fit.at(model.fit.free[0]) = moved;
         const Remains found = whatRemains(car, model, {model.fit.at, model.fit.rows});

@@ -178,7 +178,8 @@ TEST(WorkedExample, SizesOfTheRemainder) {
 // The evidence is largest at 0.851 of the usual size, which neither prior limits. That it may be above costs the wide
 // prior a little.
 TEST(WorkedExample, RemainderIsOrdinary) {
-    const ExampleDiagnosis example;
+    ExampleDiagnosis example;
+    example.car.structure_error = 0;
     const diagnose::select::Candidate model{.effects = {0}, .fit = resizedFitOf(example.car, {0}), .fitted = true};
     const Remains remains = whatRemains(example.car, model, {model.fit.at, model.fit.rows});
     EXPECT_NEAR(remains.beyond_ordinary, -0.1213, 5e-4);

@@ -45,23 +45,31 @@ bool toldByOneDrive(const std::vector<double>& explained) {
     return *std::max_element(explained.begin(), explained.end()) >= kOneDrive * sum;
 }
 
-double doubt(const Calibration& car, const model::ChannelSquares& squares, const Fit& fit, const Rows& rival) {
+double doubtAlong(const Calibration& car, const model::ChannelSquares& squares, const Fit& fit,
+                  const std::vector<Eigen::VectorXd>& off) {
     if (fit.knobs.empty()) return 1;
     std::vector<Eigen::Index> places = knobsFirst(fit, fit.knobs);
     places.resize(fit.knobs.size());
     const Eigen::VectorXd sizes = fit.at(fit.free)(places);
     double differing = 0, aligned = 0;
-    for (std::size_t d = 0; d < rival.size(); ++d) {
+    for (std::size_t d = 0; d < off.size(); ++d) {
         const std::vector<double> changed = squares.in(d, fit.columns[d](Eigen::all, places) * sizes);
-        const std::vector<double> between = squares.in(d, car.uncertainty.noise[d].over(rival[d] - fit.rows[d]));
+        const std::vector<double> between = squares.in(d, off[d]);
         double along = 0;
         for (std::size_t c = 0; c < changed.size(); ++c) {
-            const double off = std::max(0.0, between[c]);
-            differing += off, along += std::sqrt(off * std::max(0.0, changed[c]));
+            const double square = std::max(0.0, between[c]);
+            differing += square, along += std::sqrt(square * std::max(0.0, changed[c]));
         }
         aligned += along * along;
     }
     return differing > 0 ? 1 + car.structure_error * car.structure_error * aligned / differing : 1;
+}
+
+double doubt(const Calibration& car, const model::ChannelSquares& squares, const Fit& fit, const Rows& rival) {
+    std::vector<Eigen::VectorXd> off;
+    for (std::size_t d = 0; d < rival.size(); ++d)
+        off.emplace_back(car.uncertainty.noise[d].over(rival[d] - fit.rows[d]));
+    return doubtAlong(car, squares, fit, off);
 }
 
 }  // namespace tread::diagnose::select

@@ -13,10 +13,14 @@ std::vector<double> explainedIn(const Calibration& car, const Fit& fit, const st
 // True when one drive holds nearly all of what is explained, so that the others cannot test it.
 bool toldByOneDrive(const std::vector<double>& explained);
 
-// Divisor of the evidence for a rival, with these rows, against a model. In each channel, the signatures of the model's
-// effects may be wrong by the signatures' error times all that the effects change there, also what its other parameters
-// could imitate: they imitate the signature, not its error. In the worst case, all channels of a drive err towards the
-// rival; drives err independently. 1 for the model without effects (D30).
+// Divisor of the evidence that a difference from a model gives: `off`, whitened rows of each drive. In each channel,
+// the signatures of the model's effects may be wrong by the signatures' error times all that the effects change there,
+// also what its other parameters could imitate: they imitate the signature, not its error. In the worst case, all
+// channels of a drive err along the difference; drives err independently. 1 for the model without effects (D30).
+double doubtAlong(const Calibration& car, const model::ChannelSquares& squares, const Fit& fit,
+                  const std::vector<Eigen::VectorXd>& off);
+
+// The same of the evidence for a rival with these rows.
 double doubt(const Calibration& car, const model::ChannelSquares& squares, const Fit& fit, const Rows& rival);
 
 }  // namespace tread::diagnose::select

@@ -250,10 +250,10 @@ FoundLaw ForceLaws::best(const Fit& fit) const {
         }
         first += n;
     }
-    return best ? FoundLaw{besideItsRemainder(fit, *best), best->law} : FoundLaw{};
+    return best ? besideItsRemainder(fit, *best) : FoundLaw{};
 }
 
-answer::ForceLaw ForceLaws::besideItsRemainder(const Fit& fit, const Best& best) const {
+FoundLaw ForceLaws::besideItsRemainder(const Fit& fit, const Best& best) const {
     const Law& law = laws()[best.law];
     const Eigen::Index n = std::ssize(law.kinds);
     std::vector<Eigen::MatrixXd> forces;
@@ -268,7 +268,7 @@ answer::ForceLaw ForceLaws::besideItsRemainder(const Fit& fit, const Best& best)
     const double before = logEvidence(quadraticAt(fit, car_.uncertainty), fit.sizes);
     const double gain = std::max(best.gain, logEvidence(resized, sizes) - before - logChoices());
     const Eigen::VectorXd units = best.force * inference::bestStep(resized).tail(n);
-    return lawOf(law, units, units_[best.law], gain, car_.problem.replays.nominal().vehicle);
+    return {lawOf(law, units, units_[best.law], gain, car_.problem.replays.nominal().vehicle), best.law, units};
 }
 
 double gainIfUnknown(const FoundLaw& law) {

@@ -14,9 +14,10 @@ namespace tread::diagnose::select {
 struct FoundLaw {
     answer::ForceLaw told{.gain = -kInfinity};  // gain -infinity: none gains
     std::size_t place = 0;                      // among the laws
+    Eigen::VectorXd forces = {};                // of each kind, in usual sizes: root mean square over all drives
 };
 
-// Changes of the rows of each drive by each force of a law, at one usual size: root mean square over all drives.
+// Changes of the rows of each drive by each force of a law, at one usual size.
 std::vector<Eigen::MatrixXd> changesBy(const FoundLaw& law, const Calibration& car);
 
 // Their forces are combined from the columns of the disturbances, so nothing is simulated. The car must outlive them.
@@ -30,7 +31,7 @@ public:
 private:
     struct Best;
     // A law beside the remainder that it leaves.
-    answer::ForceLaw besideItsRemainder(const Fit& fit, const Best& best) const;
+    FoundLaw besideItsRemainder(const Fit& fit, const Best& best) const;
 
     const Calibration& car_;
     std::vector<double> units_;             // of each law; 0 where its signal is 0 or missing

@@ -182,7 +182,8 @@ bool contradicted(const Calibration& car, const Candidate& model, const Search& 
     });
 }
 
-constexpr const char* kAtItsEnd = "a number is at the end of its plausible range";
+constexpr const char *const kAtItsEnd = "a number is at the end of its plausible range",
+                            *const kClosesByChance = "one of its effects closes no more of the gap than chance could";
 
 // Why a model cannot be the answer, as far as its fit tells; empty when it can: its numbers are plausible, it predicts
 // the drives that are left out, its effects have the same values in all drives, and those held out do not speak against
@@ -204,7 +205,7 @@ std::string reasonInTheFit(const Calibration& car, const Candidate& model, const
 std::string reasonInTheGap(const Calibration& car, const Candidate& model, const Closeness& closeness,
                            LeftOut& left_out) {
     if (model.effects.empty()) return {};
-    if (closesByChance(car, closeness)) return "one of its effects closes no more of the gap than chance could";
+    if (closesByChance(car, closeness)) return kClosesByChance;
     if (left_out.enlarges(model)) return "it enlarges the gap of drives that it is not fitted to";
     return {};
 }
@@ -277,22 +278,25 @@ Answer answerOf(const Calibration& car, Search& found, const HeldOut& held_out) 
     }
 }
 
-// Nats by which the models that were struck off are likelier than all others (D33c).
+// Nats by which the models that were struck off are likelier than all others (D33c). What an effect that closes too
+// little stands for is not visible, and needs no cause.
 double rejectedOver(const Calibration& car, const Search& found, const Answer& chosen) {
     if (chosen.struck.empty()) return -kInfinity;
     const Posterior all = posterior(car, found, std::vector<bool>(found.candidates.size(), true));
     double rejected = 0, others = 0;
     for (const Hypothesis& one : all.hypotheses) {
-        const bool struck = std::any_of(chosen.struck.begin(), chosen.struck.end(),
-                                        [&](const auto& off) { return off.first == one.candidate; });
-        (struck ? rejected : others) += one.probability;
+        const auto struck = std::find_if(chosen.struck.begin(), chosen.struck.end(),
+                                         [&](const auto& off) { return off.first == one.candidate; });
+        if (struck == chosen.struck.end()) others += one.probability;
+        else if (struck->second != kClosesByChance) rejected += one.probability;
     }
     return std::log(rejected) - std::log(std::max(others, std::numeric_limits<double>::min()));
 }
 
-// Whether an unknown cause is as probable as what is claimed.
+// Whether an unknown cause is part of the answer. Alone, it must be as probable as what is sure; causes explain all
+// only where they are more likely to.
 bool claimsUnknown(const Diagnosis& diagnosis) {
-    return diagnosis.probability_of_unknown >= kSettings.sure;
+    return diagnosis.probability_of_unknown >= (diagnosis.causes.empty() ? kSettings.sure : 0.5);
 }
 
 Verdict verdictOf(const Diagnosis& diagnosis, const Calibration& car, const Judgement& judgement) {

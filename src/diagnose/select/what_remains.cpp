@@ -5,6 +5,7 @@
 
 #include "diagnose/model/remainder.h"
 #include "diagnose/select/closeness.h"
+#include "diagnose/select/doubt.h"
 #include "diagnose/select/visible_gap.h"
 #include "diagnose/settings.h"
 
@@ -31,6 +32,27 @@ Sizes sizesUnder(const model::SizesPrior& prior, const Calibration& car, const F
     return sizes;
 }
 
+// The ordinary remainder of the largest evidence.
+struct Ordinary {
+    double log_evidence = -kInfinity;
+    Sizes sizes{};
+};
+
+// `wide`: sizes under the wide prior. The iteration is slow where little is known of a size, so that it has several
+// starts.
+Ordinary ordinaryBeside(const Calibration& car, const Fit& fit, const Sizes& wide) {
+    Sizes usual;
+    usual.fill(1);
+    Ordinary best;
+    for (const Sizes& sizes : {wide, sizesUnder(model::kOrdinaryPrior, car, fit, wide),
+                               sizesUnder(model::kOrdinaryPrior, car, fit, usual)}) {
+        const double evidence =
+            logEvidenceWith(fit, car.uncertainty, sizes) + model::logPrior(sizes, model::kOrdinaryPrior);
+        if (evidence > best.log_evidence) best = {evidence, sizes};
+    }
+    return best;
+}
+
 // What the freedom to be large costs: the density of the wide prior over that of the narrow one, as far as the data
 // determine a size, and as probable as it is that the size is above the usual one. At most 0.
 double costOfFreedom(const Sizes& sizes, const model::Left& left) {
@@ -47,10 +69,33 @@ double costOfFreedom(const Sizes& sizes, const model::Left& left) {
     return nats;
 }
 
-double strainOf(const Fit& fit) {
-    double nats = 0;
-    for (Eigen::Index i = 0; i < fit.numbers(); ++i) nats += natsOfTail(fit.at(fit.free[i]));
-    return nats;
+std::vector<Eigen::VectorXd> residuals(const Calibration& car, const Fit& fit) {
+    std::vector<Eigen::VectorXd> all;
+    for (std::size_t d = 0; d < fit.rows.size(); ++d)
+        all.push_back(model::residual(car.drives(), car.uncertainty, fit.rows, d));
+    return all;
+}
+
+// Whitened changes of the rows of each drive by forces of these sizes.
+std::vector<Eigen::VectorXd> whitened(const Calibration& car, const std::vector<Eigen::MatrixXd>& changes,
+                                      const Eigen::VectorXd& sizes) {
+    std::vector<Eigen::VectorXd> all;
+    for (std::size_t d = 0; d < changes.size(); ++d)
+        all.emplace_back(car.uncertainty.noise[d].over(changes[d] * sizes));
+    return all;
+}
+
+// Numbers that moved too far, in view of errors of the signatures, which look like what they change.
+double strainOf(const Calibration& car, const Fit& fit, const model::ChannelSquares& squares) {
+    double strain = 0;
+    for (Eigen::Index i = 0; i < fit.numbers(); ++i) {
+        const double nats = natsOfTail(fit.at(fit.free[i]));
+        if (nats == 0) continue;
+        std::vector<Eigen::VectorXd> changed;
+        for (const Eigen::MatrixXd& columns : fit.columns) changed.emplace_back(columns.col(i));
+        strain += nats / doubtAlong(car, squares, fit, changed);
+    }
+    return strain;
 }
 
 }  // namespace
@@ -76,26 +121,24 @@ double Remains::probability() const {
 Remains whatRemains(const Calibration& car, const Candidate& model, const Closest& closest) {
     const Fit& fit = model.fit;
     const Sizes wide = sizesUnder(model::kLargePrior, car, fit, fit.sizes);
-    Sizes usual;
-    usual.fill(1);
-    // The iteration is slow where little is known of a size, so the narrow prior is given several starts.
-    double ordinary = -kInfinity;
-    for (const Sizes& sizes :
-         {wide, sizesUnder(model::kOrdinaryPrior, car, fit, wide), sizesUnder(model::kOrdinaryPrior, car, fit, usual)})
-        ordinary = std::max(
-            ordinary, logEvidenceWith(fit, car.uncertainty, sizes) + model::logPrior(sizes, model::kOrdinaryPrior));
+    const Ordinary ordinary = ordinaryBeside(car, fit, wide);
+    const model::ChannelSquares squares(car.drives(), car.uncertainty, ordinary.sizes);
     const double ratio = std::log(model::birgeRatio(car.drives(), car.uncertainty, fit.rows, fit.sizes));
     Remains remains;
-    remains.strain = strainOf(fit);
+    remains.strain = strainOf(car, fit, squares);
     remains.by_chance = chanceOfGap(car, fit, closest.rows);
     const double of_ratio = 0.5 * ratio * (model::kOrdinaryPrior.pull(ratio) - model::kLargePrior.pull(ratio)) +
                             (ratio > 0 ? std::log(model::kOrdinaryPrior.spread / model::kLargePrior.spread) : 0);
     remains.beyond_ordinary =
-        logEvidenceWith(fit, car.uncertainty, wide) + model::logPrior(wide, model::kLargePrior) - ordinary + of_ratio +
-        costOfFreedom(wide, model::leftBy(car.uncertainty, fit.products, wide, car.problem.replays.threads));
-    remains.of_law = std::max(0.0, model.law.told.gain);
-    remains.law_visible =
-        remains.of_law > 0 && !forcesCloseByChance(car, model.effects, closest, changesBy(model.law, car));
+        (logEvidenceWith(fit, car.uncertainty, wide) + model::logPrior(wide, model::kLargePrior) -
+         ordinary.log_evidence + of_ratio +
+         costOfFreedom(wide, model::leftBy(car.uncertainty, fit.products, wide, car.problem.replays.threads))) /
+        doubtAlong(car, squares, fit, residuals(car, fit));
+    if (model.law.told.gain > 0) {
+        const std::vector<Eigen::MatrixXd> changes = changesBy(model.law, car);
+        remains.of_law = model.law.told.gain / doubtAlong(car, squares, fit, whitened(car, changes, model.law.forces));
+        remains.law_visible = !forcesCloseByChance(car, model.effects, closest, changes);
+    }
     if (remains.visible() && remains.of_law > kSettings.clear) remains.law = model.law.told;
     return remains;
 }

@@ -8,7 +8,8 @@
 namespace tread::diagnose::select {
 
 struct Remains {
-    // Nats by which the remainder as large as estimated is likelier than one of ordinary size (D33).
+    // Nats by which the remainder as large as estimated is likelier than one of ordinary size (D33), in doubt about the
+    // signatures of the model (D33g), as those of a law and of numbers.
     double beyond_ordinary = 0;
     // Probability that chance leaves a gap as large, in any channel or drive, or errors of readings as large (D33b,
     // D33f).
