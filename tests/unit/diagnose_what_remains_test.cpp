@@ -185,8 +185,12 @@ TEST(WhatRemains, IsNotSeenWhereChanceLeavesAsLargeAGap) {
 }
 
 TEST(WhatRemains, IsSeenWhereItsLawClosesMoreOfTheGapThanChance) {
-    EXPECT_TRUE(seen({.beyond_ordinary = 30, .by_chance = 1, .of_law = 1, .law_visible = true, .law = {}}));
-    EXPECT_FALSE(seen({.beyond_ordinary = 30, .by_chance = 1, .of_law = 1, .law_visible = false, .law = {}}));
+    EXPECT_TRUE(seen({.by_chance = 1, .of_law = 4.5, .law_visible = true, .law = {}}));
+    EXPECT_FALSE(seen({.by_chance = 1, .of_law = 30, .law_visible = false, .law = {}}));
+    EXPECT_FALSE(seen({.beyond_ordinary = -1, .by_chance = 1, .of_law = 4.5, .law_visible = true, .law = {}}));
+    EXPECT_FALSE(seen({.beyond_ordinary = 30, .by_chance = 1, .of_law = 1, .law_visible = true, .law = {}}))
+        << "only the law is visible";
+    EXPECT_FALSE(seen({.by_chance = 1, .of_law = 1, .law_visible = true, .rejected = 30, .law = {}}));
 }
 
 // The large remainder and the law that it follows together are what an unknown cause gains.

@@ -106,11 +106,14 @@ double natsOfTail(double deviation) {
 }
 
 bool Remains::visible() const {
-    return by_chance < kSettings.false_alarm || law_visible;
+    return by_chance < kSettings.false_alarm;
 }
 
 double Remains::nats() const {
-    return std::max({visible() ? std::max(beyond_ordinary + of_law, rejected) : 0, strain, vibration.gain});
+    double seen = 0;
+    if (visible()) seen = std::max(beyond_ordinary + of_law, rejected);
+    else if (law_visible) seen = std::min(beyond_ordinary, 0.0) + of_law;
+    return std::max({seen, strain, vibration.gain});
 }
 
 double Remains::probability() const {
@@ -139,7 +142,7 @@ Remains whatRemains(const Calibration& car, const Candidate& model, const Closes
         remains.of_law = model.law.told.gain / doubtAlong(car, squares, fit, whitened(car, changes, model.law.forces));
         remains.law_visible = !forcesCloseByChance(car, model.effects, closest, changes);
     }
-    if (remains.visible() && remains.of_law > kSettings.clear) remains.law = model.law.told;
+    if ((remains.visible() || remains.law_visible) && remains.of_law > kSettings.clear) remains.law = model.law.told;
     return remains;
 }
 

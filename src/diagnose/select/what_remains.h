@@ -24,7 +24,7 @@ struct Remains {
     answer::ForceLaw law;              // that the remainder follows; empty unless clear and visible
     answer::Vibration vibration = {};  // faster than the rows (D33e)
 
-    bool visible() const;        // otherwise it needs no cause, however surely it is there
+    bool visible() const;        // otherwise it needs no cause, however surely it is there, but for a visible law
     double nats() const;         // for an unknown cause
     double probability() const;  // that a cause of no catalogue is part of it
 };
