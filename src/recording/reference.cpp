@@ -31,17 +31,17 @@ double rms(std::span<const double> values) {
     return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
-// Difference of an input in two drives, without what another zero of the steering angle explains: that may be the
-// change which is sought.
+// Difference of an input in two drives, without what another zero of the steering angle explains, or another level of a
+// pedal: a car that drags needs more throttle. That may be the change which is sought.
 std::vector<double> differences(const std::string& name, std::vector<double> here, const std::vector<double>& there) {
-    double zero = 0, count = 0;
+    double level = 0, count = 0;
     for (std::size_t i = 0; i < here.size(); ++i) {
         here[i] -= there[i];
-        if (std::isfinite(here[i])) zero += here[i], count += 1;
+        if (std::isfinite(here[i])) level += here[i], count += 1;
     }
-    if (name != "driver.steering_wheel_angle" || count == 0) return here;
-    zero = std::clamp(zero / count, -kOtherZero, kOtherZero);
-    for (double& one : here) one -= zero;
+    if (count > 0) level /= count;
+    if (name == "driver.steering_wheel_angle") level = std::clamp(level, -kOtherZero, kOtherZero);
+    for (double& one : here) one -= level;
     return here;
 }
 

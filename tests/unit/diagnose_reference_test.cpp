@@ -215,6 +215,33 @@ TEST(Reference, MayHaveAnotherZeroOfTheSteering) {
                  std::invalid_argument);
 }
 
+// The pedal of a car that drags is at another level. A pedal that moves otherwise is another drive.
+TEST(Reference, MayHaveAnotherLevelOfAPedal) {
+    const auto pressed = [](auto&& throttle) {
+        simple_car::Case made = compared(16);
+        for (Recording& recording : made.file.recordings) recording.speed = recording::SpeedReplay::pedals;
+        const auto set = [](Log& log, auto&& of) {
+            const std::vector<double>& time = log.channels.front().values;
+            Channel* channel = nullptr;
+            for (Channel& one : log.channels)
+                if (one.name == "driver.throttle") channel = &one;
+            if (!channel) channel = &log.channels.emplace_back(Channel{"driver.throttle", "-", {}});
+            channel->values.resize(time.size());
+            std::transform(time.begin(), time.end(), channel->values.begin(), of);
+        };
+        for (std::size_t i = 0; i < made.recorded.logs.size(); ++i) {
+            set(made.recorded.references[i], [](double t) { return 0.2 + 0.01 * t; });
+            set(made.recorded.logs[i], throttle);
+        }
+        return made;
+    };
+    const auto problem = [](const simple_car::Case& made) {
+        return problemOf(made.nominal, made.file, made.recorded, std::vector<Effect>{}, simple_car::options());
+    };
+    EXPECT_NO_THROW(problem(pressed([](double t) { return 0.5 + 0.01 * t; })));
+    EXPECT_THROW(problem(pressed([](double t) { return 0.5 + 0.4 * std::sin(3 * t); })), std::invalid_argument);
+}
+
 // Slaloms of a car whose drag became another, and other slaloms of it before. The nominal car has another ratio.
 simple_car::Case changed(double drag_area) {
     VehicleParams car = simple_car::Case{}.nominal.vehicle;
