@@ -74,8 +74,8 @@ struct Settings {
     // Guess: a car hardly changes from day to day; weather and load have sizes of their own (D15a). Raising it lets
     // tolerances explain a change.
     double between_days = 0.2;
-    // Guess: the power of its vibrations differs by a factor of two, with road, speed and tyres. It counts like one
-    // channel of the recordings, whose other frequencies tell what it is. Smaller takes those of another road for a
+    // Guess: the power of its vibrations differs by a factor of two, with road, speed and tyres. The recordings tell it
+    // as well; the guess has the weight of one of their channels. Smaller takes the vibrations of another road for a
     // fault.
     double vibration_between_days = 0.7;
     // Guess. With it, 15 of 15 values of effects found on cars of the second generator lay within two standard

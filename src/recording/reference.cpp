@@ -31,8 +31,8 @@ double rms(std::span<const double> values) {
     return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
-// Difference of an input in two drives, without what another zero of the steering angle explains, or another level of a
-// pedal: a car that drags needs more throttle. That may be the change which is sought.
+// Difference of an input in two drives, less what another zero of the steering angle or another level of a pedal
+// explains. Either may come from the change that is sought: a car that drags needs more throttle.
 std::vector<double> differences(const std::string& name, std::vector<double> here, const std::vector<double>& there) {
     double level = 0, count = 0;
     for (std::size_t i = 0; i < here.size(); ++i) {

@@ -44,13 +44,13 @@ double closedByChance(const Calibration& car, const Rows& rows) {
     return 2 * std::max(gapBeyondNoise(car, rows), by_signature) / independentErrors(car);
 }
 
-// The linear model of the gap about a car, with these parameters and forces.
+// The linear model of the gap about a car. Its columns are those of some numbers, then those of forces without bounds.
 struct Near {
     std::vector<Eigen::MatrixXd> columns;  // changes of the rows, per drive
     inference::QuadraticModel model;
     inference::Bounds bounds;
 
-    // Rows after a step of some first columns to the smallest gap.
+    // Rows after the step of this many first columns that leaves the smallest gap.
     Rows closest(const Rows& rows, Eigen::Index some) const {
         const inference::QuadraticModel own{.information = model.information.topLeftCorner(some, some),
                                             .gradient = model.gradient.head(some),
@@ -66,9 +66,12 @@ struct Near {
 Near nearTo(const Calibration& car, const std::vector<Eigen::Index>& free, const Closest& here,
             const std::vector<Eigen::MatrixXd>& forces) {
     const Eigen::Index numbers = std::ssize(free), all = numbers + forces.front().cols();
+    const inference::Bounds of_numbers = model::boundsOf(withinTolerances(car).parameters, free);
     Near near{.columns = {},
               .model = {},
               .bounds = {Eigen::VectorXd::Constant(all, -kInfinity), Eigen::VectorXd::Constant(all, kInfinity)}};
+    near.bounds.lowest.head(numbers) = of_numbers.lowest;
+    near.bounds.highest.head(numbers) = of_numbers.highest;
     std::vector<DriveProducts> products;
     for (std::size_t d = 0; d < forces.size(); ++d) {
         Eigen::MatrixXd& columns = near.columns.emplace_back(forces[d].rows(), all);
@@ -79,11 +82,6 @@ Near nearTo(const Calibration& car, const std::vector<Eigen::Index>& free, const
     }
     Eigen::VectorXd at = Eigen::VectorXd::Zero(all);
     at.head(numbers) = here.at(free);
-    const Replays within = withinTolerances(car);
-    for (Eigen::Index i = 0; i < numbers; ++i) {
-        near.bounds.lowest(i) = within.parameters[free[i]].lowest;
-        near.bounds.highest(i) = within.parameters[free[i]].highest;
-    }
     near.model = inference::quadraticModel(
         model::normalEquations(car.of_gap, products, car.of_gap.sizes, car.problem.replays.threads), std::move(at));
     return near;

@@ -8,8 +8,8 @@
 namespace tread::diagnose::select {
 
 struct Remains {
-    // Nats by which the remainder as large as estimated is likelier than one of ordinary size (D33), in doubt about the
-    // signatures of the model (D33g), as those of a law and of numbers.
+    // Nats by which the remainder as large as estimated is likelier than one of ordinary size (D33). These nats, those
+    // of a law, and those of numbers are divided by the doubt about the signatures of the model's effects (D33g).
     double beyond_ordinary = 0;
     // Probability that chance leaves a gap as large, in any channel or drive, or errors of readings as large (D33b,
     // D33f).
@@ -24,7 +24,7 @@ struct Remains {
     answer::ForceLaw law;              // that the remainder follows; empty unless clear and visible
     answer::Vibration vibration = {};  // faster than the rows (D33e)
 
-    bool visible() const;        // otherwise it needs no cause, however surely it is there, but for a visible law
+    bool visible() const;        // otherwise only a law that is visible by itself needs a cause
     double nats() const;         // for an unknown cause
     double probability() const;  // that a cause of no catalogue is part of it
 };
