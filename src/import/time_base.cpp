@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kHour = 3600, kDay = 86400;  // s
 constexpr double kGap = 1.5;                  // steps of this many medians lack a sample
+constexpr double kMostMissing = 1e9;          // samples in a gap: if there are more, their number tells nothing
 constexpr double kJitter = 0.2;               // steps that differ by more than this share are uneven
 
 double secondsOfClock(double hhmmss) {
@@ -41,14 +42,10 @@ public:
             }
             recordings.push_back({{row}, {0}, t});
             last_ = t;
-        } else if (t == last_) {
-            note(duplicates, first_duplicate, row);
         } else if (t < last_) {
             note(backwards, first_backwards, row);
         } else {
-            Stretch& open = recordings.back();
-            open.rows.push_back(row);
-            open.time.push_back(t - open.begin);
+            append(recordings.back(), row, t);
             last_ = t;
         }
     }
@@ -64,10 +61,8 @@ public:
                 continue;
             }
             wild += recordings[i].rows.size();
-            for (std::size_t k = 0; k < behind.rows.size(); ++k) {
-                before.rows.push_back(behind.rows[k]);
-                before.time.push_back(behind.begin + behind.time[k] - before.begin);
-            }
+            for (std::size_t k = 0; k < behind.rows.size(); ++k)
+                append(before, behind.rows[k], behind.begin + behind.time[k]);
             const auto at = static_cast<std::ptrdiff_t>(i);
             recordings.erase(recordings.begin() + at, recordings.begin() + at + 2);
             jumps.erase(jumps.begin() + at - 1, jumps.begin() + at + 1);
@@ -81,6 +76,13 @@ public:
     std::string first_duplicate, first_backwards;
 
 private:
+    // `t` on the clock of the file. Times that differ there may be the same from the first one on.
+    void append(Stretch& recording, std::size_t row, double t) {
+        const double since = t - recording.begin;
+        if (since > recording.time.back()) recording.rows.push_back(row), recording.time.push_back(since);
+        else note(duplicates, first_duplicate, row);
+    }
+
     void note(std::size_t& count, std::string& first, std::size_t row) {
         if (count++ == 0) first = placeOf(table_, row);
     }
@@ -98,7 +100,7 @@ void reportSteps(const Stretch& recording, std::vector<Change>& changes) {
         const double step = recording.time[i] - recording.time[i - 1];
         if (step > kGap * usual) {
             ++gaps;
-            missing += static_cast<std::size_t>(std::lround(step / usual)) - 1;
+            missing += static_cast<std::size_t>(std::min(std::round(step / usual), kMostMissing)) - 1;
             longest = std::max(longest, step);
         } else if (std::abs(step - usual) > kJitter * usual) {
             ++uneven;

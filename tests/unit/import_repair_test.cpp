@@ -58,6 +58,18 @@ TEST(TimeBase, RepeatedAndEarlierStampsAreDropped) {
               std::string::npos);
 }
 
+TEST(TimeBase, StampsThatAreTheSameAfterTheFirstAreRepeated) {
+    const Sorted result = sorted({-1, 1e-17, 2e-17, 1});
+    ASSERT_EQ(result.recordings.size(), 1u);
+    EXPECT_EQ(result.recordings[0].rows, (std::vector<std::size_t>{0, 1, 3}));
+    EXPECT_EQ(result.recordings[0].time, (std::vector<double>{0, 1, 2}));
+    EXPECT_EQ(result.count("duplicates"), 1u);
+}
+
+TEST(TimeBase, SamplesMissingInAGapAreCountedWithinReason) {
+    EXPECT_NE(text(sorted({0, 1e-200, 2e-200, 1}).changes).find("about 999999999 samples missing"), std::string::npos);
+}
+
 TEST(TimeBase, AJumpEndsARecordingAndTheLongestIsKept) {
     std::vector<double> time = foreign::times(100);
     for (int i = 0; i < 300; ++i) time.push_back(50 + 0.01 * i);

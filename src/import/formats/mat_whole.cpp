@@ -49,14 +49,17 @@ MatContents version5(std::string_view bytes, bool big) {
 MatContents version4(std::string_view bytes) {
     static constexpr std::array<std::size_t, 6> kBytes{8, 4, 4, 2, 2, 1};  // of a number, by the tens digit of the type
     if (bytes.empty()) return {"is empty"};
+    if (bytes.size() < kHeader4) return cutOff(1, kHeader4 - bytes.size());
+    const bool big = word(bytes, 0, false) > 9999;
     std::size_t at = 0, variable = 1;
     for (; at < bytes.size(); ++variable) {
         if (bytes.size() - at < kHeader4) return cutOff(variable, kHeader4 - (bytes.size() - at));
-        const bool big = word(bytes, at, false) > 9999;
         const std::uint32_t type = word(bytes, at, big), rows = word(bytes, at + 4, big),
                             columns = word(bytes, at + 8, big), imaginary = word(bytes, at + 12, big),
                             name = word(bytes, at + 16, big), number = type / 10 % 10;
-        if (type > 9999 || number >= kBytes.size() || imaginary > 1 || std::max({rows, columns, name}) > kLargest4) {
+        // The thousands tell the order of bytes. matio goes by them, also where the file is in the other order.
+        if (type / 1000 != (big ? 1 : 0) || number >= kBytes.size() || imaginary > 1 ||
+            std::max({rows, columns, name}) > kLargest4) {
             return {"is not a MATLAB file that tread can read (neither version 4, 5 nor 7.3)"};
         }
         at += kHeader4;
