@@ -58,7 +58,8 @@ TEST(Closeness, OfAnEffectMustExceedTheErrorsOfTheSignatures) {
 
 // A constant force beside a car that leaves a mean of `mean` and a sine whose mean square is `rest`, in units of noise.
 // A nuisance of the same effect stands at `at`.
-bool constantForceByChance(double mean, double rest, double at, double nuisance_effect = 1) {
+bool constantForceByChance(double mean, double rest, double at, double nuisance_effect = 1,
+                           double structure_error = 0) {
     const std::vector<linear_drives::LinearDrive> drives{{MatrixXd::Constant(kRows, 1, nuisance_effect),
                                                           MatrixXd(kRows, 0),
                                                           VectorXd::Zero(kRows),
@@ -66,14 +67,14 @@ bool constantForceByChance(double mean, double rest, double at, double nuisance_
                                                           {}}};
     const diagnose::model::Problem problem = linear_drives::problemOf(drives);
     Calibration car = linear_drives::calibrationOf(problem, drives);
-    car.structure_error = 0;
+    car.structure_error = structure_error;
     car.of_gap = diagnose::model::weightedAsTheGap(car.uncertainty, car.drives());
     const double turn = 2 * std::numbers::pi / kRows;
     const VectorXd sine = (2 * turn * VectorXd::LinSpaced(kRows, 0.5, kRows - 0.5)).array().sin();
     const VectorXd rows = std::sqrt(2 * rest) * sine + VectorXd::Constant(kRows, mean);
     Closest here{problem.replays.origin(), {rows}};
     here.at(0) = at;
-    car.closest = here;
+    car.closest = {problem.replays.origin(), {10 * rows}};
     return forcesCloseByChance(car, {}, here, {MatrixXd::Ones(kRows, 1)});
 }
 
@@ -96,6 +97,14 @@ TEST(Closeness, OfAForceMustExceedNoise) {
 TEST(Closeness, OfAForceIsNothingWhereATolerancePlaysItsPart) {
     EXPECT_TRUE(constantForceByChance(1, 0.8, 0));
     EXPECT_FALSE(constantForceByChance(1, 0.8, 0, 0.01)) << "this nuisance closes too little";
+}
+
+TEST(Closeness, OfAForceMustExceedTheErrorsOfTheSignatures) {
+    // The gap without effects is ten times as large; a share of it may be an error in the direction of the force.
+    const double mean = 0.7, rest = 0.8, explained = 99 * (mean * mean + rest);
+    const double most = std::sqrt(mean * mean / (5 * 2 * explained));
+    EXPECT_FALSE(constantForceByChance(mean, rest, kAtItsEnd, 1, 0.97 * most));
+    EXPECT_TRUE(constantForceByChance(mean, rest, kAtItsEnd, 1, 1.03 * most));
 }
 
 }  // namespace

@@ -233,11 +233,17 @@ TEST(LeftOut, EffectThatIsTheSameInAllDrivesShrinksTheGapAndOneThatIsNotEnlarges
 
 TEST(LeftOut, SumIsLargerFromOneStandardDeviationOn) {
     using diagnose::select::isLarger;
-    // Differences 3 and 1: sum 4, deviation 2.
-    EXPECT_TRUE(isLarger({4, 3}, {1, 2}));
-    EXPECT_FALSE(isLarger({1, 2}, {4, 3}));
-    // Differences 3 and -1: sum 2, deviation 4.
-    EXPECT_FALSE(isLarger({4, 1}, {1, 2}));
+    // Logarithms of ratios, in units of ln 2: 3 and 1, sum 4, deviation 2.
+    EXPECT_TRUE(isLarger({8, 2}, {1, 1}));
+    EXPECT_FALSE(isLarger({1, 1}, {8, 2}));
+    // 3 and -1: sum 2, deviation 4.
+    EXPECT_FALSE(isLarger({8, 1}, {1, 2}));
+}
+
+// A drive that the others predict badly either way does not outweigh the rest.
+TEST(LeftOut, EveryDriveCountsAlike) {
+    using diagnose::select::isLarger;
+    EXPECT_TRUE(isLarger({2, 2, 2, 2, 19000}, {1, 1, 1, 1, 35000}));
 }
 
 // What the second effect explains beyond the nuisance and the first effect, in each drive.

@@ -111,5 +111,41 @@ TEST(VisibleGap, OfAnInstrumentIsSeenThroughTheMotionOfTheCar) {
     }
 }
 
+// Adds an effect that is wrong by another share in each drive. It resembles an error of readings, if the drives have
+// one.
+void addEffect(std::vector<LinearDrive>& drives, double error, Random& random) {
+    for (LinearDrive& drive : drives) {
+        drive.effects = 5 * normals(kRows, 1, random);
+        if (drive.disturbances.cols() > kForces) drive.effects += 40 * drive.disturbances.col(kForces);
+        drive.measured += (1 + error * random.normal()) * drive.effects;
+    }
+}
+
+double chanceWithEffect(const std::vector<LinearDrive>& drives, double error) {
+    const Problem problem = linear_drives::problemOf(drives);
+    Calibration car = linear_drives::calibrationOf(problem, drives);
+    car.structure_error = error;
+    const Fit fit = linear_drives::fitOf(car, {0});
+    return chanceOfGap(car, fit, fit.rows);
+}
+
+TEST(VisibleGap, IsNoLargerThanTheErrorsOfSignaturesMakeIt) {
+    constexpr double kError = 0.5;
+    constexpr int kDraws = 400;
+    Random random(6);
+    for (const bool readings : {false, true}) {
+        int seen = 0, seen_if_exact = 0;
+        for (int i = 0; i < kDraws; ++i) {
+            std::vector<LinearDrive> drives = drawn(1, random);
+            if (readings) drives = misread(std::move(drives), 1, Disturbed::acceleration_scale, random);
+            addEffect(drives, kError, random);
+            seen += chanceWithEffect(drives, kError) < 0.02 ? 1 : 0;
+            seen_if_exact += chanceWithEffect(drives, 0) < 0.02 ? 1 : 0;
+        }
+        EXPECT_LE(seen, 0.02 * kDraws + 3 * std::sqrt(0.02 * kDraws)) << readings;
+        EXPECT_GE(seen_if_exact, 0.5 * kDraws) << readings;
+    }
+}
+
 }  // namespace
 }  // namespace tread::diagnose_visible_gap_test

@@ -12,6 +12,8 @@
 namespace tread::diagnose::select {
 namespace {
 
+constexpr double kSquaresOfANat = 2;  // that noise closes for each nat that it gains
+
 double squaredGapOf(const Calibration& car, const Rows& rows) {
     const std::vector<double> gaps = model::squaredGaps(car.drives(), car.uncertainty, rows);
     return std::accumulate(gaps.begin(), gaps.end(), 0.0);
@@ -36,12 +38,10 @@ double independentErrors(const Calibration& car) {
     return errors;
 }
 
-// What an unrelated effect closes of the gap, for each nat that it would gain by chance, beside a set that leaves
-// `rows`.
-double closedByChance(const Calibration& car, const Rows& rows) {
+// Squared gap that the errors of the signatures leave of a set, whose closest car has these rows.
+double leftBySignatures(const Calibration& car, const Rows& rows) {
     const double explained = std::max(0.0, squaredGapOf(car, car.closest.rows) - squaredGapOf(car, rows));
-    const double by_signature = car.structure_error * car.structure_error * explained;
-    return 2 * std::max(gapBeyondNoise(car, rows), by_signature) / independentErrors(car);
+    return car.structure_error * car.structure_error * explained;
 }
 
 // The linear model of the gap about a car. Its columns are those of some numbers, then those of forces without bounds.
@@ -124,7 +124,10 @@ double scatterOfGap(const Calibration& car) {
 }
 
 bool closesByChance(const Calibration& car, const Closeness& closeness) {
-    const double by_chance = closedByChance(car, closeness.with.rows), with = squaredGapOf(car, closeness.with.rows);
+    const Rows& rows = closeness.with.rows;
+    const double with = squaredGapOf(car, rows);
+    const double by_chance =
+        kSquaresOfANat * std::max(gapBeyondNoise(car, rows), leftBySignatures(car, rows)) / independentErrors(car);
     if (by_chance == 0) return false;  // what the set leaves is noise, which the evidence takes into account
     return std::any_of(closeness.without.begin(), closeness.without.end(), [&](const Closest& less) {
         return squaredGapOf(car, less.rows) - with <= kSettings.effect * by_chance;
@@ -136,9 +139,11 @@ bool forcesCloseByChance(const Calibration& car, const std::vector<std::size_t>&
     const std::vector<Eigen::Index> free = model::joined(car.about.nuisances, car.problem.knobsOf(effects));
     const Near near = nearTo(car, free, with, changes);
     const Rows beside = near.closest(with.rows, near.model.at.size());
-    const double closed = squaredGapOf(car, near.closest(with.rows, std::ssize(free))) - squaredGapOf(car, beside);
-    constexpr double kOfNoise = 2;  // of its squares for each nat
-    return closed <= kSettings.effect * std::max(kOfNoise, closedByChance(car, beside));
+    const Rows own = near.closest(with.rows, std::ssize(free));
+    const double closed = squaredGapOf(car, own) - squaredGapOf(car, beside);
+    const double by_chance =
+        std::max({1.0, gapBeyondNoise(car, beside) / independentErrors(car), leftBySignatures(car, own)});
+    return closed <= kSettings.effect * kSquaresOfANat * by_chance;
 }
 
 }  // namespace tread::diagnose::select

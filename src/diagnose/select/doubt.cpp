@@ -45,15 +45,20 @@ bool toldByOneDrive(const std::vector<double>& explained) {
     return *std::max_element(explained.begin(), explained.end()) >= kOneDrive * sum;
 }
 
+std::vector<Eigen::VectorXd> changedByEffects(const Fit& fit) {
+    const Eigen::VectorXd sizes = fit.at(fit.knobs);
+    std::vector<Eigen::VectorXd> changed;
+    for (const Eigen::MatrixXd& columns : fit.columns) changed.emplace_back(columns.rightCols(sizes.size()) * sizes);
+    return changed;
+}
+
 double doubtAlong(const Calibration& car, const model::ChannelSquares& squares, const Fit& fit,
                   const std::vector<Eigen::VectorXd>& off) {
     if (fit.knobs.empty()) return 1;
-    std::vector<Eigen::Index> places = knobsFirst(fit, fit.knobs);
-    places.resize(fit.knobs.size());
-    const Eigen::VectorXd sizes = fit.at(fit.free)(places);
+    const std::vector<Eigen::VectorXd> by_effects = changedByEffects(fit);
     double differing = 0, aligned = 0;
     for (std::size_t d = 0; d < off.size(); ++d) {
-        const std::vector<double> changed = squares.in(d, fit.columns[d](Eigen::all, places) * sizes);
+        const std::vector<double> changed = squares.in(d, by_effects[d]);
         const std::vector<double> between = squares.in(d, off[d]);
         double along = 0;
         for (std::size_t c = 0; c < changed.size(); ++c) {

@@ -13,6 +13,9 @@ std::vector<double> explainedIn(const Calibration& car, const Fit& fit, const st
 // True when one drive holds nearly all of what is explained, so that the others cannot test it.
 bool toldByOneDrive(const std::vector<double>& explained);
 
+// Signature of the effects of a fit: whitened changes of the rows of each drive.
+std::vector<Eigen::VectorXd> changedByEffects(const Fit& fit);
+
 // Divisor of the evidence that a difference from a model gives: `off`, whitened rows of each drive. In each channel,
 // the signatures of the model's effects may be wrong by the signatures' error times all that the effects change there,
 // also what its other parameters could imitate: they imitate the signature, not its error. In the worst case, all

@@ -8,6 +8,23 @@
 #include "inference/bounded_step.h"
 
 namespace tread::diagnose::select {
+namespace {
+
+double filteredGap(const Calibration& car, const Eigen::VectorXd& residual, std::size_t drive) {
+    return residual.cwiseQuotient(model::filteredFloorOf(car.uncertainty, drive)).squaredNorm();
+}
+
+// Squared gap of the nominal car in each drive, filtered, then in the drives held out.
+std::vector<double> gapsOfNominal(const Calibration& car, const HeldOut& held_out) {
+    std::vector<double> gaps;
+    for (std::size_t d = 0; d < car.drives().size(); ++d)
+        gaps.push_back(filteredGap(car, model::residual(car.drives(), car.uncertainty, car.nominal, d), d));
+    if (const auto further = held_out.gapOf(car.problem.replays.origin()))
+        gaps.insert(gaps.end(), further->begin(), further->end());
+    return gaps;
+}
+
+}  // namespace
 
 std::vector<double> gapsLeftOut(const Calibration& car, const std::vector<Parameter>& parameters, const Fit& fit) {
     const std::vector<model::NormalEquations> each =
@@ -21,21 +38,22 @@ std::vector<double> gapsLeftOut(const Calibration& car, const std::vector<Parame
         const Eigen::VectorXd step = inference::boundedStep(told, 0, bounds);
         const Eigen::VectorXd left =
             model::residual(car.drives(), car.uncertainty, fit.rows, d) - fit.columns[d] * step;
-        gaps.push_back(left.cwiseQuotient(model::filteredFloorOf(car.uncertainty, d)).squaredNorm());
+        gaps.push_back(filteredGap(car, left, d));
     }
     return gaps;
 }
 
 bool isLarger(const std::vector<double>& after, const std::vector<double>& before) {
     const auto n = static_cast<double>(after.size());
+    const auto grows = [&](std::size_t d) { return after[d] == before[d] ? 0 : std::log(after[d] / before[d]); };
     double sum = 0, squares = 0;
-    for (std::size_t d = 0; d < after.size(); ++d) sum += after[d] - before[d];
-    for (std::size_t d = 0; d < after.size(); ++d) squares += std::pow(after[d] - before[d] - sum / n, 2);
+    for (std::size_t d = 0; d < after.size(); ++d) sum += grows(d);
+    for (std::size_t d = 0; d < after.size(); ++d) squares += std::pow(grows(d) - sum / n, 2);
     return sum > std::sqrt(n / (n - 1) * squares);
 }
 
 LeftOut::LeftOut(const Calibration& car, const HeldOut& held_out)
-    : car_(car), held_out_(held_out), within_(withinTolerances(car)) {}
+    : car_(car), held_out_(held_out), within_(withinTolerances(car)), nominal_(gapsOfNominal(car, held_out)) {}
 
 bool LeftOut::enlarges(const Candidate& set) {
     if (car_.drives().size() < 2) return false;
@@ -64,6 +82,8 @@ const LeftOut::Fitted& LeftOut::fittedWith(const std::vector<std::size_t>& effec
     if (const std::optional<std::vector<double>> further = held_out_.gapOf(result.fit->at))
         result.gaps.insert(result.gaps.end(), further->begin(), further->end());
     else if (!held_out_.uncertainty.noise.empty()) result.fit.reset();  // it cannot be driven there
+    for (std::size_t d = 0; d < std::min(result.gaps.size(), nominal_.size()); ++d)
+        result.gaps[d] = std::min(result.gaps[d], nominal_[d]);
     return result;
 }
 

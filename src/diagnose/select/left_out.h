@@ -25,7 +25,9 @@ public:
 private:
     struct Fitted {
         std::optional<Fit> fit;
-        std::vector<double> gaps;  // of each drive as the others predict it, then of the drives held out
+        // Of each drive as the others predict it, then of the drives held out. At most that of the nominal car: a
+        // prediction that is worse predicts nothing.
+        std::vector<double> gaps;
     };
     // Fitted from a point; effects that do not take part are taken out of it.
     const Fitted& fittedWith(const std::vector<std::size_t>& effects, const Deviation& from);
@@ -33,6 +35,7 @@ private:
     const Calibration& car_;
     const HeldOut& held_out_;
     Replays within_;
+    std::vector<double> nominal_;  // gaps of the nominal car, in the same drives
     std::map<std::set<std::size_t>, Fitted> fitted_;  // by effects
 };
 
@@ -40,8 +43,8 @@ private:
 // bounds. In the linear model about the fit.
 std::vector<double> gapsLeftOut(const Calibration& car, const std::vector<Parameter>& parameters, const Fit& fit);
 
-// True if the sum over the drives is larger by more than its standard deviation, as the differences between drives
-// suggest it.
+// True if gaps grow: their logarithms, summed over the drives, by more than the standard deviation that the differences
+// between drives suggest. A drive that is predicted badly either way thus weighs no more than another one (D38c).
 bool isLarger(const std::vector<double>& after, const std::vector<double>& before);
 
 }  // namespace tread::diagnose::select

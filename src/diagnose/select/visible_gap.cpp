@@ -9,12 +9,14 @@
 #include "base/threads/parallel.h"
 #include "diagnose/model/gap.h"
 #include "diagnose/model/remainder.h"
+#include "diagnose/select/doubt.h"
 #include "inference/whitening.h"
 
 namespace tread::diagnose::select {
 namespace {
 
-// Rows of a channel of one drive, each in units of its floor. Their covariance is noise + D D' - J J'.
+// Rows of a channel of one drive, each in units of its floor. Their covariance is noise + D D' - J J'. The last column
+// of D is the error of the signatures.
 struct Block {
     Eigen::VectorXd gap;
     Eigen::MatrixXd noise, disturbances, explained;  // the last two are D and J
@@ -73,12 +75,15 @@ Eigen::MatrixXd filteredNoise(const model::RowNoise& noise, Eigen::Index first, 
     return filter * filter.transpose();
 }
 
-// The channels of a drive. `root`: of the covariance of the parameters.
-std::vector<Block> blocksOf(const Calibration& car, const Fit& fit, const Rows& rows, const Eigen::MatrixXd& root,
-                            std::size_t drive) {
+// The channels of a drive. `signature`: what the effects change. `root`: of the covariance of the parameters.
+std::vector<Block> blocksOf(const Calibration& car, const Fit& fit, const Rows& rows, const Eigen::VectorXd& signature,
+                            const Eigen::MatrixXd& root, std::size_t drive) {
     const Eigen::VectorXd scale = model::filteredFloorOf(car.uncertainty, drive).cwiseInverse();
     const Eigen::VectorXd gap = scale.cwiseProduct(model::residual(car.drives(), car.uncertainty, rows, drive));
-    const Eigen::MatrixXd disturbances = scale.asDiagonal() * model::usualDisturbances(car.uncertainty, drive);
+    Eigen::MatrixXd disturbances = model::usualDisturbances(car.uncertainty, drive);
+    disturbances.conservativeResize(Eigen::NoChange, disturbances.cols() + 1);
+    disturbances.rightCols(1) = car.structure_error * signature;
+    disturbances = scale.asDiagonal() * disturbances;
     const Eigen::MatrixXd explained = scale.asDiagonal() * fit.columns[drive] * root;
     std::vector<Block> blocks;
     for (const recording::ObservedChannel& channel : car.drives()[drive].channels) {
@@ -90,18 +95,33 @@ std::vector<Block> blocksOf(const Calibration& car, const Fit& fit, const Rows& 
     return blocks;
 }
 
+// What a fit leaves, by kind, at usual sizes.
+model::Left leftAtUsualSizes(const Calibration& car, const std::vector<DriveProducts>& products) {
+    Sizes usual;
+    usual.fill(1);
+    return model::leftBy(car.uncertainty, products, usual, car.problem.replays.threads);
+}
+
+// Products of a fit with the error of the signatures in place of the residual.
+std::vector<DriveProducts> ofSignatureError(const Calibration& car, const Fit& fit) {
+    std::vector<DriveProducts> products = fit.products;
+    const Eigen::VectorXd error = car.structure_error * fit.at(fit.knobs);
+    for (DriveProducts& one : products)
+        one.mixed.rightCols(1) = one.mixed.middleCols(fit.nuisances(), error.size()) * error;
+    return products;
+}
+
 // The same of the estimated errors of the readings, by kind (D33f): motion that the other channels show as well does
 // not hide them. No eigenvalue of their covariance exceeds 1, so that the variance is at most twice the mean.
 std::vector<double> chancesOfReadings(const Calibration& car, const Fit& fit) {
-    Sizes usual;
-    usual.fill(1);
-    const model::Left left = model::leftBy(car.uncertainty, fit.products, usual, car.problem.replays.threads);
+    const model::Left left = leftAtUsualSizes(car, fit.products),
+                      by_signatures = leftAtUsualSizes(car, ofSignatureError(car, fit));
     std::vector<double> chances;
     for (const model::Disturbed kind : model::kAllDisturbed) {
         const std::size_t k = placeOf(kind);
         if (!model::isInstruments(kind) || left.determined[k] == 0) continue;
-        const double mean = std::max(1.0, left.determined[k]);
-        chances.push_back(chanceOf(left.squares[k], mean, 2 * mean));
+        const double by_chance = std::max(1.0, left.determined[k]), error = by_signatures.squares[k];
+        chances.push_back(chanceOf(left.squares[k], by_chance + error, 2 * (by_chance + error * error)));
     }
     return chances;
 }
@@ -109,12 +129,13 @@ std::vector<double> chancesOfReadings(const Calibration& car, const Fit& fit) {
 }  // namespace
 
 double chanceOfGap(const Calibration& car, const Fit& fit, const Rows& rows) {
+    const std::vector<Eigen::VectorXd> signatures = changedByEffects(fit);
     const Eigen::MatrixXd root = fit.covariance.llt().matrixL();
     std::vector<Moments> drives(rows.size());
     std::vector<std::vector<Gap>> of_channels(rows.size());
     inParallel(rows.size(), car.problem.replays.threads, [&](std::size_t d) {
         Gap all;
-        for (const Block& block : blocksOf(car, fit, rows, root, d)) {
+        for (const Block& block : blocksOf(car, fit, rows, signatures[d], root, d)) {
             of_channels[d].emplace_back().add(block);
             all.add(block);
         }
