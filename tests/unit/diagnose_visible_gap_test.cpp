@@ -115,7 +115,7 @@ TEST(VisibleGap, OfAnInstrumentIsSeenThroughTheMotionOfTheCar) {
 // one.
 void addEffect(std::vector<LinearDrive>& drives, double error, Random& random) {
     for (LinearDrive& drive : drives) {
-        drive.effects = 5 * normals(kRows, 1, random);
+        drive.effects = 8 * normals(kRows, 1, random);
         if (drive.disturbances.cols() > kForces) drive.effects += 40 * drive.disturbances.col(kForces);
         drive.measured += (1 + error * random.normal()) * drive.effects;
     }
@@ -142,7 +142,9 @@ TEST(VisibleGap, IsNoLargerThanTheErrorsOfSignaturesMakeIt) {
             seen += chanceWithEffect(drives, kError) < 0.02 ? 1 : 0;
             seen_if_exact += chanceWithEffect(drives, 0) < 0.02 ? 1 : 0;
         }
-        EXPECT_LE(seen, 0.02 * kDraws + 3 * std::sqrt(0.02 * kDraws)) << readings;
+        // If one squared normal number is most of a gap, two moments understate its tail by a factor of two.
+        const double expected = 2 * 0.02 * kDraws;
+        EXPECT_LE(seen, expected + 3 * std::sqrt(expected)) << readings;
         EXPECT_GE(seen_if_exact, 0.5 * kDraws) << readings;
     }
 }

@@ -59,10 +59,10 @@ TEST(TimeBase, RepeatedAndEarlierStampsAreDropped) {
 }
 
 TEST(TimeBase, StampsThatAreTheSameAfterTheFirstAreRepeated) {
-    const Sorted result = sorted({-1, 1e-17, 2e-17, 1});
+    const Sorted result = sorted({-0.125, 1e-18, 2e-18, 0.125});
     ASSERT_EQ(result.recordings.size(), 1u);
     EXPECT_EQ(result.recordings[0].rows, (std::vector<std::size_t>{0, 1, 3}));
-    EXPECT_EQ(result.recordings[0].time, (std::vector<double>{0, 1, 2}));
+    EXPECT_EQ(result.recordings[0].time, (std::vector<double>{0, 0.125, 0.25}));
     EXPECT_EQ(result.count("duplicates"), 1u);
 }
 
