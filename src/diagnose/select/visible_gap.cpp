@@ -112,7 +112,8 @@ std::vector<DriveProducts> ofSignatureError(const Calibration& car, const Fit& f
 }
 
 // The same of the estimated errors of the readings, by kind (D33f): motion that the other channels show as well does
-// not hide them. No eigenvalue of their covariance exceeds 1, so that the variance is at most twice the mean.
+// not hide them. No eigenvalue of their covariance exceeds 1, so that the variance is at most twice the mean. The error
+// of the signatures adds to both, as one normal number, which has the largest variance.
 std::vector<double> chancesOfReadings(const Calibration& car, const Fit& fit) {
     const model::Left left = leftAtUsualSizes(car, fit.products),
                       by_signatures = leftAtUsualSizes(car, ofSignatureError(car, fit));

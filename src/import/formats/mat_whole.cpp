@@ -49,11 +49,10 @@ MatContents version5(std::string_view bytes, bool big) {
 MatContents version4(std::string_view bytes) {
     static constexpr std::array<std::size_t, 6> kBytes{8, 4, 4, 2, 2, 1};  // of a number, by the tens digit of the type
     if (bytes.empty()) return {"is empty"};
-    if (bytes.size() < kHeader4) return cutOff(1, kHeader4 - bytes.size());
-    const bool big = word(bytes, 0, false) > 9999;
     std::size_t at = 0, variable = 1;
     for (; at < bytes.size(); ++variable) {
         if (bytes.size() - at < kHeader4) return cutOff(variable, kHeader4 - (bytes.size() - at));
+        const bool big = word(bytes, 0, false) > 9999;  // one order for all variables
         const std::uint32_t type = word(bytes, at, big), rows = word(bytes, at + 4, big),
                             columns = word(bytes, at + 8, big), imaginary = word(bytes, at + 12, big),
                             name = word(bytes, at + 16, big), number = type / 10 % 10;
