@@ -155,8 +155,8 @@ struct Settings {
         field(TREAD_FIELD(effect), About{"nat", "log evidence that each effect must gain"});
         field(TREAD_FIELD(false_alarm),
               About{"-",
-                    "an effect is not named if the set of causes without it is more probable than this; a remainder is "
-                    "reported if chance leaves as large a gap with a smaller probability"});
+                    "no cause is named if it is more probable than this that there is none; a remainder is reported if "
+                    "chance leaves as large a gap with a smaller probability"});
         field(TREAD_FIELD(clear), About{"nat",
                                         "log evidence that distinguishes two effects, and above which an effect may be "
                                         "visible or a force law is reported"});

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/math/random.h"
@@ -88,6 +89,31 @@ TEST(Posterior, OfWhatIsStruckOffIsSharedByTheOthers) {
     EXPECT_NEAR(result.of(7), second / (none + second), 1e-12);
     EXPECT_NEAR(result.of(7) + result.ofNothing(), 1, 1e-12);
     EXPECT_EQ(result.hypotheses.size(), 2u);
+}
+
+// A false alarm is worse than an effect beside others that is missed, which is as bad as one that is named wrongly.
+TEST(Posterior, NamesACauseWhereNoneIsUnlikelyAndFurtherOnesThatActLikelierThanNot) {
+    const auto fitted = [](std::vector<std::size_t> effects, double log_evidence) {
+        Candidate one = judged(std::move(effects), log_evidence);
+        one.fitted = true;
+        return one;
+    };
+    const Candidate a = fitted({3}, 20), b = fitted({7}, 6), both = fitted({7, 3}, 22), rival = fitted({3, 8}, 21),
+                    weak = fitted({8}, 4), none = judged({}, 0);
+    using Hypotheses = std::vector<diagnose::select::Hypothesis>;
+    const auto named = [](Hypotheses hypotheses) {
+        std::sort(hypotheses.begin(), hypotheses.end(),
+                  [](const auto& x, const auto& y) { return x.probability > y.probability; });
+        return Posterior{std::move(hypotheses)}.toBeNamed();
+    };
+    EXPECT_EQ(named({{&a, 0.97}, {&none, 0.03}}), &none);
+    EXPECT_EQ(named({{&both, 0.97}, {&none, 0.03}}), &none);
+    EXPECT_EQ(named({{&a, 0.99}, {&none, 0.01}}), &a);
+    EXPECT_EQ(named({{&both, 0.6}, {&a, 0.39}, {&none, 0.01}}), &both);
+    EXPECT_EQ(named({{&a, 0.6}, {&both, 0.39}, {&none, 0.01}}), &a);
+    EXPECT_EQ(named({{&both, 0.4}, {&a, 0.35}, {&rival, 0.24}, {&none, 0.01}}), &both) << "rivals of the second";
+    EXPECT_EQ(named({{&both, 0.4}, {&a, 0.3}, {&b, 0.29}, {&none, 0.01}}), &both) << "rivals of each other";
+    EXPECT_EQ(named({{&weak, 0.6}, {&a, 0.39}, {&none, 0.01}}), &a) << "gains too little";
 }
 
 TEST(Posterior, AnotherSetMayBeTheAnswerInsteadUnlessBothActTogether) {

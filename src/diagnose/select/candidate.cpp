@@ -133,6 +133,15 @@ bool Candidate::of(const std::vector<std::size_t>& others) const {
     return std::is_permutation(effects.begin(), effects.end(), others.begin(), others.end());
 }
 
+bool Candidate::holds(std::size_t effect) const {
+    return std::find(effects.begin(), effects.end(), effect) != effects.end();
+}
+
+bool Candidate::lacksOneOf(const Candidate& set) const {
+    return effects.size() + 1 == set.effects.size() &&
+           std::all_of(effects.begin(), effects.end(), [&](std::size_t effect) { return set.holds(effect); });
+}
+
 SharedLinearisation linearisationAbout(const Calibration& car, const Candidate& candidate) {
     return candidate.about ? candidate.about : linearisedAt(car, candidate.fit);
 }

@@ -20,6 +20,8 @@ struct Candidate {
 
     // Whether these are the effects, in any order.
     bool of(const std::vector<std::size_t>& others) const;
+    bool holds(std::size_t effect) const;
+    bool lacksOneOf(const Candidate& set) const;  // whether it is that set without one of its effects
 };
 
 // The linearisation about a fitted candidate: its own, or computed where it has none.

@@ -18,8 +18,21 @@ double choices(double n, std::size_t effects) {
     return ways;
 }
 
-bool holds(const Candidate& candidate, std::size_t effect) {
-    return std::find(candidate.effects.begin(), candidate.effects.end(), effect) != candidate.effects.end();
+// Causes that gain too little are not named, however few rivals a catalogue has.
+bool mayBeNamed(const Candidate& model) {
+    return model.effects.empty() || (model.fitted && model.log_evidence >= kSettings.effect);
+}
+
+// The most probable set without one of these effects, if it is likelier than all sets of at least as many; null when it
+// is not. All of them count, because rivals of an effect do not make it needless.
+const Candidate* likelierWithoutOne(const std::vector<Hypothesis>& hypotheses, const Candidate& named) {
+    double as_large = 0;
+    for (const Hypothesis& one : hypotheses)
+        if (one.candidate->effects.size() >= named.effects.size()) as_large += one.probability;
+    const auto less = std::find_if(hypotheses.begin(), hypotheses.end(), [&](const Hypothesis& one) {
+        return mayBeNamed(*one.candidate) && one.candidate->lacksOneOf(named);
+    });
+    return less != hypotheses.end() && less->probability > as_large ? less->candidate : nullptr;
 }
 
 // Turns logarithms of prior times evidence into probabilities, and sorts by them.
@@ -37,7 +50,7 @@ void normalise(std::vector<Hypothesis>& hypotheses, std::vector<double> logs) {
 double Posterior::of(std::size_t effect) const {
     double sum = 0;
     for (const Hypothesis& one : hypotheses) {
-        if (holds(*one.candidate, effect)) sum += one.probability;
+        if (one.candidate->holds(effect)) sum += one.probability;
     }
     return sum;
 }
@@ -46,7 +59,7 @@ double Posterior::genuinelyOf(std::size_t effect) const {
     double sum = 0;
     for (const Hypothesis& one : hypotheses) {
         const Candidate& candidate = *one.candidate;
-        if (holds(candidate, effect)) sum += one.probability * kSettings.genuine(candidate.effects.size());
+        if (candidate.holds(effect)) sum += one.probability * kSettings.genuine(candidate.effects.size());
     }
     return sum;
 }
@@ -65,11 +78,23 @@ double Posterior::ofNothing() const {
     return sum;
 }
 
+const Candidate* Posterior::toBeNamed() const {
+    const auto most = [&](auto&& may) {
+        return std::find_if(hypotheses.begin(), hypotheses.end(),
+                            [&](const Hypothesis& one) { return may(*one.candidate); })
+            ->candidate;
+    };
+    if (ofNothing() > kSettings.false_alarm) return most([](const Candidate& one) { return one.effects.empty(); });
+    const Candidate* named = most(mayBeNamed);
+    while (const Candidate* less = likelierWithoutOne(hypotheses, *named)) named = less;
+    return named;
+}
+
 std::vector<const Candidate*> Posterior::alternativesTo(const Candidate& named) const {
     const auto actsBeside = [&](const Hypothesis& other) {
         std::vector<std::size_t> both = named.effects;
         for (const std::size_t e : other.candidate->effects)
-            if (!holds(named, e)) both.push_back(e);
+            if (!named.holds(e)) both.push_back(e);
         return std::any_of(hypotheses.begin(), hypotheses.end(), [&](const Hypothesis& one) {
             return one.probability > other.probability && one.candidate->of(both);
         });

@@ -24,6 +24,9 @@ struct Posterior {
     double genuine() const;  // that the set, which may be empty, is not what an unknown cause looks like
     double ofNothing() const;
 
+    // The most probable set that gains enough evidence, less the effects that act less likely than not. It is empty if
+    // it is too probable that there is no cause.
+    const Candidate* toBeNamed() const;
     // Sets of as many effects that may be the answer instead of this one. None where it is sure among them. A set that
     // is less likely than both together acts beside it, not instead of it.
     std::vector<const Candidate*> alternativesTo(const Candidate& named) const;

@@ -58,16 +58,12 @@ std::map<std::string, Estimate> estimates(const Calibration& car, const Fit& fit
     return result;
 }
 
-bool contains(const Candidate& candidate, std::size_t effect) {
-    return std::find(candidate.effects.begin(), candidate.effects.end(), effect) != candidate.effects.end();
-}
-
 // The fit from which the size of an effect is told: that of the answer if it holds the effect, otherwise that of the
 // most probable model which does; null when none was fitted.
 const Fit* fitWith(std::size_t effect, const Judgement& judgement, const Posterior& posterior) {
-    if (contains(*judgement.named, effect)) return &judgement.answer;
+    if (judgement.named->holds(effect)) return &judgement.answer;
     for (const Hypothesis& one : posterior.hypotheses)
-        if (one.candidate->fitted && contains(*one.candidate, effect)) return &one.candidate->fit;
+        if (one.candidate->fitted && one.candidate->holds(effect)) return &one.candidate->fit;
     return nullptr;
 }
 
@@ -168,17 +164,10 @@ Fit atClosest(const Calibration& car, Fit fit) {
     return fit;
 }
 
-// True when `less` is the set without one of its effects.
-bool lacksOne(const Candidate& less, const Candidate& set) {
-    return less.effects.size() + 1 == set.effects.size() &&
-           std::all_of(less.effects.begin(), less.effects.end(),
-                       [&](std::size_t effect) { return contains(set, effect); });
-}
-
 // True when the drive that tells most of one of the effects contradicts the others (D38a).
 bool contradicted(const Calibration& car, const Candidate& model, const Search& found) {
     return std::any_of(found.candidates.begin(), found.candidates.end(), [&](const Candidate& less) {
-        return less.fitted && lacksOne(less, model) && predicted(car, model.fit, less.fit).contradicts();
+        return less.fitted && less.lacksOneOf(model) && predicted(car, model.fit, less.fit).contradicts();
     });
 }
 
@@ -210,36 +199,6 @@ std::string reasonInTheGap(const Calibration& car, const Candidate& model, const
     return {};
 }
 
-// Causes that gain too little are not named, however few rivals a catalogue has.
-bool mayBeNamed(const Candidate& model) {
-    return model.effects.empty() || (model.fitted && model.log_evidence >= kSettings.effect);
-}
-
-// The set without one of its effects that is too probable for that effect to be named; null when there is none. It is
-// compared with all sets that are at least as large, because rivals of an effect do not make it needless.
-const Candidate* needsLess(const Posterior& probable, const Candidate& named) {
-    double as_large = 0;
-    for (const Hypothesis& one : probable.hypotheses)
-        if (one.candidate->effects.size() >= named.effects.size()) as_large += one.probability;
-    const Hypothesis* most = nullptr;
-    for (const Hypothesis& one : probable.hypotheses) {
-        const Candidate& less = *one.candidate;
-        if (lacksOne(less, named) && mayBeNamed(less) && (!most || one.probability > most->probability)) most = &one;
-    }
-    const bool needless = most && most->probability > kSettings.false_alarm * (most->probability + as_large);
-    return needless ? most->candidate : nullptr;
-}
-
-// The most probable set that may be named, less the effects that it does not need.
-const Candidate* choose(const Posterior& probable) {
-    const Candidate* named =
-        std::find_if(probable.hypotheses.begin(), probable.hypotheses.end(), [](const Hypothesis& one) {
-            return mayBeNamed(*one.candidate);
-        })->candidate;
-    while (const Candidate* less = needsLess(probable, *named)) named = less;
-    return named;
-}
-
 // The most probable model that may be the answer. Models that may not are struck off, and the others share their
 // probability. The tests that cost least come first. Where an effect that was only screened is the most probable now,
 // it is fitted.
@@ -258,7 +217,7 @@ Answer answerOf(const Calibration& car, Search& found, const HeldOut& held_out) 
             possible[first] = fitScreened(car, found, one);
             continue;
         }
-        const Candidate* named = choose(probable);
+        const Candidate* named = probable.toBeNamed();
         if (std::string reason = reasonInTheFit(car, *named, found, held_out, probable.variance_factor);
             !reason.empty()) {
             strike(named, std::move(reason));
