@@ -11,12 +11,10 @@ namespace {
 constexpr std::size_t kLongest = 3;            // samples, unless the car cannot jump like that
 constexpr std::size_t kAround = 50;            // samples on either side that show the usual change
 constexpr std::size_t kSwitchValues = 16;      // a channel with no more values is a switch or a counter
-constexpr double kShareOfRange = 0.1;          // smaller excursions harm nobody
 constexpr double kUsual = 0.9;                 // share of the changes around that a spike does not belong to
 constexpr double kSigmaOfUsual = 1 / 1.645;    // standard deviation over that quantile of its magnitude, normal noise
 constexpr double kSigmaOfMedian = 1 / 0.6745;  // the same over the median
 constexpr double kLongestHold = 0.1;           // s: the slowest instruments of a car send ten times a second
-constexpr double kThereAndBack = 0.05;         // s: no body or hand moves there and back within
 constexpr double kStillAway = 0.25;            // share of the height of a jump below which a channel is back
 constexpr double kStandsStill = 0.01;          // share of the height of a jump by which a dead channel moves
 constexpr double kReturns = 0.5;               // behind a spike the channel is back within this share of its height
@@ -172,8 +170,9 @@ private:
 
 void replaceShort(const std::vector<double>& time, std::vector<double>& values, const SpikeCriterion& criterion,
                   std::vector<std::size_t>& replaced) {
-    const double longest = std::isfinite(criterion.fastest) ? kThereAndBack : std::numeric_limits<double>::infinity();
-    const double smallest = kShareOfRange * range(values);
+    const double longest =
+        std::isfinite(criterion.fastest) ? std::min(kThereAndBack, criterion.within) : criterion.within;
+    const double smallest = criterion.least * range(values);
     for (std::size_t i = 1; i + 1 < values.size(); ++i) {
         if (!(std::abs(values[i] - values[i - 1]) > smallest)) continue;
         const double height = std::max(smallest, criterion.limit * usualChange(values, i));

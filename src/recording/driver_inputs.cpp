@@ -75,11 +75,14 @@ std::vector<double> quietened(const std::vector<double>& values) {
     return result;
 }
 
+bool isInput(std::string_view channel) {
+    return channel.starts_with("driver.") || channel.starts_with("command.");
+}
+
 Log quietInputs(const Log& log) {
     Log inputs;
     for (const Channel& channel : log.channels) {
-        const std::string_view quantity = quantityOf(channel.name);
-        if (channel.name.starts_with("driver.") || channel.name.starts_with("command.") || quantity == "chassis.vx")
+        if (isInput(channel.name) || quantityOf(channel.name) == "chassis.vx")
             inputs.channels.push_back({channel.name, channel.unit, quietened(channel.values)});
     }
     return inputs;

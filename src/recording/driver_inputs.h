@@ -16,6 +16,8 @@ namespace tread::recording {
 // a step steer are kept.
 Log quietInputs(const Log& log);
 
+bool isInput(std::string_view channel);  // of the driver, or a command
+
 // Evenly spaced values with their noise removed: each is replaced by the middle of the widest parabola through its
 // neighbours that leaves no more than noise.
 std::vector<double> quietened(const std::vector<double>& values);

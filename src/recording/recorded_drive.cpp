@@ -10,6 +10,7 @@
 #include "recording/driver_inputs.h"
 #include "recording/observation.h"
 #include "recording/position.h"
+#include "recording/short_spikes.h"
 
 namespace tread::recording {
 namespace {
@@ -55,6 +56,14 @@ double toldNoise(const DiagnosisFile& file, const std::string& channel, double s
             return told.noise / kBlock;
     }
     return 0;
+}
+
+// The log with short spikes of the motion and of the inputs interpolated.
+Log withoutSpikes(Log log) {
+    const std::vector<double> time = log.channels.front().values;
+    for (Channel& channel : log.channels)
+        if (observedQuantity(channel.name) || isInput(channel.name)) replaceShortSpikes(time, channel.values);
+    return log;
 }
 
 // The channels of a log that a diagnosis can use, by quantity; of each quantity the first instrument comes first.
@@ -176,18 +185,19 @@ Eigen::VectorXd blockMeans(const ObservedChannel& channel, const std::vector<dou
     return means;
 }
 
-RecordedDrive recordedDrive(const Recording& recording, const Log& log, const DiagnosisFile& file) {
-    RecordedDrive drive{.name = recording.name.empty() ? recording.log : recording.name,
+RecordedDrive recordedDrive(const Recording& recording, const Log& recorded, const DiagnosisFile& file) {
+    const std::string& name = recording.name.empty() ? recording.log : recording.name;
+    if (recorded.samples() < 2)
+        throw std::invalid_argument(fmt::format(
+            "recording {}: found fewer than two samples, expected a whole drive; check its log and its window", name));
+    const Log log = withoutSpikes(recorded);
+    RecordedDrive drive{.name = name,
                         .recording = &recording,
                         .log = log,
                         .inputs = quietInputs(log),
                         .time = {},
                         .channels = {},
                         .measured = {}};
-    if (log.samples() < 2)
-        throw std::invalid_argument(fmt::format(
-            "recording {}: found fewer than two samples, expected a whole drive; check its log and its window",
-            drive.name));
     drive.time = log.channels.front().values;
     drive.speed = startSpeed(log, drive.time, drive.name);
     drive.gap = firstGap(drive);

@@ -252,6 +252,31 @@ TEST(Sliding, CarsThatSlideAlikeDoNotEndTheDrive) {
     EXPECT_EQ(slideApart(turning(0.03), turning(0).measured), kInfinity) << "a gyro of so much bias is no slide";
 }
 
+// Rows of a yaw rate that was read so often per second, with this much added to some of its readings.
+Eigen::VectorXd rowsOfYawRate(double rate, double added, std::size_t first = 0, std::size_t after = 0) {
+    Log log{.channels = {{"time", "s", {}}, {"chassis.vx", "m/s", {}}, {"chassis.yaw_rate", "rad/s", {}}}};
+    Random random(7);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(10 * rate); ++i) {
+        const double t = static_cast<double>(i) / rate, noise = 0.002 * random.normal();
+        log.channels[0].values.push_back(t);
+        log.channels[1].values.push_back(20);
+        log.channels[2].values.push_back(0.3 * std::sin(std::numbers::pi * t) + noise);
+        if (i >= first && i < after) log.channels[2].values.back() += added;
+    }
+    static const Recording recording{.log = "drive.csv", .speed = SpeedReplay::followed};
+    return recordedDrive(recording, log, {}).measured;
+}
+
+TEST(Readings, ThatAreSpikesAreInterpolated) {
+    const double apart = (rowsOfYawRate(100, 0.2, 300, 301) - rowsOfYawRate(100, 0)).cwiseAbs().maxCoeff();
+    EXPECT_LT(apart, 0.004) << "two standard deviations of the noise; the spike would change a row by 0.04";
+}
+
+TEST(Readings, ThatTheCarMayHaveShownAreKept) {
+    EXPECT_GT((rowsOfYawRate(100, 0.2, 300, 310) - rowsOfYawRate(100, 0)).cwiseAbs().maxCoeff(), 0.19) << "100 ms";
+    EXPECT_GT((rowsOfYawRate(20, 0.2, 60, 61) - rowsOfYawRate(20, 0)).cwiseAbs().maxCoeff(), 0.19) << "a slow sensor";
+}
+
 TEST(Replay, ACarIsAsFastAsItsSpeedometerStandsFor) {
     const Recording recording{.log = "a.csv"};
     RecordedDrive drive = turning(0);

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "import/spikes.h"
 #include "recording/checks/log_checks.h"
+#include "recording/short_spikes.h"
 
 namespace tread::recording::checks {
 namespace {
@@ -14,6 +14,7 @@ namespace {
 constexpr double kSlowest = 20;        // samples per second: rows of a diagnosis are 20 Hz
 constexpr double kUneven = 0.5;        // deviation of a step in time, relative to the median step
 constexpr double kSpikeLimit = 12;     // robust standard deviations, the limit of tread import
+constexpr double kManySpikes = 0.01;   // share of samples
 constexpr double kSaturated = 0.15;    // s at exactly the largest or smallest value
 constexpr double kStuckShare = 0.3;    // share of the recording during which a channel may keep one value
 constexpr double kBeyondShare = 0.01;  // share of samples; fewer beyond the plausible range are spikes
@@ -97,15 +98,27 @@ void checkRuns(const LogChecks& checks, const Channel& channel) {
     }
 }
 
-void checkSpikes(const LogChecks& checks, const Channel& channel) {
-    std::vector<double> repaired = channel.values;
-    const auto spikes = replaceSpikes(checks.time(), repaired, kSpikeLimit);
-    if (spikes.empty()) return;
+void warnOfSpikes(const LogChecks& checks, const Channel& channel, const std::vector<std::size_t>& spikes,
+                  const char* consequence, const char* advice) {
     checks.warn(
         channel.name,
         fmt::format("{} {}, the first at {:.2f} s", spikes.size(),
                     spikes.size() == 1 ? "value is a spike" : "values are spikes", checks.time()[spikes.front()]),
-        "One outlier weighs as much as seconds of driving", "Remove the spikes with tread import");
+        consequence, advice);
+}
+
+// Short spikes are interpolated. Where there are many, the instrument is at fault.
+void checkSpikes(const LogChecks& checks, const Channel& channel) {
+    std::vector<double> values = channel.values, without_short = channel.values;
+    const auto spikes = replaceSpikes(checks.time(), values, kSpikeLimit);
+    if (spikes.empty()) return;
+    replaceShortSpikes(checks.time(), without_short);
+    if (const auto left = replaceSpikes(checks.time(), without_short, kSpikeLimit); !left.empty())
+        warnOfSpikes(checks, channel, left, "One outlier weighs as much as seconds of driving",
+                     "Remove the spikes with tread import");
+    else if (static_cast<double>(spikes.size()) > kManySpikes * static_cast<double>(values.size()))
+        warnOfSpikes(checks, channel, spikes, "The diagnosis interpolates them, and cannot see the motion there",
+                     "Check the instrument and its wiring");
 }
 
 // Largest plausible value, and the unit that a larger one suggests.
