@@ -153,10 +153,11 @@ struct Settings {
         field(TREAD_FIELD(rarer),
               About{"-", "prior probability with one additional cause, relative to that without it"});
         field(TREAD_FIELD(effect), About{"nat", "log evidence that each effect must gain"});
-        field(TREAD_FIELD(false_alarm),
-              About{"-",
-                    "no cause is named if it is more probable than this that there is none; a remainder is reported if "
-                    "chance leaves as large a gap with a smaller probability"});
+        field(
+            TREAD_FIELD(false_alarm),
+            About{"-",
+                  "an effect is not needed if the set of causes without it is more probable than this; a remainder is "
+                  "reported if chance leaves as large a gap with a smaller probability"});
         field(TREAD_FIELD(clear), About{"nat",
                                         "log evidence that distinguishes two effects, and above which an effect may be "
                                         "visible or a force law is reported"});

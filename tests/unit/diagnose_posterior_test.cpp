@@ -91,29 +91,47 @@ TEST(Posterior, OfWhatIsStruckOffIsSharedByTheOthers) {
     EXPECT_EQ(result.hypotheses.size(), 2u);
 }
 
-// A false alarm is worse than an effect beside others that is missed, which is as bad as one that is named wrongly.
-TEST(Posterior, NamesACauseWhereNoneIsUnlikelyAndFurtherOnesThatActLikelierThanNot) {
-    const auto fitted = [](std::vector<std::size_t> effects, double log_evidence) {
-        Candidate one = judged(std::move(effects), log_evidence);
-        one.fitted = true;
-        return one;
-    };
-    const Candidate a = fitted({3}, 20), b = fitted({7}, 6), both = fitted({7, 3}, 22), rival = fitted({3, 8}, 21),
-                    weak = fitted({8}, 4), none = judged({}, 0);
+Candidate fitted(std::vector<std::size_t> effects, double log_evidence) {
+    Candidate one = judged(std::move(effects), log_evidence);
+    one.fitted = true;
+    return one;
+}
+
+// Sets of effects with these probabilities.
+struct OfTwo {
+    Candidate a = fitted({3}, 20), b = fitted({7}, 6), both = fitted({7, 3}, 22), rival = fitted({3, 8}, 21),
+              weak = fitted({8}, 4), none = judged({}, 0);
+
     using Hypotheses = std::vector<diagnose::select::Hypothesis>;
-    const auto named = [](Hypotheses hypotheses) {
+    static Posterior of(Hypotheses hypotheses) {
         std::sort(hypotheses.begin(), hypotheses.end(),
                   [](const auto& x, const auto& y) { return x.probability > y.probability; });
-        return Posterior{std::move(hypotheses)}.toBeNamed();
+        return {std::move(hypotheses)};
+    }
+};
+
+TEST(Posterior, NeedsAnEffectWhereTheSetWithoutItIsTooImprobable) {
+    const OfTwo sets;
+    const auto& [a, b, both, rival, weak, none] = sets;
+    const auto needed = [](OfTwo::Hypotheses hypotheses) { return OfTwo::of(std::move(hypotheses)).needed(); };
+    EXPECT_EQ(needed({{&a, 0.97}, {&none, 0.03}}), &none);
+    EXPECT_EQ(needed({{&a, 0.99}, {&none, 0.01}}), &a);
+    EXPECT_EQ(needed({{&both, 0.979}, {&a, 0.02}, {&none, 0.001}}), &a);
+    EXPECT_EQ(needed({{&both, 0.989}, {&a, 0.01}, {&none, 0.001}}), &both);
+    EXPECT_EQ(needed({{&both, 0.6}, {&rival, 0.389}, {&a, 0.01}, {&none, 0.001}}), &both) << "rivals of the second";
+    EXPECT_EQ(needed({{&weak, 0.6}, {&a, 0.399}, {&none, 0.001}}), &a) << "gains too little";
+}
+
+TEST(Posterior, IsLikelierWithOneMoreEffectWhereLargerSetsAre) {
+    const OfTwo sets;
+    const auto more = [&](OfTwo::Hypotheses hypotheses) {
+        return OfTwo::of(std::move(hypotheses)).likelierWithOneMore(sets.a);
     };
-    EXPECT_EQ(named({{&a, 0.97}, {&none, 0.03}}), &none);
-    EXPECT_EQ(named({{&both, 0.97}, {&none, 0.03}}), &none);
-    EXPECT_EQ(named({{&a, 0.99}, {&none, 0.01}}), &a);
-    EXPECT_EQ(named({{&both, 0.6}, {&a, 0.39}, {&none, 0.01}}), &both);
-    EXPECT_EQ(named({{&a, 0.6}, {&both, 0.39}, {&none, 0.01}}), &a);
-    EXPECT_EQ(named({{&both, 0.4}, {&a, 0.35}, {&rival, 0.24}, {&none, 0.01}}), &both) << "rivals of the second";
-    EXPECT_EQ(named({{&both, 0.4}, {&a, 0.3}, {&b, 0.29}, {&none, 0.01}}), &both) << "rivals of each other";
-    EXPECT_EQ(named({{&weak, 0.6}, {&a, 0.39}, {&none, 0.01}}), &a) << "gains too little";
+    const auto& [a, b, both, rival, weak, none] = sets;
+    EXPECT_EQ(more({{&both, 0.6}, {&a, 0.39}, {&none, 0.01}}), &both);
+    EXPECT_EQ(more({{&a, 0.6}, {&both, 0.39}, {&none, 0.01}}), nullptr);
+    EXPECT_EQ(more({{&a, 0.4}, {&both, 0.3}, {&rival, 0.29}, {&none, 0.01}}), &both) << "something else acts as well";
+    EXPECT_EQ(more({{&a, 0.4}, {&b, 0.59}, {&none, 0.01}}), nullptr);
 }
 
 TEST(Posterior, AnotherSetMayBeTheAnswerInsteadUnlessBothActTogether) {

@@ -23,16 +23,23 @@ bool mayBeNamed(const Candidate& model) {
     return model.effects.empty() || (model.fitted && model.log_evidence >= kSettings.effect);
 }
 
-// The most probable set without one of these effects, if it is likelier than all sets of at least as many; null when it
-// is not. All of them count, because rivals of an effect do not make it needless.
-const Candidate* likelierWithoutOne(const std::vector<Hypothesis>& hypotheses, const Candidate& named) {
-    double as_large = 0;
+// The probability of all sets of at least so many effects: rivals of an effect do not make it needless.
+double ofAtLeast(const std::vector<Hypothesis>& hypotheses, std::size_t effects) {
+    double sum = 0;
     for (const Hypothesis& one : hypotheses)
-        if (one.candidate->effects.size() >= named.effects.size()) as_large += one.probability;
+        if (one.candidate->effects.size() >= effects) sum += one.probability;
+    return sum;
+}
+
+// The most probable set without one of these effects, if it is too probable for that effect to be needed; null when it
+// is not.
+const Candidate* needsLess(const std::vector<Hypothesis>& hypotheses, const Candidate& named) {
     const auto less = std::find_if(hypotheses.begin(), hypotheses.end(), [&](const Hypothesis& one) {
         return mayBeNamed(*one.candidate) && one.candidate->lacksOneOf(named);
     });
-    return less != hypotheses.end() && less->probability > as_large ? less->candidate : nullptr;
+    if (less == hypotheses.end()) return nullptr;
+    const double with_or_without = less->probability + ofAtLeast(hypotheses, named.effects.size());
+    return less->probability > kSettings.false_alarm * with_or_without ? less->candidate : nullptr;
 }
 
 // Turns logarithms of prior times evidence into probabilities, and sorts by them.
@@ -78,16 +85,23 @@ double Posterior::ofNothing() const {
     return sum;
 }
 
-const Candidate* Posterior::toBeNamed() const {
-    const auto most = [&](auto&& may) {
-        return std::find_if(hypotheses.begin(), hypotheses.end(),
-                            [&](const Hypothesis& one) { return may(*one.candidate); })
-            ->candidate;
-    };
-    if (ofNothing() > kSettings.false_alarm) return most([](const Candidate& one) { return one.effects.empty(); });
-    const Candidate* named = most(mayBeNamed);
-    while (const Candidate* less = likelierWithoutOne(hypotheses, *named)) named = less;
+const Candidate* Posterior::needed() const {
+    const Candidate* named = std::find_if(hypotheses.begin(), hypotheses.end(), [](const Hypothesis& one) {
+                                 return mayBeNamed(*one.candidate);
+                             })->candidate;
+    while (const Candidate* less = needsLess(hypotheses, *named)) named = less;
     return named;
+}
+
+const Candidate* Posterior::likelierWithOneMore(const Candidate& named) const {
+    double own = 0;
+    for (const Hypothesis& one : hypotheses)
+        if (one.candidate == &named) own = one.probability;
+    const auto more = std::find_if(hypotheses.begin(), hypotheses.end(), [&](const Hypothesis& one) {
+        return mayBeNamed(*one.candidate) && named.lacksOneOf(*one.candidate);
+    });
+    const bool likelier = more != hypotheses.end() && ofAtLeast(hypotheses, named.effects.size() + 1) > own;
+    return likelier ? more->candidate : nullptr;
 }
 
 std::vector<const Candidate*> Posterior::alternativesTo(const Candidate& named) const {

@@ -24,9 +24,11 @@ struct Posterior {
     double genuine() const;  // that the set, which may be empty, is not what an unknown cause looks like
     double ofNothing() const;
 
-    // The most probable set that gains enough evidence, less the effects that act less likely than not. It is empty if
-    // it is too probable that there is no cause.
-    const Candidate* toBeNamed() const;
+    // The most probable set that gains enough evidence, less the effects that it does not need because the set without
+    // them is too probable.
+    const Candidate* needed() const;
+    // The most probable set with one more effect, if sets of so many effects are likelier; null when they are not.
+    const Candidate* likelierWithOneMore(const Candidate& named) const;
     // Sets of as many effects that may be the answer instead of this one. None where it is sure among them. A set that
     // is less likely than both together acts beside it, not instead of it.
     std::vector<const Candidate*> alternativesTo(const Candidate& named) const;

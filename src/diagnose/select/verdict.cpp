@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "diagnose/select/beside_unknown.h"
 #include "diagnose/select/left_out.h"
@@ -22,13 +24,13 @@ constexpr double kNinety = 1.645;  // standard deviations of a 90 % interval
 constexpr int kMostAnswerFits = 3;
 constexpr double kAnswerSettled = 8;
 
+using Struck = std::vector<std::pair<const Candidate*, std::string>>;  // models that cannot be the answer, and why
+
 // The set of effects that is named, with the probabilities of all that can be.
 struct Answer {
     Posterior posterior;
-    const Candidate* named = nullptr;
-    Fit fit;  // of the causes, their sizes free of the prior
-    Closeness closeness;
-    std::vector<std::pair<const Candidate*, std::string>> struck = {};  // with the reason
+    Judgement judgement;
+    Struck struck;
 };
 
 // Estimate of a number from the parameter that moves it; `units` and `sd` are the fitted value of the parameter and its
@@ -86,10 +88,9 @@ double probabilityOf(std::size_t effect, const Calibration& car, const Posterior
            unknown * posterior.of(effect) * probabilityBesideUnknown(effect, car, judgement);
 }
 
-void rankEffects(Diagnosis& diagnosis, const Calibration& car, const Search& found, const Answer& chosen,
-                 const Judgement& judgement) {
+void rankEffects(Diagnosis& diagnosis, const Calibration& car, const Search& found, const Answer& chosen) {
     const Problem& problem = car.problem;
-    const Posterior& posterior = chosen.posterior;
+    const auto& [posterior, judgement, struck] = chosen;
     for (std::size_t e = 0; e < problem.effects.size(); ++e) {
         answer::RankedEffect ranked{.name = problem.effects[e].name,
                                     .probability = probabilityOf(e, car, posterior, judgement),
@@ -97,7 +98,7 @@ void rankEffects(Diagnosis& diagnosis, const Calibration& car, const Search& fou
         for (const Candidate& one : found.candidates) {
             if (one.effects != std::vector<std::size_t>{e}) continue;
             ranked.log_evidence = one.log_evidence;
-            for (const auto& [model, reason] : chosen.struck)
+            for (const auto& [model, reason] : struck)
                 if (model == &one) ranked.against = reason;
         }
         if (const Fit* fit = fitWith(e, judgement, posterior))
@@ -199,58 +200,96 @@ std::string reasonInTheGap(const Calibration& car, const Candidate& model, const
     return {};
 }
 
-// The most probable model that may be the answer. Models that may not are struck off, and the others share their
-// probability. The tests that cost least come first. Where an effect that was only screened is the most probable now,
-// it is fitted.
-Answer answerOf(const Calibration& car, Search& found, const HeldOut& held_out) {
-    std::vector<bool> possible(found.candidates.size(), true);
-    std::vector<std::pair<const Candidate*, std::string>> struck;
-    LeftOut left_out(car, held_out);
-    const auto strike = [&](const Candidate* model, std::string reason) {
-        struck.emplace_back(model, std::move(reason));
-        possible[model - found.candidates.data()] = false;
-    };
-    while (true) {
-        Posterior probable = posterior(car, found, possible);
-        const std::ptrdiff_t first = probable.hypotheses.front().candidate - found.candidates.data();
-        if (Candidate& one = found.candidates[first]; !one.fitted) {
-            possible[first] = fitScreened(car, found, one);
-            continue;
-        }
-        const Candidate* named = probable.toBeNamed();
-        if (std::string reason = reasonInTheFit(car, *named, found, held_out, probable.variance_factor);
-            !reason.empty()) {
-            strike(named, std::move(reason));
-            continue;
-        }
-        Fit answer = released(car, *named);
-        if (implausible(car, answer)) {
-            strike(named, kAtItsEnd);
-            continue;
-        }
-        Closeness closeness = closenessOf(car, named->effects, answer.at);
-        if (std::string reason = reasonInTheGap(car, *named, closeness, left_out); !reason.empty()) {
-            strike(named, std::move(reason));
-            continue;
-        }
-        return {std::move(probable), named, atClosest(car, std::move(answer)), std::move(closeness), std::move(struck)};
-    }
-}
-
 // Nats by which the models that were struck off are likelier than all others (D33c). What an effect that closes too
 // little stands for is not visible, and needs no cause.
-double rejectedOver(const Calibration& car, const Search& found, const Answer& chosen) {
-    if (chosen.struck.empty()) return -kInfinity;
+double rejectedOver(const Calibration& car, const Search& found, const Struck& struck) {
+    if (struck.empty()) return -kInfinity;
     const Posterior all = posterior(car, found, std::vector<bool>(found.candidates.size(), true));
     double rejected = 0, others = 0;
     for (const Hypothesis& one : all.hypotheses) {
-        const auto struck = std::find_if(chosen.struck.begin(), chosen.struck.end(),
-                                         [&](const auto& off) { return off.first == one.candidate; });
-        if (struck == chosen.struck.end()) others += one.probability;
-        else if (struck->second != kClosesByChance) rejected += one.probability;
+        const auto off =
+            std::find_if(struck.begin(), struck.end(), [&](const auto& each) { return each.first == one.candidate; });
+        if (off == struck.end()) others += one.probability;
+        else if (off->second != kClosesByChance) rejected += one.probability;
     }
     return std::log(rejected) - std::log(std::max(others, std::numeric_limits<double>::min()));
 }
+
+// Judges models of a search. Models that may not be the answer are struck off, and the others share their probability.
+class Judge {
+public:
+    Judge(const Calibration& car, Search& found, const HeldOut& held_out, answer::Vibration vibration)
+        : car_(car),
+          found_(found),
+          held_out_(held_out),
+          vibration_(std::move(vibration)),
+          left_out_(car, held_out),
+          possible_(found.candidates.size(), true) {}
+
+    // The most probable model that may be the answer, less the effects that it does not need, but with those that act
+    // likelier than not. Where an effect that was only screened is the most probable now, it is fitted.
+    Answer answer() {
+        while (true) {
+            Posterior probable = posterior(car_, found_, possible_);
+            const std::ptrdiff_t first = probable.hypotheses.front().candidate - found_.candidates.data();
+            if (Candidate& one = found_.candidates[first]; !one.fitted) {
+                possible_[first] = fitScreened(car_, found_, one);
+                continue;
+            }
+            const Candidate* named = probable.needed();
+            std::string reason;
+            std::optional<Judgement> judgement = judged(*named, probable, reason);
+            if (!judgement) {
+                struck_.emplace_back(named, std::move(reason));
+                possible_[named - found_.candidates.data()] = false;
+                continue;
+            }
+            while (std::optional<Judgement> more = withOneMore(*judgement, probable)) judgement = std::move(more);
+            return {std::move(probable), std::move(*judgement), std::move(struck_)};
+        }
+    }
+
+private:
+    // Nothing, and the reason, when the model may not be the answer. The tests that cost least come first.
+    std::optional<Judgement> judged(const Candidate& model, const Posterior& probable, std::string& reason) {
+        reason = reasonInTheFit(car_, model, found_, held_out_, probable.variance_factor);
+        if (!reason.empty()) return std::nullopt;
+        Fit answer = released(car_, model);
+        if (implausible(car_, answer)) {
+            reason = kAtItsEnd;
+            return std::nullopt;
+        }
+        Closeness closeness = closenessOf(car_, model.effects, answer.at);
+        reason = reasonInTheGap(car_, model, closeness, left_out_);
+        if (!reason.empty()) return std::nullopt;
+        Remains remains = whatRemains(car_, model, closeness.with);
+        remains.rejected = rejectedOver(car_, found_, struck_);
+        remains.vibration = vibration_;
+        return Judgement{&model, atClosest(car_, std::move(answer)), std::move(closeness), std::move(remains),
+                         predicted(car_, model.fit, found_.none().fit)};
+    }
+
+    // The same with one more effect of a cause that is named, if that acts likelier than not and may be named.
+    std::optional<Judgement> withOneMore(const Judgement& judgement, const Posterior& probable) {
+        const Candidate& named = *judgement.named;
+        const Candidate* more = named.effects.empty() ? nullptr : probable.likelierWithOneMore(named);
+        std::string reason;
+        std::optional<Judgement> result = more ? judged(*more, probable, reason) : std::nullopt;
+        if (!result) return std::nullopt;
+        const auto added = std::find_if(more->effects.begin(), more->effects.end(),
+                                        [&](std::size_t effect) { return !named.holds(effect); });
+        if (probabilityOf(*added, car_, probable, *result) < 0.5) return std::nullopt;
+        return result;
+    }
+
+    const Calibration& car_;
+    Search& found_;
+    const HeldOut& held_out_;
+    answer::Vibration vibration_;
+    LeftOut left_out_;
+    std::vector<bool> possible_;  // of each candidate
+    Struck struck_;
+};
 
 // Whether an unknown cause is part of the answer. Alone, it must be as probable as what is sure; causes explain all
 // only where they are more likely to.
@@ -278,18 +317,13 @@ Verdict verdictOf(const Diagnosis& diagnosis, const Calibration& car, const Judg
 Judgement judge(answer::Diagnosis& diagnosis, const Calibration& car, const std::vector<double>& expected_evidence,
                 Search& found, const HeldOut& held_out, answer::Vibration vibration) {
     const Problem& problem = car.problem;
-    Answer chosen = answerOf(car, found, held_out);
-    const Candidate& named = *chosen.named;
-    Remains remains = whatRemains(car, named, chosen.closeness.with);
-    remains.rejected = rejectedOver(car, found, chosen);
-    remains.vibration = std::move(vibration);
-    Judgement judgement{&named, std::move(chosen.fit), std::move(chosen.closeness), std::move(remains),
-                        predicted(car, named.fit, found.none().fit)};
+    Answer chosen = Judge(car, found, held_out, std::move(vibration)).answer();
+    const Candidate& named = *chosen.judgement.named;
     diagnosis.causes = problem.namesOf(named.effects);
-    const double remains_ordinary = 1 - judgement.remains.probability();
+    const double remains_ordinary = 1 - chosen.judgement.remains.probability();
     diagnosis.probability_of_unknown = 1 - remains_ordinary * chosen.posterior.genuine();
     diagnosis.probability_of_nothing = remains_ordinary * chosen.posterior.ofNothing();
-    rankEffects(diagnosis, car, found, chosen, judgement);
+    rankEffects(diagnosis, car, found, chosen);
     for (const auto& [model, reason] : chosen.struck)
         diagnosis.ruled_out.push_back({problem.namesOf(model->effects), model->log_evidence, reason});
     for (std::size_t e = 0; e < problem.effects.size(); ++e)
@@ -300,8 +334,8 @@ Judgement judge(answer::Diagnosis& diagnosis, const Calibration& car, const std:
     for (const Candidate* one : chosen.posterior.alternativesTo(named))
         diagnosis.alternatives.push_back(problem.namesOf(one->effects));
     std::sort(diagnosis.alternatives.begin(), diagnosis.alternatives.end());
-    diagnosis.verdict = verdictOf(diagnosis, car, judgement);
-    return judgement;
+    diagnosis.verdict = verdictOf(diagnosis, car, chosen.judgement);
+    return std::move(chosen.judgement);
 }
 
 }  // namespace tread::diagnose::select
