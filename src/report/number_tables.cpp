@@ -76,7 +76,8 @@ void addChangesOf(HtmlPage& page, const RankedEffect& effect, bool compared) {
     std::vector<std::vector<Cell>> rows;
     for (const ChangedNumber& number : changedNumbers(effect)) rows.push_back(rowOf(number));
     if (!rows.empty())
-        page.table({"Number", compared ? "Before → after" : "Nominal → found", "Change", "Path and 90 % interval"},
+        page.table({"Number", compared ? "Before → after, ± of the change" : "Nominal → found", "Change",
+                    "Path and 90 % interval"},
                    rows, true);
 }
 

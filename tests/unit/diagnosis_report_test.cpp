@@ -408,6 +408,19 @@ TEST(CarWithEffect, HasTheFittedNumbersOfTheCausesAndReadsBack) {
     EXPECT_EQ(car.steering.delay, 0) << "is not blamed";
     EXPECT_TRUE(
         contains(yaml, "#   tyre_relaxation: front.tyre.parameters.cFy = 1.05e+05 N/m (+- 6e+03), nominal 1.418e+05"));
+    // With references, the effect is beside the numbers of the car before as these show it.
+    d.compared = true;
+    d.before.moved = {{"front.suspension.spring", {.value = 18000, .sd = 900, .nominal = 20000, .z = -2}},
+                      {"front.tyre.parameters.cFy", {.value = 150000, .sd = 9000, .nominal = 141800, .z = 0.2}}};
+    const std::string compared = vehicleWithEffectYaml(nominal, d);
+    const VehicleParams changed = loadVehicle(scratch.file("changed.yaml", compared));
+    EXPECT_EQ(changed.front.suspension.spring, 18000);
+    EXPECT_EQ(changed.front.tyre.parameters.cFy, 105000);
+    EXPECT_TRUE(contains(compared,
+                         "# The car before the change, as fitted to its drives:\n"
+                         "#   front.suspension.spring = 1.8e+04 N/m (+- 9e+02), nominal 2e+04\n"));
+    EXPECT_TRUE(contains(compared, "(+- 6e+03), before 1.418e+05"));
+    d.before.moved.clear();
     d.causes = {"grade"};
     d.effects = {{"grade", 1, 50, {{"road.grade", {0.01, 0.001, 0.008, 0.012, 0, false}}}}};
     EXPECT_TRUE(contains(vehicleWithEffectYaml(nominal, d),

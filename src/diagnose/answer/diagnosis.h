@@ -25,10 +25,11 @@ struct Estimate {  // estimate of one parameter
 
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(value), About{"-", "best estimate, SI units"});
-        field(TREAD_FIELD(sd), About{"-", "standard deviation"});
-        field(TREAD_FIELD(low), About{"-", "lower end of the 90 % interval"});
+        field(TREAD_FIELD(sd), About{"-", "standard deviation of the change from `neutral`"});
+        field(TREAD_FIELD(low), About{"-", "lower end of the 90 % interval, by the same"});
         field(TREAD_FIELD(high), About{"-", "upper end of the 90 % interval"});
-        field(TREAD_FIELD(neutral), About{"-", "value of the nominal car"});
+        field(TREAD_FIELD(neutral),
+              About{"-", "value of the nominal car, or of the car before the change as fitted to its drives"});
         field(TREAD_FIELD(at_bound), About{"", "the estimate is at the end of its plausible range"});
     }
 };

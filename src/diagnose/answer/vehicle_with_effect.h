@@ -8,7 +8,8 @@
 
 namespace tread::diagnose::answer {
 
-// The subject with the fitted parameters of the causes; unchanged when there is no cause.
+// The subject with the fitted parameters of the causes, beside those of the car before the change if that was fitted to
+// its drives: the effects were found about this car. Unchanged when there is neither.
 recording::Subject withCauses(recording::Subject nominal, const Diagnosis& diagnosis);
 
 // Text of vehicle_with_effect.yaml: the car, below a comment that lists the changed numbers and those that do not
