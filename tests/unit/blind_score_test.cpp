@@ -10,6 +10,7 @@
 #include "blind/score/claims.h"
 #include "blind/score/score.h"
 #include "diagnose/answer/diagnosis.h"
+#include "diagnose/catalogue/effect.h"
 #include "tread/problem.h"
 
 namespace tread::blind_score_test {
@@ -421,6 +422,26 @@ TEST(BlindScore, NumbersOfRightCausesAreHitWithinTwoAndMissedAtTheirBound) {
     EXPECT_NEAR(*result.median_relative_error, 0.1, 1e-9);
     answer.effects[0].parameters["aero.pitch"].sd = 0;
     EXPECT_EQ(ratio(scoreOf({key}, {answer}).figure("numbers_2sd")), "0/3") << "without a standard deviation: a miss";
+}
+
+TEST(BlindScore, WithReferencesTheChangeOfANumberCounts) {
+    CaseKey key = keyOf("a", CaseKind::one, {"spring_rate"});
+    key.numbers["front.suspension.spring"] = {.nominal = 22000, .value = 29000, .change = 1.5};
+    CaseAnswer answer = answerOf("a", Verdict::explained, {"spring_rate"});
+    answer.compared = true;
+    const auto& effects = diagnose::catalogue::effectCatalogue();
+    const auto spring =
+        std::find_if(effects.begin(), effects.end(), [](const auto& effect) { return effect.name == "spring_rate"; });
+    const double by = 1.5 * spring->knobs.front().typical;  // a share of the number
+    // The model of the car before has softer springs, and their rate changes by the same share and a little more.
+    answer.effects[0].parameters["front.suspension.spring"] = {
+        .value = 18000 * (1 + by) + 900, .sd = 1000, .neutral = 18000};
+    const BlindScore result = scoreOf({key}, {answer});
+    ASSERT_EQ(result.number_errors.size(), 1u);
+    EXPECT_NEAR(result.number_errors[0].in_sd, 0.9, 1e-9);
+    EXPECT_NEAR(result.number_errors[0].relative, 900 / (18000 * by), 1e-9);
+    answer.compared = false;
+    EXPECT_EQ(ratio(scoreOf({key}, {answer}).figure("numbers_2sd")), "0/1") << "then the number itself is known";
 }
 
 TEST(BlindScore, ClosureIsCoveredByItsInterval) {

@@ -5,13 +5,17 @@
 
 #include "blind/score/bands.h"
 #include "diagnose/answer/diagnosis.h"
+#include "diagnose/catalogue/effect.h"
 
 namespace tread::blind::score {
 namespace {
 
 using answers::CaseAnswer;
+using diagnose::answer::Estimate;
 using diagnose::answer::RankedEffect;
 using diagnose::answer::Verdict;
+using diagnose::catalogue::Effect;
+using diagnose::catalogue::Knob;
 using key::CaseKey;
 using key::PlantedNumber;
 
@@ -20,6 +24,32 @@ double probabilityOf(const CaseAnswer& answer, const std::string& effect) {
         if (ranked.name == effect) return ranked.probability;
     }
     return 0;
+}
+
+// By how much an effect of typical size changes a number that has this value before; NaN if it does not move it.
+double typicalChange(const std::string& effect, const std::string& path, double before) {
+    for (const Effect& known : diagnose::catalogue::effectCatalogue()) {
+        if (known.name != effect) continue;
+        for (const Knob& knob : known.knobs) {
+            const auto moved = std::find(knob.paths.begin(), knob.paths.end(), path);
+            if (moved == knob.paths.end()) continue;
+            const double share = knob.shares.empty() ? 1 : knob.shares[moved - knob.paths.begin()];
+            return share * knob.typical * (knob.relative ? before : 1);
+        }
+    }
+    return std::nan("");
+}
+
+// The error of an estimate, and of what. Drives with references show the change of a number. What it was before is that
+// of a model of another structure that moves like the car.
+struct Off {
+    double by, of;
+};
+Off errorOf(const Estimate& estimate, const PlantedNumber& truth, const std::string& effect, const std::string& path,
+            bool compared) {
+    const double change = compared ? truth.change * typicalChange(effect, path, estimate.neutral) : std::nan("");
+    if (std::isfinite(change)) return {estimate.value - estimate.neutral - change, change};
+    return {estimate.value - truth.value, truth.value - truth.nominal};
 }
 
 }  // namespace
@@ -85,10 +115,11 @@ std::vector<EstimateError> numberErrors(const CaseKey& key, const CaseAnswer& an
         for (const auto& [path, estimate] : effect.parameters) {
             const auto found = key.numbers.find(path);
             if (found == key.numbers.end()) continue;
-            const PlantedNumber& truth = found->second;
-            const double off = estimate.value - truth.value, relative = std::abs(off / (truth.value - truth.nominal));
-            const bool determined = estimate.sd > 0 && !estimate.at_bound && std::isfinite(off);
-            errors.push_back({determined ? off / estimate.sd : kInfinity, std::isnan(relative) ? kInfinity : relative});
+            const Off off = errorOf(estimate, found->second, effect.name, path, answer.compared);
+            const double relative = std::abs(off.by / off.of);
+            const bool determined = estimate.sd > 0 && !estimate.at_bound && std::isfinite(off.by);
+            errors.push_back(
+                {determined ? off.by / estimate.sd : kInfinity, std::isnan(relative) ? kInfinity : relative});
         }
     }
     return errors;

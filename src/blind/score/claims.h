@@ -38,11 +38,11 @@ bool mayBeTrue(const key::CaseKey& key, const answers::CaseAnswer& answer);
 bool has(const std::vector<std::string>& names, const std::string& name);
 bool hasAll(const std::vector<std::string>& names, const std::vector<std::string>& of);
 
-// ---- Estimated numbers of correctly named causes ----
+// ---- Estimated numbers of correctly named causes; with references, their changes ----
 
 struct EstimateError {
     double in_sd;     // error over its stated standard deviation; infinite at a bound or without a standard deviation
-    double relative;  // error over the distance of the true number from the nominal one
+    double relative;  // error over the distance of the true number from the nominal one; of the change over this
 };
 std::vector<EstimateError> numberErrors(const key::CaseKey& key, const answers::CaseAnswer& answer);
 
