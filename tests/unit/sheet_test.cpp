@@ -157,7 +157,7 @@ TEST(Sheet, HeaveAndPitchAreModesOfAnIndependentCarOnFourWheels) {
                 const double off = std::abs(s - omega * std::complex<double>(-zeta, std::sqrt(1 - zeta * zeta)));
                 if (off > nearest) continue;
                 nearest = off;
-                const auto shape = modes.eigenvectors().col(i);
+                const Eigen::VectorXcd shape = modes.eigenvectors().col(i);  // of a temporary
                 motion = std::abs(shape(0)) / (std::abs(shape(2)) * std::sqrt(car.inertia.pitch / car.mass));
             }
             EXPECT_LT(nearest, 2e-3 * omega) << car.name << " " << mode;
