@@ -160,7 +160,8 @@ TEST(FollowedFor, ThePedalsActAfterIt) {
 }
 
 TEST(FasterStart, IsThatOfThePartInWhichThePedalsAct) {
-    const RecordedDrive car = drive({.log = "a.csv", .followed_for = 1.5}, pedalled());
+    const Recording recording{.log = "a.csv", .followed_for = 1.5};
+    const RecordedDrive car = drive(recording, pedalled());
     const Scenario recorded = replayOf(car, {}, {{}, 0.004, {}}), faster = replayOf(car, {}, {{}, 0.004, {}, 0.5});
     for (const double t : {0.0, 1.5})
         EXPECT_NEAR(followedFirst(faster).profile(t), followedFirst(recorded).profile(t) + 0.5, 1e-12) << t;

@@ -221,7 +221,7 @@ TEST(Reference, MayHaveAnotherLevelOfAPedal) {
         simple_car::Case made = compared(16);
         for (Recording& recording : made.file.recordings) recording.speed = recording::SpeedReplay::pedals;
         const auto set = [](Log& log, auto&& of) {
-            const std::vector<double>& time = log.channels.front().values;
+            const std::vector<double> time = log.channels.front().values;
             Channel* channel = nullptr;
             for (Channel& one : log.channels)
                 if (one.name == "driver.throttle") channel = &one;

@@ -1,6 +1,7 @@
 #include "diagnose/select/sets.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 #include "base/threads/parallel.h"
@@ -18,10 +19,13 @@ using Effects = std::vector<std::size_t>;
 
 // The fit as one of a model without its effects, which stays at the point of the fit.
 Fit withoutKnobs(Fit fit) {
+    std::vector<Eigen::Index> kept(fit.nuisances() + 1);
+    std::iota(kept.begin(), kept.end(), 0);
+    kept.back() = std::ssize(fit.free);  // the residual
     fit.free.resize(fit.nuisances());
     for (std::size_t d = 0; d < fit.columns.size(); ++d) {
         fit.columns[d].conservativeResize(Eigen::NoChange, std::ssize(fit.free));
-        fit.products[d] = inference::firstColumns(fit.products[d], std::ssize(fit.free));
+        fit.products[d] = inference::selected(fit.products[d], kept, Eigen::VectorXd::Ones(std::ssize(kept)));
     }
     fit.knobs.clear();
     return fit;
