@@ -48,11 +48,14 @@ TEST(ImportCorpus, EveryMatlabFileIsJudged) {
            "time, header of 7.3";
 }
 
-// matio would look for the data of such a field within its name, and take half a gigabyte.
-TEST(ImportCorpus, FieldsWithNamesOfTheirOwnAreDamage) {
-    const std::string told = bytesOf(sourceFile("tests/fuzz/corpus/mat/sparse_field_with_a_name.bin"));
-    EXPECT_EQ(matContents(fuzz::MatWriter(told).file()).fault,
-              "is damaged: its variable number 2 has a part that is out of place or claims more than it holds");
+// matio would look for the data of such a part within its name, and take gigabytes.
+TEST(ImportCorpus, FieldsAndCellsWithNamesOfTheirOwnAreDamage) {
+    for (const char* file : {"sparse_field_with_a_name.bin", "sparse_in_a_cell_with_a_name.bin"}) {
+        const std::string told = bytesOf(sourceFile("tests/fuzz/corpus/mat/" + std::string(file)));
+        EXPECT_EQ(matContents(fuzz::MatWriter(told).file()).fault,
+                  "is damaged: its variable number 2 has a part that is out of place or claims more than it holds")
+            << file;
+    }
 }
 
 // matio would read the length of the name in the other order, and take 1.7 GB.
