@@ -46,9 +46,9 @@ bool isSizes(const std::optional<MatElement>& sizes) {
 bool isName(const std::optional<MatElement>& name) {
     return name && name->type == kInt8Element;
 }
-// A field takes its name from its struct, and an array in a cell has none; matio looks for data where a further name
-// would be.
-bool isNameOfPart(const std::optional<MatElement>& name) {
+// A field takes its name from its struct; matio looks for data where a further name would be. So it does in a cell, if
+// the array is sparse.
+bool isNameOfField(const std::optional<MatElement>& name) {
     return isName(name) && (name->within_tag || name->data.empty());
 }
 // matio looks for a tag within the name of an object.
@@ -66,7 +66,7 @@ public:
     explicit MatWalk(bool big) : big_(big) {}
 
     // Each returns false where the bytes end before what they claim.
-    bool matrix(std::string_view content, int depth = 0) {
+    bool matrix(std::string_view content, int depth, bool is_field = false) {
         if (content.empty()) return true;  // an array that is empty
         if (depth > kDeepestArray) return false;
         ByteReader reader(content);
@@ -75,8 +75,8 @@ public:
         const std::uint32_t word = wordOf(flags->data, big_), kind = word & 0xff;
         if (kind == kOpaque) return isNameOfObject(next(reader)) && elements(reader);  // no sizes; not read
         const auto sizes = next(reader), name = next(reader);
-        const bool is_part = depth > 0;
-        if (!isSizes(sizes) || !(is_part ? isNameOfPart(name) : isName(name))) return false;
+        const bool nameless = is_field || (depth > 0 && kind == kSparse);
+        if (!isSizes(sizes) || !(nameless ? isNameOfField(name) : isName(name))) return false;
         const std::optional<std::size_t> count = product(sizes->data);
         if (!count) return false;
         if (kind == kCell || kind == kFunction) return matrices(reader, *count, depth);
@@ -113,11 +113,12 @@ private:
         return count;
     }
 
-    bool matrices(ByteReader& reader, std::size_t count, int depth) {
+    bool matrices(ByteReader& reader, std::size_t count, int depth, bool are_fields = false) {
         if (count > reader.left() / kElementTag) return false;
         for (; count > 0; --count) {
             const auto element = next(reader);
-            if (!element || element->type != kMatrixElement || !matrix(element->data, depth + 1)) return false;
+            if (!element || element->type != kMatrixElement || !matrix(element->data, depth + 1, are_fields))
+                return false;
         }
         return true;
     }
@@ -130,7 +131,7 @@ private:
         if (each == 0) return false;
         const std::size_t fields = names->data.size() / each;
         if (fields != 0 && count > reader.left() / fields) return false;
-        return (fields != 0 || count <= reader.size()) && matrices(reader, count * fields, depth);
+        return (fields != 0 || count <= reader.size()) && matrices(reader, count * fields, depth, true);
     }
 
     bool elements(ByteReader& reader) {
@@ -177,7 +178,7 @@ std::optional<std::string> inflated(std::string_view bytes) {
 }  // namespace
 
 std::string matrixFault(std::string_view content, bool big_endian) {
-    return MatWalk(big_endian).matrix(content) ? "" : "has a part that is out of place or claims more than it holds";
+    return MatWalk(big_endian).matrix(content, 0) ? "" : "has a part that is out of place or claims more than it holds";
 }
 
 std::string compressedFault(std::string_view content, bool big_endian) {
