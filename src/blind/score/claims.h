@@ -42,7 +42,7 @@ bool hasAll(const std::vector<std::string>& names, const std::vector<std::string
 
 struct EstimateError {
     double in_sd;     // error over its stated standard deviation; infinite at a bound or without a standard deviation
-    double relative;  // error over the distance of the true number from the nominal one; of the change over this
+    double relative;  // error over the true change of the number
 };
 std::vector<EstimateError> numberErrors(const key::CaseKey& key, const answers::CaseAnswer& answer);
 
