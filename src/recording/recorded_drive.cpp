@@ -190,14 +190,15 @@ RecordedDrive recordedDrive(const Recording& recording, const Log& recorded, con
     if (recorded.samples() < 2)
         throw std::invalid_argument(fmt::format(
             "recording {}: found fewer than two samples, expected a whole drive; check its log and its window", name));
-    const Log log = withoutSpikes(recorded);
     RecordedDrive drive{.name = name,
                         .recording = &recording,
-                        .log = log,
-                        .inputs = quietInputs(log),
+                        .log = withoutSpikes(recorded),
+                        .inputs = {},
                         .time = {},
                         .channels = {},
                         .measured = {}};
+    const Log& log = drive.log;
+    drive.inputs = quietInputs(log);
     drive.time = log.channels.front().values;
     drive.speed = startSpeed(log, drive.time, drive.name);
     drive.gap = firstGap(drive);

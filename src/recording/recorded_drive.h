@@ -72,9 +72,10 @@ bool wanted(const DiagnosisFile& file, const std::string& channel);
 // is followed stays.
 Log withUsedChannels(const Log& log, const DiagnosisFile& file);
 
-// Prepares a recording with all channels of the log that a diagnosis can use. Throws std::invalid_argument when there
-// are fewer than two samples, no start speed or no such channel.
+// Prepares a recording with all channels of the log that a diagnosis can use. The drive refers to `recording`. Throws
+// std::invalid_argument when there are fewer than two samples, no start speed or no such channel.
 RecordedDrive recordedDrive(const Recording& recording, const Log& log, const DiagnosisFile& file);
+RecordedDrive recordedDrive(Recording&&, const Log&, const DiagnosisFile&) = delete;
 
 // Block means of one channel from readings at the samples of a drive (D1).
 Eigen::VectorXd blockMeans(const ObservedChannel& channel, const std::vector<double>& time,

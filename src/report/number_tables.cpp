@@ -48,24 +48,23 @@ struct Shown {
     DisplayUnit unit;
 };
 
-// "-32 %", or "+0.2 deg" where the nominal value is 0.
+// "-32 ± 4 %", or "+0.2 ± 0.1 deg" where the nominal value is 0.
 std::string changeOf(const Estimate& e, const Shown& shown) {
-    const std::string percent = diagnose::answer::changeInPercent(e.value, e.neutral);
+    const std::string percent = diagnose::answer::changeInPercent(e, "±");
     if (!percent.empty()) return percent;
-    return (e.value > e.neutral ? "+" : "") + shown.bare(e.value - e.neutral, 2) + shown.symbol();
+    return fmt::format("{}{} ± {}{}", e.value > e.neutral ? "+" : "", shown.bare(e.value - e.neutral, 2),
+                       shown.bare(e.sd, 2), shown.symbol());
 }
 
 std::vector<Cell> rowOf(const ChangedNumber& number) {
     const Estimate& e = number.estimate;
     const Shown shown(number.paths.front());
-    return {
-        {diagnose::answer::numberInWords(number.paths)},
-        {fmt::format("{} → {} ± {}{}", shown.bare(e.neutral), shown.bare(e.value), shown.bare(e.sd, 2), shown.symbol()),
-         true},
-        {changeOf(e, shown), true},
-        {fmt::format("{}; 90 %: {} to {}{}{}", fmt::join(number.paths, ", "), shown.bare(e.low), shown.bare(e.high),
-                     shown.symbol(), atItsEnd(e) ? "; at the end of its plausible range" : ""),
-         false, atItsEnd(e)}};
+    return {{diagnose::answer::numberInWords(number.paths)},
+            {fmt::format("{} → {}{}", shown.bare(e.neutral), shown.bare(e.value), shown.symbol()), true},
+            {changeOf(e, shown), true},
+            {fmt::format("{}; 90 %: {} to {}{}{}", fmt::join(number.paths, ", "), shown.bare(e.low), shown.bare(e.high),
+                         shown.symbol(), atItsEnd(e) ? "; at the end of its plausible range" : ""),
+             false, atItsEnd(e)}};
 }
 
 void addChangesOf(HtmlPage& page, const RankedEffect& effect, bool compared) {
@@ -76,8 +75,7 @@ void addChangesOf(HtmlPage& page, const RankedEffect& effect, bool compared) {
     std::vector<std::vector<Cell>> rows;
     for (const ChangedNumber& number : changedNumbers(effect)) rows.push_back(rowOf(number));
     if (!rows.empty())
-        page.table({"Number", compared ? "Before → after, ± of the change" : "Nominal → found", "Change",
-                    "Path and 90 % interval"},
+        page.table({"Number", compared ? "Before → after" : "Nominal → found", "Change", "Path and 90 % interval"},
                    rows, true);
 }
 

@@ -53,7 +53,8 @@ double Path::nearest(const Point& here, double from, double reach) const {
         const double length = way_[i + 1] - way_[i];
         const double along = ((here.x - a.x) * (b.x - a.x) + (here.y - a.y) * (b.y - a.y)) / length;
         const bool last = i + 2 == points_.size();
-        const double way = lap + way_[i] + std::clamp(along, 0.0, last && !closed_ ? along + length : length);
+        const double onPiece = last && !closed_ ? std::max(along, 0.0) : std::clamp(along, 0.0, length);
+        const double way = lap + way_[i] + onPiece;
         if (way >= from) {
             const double distance = hypotenuse(at(way).x - here.x, at(way).y - here.y);
             if (distance < least - kSame) {

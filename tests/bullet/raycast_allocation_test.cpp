@@ -15,10 +15,13 @@ std::atomic<long> allocations{0};
 
 }  // namespace
 
-// For the whole program: counts, and allocates as usual.
-__attribute__((noinline)) void* operator new(std::size_t size) {
+// For the whole program: counts, and allocates as usual. Both kinds, since one operator delete frees what either gave.
+__attribute__((noinline)) void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
     ++allocations;
-    if (void* memory = std::malloc(size)) return memory;
+    return std::malloc(size);
+}
+__attribute__((noinline)) void* operator new(std::size_t size) {
+    if (void* memory = operator new(size, std::nothrow)) return memory;
     throw std::bad_alloc();
 }
 __attribute__((noinline)) void operator delete(void* memory) noexcept {

@@ -345,12 +345,17 @@ TEST(Numbers, ZeroOfAnInstrumentHasTheUnitOfItsChannel) {
 }
 
 TEST(Numbers, ChangeInPercentOfTheirNominalValue) {
-    EXPECT_EQ(changeInPercent(0.34, 0.5), "-32 %");
-    EXPECT_EQ(changeInPercent(-1.5, -1), "-50 %");
-    EXPECT_EQ(changeInPercent(1.0034, 1), "+0.34 %");
-    EXPECT_EQ(changeInPercent(1, 0), "");
-    EXPECT_EQ(changeInPercent(0, 0), "");
-    EXPECT_EQ(changeInPercent(-0.39, 0.001), "");
+    const auto change = [](double value, double neutral, double sd) {
+        return changeInPercent({.value = value, .sd = sd, .neutral = neutral}, "+-");
+    };
+    EXPECT_EQ(change(0.34, 0.5, 0.02), "-32 +- 4 %");
+    EXPECT_EQ(change(-1.5, -1, 0.123), "-50 +- 12 %");
+    EXPECT_EQ(change(1.0034, 1, 0.0004), "+0.34 +- 0.04 %");
+    EXPECT_EQ(change(1.0034, 1, 0.0096), "+0 +- 1 %");
+    EXPECT_EQ(change(1.5, 1, 0), "+50 +- 0 %");
+    EXPECT_EQ(change(1, 0, 1), "");
+    EXPECT_EQ(change(0, 0, 1), "");
+    EXPECT_EQ(change(-0.39, 0.001, 1), "");
     EXPECT_EQ(percentInWords(0.123), "12 %");
     EXPECT_EQ(percentInWords(0.004), "less than 1 %");
     EXPECT_EQ(percentInWords(0), "0 %");

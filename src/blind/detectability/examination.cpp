@@ -80,8 +80,7 @@ VectorXd mixtureOf(const Knob& knob, Subject about, const std::vector<OpenNumber
         const auto found =
             std::find_if(open.begin(), open.end(), [&](const OpenNumber& one) { return one.path == knob.paths[i]; });
         if (found == open.end()) return {};
-        const double share = knob.shares.empty() ? 1 : knob.shares[i];
-        shares(found - open.begin()) += share * knob.typical * (knob.relative ? *number : 1) / found->sd;
+        shares(found - open.begin()) += knob.typicalChange(i, *number) / found->sd;
     }
     return shares;
 }

@@ -32,9 +32,7 @@ double typicalChange(const std::string& effect, const std::string& path, double 
         if (known.name != effect) continue;
         for (const Knob& knob : known.knobs) {
             const auto moved = std::find(knob.paths.begin(), knob.paths.end(), path);
-            if (moved == knob.paths.end()) continue;
-            const double share = knob.shares.empty() ? 1 : knob.shares[moved - knob.paths.begin()];
-            return share * knob.typical * (knob.relative ? before : 1);
+            if (moved != knob.paths.end()) return knob.typicalChange(moved - knob.paths.begin(), before);
         }
     }
     return std::nan("");

@@ -124,11 +124,14 @@ std::string numberInWords(const std::vector<std::string>& paths) {
     return (places.empty() ? "" : fmt::format("{}: ", fmt::join(places, ", "))) + meaningOf(pathOf(first)) + of;
 }
 
-std::string changeInPercent(double value, double nominal) {
+std::string changeInPercent(const Estimate& estimate, std::string_view plus_minus) {
     constexpr double kLargest = 10;  // times nominal: beyond, nominal is next to zero
-    if (std::abs(value - nominal) > kLargest * std::abs(nominal) || nominal == 0) return {};
-    const double change = 100 * (value - nominal) / std::abs(nominal);
-    return std::abs(change) < 9.5 ? fmt::format("{:+.2g} %", change) : fmt::format("{:+.0f} %", change);
+    const double nominal = std::abs(estimate.neutral), change = estimate.value - estimate.neutral;
+    if (std::abs(change) > kLargest * nominal || nominal == 0) return {};
+    const double sd = 100 * estimate.sd / nominal;
+    int decimals = 0;  // that show the first digit of the standard deviation
+    while (sd > 0 && decimals < 3 && sd * std::pow(10, decimals) < 0.95) ++decimals;
+    return fmt::format("{:+.{}f} {} {:.{}f} %", 100 * change / nominal, decimals, plus_minus, sd, decimals);
 }
 
 std::vector<MovedNumber> movedNumbers(const std::map<std::string, NuisanceEstimate>& numbers) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "diagnose/answer/diagnosis.h"
@@ -29,8 +30,9 @@ std::string numberInWords(const std::vector<std::string>& paths);
 // SI unit of a number; "-" for a pure number.
 std::string unitOf(const std::string& path);
 
-// "-32 %"; empty where the change is more than ten times the nominal value, which is then next to zero.
-std::string changeInPercent(double value, double nominal);
+// "-32 ± 4 %", with this sign between the change and its standard deviation; empty where the change is more than ten
+// times the nominal value, which is then next to zero.
+std::string changeInPercent(const Estimate& estimate, std::string_view plus_minus);
 
 // A number that moved within its tolerance.
 struct MovedNumber {

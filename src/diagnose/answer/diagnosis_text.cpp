@@ -83,12 +83,12 @@ std::string whereOf(const WhereItLies& where) {
     return listed("WHERE", {fmt::format("{}; force: {}{}", gap, largest(where.generalised_force), axleOf(where))});
 }
 
-// "front, rear: lateral carcass stiffness 141800 -> 105000 +- 6000 N/m (-26 %)"
+// "front, rear: lateral carcass stiffness 141800 -> 105000 N/m (-26 +- 4 %)"
 std::string changeInWords(const ChangedNumber& number) {
     const Estimate& e = number.estimate;
-    const std::string unit = unitOf(number.paths.front()), percent = changeInPercent(e.value, e.neutral);
-    return fmt::format("{} {} -> {} +- {}{}{}{}", numberInWords(number.paths), shortNumber(e.neutral),
-                       shortNumber(e.value), shortNumber(e.sd, 2), unit == "-" ? "" : " " + unit,
+    const std::string unit = unitOf(number.paths.front()), percent = changeInPercent(e, "+-");
+    return fmt::format("{} {} -> {}{}{}{}{}", numberInWords(number.paths), shortNumber(e.neutral), shortNumber(e.value),
+                       percent.empty() ? " +- " + shortNumber(e.sd, 2) : "", unit == "-" ? "" : " " + unit,
                        percent.empty() ? "" : " (" + percent + ")",
                        atItsEnd(e) ? ", at the end of its plausible range" : "");
 }

@@ -24,7 +24,7 @@ bool move(Subject& subject, const Knob& knob, double change) {
         const auto number =
             std::find_if(all.begin(), all.end(), [&](const Number& n) { return n.path == knob.paths[i]; });
         if (number == all.end()) continue;
-        const double part = change * (knob.shares.empty() ? 1 : knob.shares[i]);
+        const double part = change * knob.share(i);
         double& value = *number->value;
         value = within(number->about.limits, knob.relative ? value * (1 + part) : value + part, value);
         moved = true;

@@ -41,6 +41,13 @@ struct Knob {
     std::vector<double> shares = {};
     double largest = kInfinity;
 
+    double share(std::size_t path) const { return shares.empty() ? 1 : shares[path]; }
+
+    // Change of the number at paths[path] by one typical size, where its nominal value is this.
+    double typicalChange(std::size_t path, double nominal) const {
+        return share(path) * (relative ? typical * nominal : typical);
+    }
+
     static constexpr void describe(auto& self, auto&& field) {
         field(TREAD_FIELD(paths),
               About{"", "paths of the numbers to change: of the car, road, wind or instruments, e.g. road.grade"});

@@ -326,10 +326,8 @@ std::vector<Parameter> knobsOf(const Effect& effect, const Subject& nominal) {
             const std::string& path = knob.paths[i];
             const auto number = std::find_if(all.begin(), all.end(), [&](const Number& n) { return n.path == path; });
             if (number == all.end()) continue;
-            const double share = knob.shares.empty() ? 1 : knob.shares[i];
-            const double typical = knob.relative ? knob.typical * *number->value
-                                                 : atScaleOf(nominal.vehicle, knob.typical, number->about.unit);
-            const double by = share * typical;
+            const double change = knob.typicalChange(i, *number->value);
+            const double by = knob.relative ? change : atScaleOf(nominal.vehicle, change, number->about.unit);
             if (by == 0) continue;
             addMove(parameter, *number, by, nominal.vehicle);
             parameter.instruments_only = parameter.instruments_only && readingOnly(path);

@@ -1,22 +1,9 @@
-// From probabilities to a verdict: the causes are the most probable set that predicts and stays plausible.
+// From the chosen set of effects to a verdict.
 #pragma once
 
-#include "diagnose/select/closeness.h"
-#include "diagnose/select/held_out.h"
-#include "diagnose/select/posterior.h"
-#include "diagnose/select/prediction.h"
-#include "diagnose/select/what_remains.h"
+#include "diagnose/select/choice.h"
 
 namespace tread::diagnose::select {
-
-// What is known about the answer besides what the diagnosis tells of it.
-struct Judgement {
-    const Candidate* named = nullptr;  // the model without effects when no cause is named
-    Fit answer;                        // of the causes, their sizes free of the prior that ranked them
-    Closeness closeness;               // of cars with the causes
-    Remains remains;
-    Prediction prediction;
-};
 
 // Fills verdict, causes, alternatives, effects, probabilities, expected evidence and credible set. Candidates that were
 // only screened are fitted where they might be the answer. `vibration`: of the recordings, an unknown cause.
