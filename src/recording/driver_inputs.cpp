@@ -15,17 +15,17 @@
 namespace tread::recording {
 namespace {
 
-// Samples on either side of the middle; the widest that fits is used.
+// Samples on either side of the middle of a span; the widest span whose parabola fits is used.
 constexpr std::array<std::size_t, 5> kReaches{50, 25, 12, 6, 3};
 constexpr double kLikeNoise = 1.3;  // residual of a parabola over the noise; raising this rounds off fast inputs
 
-constexpr double kFollowReach = 0.2;  // s on either side; longer rounds off the beginning of braking
+constexpr double kFollowSpan = 0.4;  // s; longer rounds off the beginning of braking
 
 constexpr double kLongestGap = 0.25;  // s; a straight line is taken to represent the driver over shorter gaps
 
-// Value in the middle of a least-squares parabola through evenly spaced values; nothing when the residuals exceed the
+// Value of a least-squares parabola through evenly spaced values at one of them; nothing when the residuals exceed the
 // noise.
-std::optional<double> middleOf(std::span<const double> values, double noise) {
+std::optional<double> parabolaAt(std::size_t place, std::span<const double> values, double noise) {
     const auto reach = static_cast<double>(values.size() / 2);
     double n = 0, xx = 0, xxxx = 0, y = 0, xy = 0, xxy = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -40,7 +40,8 @@ std::optional<double> middleOf(std::span<const double> values, double noise) {
         squares += off * off;
     }
     if (!(squares <= (n - 3) * kLikeNoise * kLikeNoise * noise * noise)) return std::nullopt;
-    return middle;
+    const double x = static_cast<double>(place) - reach;
+    return middle + (slope + bend * x) * x;
 }
 
 // Value at zero of the least-squares parabola through points about it; the mean of fewer than three.
@@ -65,10 +66,12 @@ std::vector<double> quietened(const std::vector<double>& values) {
     if (noise == 0) return result;
     for (std::size_t i = 0; i < values.size(); ++i) {
         for (const std::size_t reach : kReaches) {
-            if (i < reach || i + reach >= values.size()) continue;
-            const auto middle = middleOf(std::span(values).subspan(i - reach, 2 * reach + 1), noise);
-            if (!middle) continue;
-            result[i] = *middle;
+            const std::size_t count = 2 * reach + 1;
+            if (values.size() < count) continue;
+            const std::size_t first = std::min(i - std::min(i, reach), values.size() - count);
+            const auto value = parabolaAt(i - first, std::span(values).subspan(first, count), noise);
+            if (!value) continue;
+            result[i] = *value;
             break;
         }
     }
@@ -158,8 +161,12 @@ Curve followedSpeed(const RecordedDrive& drive, const Instruments& instruments) 
     const std::vector<Curve::Point>& points = recorded.points;
     Curve smooth;
     for (std::size_t i = 0, first = 0, end = 0; i < points.size(); ++i) {
-        while (points[i].x - points[first].x > kFollowReach) ++first;
-        while (end < points.size() && points[end].x - points[i].x <= kFollowReach) ++end;
+        // At an end of the drive, the span that begins or ends there: with a shorter one, more noise would become
+        // force.
+        const double latest = std::max(points.front().x, points.back().x - kFollowSpan);
+        const double from = std::clamp(points[i].x - 0.5 * kFollowSpan, points.front().x, latest);
+        while (points[first].x < from) ++first;
+        while (end < points.size() && points[end].x <= from + kFollowSpan) ++end;
         const double speed = parabolaAtZero(std::span(points).subspan(first, end - first), points[i].x);
         smooth.points.push_back({points[i].x, std::max(speed, 0.0)});
     }

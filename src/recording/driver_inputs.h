@@ -18,8 +18,8 @@ Log quietInputs(const Log& log);
 
 bool isInput(std::string_view channel);  // of the driver, or a command
 
-// Evenly spaced values with their noise removed: each is replaced by the middle of the widest parabola through its
-// neighbours that leaves no more than noise.
+// Evenly spaced values with their noise removed: each is replaced by the widest parabola through its neighbours that
+// leaves no more than noise. The value lies in the middle of these, but near the first and the last value.
 std::vector<double> quietened(const std::vector<double>& values);
 
 // The first gap in the inputs that a replay needs; shorter gaps are bridged by straight lines.
@@ -29,8 +29,8 @@ std::optional<InputGap> firstGap(const RecordedDrive& drive);
 Curve driverInput(const RecordedDrive& drive, const std::string& channel, const Instrument& instrument,
                   const Limits& limits);
 
-// The speed behind the recorded one, as a car can follow it: the middle of a parabola through 0.4 s about each sample,
-// so that what is left of the noise does not become acceleration.
+// The speed behind the recorded one, as a car can follow it: a parabola through 0.4 s about each sample (at an end of
+// the drive, the 0.4 s there), so that what is left of the noise does not become acceleration.
 Curve followedSpeed(const RecordedDrive& drive, const Instruments& instruments);
 
 // The channel that commands the longitudinal motion; empty without one.

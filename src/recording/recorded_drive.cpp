@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "log/log_columns.h"
@@ -96,17 +97,26 @@ double comparedFrom(const Recording& recording, const std::string& channel) {
     return recording.followedUntil();
 }
 
-// A channel with its blocks, as far as it is compared.
+double blockOf(double time) {
+    return std::floor((time + kTimeRounding) / kBlock);
+}
+
+// A channel with its blocks, as far as it is compared. A block counts with at least half of the samples of a full one:
+// the noise of all rows is taken to be the same, and that of fewer samples is larger. (A log that ends with a block's
+// beginning has one sample in its last block.)
 ObservedChannel observed(const Channel& measured, const std::vector<double>& time, double delay, double compared_from) {
     ObservedChannel channel{.name = measured.name, .measured = ofTheDrive(measured, time, delay), .times = {}};
-    for (std::size_t i = 0; i < time.size() && time[i] < compared_from; ++i) channel.measured[i] = std::nan("");
-    double last = -1;
+    std::map<double, int> samples;  // of each block
     for (std::size_t i = 0; i < time.size(); ++i) {
-        const double block = std::floor((time[i] + kTimeRounding) / kBlock);
-        if (!std::isfinite(channel.measured[i]) || block == last) continue;
-        channel.times.push_back((block + 0.5) * kBlock);
-        last = block;
+        if (time[i] < compared_from) channel.measured[i] = std::nan("");
+        if (std::isfinite(channel.measured[i])) ++samples[blockOf(time[i])];
     }
+    int full = 0;
+    for (const auto& [block, count] : samples) full = std::max(full, count);
+    std::erase_if(samples, [&](const auto& one) { return 2 * one.second < full; });
+    for (std::size_t i = 0; i < time.size(); ++i)
+        if (!samples.contains(blockOf(time[i]))) channel.measured[i] = std::nan("");
+    for (const auto& [block, count] : samples) channel.times.push_back((block + 0.5) * kBlock);
     return channel;
 }
 
@@ -175,9 +185,9 @@ Eigen::VectorXd blockMeans(const ObservedChannel& channel, const std::vector<dou
     Eigen::VectorXd means(channel.rows());
     Eigen::Index row = 0;
     for (std::size_t i = 0; i < time.size();) {
-        const double block = std::floor((time[i] + kTimeRounding) / kBlock);
+        const double block = blockOf(time[i]);
         double sum = 0, count = 0;
-        for (; i < time.size() && std::floor((time[i] + kTimeRounding) / kBlock) == block; ++i) {
+        for (; i < time.size() && blockOf(time[i]) == block; ++i) {
             if (std::isfinite(channel.measured[i])) sum += readings[i], count += 1;
         }
         if (count > 0) means(row++) = sum / count;

@@ -10,6 +10,7 @@
 #include "recording/recorded_drive.h"
 #include "recording/replay.h"
 #include "run/simulate.h"
+#include "tread/tyre.h"
 
 namespace tread::disturbance_test {
 namespace {
@@ -86,6 +87,46 @@ TEST(Disturbances, PushesDoWhatTheyDoAloneAlsoAtTheLimitAndLongAfter) {
             }
         }
     }
+}
+
+// Force per slip of a front tyre at static load, N.
+double slipStiffness(const VehicleParams& car) {
+    constexpr double kSlip = 1e-3;
+    const double load = car.mass * kStandardGravity * (1 - car.front_axle_distance / car.wheelbase) / 2;
+    const auto force = [&](double slip) {
+        return steadyState(car.front.tyre, {.Fz = load, .gamma = 0, .Vx = 22, .Vsx = -22 * slip, .Vsy = 0}).Fx;
+    };
+    return (force(kSlip) - force(-kSlip)) / (2 * kSlip);
+}
+
+// The car moves on as recorded, but the driven wheels slip by what the force takes. (Toe, camber, the lift of the nose
+// and the deflection of the tyres, which are left out here, make 7 % of it.)
+TEST(Disturbances, AreOvercomeByTheDrivenTyresWhereTheSpeedIsFollowed) {
+    constexpr double kSpeed = 22;
+    planted::Case made =
+        planted::recorded({.vehicle = planted::nominalCar(), .road = {}, .wind = {}, .instruments = {}},
+                          {{"straight", planted::drive(kSpeed, {planted::phase(8)})}});
+    made.file.recordings.front().speed = recording::SpeedReplay::followed;
+    Replays replays;
+    replays.replayer = {made.nominal, made.file.step, [](const auto&... all) { simulate(all..., MovedBy::itself); }};
+    const RecordedDrive drive = recordedDrive(made.file.recordings.front(), made.logs.front(), made.file);
+    const Disturbances told = disturbances(replays, drive, made.nominal);
+    const VehicleParams& car = made.nominal.vehicle;
+    const Hats& hats = told.of(Disturbed::longitudinal);
+    const Eigen::VectorXd column =
+        (told.columns.middleCols(hats.first, hats.count()) * hats.correlation_factor.inverse()).col(16);
+    ASSERT_NEAR(hats.peak(16), 4, 1e-9);
+    const double slip = -usualSize(Disturbed::longitudinal, car) / (2 * slipStiffness(car));
+    const double expected = slip * kSpeed / car.front.tyre.parameters.Re * hats.apart;  // of a wheel, rad
+    int wheels = 0;
+    for (const ObservedChannel& channel : drive.channels) {
+        const double turned = recording::kBlock * column.segment(channel.first_row, channel.rows()).sum();
+        if (!channel.name.starts_with("wheel.")) continue;
+        const bool driven = channel.name.starts_with("wheel.front_");
+        EXPECT_NEAR(turned, driven ? expected : 0, 0.1 * std::abs(expected)) << channel.name;
+        ++wheels;
+    }
+    EXPECT_EQ(wheels, 4);
 }
 
 }  // namespace

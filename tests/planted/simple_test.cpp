@@ -130,8 +130,8 @@ TEST(Planted, TwoDelaysThatLateInstrumentsResembleAreTheTwo) {
 TEST(Planted, NumbersOfAPairAreRightThoughItsFirstMemberWasFarFromThem) {
     Subject truth{.vehicle = nominalCar(), .road = {}, .wind = {}, .instruments = {}};
     truth.vehicle.steering.delay = truth.vehicle.steering.lag = 0.044;
-    truth.vehicle.front.suspension.anti_roll_bar += 8000;
-    truth.vehicle.rear.suspension.anti_roll_bar += 8000;
+    truth.vehicle.front.suspension.anti_roll_bar *= 1.7;  // the effect changes both bars by one factor
+    truth.vehicle.rear.suspension.anti_roll_bar *= 1.7;
     const Diagnosis d = diagnosed(truth, catalogued({"steering_delay", "roll_stiffness", "accelerometer_position"}));
     EXPECT_EQ(d.verdict, Verdict::explained) << d.answer;
     ASSERT_EQ(d.causes.size(), 2u) << d.answer;

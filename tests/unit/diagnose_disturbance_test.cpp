@@ -160,30 +160,6 @@ TEST(ErrorsOfForces, DoWhatAForceInProportionToTheAccelerationDoes) {
     EXPECT_EQ(told.kinds[first], Disturbed::speed_reading) << "errors of the readings come next";
 }
 
-// The recorded speed contains what pushes the car back and forth: it is driven at that speed.
-TEST(Disturbances, DoNotChangeASpeedThatIsFollowed) {
-    for (const double followed_until : {3.0, kInfinity}) {
-        const Swing swing(
-            followed_until < kDuration
-                ? recording::Recording{.log = "drive", .name = "drive", .followed_for = followed_until}
-                : recording::Recording{.log = "drive", .name = "drive", .speed = recording::SpeedReplay::followed});
-        const Disturbances told = disturbances(swing.problem.replays, swing.problem.drives.front(), swing.made.nominal);
-        const diagnose::model::Hats& hats = told.of(Disturbed::longitudinal);
-        const MatrixXd by_height =
-            told.columns.middleCols(hats.first, hats.count()) * hats.correlation_factor.inverse();
-        for (Index i = 0; i < hats.count(); ++i) {
-            const double largest = by_height.col(i).cwiseAbs().maxCoeff();
-            if (told.times[i] < followed_until) {
-                EXPECT_LT(largest, 1e-12) << told.times[i];
-            } else if (told.times[i] < kDuration - 1) {
-                EXPECT_GT(largest, 1e-4) << told.times[i];
-            }
-        }
-        const diagnose::model::Hats& lateral = told.of(Disturbed::lateral);
-        EXPECT_GT(told.columns.middleCols(lateral.first, lateral.count()).cwiseAbs().maxCoeff(), 1e-4);
-    }
-}
-
 // A drift of one channel: a line between values 1 s apart, which correlate over 2 s, and nothing in the other channels.
 TEST(ErrorsOfReadings, ChangeTheReadingsOfOneChannelAlone) {
     const Swing swing;

@@ -79,7 +79,7 @@ TEST(Precheck, PairsLookAlikeAndAreNearEachOther) {
     EXPECT_LT(near.front().separation, kSettings.clear);
     EXPECT_TRUE(far.empty());
     // What one of them hardly shows is hard to tell from anything.
-    const Precheck faint = checked(made, {{"understeer", "", "", {{.paths = {"steering.play"}, .typical = 5e-5}}},
+    const Precheck faint = checked(made, {{"understeer", "", "", {{.paths = {"steering.play"}, .typical = 5.2e-5}}},
                                           effect("ratio", "steering.ratio")});
     EXPECT_GT(faint.expected_evidence.at("understeer"), kSettings.clear);
     EXPECT_LT(faint.expected_evidence.at("understeer"), 1.1 * kSettings.clear);

@@ -277,6 +277,31 @@ TEST(Readings, ThatTheCarMayHaveShownAreKept) {
     EXPECT_GT((rowsOfYawRate(20, 0.2, 60, 61) - rowsOfYawRate(20, 0)).cwiseAbs().maxCoeff(), 0.19) << "a slow sensor";
 }
 
+// The mean of two samples has more noise than that of five; all rows count alike.
+TEST(Rows, AreMeansOfAtLeastHalfTheSamplesOfABlock) {
+    const Recording recording{.log = "drive.csv"};
+    Log log{.channels = {{"time", "s", {}}, {"chassis.vx", "m/s", {}}, {"chassis.yaw_rate", "rad/s", {}}}};
+    for (int i = 0; i <= 1000; ++i) {
+        const double values[] = {0.01 * i, 20, 0.1};
+        for (std::size_t k = 0; k < 3; ++k) log.channels[k].values.push_back(values[k]);
+    }
+    const auto timesOfYawRate = [&] {
+        const RecordedDrive drive = recordedDrive(recording, log, {});
+        EXPECT_EQ(drive.channels.back().name, "chassis.yaw_rate");
+        EXPECT_EQ(drive.measured.size(), drive.channels.front().rows() + drive.channels.back().rows());
+        return drive.channels.back().times;
+    };
+    EXPECT_EQ(timesOfYawRate().size(), 200u) << "the sample at 10 s is the only one of its block";
+    for (const int missing : {500, 501, 600, 601, 602}) log.channels[2].values[missing] = std::nan("");
+    const std::vector<double> times = timesOfYawRate();
+    EXPECT_EQ(times.size(), 199u);
+    const auto has = [&](double middle) {
+        return std::any_of(times.begin(), times.end(), [&](double time) { return std::abs(time - middle) < 1e-9; });
+    };
+    EXPECT_TRUE(has(5.025)) << "three samples";
+    EXPECT_FALSE(has(6.025)) << "two samples";
+}
+
 TEST(Replay, ACarIsAsFastAsItsSpeedometerStandsFor) {
     const Recording recording{.log = "a.csv"};
     RecordedDrive drive = turning(0);

@@ -136,8 +136,7 @@ TEST(Where, BandsShareTheEnergyOfWhatIsAddedUp) {
 
 // A drive of 5 s in which each kind of force shows in a channel of its own, a usual size as one standard deviation of
 // its noise; from 2.5 s on something pushes, in usual sizes.
-MissingForce pushed(double longitudinal, double lateral, double yaw, double roll,
-                    recording::SpeedReplay speed = recording::SpeedReplay::pedals) {
+MissingForce pushed(double longitudinal, double lateral, double yaw, double roll) {
     constexpr Index kHats = 21;
     const std::vector<std::string> names{"chassis.ax", "chassis.ay", "chassis.yaw_rate", "chassis.roll"};
     const std::vector<double> pushes{longitudinal, lateral, yaw, roll};
@@ -149,7 +148,6 @@ MissingForce pushed(double longitudinal, double lateral, double yaw, double roll
     }
     Gaps gaps;
     gaps.add("drive", channels, {1, 1, 1, 1});
-    gaps.recordings.front().speed = speed;
     // Every row a channel of its own to the smoothing.
     auto& noise = gaps.car.uncertainty.noise.front();
     noise.ends.clear();
@@ -199,12 +197,6 @@ TEST(MissingForce, WithoutAPushNoKindIsLikelierThanAnother) {
     const MissingForce found = pushed(0, 0, 0, 0);
     for (const auto& [kind, share] : found.shares) EXPECT_EQ(share, 0.25) << kind;
     EXPECT_EQ(found.axles.at("front"), 0.5);
-}
-
-TEST(MissingForce, AlongTheCarIsTheDriversWhoFollowsTheMeasuredSpeed) {
-    const MissingForce found = pushed(12, 5, 0, 0, recording::SpeedReplay::followed);
-    EXPECT_EQ(found.shares.at("longitudinal"), 0);
-    EXPECT_NEAR(found.shares.at("lateral"), 1, kSame);
 }
 
 }  // namespace

@@ -130,7 +130,6 @@ struct Clarity {
     void add(const Reading& reading, const recording::RecordedDrive& drive, const model::Disturbances& disturbing) {
         for (Eigen::Index i = 0; i < reading.force.size(); ++i) {
             const Disturbed kind = disturbing.kinds[i];
-            if (model::isFollowed(drive, kind, disturbing.times[i])) continue;
             const double square = reading.force(i) * reading.force(i), chance = reading.by_chance(i) + kUninformed;
             shown[model::placeOf(kind)] += std::max(0.0, std::log(square / chance));
             if (square - chance <= most) continue;

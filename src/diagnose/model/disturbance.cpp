@@ -97,14 +97,6 @@ struct PushedReplay {
 
 constexpr std::array kPushed{Disturbed::longitudinal, Disturbed::lateral, Disturbed::yaw, Disturbed::roll};
 
-// True if the speed is followed at all times of the pushes.
-bool nothingToPush(const PushedReplay& one, const Course& course) {
-    const Hats& hats = course.of(one.kind);
-    const Eigen::Index every = hatsBetween(hats);
-    const Eigen::Index last = one.first + (hats.count() - 1 - one.first) / every * every;
-    return isFollowed(course.drive, one.kind, hats.peak(last));
-}
-
 // Those of each drive in turn, kind by kind.
 std::vector<PushedReplay> pushedReplays(const Replays& replays, const std::vector<Course>& courses) {
     std::vector<PushedReplay> all;
@@ -116,7 +108,6 @@ std::vector<PushedReplay> pushedReplays(const Replays& replays, const std::vecto
                 all.push_back({d, kind, first});
         }
     }
-    std::erase_if(all, [&](const PushedReplay& one) { return nothingToPush(one, courses[one.drive]); });
     drivenTogether(all.size(), replays.threads, [&](std::size_t i) {
         PushedReplay& one = all[i];
         const Course& course = courses[one.drive];
@@ -151,7 +142,6 @@ Eigen::MatrixXd pushed(const std::vector<PushedReplay>& all, std::size_t drive, 
                 }
             }
             change -= column;
-            if (isFollowed(course.drive, kind, hats.peak(which))) column.setZero();
         }
     }
     return columns;
@@ -352,10 +342,6 @@ ReadingErrors readingErrorsOf(std::string_view channel) {
     if (contains(".ax") || contains(".ay")) return {acceleration_reading, acceleration_timing, acceleration_scale};
     if (contains(".vx") || contains(".vy")) return {speed_reading, speed_timing};
     return {angle_reading, angle_timing, angle_scale};
-}
-
-bool isFollowed(const RecordedDrive& drive, Disturbed kind, double time) {
-    return kind == Disturbed::longitudinal && time < drive.recording->followedUntil();
 }
 
 double usualSize(Disturbed kind, const VehicleParams& car) {

@@ -133,10 +133,6 @@ struct Disturbances {
     Eigen::VectorXd heights(const Eigen::VectorXd& impulses) const;
 };
 
-// True for a longitudinal disturbance at a time when the replay follows the measured speed: the recorded speed contains
-// its effect.
-bool isFollowed(const RecordedDrive& drive, Disturbed kind, double time);
-
 // Disturbances of a drive, linear about its replay by `subject`.
 Disturbances disturbances(const Replays& replays, const RecordedDrive& drive, const Subject& subject,
                           Resolution resolution = Resolution::fine);
