@@ -105,15 +105,14 @@ bool othersMovedFurther(const Candidate& single) {
     return moved(0) < moved.maxCoeff();
 }
 
-// Whether numbers or errors of readings stand for an effect: they are so far from what is usual that a fit from the
+// Whether numbers, disturbances or errors stand for an effect: they are so far from what is usual that a fit from the
 // calibrated car may end where they do its work.
 bool standsForAnEffect(const Calibration& car) {
-    const bool reading =
+    const bool remainder =
         std::any_of(model::kAllDisturbed.begin(), model::kAllDisturbed.end(), [&](model::Disturbed kind) {
-            return model::isInstruments(kind) &&
-                   model::kWidePrior.deviations(kind, car.fit.sizes[placeOf(kind)]) > kFar;
+            return model::kWidePrior.deviations(kind, car.fit.sizes[placeOf(kind)]) > kFar;
         });
-    return reading || (car.fit.at(car.problem.nuisances).array().abs() > kFar).any();
+    return remainder || (car.fit.at(car.problem.nuisances).array().abs() > kFar).any();
 }
 
 // Where an effect was fitted to keep car and model together; null when it was not.
