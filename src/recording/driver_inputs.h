@@ -19,7 +19,8 @@ Log quietInputs(const Log& log);
 bool isInput(std::string_view channel);  // of the driver, or a command
 
 // Evenly spaced values with their noise removed: each is replaced by the widest parabola through its neighbours that
-// leaves no more than noise. The value lies in the middle of these, but near the first and the last value.
+// leaves no more than noise. The value lies in the middle of these, except near the
+// first and the last one.
 std::vector<double> quietened(const std::vector<double>& values);
 
 // The first gap in the inputs that a replay needs; shorter gaps are bridged by straight lines.

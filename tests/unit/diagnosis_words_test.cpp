@@ -355,7 +355,8 @@ TEST(Numbers, ChangeInPercentOfTheirNominalValue) {
     EXPECT_EQ(change(1.5, 1, 0), "+50 +- 0 %");
     EXPECT_EQ(change(1, 0, 1), "");
     EXPECT_EQ(change(0, 0, 1), "");
-    EXPECT_EQ(change(-0.39, 0.001, 1), "");
+    EXPECT_EQ(change(-0.39, 0.001, 0), "");
+    EXPECT_EQ(change(-0.009, 0.011, 0.019), "");
     EXPECT_EQ(percentInWords(0.123), "12 %");
     EXPECT_EQ(percentInWords(0.004), "less than 1 %");
     EXPECT_EQ(percentInWords(0), "0 %");

@@ -125,9 +125,10 @@ std::string numberInWords(const std::vector<std::string>& paths) {
 }
 
 std::string changeInPercent(const Estimate& estimate, std::string_view plus_minus) {
-    constexpr double kLargest = 10;  // times nominal: beyond, nominal is next to zero
+    constexpr double kLargest = 10;  // times nominal
     const double nominal = std::abs(estimate.neutral), change = estimate.value - estimate.neutral;
-    if (std::abs(change) > kLargest * nominal || nominal == 0) return {};
+    const bool next_to_zero = std::abs(change) > kLargest * nominal || estimate.sd > nominal;
+    if (nominal == 0 || next_to_zero) return {};
     const double sd = 100 * estimate.sd / nominal;
     int decimals = 0;  // that show the first digit of the standard deviation
     while (sd > 0 && decimals < 3 && sd * std::pow(10, decimals) < 0.95) ++decimals;

@@ -30,8 +30,8 @@ std::string numberInWords(const std::vector<std::string>& paths);
 // SI unit of a number; "-" for a pure number.
 std::string unitOf(const std::string& path);
 
-// "-32 ± 4 %", with this sign between the change and its standard deviation; empty where the change is more than ten
-// times the nominal value, which is then next to zero.
+// "-32 ± 4 %", with this sign between the change and its standard deviation; empty where the nominal value is next to
+// zero: the change is more than ten times as large, or its standard deviation larger.
 std::string changeInPercent(const Estimate& estimate, std::string_view plus_minus);
 
 // A number that moved within its tolerance.
