@@ -79,9 +79,9 @@ struct ThreeEffects {
         }
         return squares;
     }
-    // (D30). What a set changes in a drive, and the difference between two sets there, are sums over effects.
+    // (D30) with one channel. What a set changes in a drive, and the difference to another set, are sums over effects.
     double doubted(const std::vector<std::size_t>& effects, const std::vector<std::size_t>& rival) const {
-        double sum = 0, weighted = 0;
+        double sum = 0, believed = 0;
         for (const LinearDrive& drive : drives) {
             double changed = 0, differing = 0;
             for (std::size_t e = 0; e < 3; ++e) {
@@ -90,9 +90,9 @@ struct ThreeEffects {
                 if (here) changed += squared;
                 if (here != there) differing += squared;
             }
-            sum += differing, weighted += differing * changed;
+            sum += differing, believed += differing / (1 + 0.05 * 0.05 * changed);
         }
-        return sum > 0 ? 1 + 0.05 * 0.05 * weighted / sum : 1;
+        return believed > 0 ? sum / believed : 1;
     }
 };
 
@@ -184,7 +184,8 @@ TEST(Hypotheses, AreNotDoubtedForWhatTheyChangeInOtherChannels) {
     EXPECT_NEAR(doubtAgainst(linear_drives::fitOf(car, {0, 1}), car, first), 1 + 0.0025 * size * size, 1e-9);
 }
 
-// Channels of one drive err together, drives do not: an effect that changes two channels, or one channel of two drives.
+// Channels of one drive may err together, drives do not: an effect that changes two channels, or one channel of two
+// drives.
 TEST(Hypotheses, AreMoreDoubtfulInTwoChannelsOfADriveThanInTwoDrives) {
     const auto driveOfRows = [](const VectorXd& slopes) {
         return LinearDrive{MatrixXd(slopes.size(), 0), slopes, 100 * slopes, MatrixXd(slopes.size(), 0)};
@@ -201,7 +202,31 @@ TEST(Hypotheses, AreMoreDoubtfulInTwoChannelsOfADriveThanInTwoDrives) {
         {.name = "second", .measured = {}, .first_row = 1, .times = std::vector<double>(1)}};
     const double squared = std::pow(100 * 25 / 26.0, 2);  // of the fitted size
     EXPECT_NEAR(doubtOf(two_channels, one), 0.0025 * 25 * squared, 1e-9 * squared);
-    EXPECT_NEAR(doubtOf(linear_drives::problemOf(two), two), 0.0025 * (81 + 256) / 25 * squared, 1e-9 * squared);
+    const double believed = 9 / (1 + 0.0025 * 9 * squared) + 16 / (1 + 0.0025 * 16 * squared);
+    EXPECT_NEAR(doubtOf(linear_drives::problemOf(two), two), 25 / believed - 1, 1e-9 * squared);
+}
+
+// Errors of a strong signature in one channel do not hide a difference that another channel shows as well.
+TEST(Hypotheses, AreDoubtedByErrorsWithTheCorrelationThatHidesMost) {
+    const std::vector<LinearDrive> drives{
+        {MatrixXd(2, 0), MatrixXd{{80, 6}, {20, 8}}, VectorXd{{86, 28}}, MatrixXd(2, 0), {}}};
+    Problem problem = linear_drives::problemOf(drives);
+    problem.drives[0].channels = {{.name = "first", .measured = {}, .first_row = 0, .times = std::vector<double>(1)},
+                                  {.name = "second", .measured = {}, .first_row = 1, .times = std::vector<double>(1)}};
+    const Calibration car = linear_drives::calibrationOf(problem, drives);
+    const auto fit = linear_drives::fitOf(car, {0}), rival = linear_drives::fitOf(car, {0, 1});
+    const VectorXd changed = fit.rows[0].cwiseAbs(), off = (rival.rows[0] - fit.rows[0]).cwiseAbs();
+    double least = off.squaredNorm(), with_least = 0;
+    for (int i = 0; i <= 20; ++i) {
+        MatrixXd errors = 0.0025 * changed * changed.transpose();
+        errors(0, 1) *= i / 20.0, errors(1, 0) *= i / 20.0;
+        const double believed = off.dot((MatrixXd::Identity(2, 2) + errors).inverse() * off);
+        if (believed < least) least = believed, with_least = i / 20.0;
+    }
+    EXPECT_GT(with_least, 0);
+    EXPECT_LT(with_least, 1);
+    const double doubted = doubtAgainst(rival, car, fit);
+    EXPECT_NEAR(doubted, off.squaredNorm() / least, 1e-9 * doubted);
 }
 
 TEST(Hypotheses, AreHalfAsDoubtfulWhenTwoDrivesShareWhatIsExplained) {
@@ -245,13 +270,13 @@ TEST(Hypotheses, AreDoubtedForAllThatTheyChangeInDrivesThatTellThem) {
     double mixed = 0, information = 1;
     for (const LinearDrive& drive : drives)
         mixed += drive.nuisances.col(0).dot(drive.effects.col(0)), information += drive.nuisances.squaredNorm();
-    double own = 0, weighted = 0;
+    double own = 0, believed = 0;
     for (const LinearDrive& drive : drives) {
         const double squares = (drive.effects.col(0) - drive.nuisances * mixed / information).squaredNorm();
-        own += squares, weighted += squares * drive.effects.col(0).squaredNorm() * size * size;
+        own += squares, believed += squares / (1 + 0.0025 * drive.effects.col(0).squaredNorm() * size * size);
     }
     ASSERT_LT(own, 0.2 * (900 + 81)) << "tolerances imitate most of it";
-    EXPECT_NEAR(doubtAgainst(linear_drives::fitOf(car, {}), car, fit), 1 + 0.0025 * weighted / own, 1e-12);
+    EXPECT_NEAR(doubtAgainst(linear_drives::fitOf(car, {}), car, fit), own / believed, 1e-12);
 }
 
 // The truth may resemble a rival as far as its signature is wrong: a share of 0.05 of 20 standard deviations is one of

@@ -20,10 +20,10 @@ using diagnose::model::Problem;
 using diagnose::model::Sizes;
 using diagnose::select::Calibration;
 using diagnose::select::Fit;
-using diagnose::select::gapsLeftOut;
 using diagnose::select::predicted;
 using diagnose::select::Prediction;
 using diagnose::select::predictiveDensities;
+using diagnose::select::residualsLeftOut;
 using linear_drives::fitOf;
 using linear_drives::LinearDrive;
 using linear_drives::logDensity;
@@ -183,9 +183,8 @@ TEST(Prediction, IsNotTestedWhereOneDriveTellsTheValue) {
     EXPECT_EQ(found.sd, 0);
 }
 
-// Squared rows of a drive at the point of least squares of the others, over their variances by noise and disturbances;
-// the third column is an error of the model.
-double gapAtTheOthers(const Driven& driven, std::size_t left_out, bool with_effect) {
+// Rows of a drive that are left at the point of least squares of the others; the third column is an error of the model.
+VectorXd leftAtTheOthers(const Driven& driven, std::size_t left_out, bool with_effect) {
     const Index free = with_effect ? 2 : 1;
     const auto columns = [&](const LinearDrive& drive) {
         MatrixXd all(drive.measured.size(), free);
@@ -205,26 +204,29 @@ double gapAtTheOthers(const Driven& driven, std::size_t left_out, bool with_effe
         gradient += columns(drive).transpose() * weights * drive.measured;
     }
     const LinearDrive& drive = driven.drives[left_out];
-    const VectorXd left = drive.measured - columns(drive) * information.inverse() * gradient;
-    return (left.array().square() / (0.375 + drive.disturbances.leftCols(2).rowwise().squaredNorm().array())).sum();
+    return drive.measured - columns(drive) * information.inverse() * gradient;
 }
 
-TEST(LeftOut, GapOfADriveIsThatAtTheValuesOfTheOthers) {
+std::vector<VectorXd> leftOutOf(const Driven& driven, const std::vector<std::size_t>& effects) {
+    return residualsLeftOut(driven.car.drives(), driven.car.uncertainty, driven.problem.replays.parameters,
+                            fitOf(driven.car, effects), 1);
+}
+
+TEST(LeftOut, ResidualOfADriveIsThatAtTheValuesOfTheOthers) {
     const Driven driven({1.2, 0.9, 1.1}, {1, 3, 0.5});
     for (const bool with_effect : {false, true}) {
-        const Fit fit = fitOf(driven.car, with_effect ? std::vector<std::size_t>{0} : std::vector<std::size_t>{});
-        const std::vector<double> found = gapsLeftOut(driven.car, driven.problem.replays.parameters, fit);
+        const std::vector<VectorXd> found =
+            leftOutOf(driven, with_effect ? std::vector<std::size_t>{0} : std::vector<std::size_t>{});
         ASSERT_EQ(found.size(), 3u);
         for (std::size_t d = 0; d < 3; ++d)
-            EXPECT_NEAR(found[d], gapAtTheOthers(driven, d, with_effect), 1e-9) << "drive " << d;
+            EXPECT_LT((found[d] - leftAtTheOthers(driven, d, with_effect)).norm(), 1e-9) << "drive " << d;
     }
 }
 
-TEST(LeftOut, EffectThatIsTheSameInAllDrivesShrinksTheGapAndOneThatIsNotEnlargesIt) {
+TEST(LeftOut, EffectThatIsTheSameInAllDrivesShrinksTheResidualAndOneThatIsNotEnlargesIt) {
     const auto total = [](const Driven& driven, const std::vector<std::size_t>& effects) {
-        const std::vector<double> gaps =
-            gapsLeftOut(driven.car, driven.problem.replays.parameters, fitOf(driven.car, effects));
-        return gaps[0] + gaps[1];
+        const std::vector<VectorXd> left = leftOutOf(driven, effects);
+        return left[0].squaredNorm() + left[1].squaredNorm();
     };
     const Driven same({2, 2}, {1, 1}), opposite({2, -2}, {1, 1});
     EXPECT_LT(total(same, {0}), total(same, {}));

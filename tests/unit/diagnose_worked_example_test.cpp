@@ -142,10 +142,11 @@ TEST(WorkedExample, DoubtAndPosteriorOfACatalogueOfThisEffect) {
     const double value = 106 / 81.0;
     EXPECT_NEAR(found.best().fit.at(1), value, kExact);
     // What the effect changes, 2 and 10 times the square of its value, of which the nuisance cannot imitate 14/9 and 6.
-    const double weighted = 14 / 9.0 * 2 + 6 * 10;
+    const double error = 0.0025 * value * value;
+    const double believed = 14 / 9.0 / (1 + 2 * error) + 6 / (1 + 10 * error);
     const double doubted = doubtAgainst(found.none().fit, example.car, found.best().fit);
-    EXPECT_NEAR(doubted, 1 + 0.0025 * value * value * weighted / (14 / 9.0 + 6), kExact);
-    EXPECT_NEAR(doubted, 1.03576, 5e-6);
+    EXPECT_NEAR(doubted, (14 / 9.0 + 6) / believed, kExact);
+    EXPECT_NEAR(doubted, 1.03557, 5e-6);
     const Posterior result = posterior(example.car, found, {true, true});
     EXPECT_EQ(result.variance_factor, 1);
     EXPECT_NEAR(result.ofNothing(), 0.000649, 5e-7);

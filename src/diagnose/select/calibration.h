@@ -34,7 +34,7 @@ struct Calibration {
     // Where an effect keeps car and model together for longer than the calibrated car: that car with the effect. Drives
     // then end where this one slides apart, and are linearised about it.
     std::optional<Together> together = {};
-    // Share of the motion of the car before that the model does not follow: an error of its structure, and so of every
+    // Share of the motion of the car before that the model does not predict: an error of its structure, and so of every
     // signature. 0 without drives of that car.
     double structure_error = 0;
 

@@ -108,10 +108,9 @@ bool othersMovedFurther(const Candidate& single) {
 // Whether numbers, disturbances or errors stand for an effect: they are so far from what is usual that a fit from the
 // calibrated car may end where they do its work.
 bool standsForAnEffect(const Calibration& car) {
-    const bool remainder =
-        std::any_of(model::kAllDisturbed.begin(), model::kAllDisturbed.end(), [&](model::Disturbed kind) {
-            return model::kWidePrior.deviations(kind, car.fit.sizes[placeOf(kind)]) > kFar;
-        });
+    const bool remainder = std::any_of(
+        model::kAllDisturbed.begin(), model::kAllDisturbed.end(),
+        [&](model::Disturbed kind) { return model::kWidePrior.deviations(kind, car.fit.sizes[placeOf(kind)]) > kFar; });
     return remainder || (car.fit.at(car.problem.nuisances).array().abs() > kFar).any();
 }
 
@@ -147,12 +146,18 @@ SharedLinearisation linearisationAbout(const Calibration& car, const Candidate& 
 
 CandidateFitter::CandidateFitter(const Calibration& car) : car_(car), none_(car.fit), best_(car.fit.log_evidence) {}
 
-bool CandidateFitter::refitNone(const Linearisation& about) {
-    std::optional<Fit> again = fitted(car_.problem.replays, car_.drives(), car_.uncertainty, about, {}, {none_.at});
-    if (!again || again->log_evidence <= none_.log_evidence) return false;
-    none_ = std::move(*again);
+bool CandidateFitter::refitNone(const Linearisation& about, const Candidate& beside) {
+    Start from_beside = endOf(beside.fit);
+    from_beside.at = car_.problem.withOnly({}, beside.fit.at);
+    bool better = false;
+    for (const Start& from : {Start{none_.at}, from_beside}) {
+        std::optional<Fit> again = fitted(car_.problem.replays, car_.drives(), car_.uncertainty, about, {}, from);
+        if (!again || again->log_evidence <= none_.log_evidence) continue;
+        none_ = std::move(*again);
+        better = true;
+    }
     best_ = std::max(best_, none_.log_evidence);
-    return true;
+    return better;
 }
 
 std::vector<CandidateFitter::Found> CandidateFitter::together(

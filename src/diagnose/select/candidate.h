@@ -44,8 +44,9 @@ public:
     // The model without effects, and the evidence of a fit over it.
     const Fit& none() const { return none_; }
     double over(const Fit& fit) const { return fit.log_evidence - none_.log_evidence; }
-    // Fits that model with another linearisation. The result is kept if it is better; tells whether it is.
-    bool refitNone(const Linearisation& about);
+    // Fits that model with another linearisation, from its own point and from that of a candidate without its effects.
+    // The better result is kept if it is better than the model so far; tells whether it is.
+    bool refitNone(const Linearisation& about, const Candidate& beside);
 
     // Single effects, about the calibrated car. A fit may have gone astray where it falls far short of what the linear
     // model promised, where others of its knobs moved further than the first, or where numbers of the calibrated car

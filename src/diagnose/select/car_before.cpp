@@ -9,6 +9,7 @@
 #include "diagnose/model/gap.h"
 #include "diagnose/model/remainder.h"
 #include "diagnose/select/fit.h"
+#include "diagnose/select/left_out.h"
 #include "diagnose/settings.h"
 #include "recording/reference.h"
 
@@ -71,17 +72,24 @@ std::vector<recording::KnownWithin> leftOpen(const std::map<std::string, answer:
     return open;
 }
 
-// Root of the squared residual beyond noise, over the squared motion: the change of each channel since the start
-// (D45b).
-double shareNotFollowed(model::Drives drives, const model::Uncertainty& uncertainty, const Rows& rows) {
+// Root of the squared error with which the other drives predict one, beyond noise, over its squared motion: the change
+// of each channel since the start (D45b). `uncertainty`: that of the fit; `noise`: its noise in units of that of the
+// recordings. A prediction that is worse than the nominal car predicts nothing.
+double shareNotPredicted(const model::Problem& problem, const model::Uncertainty& uncertainty, double noise,
+                         const Fit& fit, const Rows& nominal) {
+    const model::Drives drives = problem.drives;
+    const std::vector<Eigen::VectorXd> off =
+        residualsLeftOut(drives, uncertainty, problem.replays.parameters, fit, problem.replays.threads);
     double left = 0, moved = 0;
-    for (std::size_t d = 0; d < rows.size(); ++d) {
+    for (std::size_t d = 0; d < off.size(); ++d) {
         Eigen::VectorXd motion = drives[d].measured;
         for (const recording::ObservedChannel& channel : drives[d].channels) {
             const double start = motion(channel.first_row);
             motion.segment(channel.first_row, channel.rows()).array() -= start;
         }
-        left += model::residual(drives, uncertainty, rows, d).squaredNorm() - uncertainty.noise[d].expected;
+        const double of_nominal = model::residual(drives, uncertainty, nominal, d).squaredNorm();
+        const double of_noise = uncertainty.noise[d].expected / (noise * noise);
+        left += std::min(off[d].squaredNorm(), of_nominal) - of_noise;
         moved += uncertainty.noise[d].over(motion).squaredNorm();
     }
     return moved > 0 ? std::sqrt(std::max(0.0, left) / moved) : 0;
@@ -94,6 +102,7 @@ std::optional<Fit> settledFit(const model::Problem& problem, const Progress& pro
     std::optional<Fit> found;
     std::optional<model::Uncertainty> last;
     std::optional<Linearisation> linear;
+    Rows nominal;
     for (int round = 0; round < kMostFitsBefore; ++round) {
         const auto tell = [&](double share) {
             progress((round + share) / kMostFitsBefore, "fitting the car before the change");
@@ -109,8 +118,8 @@ std::optional<Fit> settledFit(const model::Problem& problem, const Progress& pro
         const model::Uncertainty plain = uncertainty;
         // The structure of the model is wrong: what it leaves is larger than noise, and lasts.
         const double ratio = model::birgeRatio(problem.drives, uncertainty, about.rows, uncertainty.sizes);
-        for (model::RowNoise& noise : uncertainty.noise)
-            noise.deviation *= ratio * std::sqrt(kErrorLasts / recording::kBlock);
+        const double larger = ratio * std::sqrt(kErrorLasts / recording::kBlock);
+        for (model::RowNoise& noise : uncertainty.noise) noise.deviation *= larger;
         const std::vector<Eigen::Index> relevant =
             linear ? linear->nuisances
                    : model::relevantNuisances(problem.nuisances, about, uncertainty, problem.replays.threads);
@@ -119,9 +128,9 @@ std::optional<Fit> settledFit(const model::Problem& problem, const Progress& pro
         std::optional<Fit> fit = fitted(problem.replays, problem.drives, uncertainty, *linear, {}, {at});
         last = std::move(uncertainty);
         if (!fit) break;
-        if (round == 0) gap.nominal = levelOf(problem.drives, plain, before);
+        if (round == 0) gap.nominal = levelOf(problem.drives, plain, before), nominal = before;
         gap.calibrated = levelOf(problem.drives, plain, fit->rows);
-        told.structure_error = shareNotFollowed(problem.drives, plain, fit->rows);
+        told.structure_error = shareNotPredicted(problem, *last, larger, *fit, nominal);
         at = fit->at;
         found = std::move(*fit);
         const double left = model::birgeRatio(problem.drives, plain, found->rows, plain.sizes);

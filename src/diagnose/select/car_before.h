@@ -15,7 +15,7 @@ struct CarBefore {
     model::Subject car;
     std::map<std::string, answer::NuisanceEstimate> moved;  // numbers of the nominal car that the fit moved
     answer::GapLevels gap;                                  // in the drives of the car before: nominal, and fitted
-    double structure_error = 0;                             // share of its motion that the fit does not follow (D45b)
+    double structure_error = 0;  // share of its motion that its other drives do not predict (D45b)
     // How well its numbers are known (D45d); in drives from which no reference is subtracted, as the fit leaves them,
     // and as a car differs from itself on another day (D45a).
     std::vector<recording::KnownWithin> tolerances;

@@ -38,7 +38,7 @@ double independentErrors(const Calibration& car) {
     return errors;
 }
 
-// Squared gap that the errors of the signatures leave of a set, whose closest car has these rows.
+// Squared gap that the errors of the signatures of a set leave, whose closest car has these rows.
 double leftBySignatures(const Calibration& car, const Rows& rows) {
     const double explained = std::max(0.0, squaredGapOf(car, car.closest.rows) - squaredGapOf(car, rows));
     return car.structure_error * car.structure_error * explained;
@@ -126,11 +126,12 @@ double scatterOfGap(const Calibration& car) {
 bool closesByChance(const Calibration& car, const Closeness& closeness) {
     const Rows& rows = closeness.with.rows;
     const double with = squaredGapOf(car, rows);
-    const double by_chance =
-        kSquaresOfANat * std::max(gapBeyondNoise(car, rows), leftBySignatures(car, rows)) / independentErrors(car);
-    if (by_chance == 0) return false;  // what the set leaves is noise, which the evidence takes into account
+    const double of_errors = gapBeyondNoise(car, rows) / independentErrors(car);
     return std::any_of(closeness.without.begin(), closeness.without.end(), [&](const Closest& less) {
-        return squaredGapOf(car, less.rows) - with <= kSettings.effect * by_chance;
+        const double by_chance = std::max(of_errors, leftBySignatures(car, less.rows));
+        // Where nothing is left but noise, the evidence takes it into account.
+        if (by_chance == 0) return false;
+        return squaredGapOf(car, less.rows) - with <= kSettings.effect * kSquaresOfANat * by_chance;
     });
 }
 

@@ -27,7 +27,7 @@ double gapBeyondNoise(const Calibration& car, const Rows& rows);
 double scatterOfGap(const Calibration& car);
 
 // True if one of the effects closes no more of the gap than an effect without meaning may by chance, in view of what
-// the set leaves and of the errors of its signatures (D38d). Never where there is neither.
+// the set leaves and of the errors of the others' signatures (D38d). Never where there is neither.
 bool closesByChance(const Calibration& car, const Closeness& closeness);
 
 // True if forces that act beside a set close no more of the gap than chance may. `with`: the closest car with the set.

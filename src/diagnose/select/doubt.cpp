@@ -10,6 +10,9 @@ namespace {
 // Largest share of what is explained that one drive may hold, for the others to test it.
 constexpr double kOneDrive = 0.9;
 
+// Steps of the correlation between the errors of channels.
+constexpr int kCorrelations = 20;
+
 // Places of the free parameters of a fit: first those of some knobs, then the others.
 std::vector<Eigen::Index> knobsFirst(const Fit& fit, const std::vector<Eigen::Index>& knobs) {
     std::vector<Eigen::Index> places(fit.free.size());
@@ -18,6 +21,31 @@ std::vector<Eigen::Index> knobsFirst(const Fit& fit, const std::vector<Eigen::In
         return std::find(knobs.begin(), knobs.end(), fit.free[i]) != knobs.end();
     });
     return places;
+}
+
+// Difference of two models in a channel of a drive, squared, and the variance of the error of a signature there.
+struct ChannelError {
+    double square, error;
+};
+
+// Squared difference in a drive that is left over errors which have the same correlation in all pairs of channels.
+double believedWith(double correlation, const std::vector<ChannelError>& channels) {
+    double alone = 0, along = 0, common = 0;
+    for (const ChannelError& one : channels) {
+        const double variance = 1 + (1 - correlation) * one.error;
+        alone += one.square / variance;
+        along += std::sqrt(correlation * one.error * one.square) / variance;
+        common += correlation * one.error / variance;
+    }
+    return alone - along * along / (1 + common);
+}
+
+// The same with the correlation that leaves the least.
+double leastBelieved(const std::vector<ChannelError>& channels) {
+    double least = believedWith(0, channels);
+    for (int i = 1; i <= kCorrelations; ++i)
+        least = std::min(least, believedWith(static_cast<double>(i) / kCorrelations, channels));
+    return least;
 }
 
 }  // namespace
@@ -56,18 +84,19 @@ double doubtAlong(const Calibration& car, const model::ChannelSquares& squares, 
                   const std::vector<Eigen::VectorXd>& off) {
     if (fit.knobs.empty()) return 1;
     const std::vector<Eigen::VectorXd> by_effects = changedByEffects(fit);
-    double differing = 0, aligned = 0;
+    double differing = 0, believed = 0;
     for (std::size_t d = 0; d < off.size(); ++d) {
         const std::vector<double> changed = squares.in(d, by_effects[d]);
         const std::vector<double> between = squares.in(d, off[d]);
-        double along = 0;
+        std::vector<ChannelError> channels;
         for (std::size_t c = 0; c < changed.size(); ++c) {
-            const double square = std::max(0.0, between[c]);
-            differing += square, along += std::sqrt(square * std::max(0.0, changed[c]));
+            const double error = car.structure_error * car.structure_error * std::max(0.0, changed[c]);
+            channels.push_back({std::max(0.0, between[c]), error});
+            differing += channels.back().square;
         }
-        aligned += along * along;
+        believed += leastBelieved(channels);
     }
-    return differing > 0 ? 1 + car.structure_error * car.structure_error * aligned / differing : 1;
+    return believed > 0 ? differing / believed : 1;
 }
 
 double doubt(const Calibration& car, const model::ChannelSquares& squares, const Fit& fit, const Rows& rival) {

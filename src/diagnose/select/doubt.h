@@ -18,8 +18,9 @@ std::vector<Eigen::VectorXd> changedByEffects(const Fit& fit);
 
 // Divisor of the evidence that a difference from a model gives: `off`, whitened rows of each drive. In each channel,
 // the signatures of the model's effects may be wrong by the signatures' error times all that the effects change there,
-// also what its other parameters could imitate: they imitate the signature, not its error. In the worst case, all
-// channels of a drive err along the difference; drives err independently. 1 for the model without effects (D30).
+// also what its other parameters could imitate: they imitate the signature, not its error. In the worst case, each
+// channel errs along the difference, and those of a drive with the correlation that hides most of it. Drives err
+// independently. 1 for the model without effects (D30).
 double doubtAlong(const Calibration& car, const model::ChannelSquares& squares, const Fit& fit,
                   const std::vector<Eigen::VectorXd>& off);
 

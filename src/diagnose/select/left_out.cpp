@@ -26,21 +26,20 @@ std::vector<double> gapsOfNominal(const Calibration& car, const HeldOut& held_ou
 
 }  // namespace
 
-std::vector<double> gapsLeftOut(const Calibration& car, const std::vector<Parameter>& parameters, const Fit& fit) {
+std::vector<Eigen::VectorXd> residualsLeftOut(model::Drives drives, const model::Uncertainty& uncertainty,
+                                              const std::vector<Parameter>& parameters, const Fit& fit, int threads) {
     const std::vector<model::NormalEquations> each =
-        model::equationsOfEach(car.uncertainty, fit.products, fit.sizes, car.problem.replays.threads);
+        model::equationsOfEach(uncertainty, fit.products, fit.sizes, threads);
     const model::NormalEquations all = inference::sumOf(each);
     const inference::Bounds bounds = model::boundsOf(parameters, fit.free);
-    std::vector<double> gaps;
+    std::vector<Eigen::VectorXd> left;
     for (std::size_t d = 0; d < each.size(); ++d) {
         const model::NormalEquations others{all.products - each[d].products};
         const inference::QuadraticModel told = inference::quadraticModel(others, fit.at(fit.free));
         const Eigen::VectorXd step = inference::boundedStep(told, 0, bounds);
-        const Eigen::VectorXd left =
-            model::residual(car.drives(), car.uncertainty, fit.rows, d) - fit.columns[d] * step;
-        gaps.push_back(filteredGap(car, left, d));
+        left.emplace_back(model::residual(drives, uncertainty, fit.rows, d) - fit.columns[d] * step);
     }
-    return gaps;
+    return left;
 }
 
 bool isLarger(const std::vector<double>& after, const std::vector<double>& before) {
@@ -78,7 +77,9 @@ const LeftOut::Fitted& LeftOut::fittedWith(const std::vector<std::size_t>& effec
     result.fit = fitted(within_, problem.drives, car_.uncertainty, car_.about, problem.knobsOf(effects), start,
                         SizePrior::typical, Remainder::usual);
     if (!result.fit) return result;
-    result.gaps = gapsLeftOut(car_, within_.parameters, *result.fit);
+    const std::vector<Eigen::VectorXd> left =
+        residualsLeftOut(car_.drives(), car_.uncertainty, within_.parameters, *result.fit, problem.replays.threads);
+    for (std::size_t d = 0; d < left.size(); ++d) result.gaps.push_back(filteredGap(car_, left[d], d));
     if (const std::optional<std::vector<double>> further = held_out_.gapOf(result.fit->at))
         result.gaps.insert(result.gaps.end(), further->begin(), further->end());
     else if (!held_out_.uncertainty.noise.empty()) result.fit.reset();  // it cannot be driven there

@@ -35,13 +35,14 @@ private:
     const Calibration& car_;
     const HeldOut& held_out_;
     Replays within_;
-    std::vector<double> nominal_;  // gaps of the nominal car, in the same drives
+    std::vector<double> nominal_;                     // gaps of the nominal car, in the same drives
     std::map<std::set<std::size_t>, Fitted> fitted_;  // by effects
 };
 
-// Squared gap of each drive, filtered, if all numbers of a fit are those that the other drives tell, within these
-// bounds. In the linear model about the fit.
-std::vector<double> gapsLeftOut(const Calibration& car, const std::vector<Parameter>& parameters, const Fit& fit);
+// Whitened residual of each drive, if all numbers of a fit are those that the other drives tell, within the bounds of
+// these parameters. In the linear model about the fit.
+std::vector<Eigen::VectorXd> residualsLeftOut(model::Drives drives, const model::Uncertainty& uncertainty,
+                                              const std::vector<Parameter>& parameters, const Fit& fit, int threads);
 
 // True if gaps grow: their logarithms, summed over the drives, by more than the standard deviation that the differences
 // between drives suggest. A drive that is predicted badly either way thus weighs no more than another one (D38c).

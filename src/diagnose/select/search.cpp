@@ -136,7 +136,7 @@ private:
             progress_(0.3, "linearising at " + problem_.effects[best.effects.front()].name);
             const SharedLinearisation here = fitter_.settle(best);
             const double before = fitter_.none().log_evidence;
-            if (fitter_.refitNone(*here)) {
+            if (fitter_.refitNone(*here, best)) {
                 for (Candidate& one : found_)
                     one.log_evidence =
                         one.fitted ? fitter_.over(one.fit) : one.log_evidence - (fitter_.none().log_evidence - before);
