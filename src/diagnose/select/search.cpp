@@ -269,8 +269,16 @@ private:
         });
     }
 
+    // Whether a single effect can imitate the best candidate, or one that is about as probable.
+    bool canImitateOneNear(const Candidate& single, const Candidate& best) const {
+        return std::any_of(found_.begin(), found_.end(), [&](const Candidate& near) {
+            return near.fitted && logProbability(near) > logProbability(best) - kClose && canImitate(single, near);
+        });
+    }
+
     // Fits the rivals of a candidate again, about its point: fits that came from elsewhere may differ by more than
-    // their effects do. `start`: of the candidate; the knobs of each rival take the place of its own.
+    // their effects do. Effects that can imitate it, or a rival as probable, are fitted even where the screen promises
+    // little of them. `start`: of the candidate; the knobs of each rival take the place of its own.
     void fitRivals(const Candidate& best, const Linearisation& here, const Start& start) {
         std::vector<Candidate> rivals;
         for (const Candidate& one : found_)
@@ -280,6 +288,8 @@ private:
         std::stable_sort(rivals.begin(), rivals.end(),
                          [&](const Candidate& a, const Candidate& b) { return logProbability(a) > logProbability(b); });
         if (rivals.size() > kMostRivals) rivals.resize(kMostRivals);
+        for (const Candidate& one : found_)
+            if (!one.fitted && canImitateOneNear(one, best)) rivals.push_back(one);
         std::vector<Attempt> attempts;
         for (const Candidate& rival : rivals) {
             attempts.push_back({rival.effects, start});
