@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
+#include <barrier>
+#include <mutex>
+#include <set>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace tread::parallel_test {
@@ -21,23 +24,45 @@ TEST(InParallel, EveryPieceIsDoneOnceAndTheFirstFailureIsThrown) {
                  std::runtime_error);
 }
 
-// Calls within a piece share the threads: as many pieces as threads leave one each, a single piece has all of them.
+// Calls within a piece use its thread and those that have none: as many pieces as threads leave one each, a single
+// piece has all of them.
 TEST(InParallel, PiecesShareTheThreads) {
     struct Case {
         std::size_t pieces;
         int threads;
-        std::size_t each;
+        std::size_t most;
     };
-    for (const Case& c : {Case{1, 4, 4}, Case{2, 4, 2}, Case{3, 4, 1}, Case{8, 4, 1}}) {
+    for (const Case& c : {Case{1, 4, 4}, Case{2, 4, 3}, Case{3, 4, 2}, Case{4, 4, 1}}) {
+        std::barrier all_begin(static_cast<std::ptrdiff_t>(c.pieces)), all_end(static_cast<std::ptrdiff_t>(c.pieces));
         std::vector<std::size_t> seen(c.pieces), deeper(c.pieces);
         inParallel(c.pieces, c.threads, [&](std::size_t i) {
+            all_begin.arrive_and_wait();
             seen[i] = threadCount(c.threads);
             inParallel(1, c.threads, [&](std::size_t) { deeper[i] = threadCount(0); });
+            all_end.arrive_and_wait();
         });
-        EXPECT_EQ(seen, std::vector<std::size_t>(c.pieces, c.each)) << c.pieces;
-        EXPECT_TRUE(std::all_of(deeper.begin(), deeper.end(), [&](std::size_t n) { return n <= c.each; }));
+        EXPECT_EQ(seen, std::vector<std::size_t>(c.pieces, c.most)) << c.pieces;
+        EXPECT_TRUE(std::all_of(deeper.begin(), deeper.end(), [&](std::size_t n) { return n <= c.most; }));
     }
     EXPECT_EQ(threadCount(5), 5u);  // outside again
+}
+
+// A piece that takes long gets the threads for which no other is left.
+TEST(InParallel, ThreadsWithoutAPieceHelpTheOthers) {
+    std::mutex guard;
+    std::set<std::thread::id> helped;
+    inParallel(2, 2, [&](std::size_t piece) {
+        if (piece == 1) return;
+        while (threadCount(2) < 2) std::this_thread::yield();
+        std::barrier both(2);
+        inParallel(2, 2, [&](std::size_t) {
+            both.arrive_and_wait();
+            const std::scoped_lock lock(guard);
+            helped.insert(std::this_thread::get_id());
+        });
+    });
+    EXPECT_EQ(helped.size(), 2u);
+    EXPECT_EQ(threadCount(5), 5u);
 }
 
 }  // namespace

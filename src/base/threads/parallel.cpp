@@ -1,6 +1,7 @@
 #include "base/threads/parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -8,13 +9,29 @@
 namespace tread {
 namespace {
 
-thread_local std::size_t share_of_piece = 0;  // threads for the piece of work that this thread does; 0: it does none
+// Threads of an outermost call that have no work: calls within its pieces take them and give them back. Below 0 for a
+// moment after one that has lent itself out goes on.
+using Idle = std::atomic<int>;
+thread_local Idle* idle = nullptr;  // of the call that this thread works for; null: for none
+
+int coresOr(int threads) {
+    return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+// Takes up to so many; how many it were.
+int takeFrom(Idle& threads, int most) {
+    int there = threads.load();
+    while (true) {
+        const int taken = std::clamp(there, 0, most);
+        if (taken == 0 || threads.compare_exchange_weak(there, there - taken)) return taken;
+    }
+}
 
 }  // namespace
 
 std::size_t threadCount(int threads) {
-    const std::size_t all = threads > 0 ? static_cast<std::size_t>(threads) : std::thread::hardware_concurrency();
-    return std::max<std::size_t>(1, share_of_piece > 0 ? std::min(all, share_of_piece) : all);
+    const int all = coresOr(threads);
+    return static_cast<std::size_t>(idle ? std::min(all, 1 + std::max(0, idle->load())) : all);
 }
 
 bool PiecesOfWork::doNext(const std::function<void(std::size_t)>& work) {
@@ -37,17 +54,24 @@ void PiecesOfWork::throwFailure() const {
 void inParallel(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
     if (count == 0) return;
     PiecesOfWork pieces(count);
-    const std::size_t all = threadCount(threads), wanted = std::min(count, all);
+    const int all = coresOr(threads);
+    Idle own{all - 1};
+    Idle& others = idle ? *idle : own;
     const auto labour = [&] {
-        const std::size_t outer = std::exchange(share_of_piece, all / wanted);
+        Idle* const outer = std::exchange(idle, &others);
         while (pieces.doNext(work)) {
         }
-        share_of_piece = outer;
+        idle = outer;
     };
     std::vector<std::jthread> helpers;
-    for (std::size_t i = 1; i < wanted; ++i) helpers.emplace_back(labour);
+    const int more = takeFrom(others, static_cast<int>(std::min(count, static_cast<std::size_t>(all))) - 1);
+    for (int i = 0; i < more; ++i) helpers.emplace_back([&] { labour(), ++others; });
     labour();
-    helpers.clear();
+    if (more > 0) {
+        ++others;  // while this thread waits
+        helpers.clear();
+        --others;
+    }
     pieces.throwFailure();
 }
 

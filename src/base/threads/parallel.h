@@ -9,8 +9,8 @@
 
 namespace tread {
 
-// How many threads are meant; 0: one per core. Within a piece of work of inParallel(), at most its share of the
-// threads.
+// How many threads are meant; 0: one per core. Within a piece of work of inParallel(), at most its own and those that
+// have no piece.
 std::size_t threadCount(int threads);
 
 // Hands out the pieces, numbered from 0, to threads that ask for them.
@@ -34,7 +34,7 @@ private:
 
 // Calls work(i) for every i below count. Who writes only to the i-th place of a result gets the same result for any
 // number of threads (0: one per core). An exception of the lowest i is thrown on, once all threads have stopped. Calls
-// within a piece share the threads: where there are as many pieces as threads, each has one.
+// within a piece work on the thread of the piece and on those for which no piece is left.
 void inParallel(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
 
 }  // namespace tread
