@@ -32,6 +32,13 @@ struct FreeRoom {
     void operator()(double* room) const { operator delete(room, kLine); }
 };
 
+// Kept for the next product: most take less time than to fetch so much memory.
+double* roomOfThread() {
+    thread_local const std::unique_ptr<double, FreeRoom> room(
+        static_cast<double*>(operator new(kRoomOfProduct * sizeof(double), kLine)));
+    return room.get();
+}
+
 enum class Part { all, lower };
 
 Operand asIs(const Eigen::Ref<const MatrixXd>& a) {
@@ -50,10 +57,8 @@ Strided view(const Operand& a, Index rows, Index columns) {
 void addProduct(Block c, double factor, const Operand& a, Index inner, const Operand& b, Part part = Part::all) {
     static const AddProduct wide = widestProduct();
     if (wide) {
-        const std::unique_ptr<double, FreeRoom> room(
-            static_cast<double*>(operator new(kRoomOfProduct * sizeof(double), kLine)));
         const Product product{a, b, c.data(), c.outerStride(), c.rows(), c.cols(), inner, factor, part == Part::lower};
-        return wide(product, room.get());
+        return wide(product, roomOfThread());
     }
     if (part == Part::all) {
         c.noalias() += factor * view(a, c.rows(), inner) * view(b, inner, c.cols());
