@@ -85,6 +85,16 @@ ColumnProducts productsOfColumn(const Eigen::VectorXd& column, const Eigen::Matr
     return products;
 }
 
+void replaceColumns(DriveProducts& products, const Eigen::MatrixXd& columns, const Eigen::VectorXd& last,
+                    const std::vector<Index>& changed, const Eigen::MatrixXd& disturbances) {
+    const Eigen::MatrixXd some = columns(Eigen::all, changed);
+    Eigen::MatrixXd with(columns.cols() + 1, some.cols());
+    with << transposedTimes(columns, some), last.transpose() * some;
+    products.columns(Eigen::all, changed) = with;
+    products.columns(changed, Eigen::all) = with.transpose();
+    products.mixed(Eigen::all, changed) = transposedTimes(disturbances, some);
+}
+
 void updateByRankOne(DriveProducts& products, const ColumnProducts& by, const Eigen::VectorXd& step) {
     addToSquares(products.columns, by.with, by.square, step);
     products.mixed.leftCols(step.size()) += by.mixed * step.transpose();
@@ -112,6 +122,14 @@ MarginalProducts::MarginalProducts(const DriveProducts& products, Metric metric)
 
 Eigen::VectorXd MarginalProducts::halfOf(const Eigen::VectorXd& mixed) const {
     return metric_.factor.half(metric_.sizes.cwiseProduct(mixed));
+}
+
+void MarginalProducts::replaceColumns(const DriveProducts& products, const std::vector<Index>& changed) {
+    const Eigen::MatrixXd half = metric_.factor.half(metric_.sizes.asDiagonal() * products.mixed(Eigen::all, changed));
+    half_(Eigen::all, changed) = half;
+    const Eigen::MatrixXd with = products.columns(Eigen::all, changed) - half_.transpose() * half;
+    equations_.products(Eigen::all, changed) = with;
+    equations_.products(changed, Eigen::all) = with.transpose();
 }
 
 void MarginalProducts::updateByRankOne(const ColumnProducts& by, const Eigen::VectorXd& step) {

@@ -52,6 +52,10 @@ struct ColumnProducts {
 ColumnProducts productsOfColumn(const Eigen::VectorXd& column, const Eigen::MatrixXd& columns,
                                 const Eigen::VectorXd& last, const Eigen::MatrixXd& disturbances);
 
+// Products after some columns of W have changed. `last`: the last column.
+void replaceColumns(DriveProducts& products, const Eigen::MatrixXd& columns, const Eigen::VectorXd& last,
+                    const std::vector<Index>& changed, const Eigen::MatrixXd& disturbances);
+
 // Products after the columns before the last one change to W + by step'. The last, the residual, stays.
 void updateByRankOne(DriveProducts& products, const ColumnProducts& by, const Eigen::VectorXd& step);
 // Products with another last column. `with` ends with its own square.
@@ -90,7 +94,8 @@ public:
     const Metric& metric() const { return metric_; }
     DisturbedProducts disturbed() const;
 
-    // As the functions of the same names do with the products.
+    // As the functions of the same names do with the products, which have changed before.
+    void replaceColumns(const DriveProducts& products, const std::vector<Index>& changed);
     void updateByRankOne(const ColumnProducts& by, const Eigen::VectorXd& step);
     void replaceLast(const ColumnProducts& last);
     void scaleColumns(const Eigen::VectorXd& factors);

@@ -129,6 +129,12 @@ TEST(NormalEquations, ProductsFollowTheirColumns) {
     marginal.replaceLast(of_residual);
     expectThoseOf();
 
+    const std::vector<Eigen::Index> changed{2, 0};
+    columns(Eigen::all, changed) = randomMatrix(40, 2, 7);
+    inference::replaceColumns(products, columns, residual, changed, dense.disturbances);
+    marginal.replaceColumns(products, changed);
+    expectThoseOf();
+
     const Eigen::Vector4d factors(2, 1, 0.5, 1);
     inference::scaleColumns(products, factors);
     marginal.scaleColumns(factors);

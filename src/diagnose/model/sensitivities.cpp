@@ -1,7 +1,7 @@
 #include "diagnose/model/sensitivities.h"
 
-#include <cmath>
 #include <mutex>
+#include <numeric>
 
 #include "diagnose/model/sensitivity_cache.h"
 #include "run/together.h"
@@ -11,7 +11,7 @@ namespace {
 
 // One column of one drive.
 struct Column {
-    std::size_t drive;
+    std::size_t drive, wanted;  // `wanted`: place among the parameters asked for
     Eigen::Index parameter;
     double by;  // step of the difference, in units of the parameter
 };
@@ -32,7 +32,7 @@ std::vector<Column> columnsToDrive(const Replays& replays, Drives drives, const 
             const Parameter& parameter = replays.parameters[p];
             const bool worth = wanted.worth.empty() || wanted.worth[i][d];
             const bool own = parameter.only ? parameter.concerns(drives[d]) : recording::firstLike(drives, d) == d;
-            if (bases[d].motion && worth && own) columns.push_back({d, p, by});
+            if (bases[d].motion && worth && own) columns.push_back({d, i, p, by});
         }
     }
     return columns;
@@ -65,14 +65,60 @@ DrivenColumn difference(const Replays& replays, const RecordedDrive& drive, cons
     return {std::nullopt, simulations};
 }
 
+// Where the columns are written: of each drive, at the places of the parameters asked for.
+struct Columns {
+    std::vector<Eigen::MatrixXd>& of_drives;
+    std::vector<Eigen::Index> places;
+
+    auto at(std::size_t drive, std::size_t wanted) { return of_drives[drive].col(places[wanted]); }
+};
+
 void repeatsAnswerAlike(const Replays& replays, Drives drives, const std::vector<Eigen::Index>& parameters,
-                        Sensitivities& result) {
+                        Columns& columns) {
     for (std::size_t d = 0; d < drives.size(); ++d) {
         const std::size_t first = recording::firstLike(drives, d);
         if (first == d) continue;
-        for (const Eigen::Index p : parameters)
-            if (!replays.parameters[p].only) result.columns[d].col(p) = result.columns[first].col(p);
+        for (std::size_t i = 0; i < parameters.size(); ++i)
+            if (!replays.parameters[parameters[i]].only) columns.at(d, i) = columns.at(first, i);
     }
+}
+
+// Replays of the drives at a point, and with `rows` also the rows there.
+std::vector<Base> basesAt(const Replays& replays, Drives drives, const Deviation& at, Rows* rows = nullptr) {
+    std::vector<Base> bases(drives.size());
+    drivenTogether((rows ? 2 : 1) * drives.size(), replays.threads, [&](std::size_t i) {
+        const std::size_t d = i % drives.size();
+        if (i < drives.size()) bases[d] = baseOf(replays, drives[d], replays.subjectAt(at, drives[d]));
+        else if (std::optional<Eigen::VectorXd> there = rowsOf(replays, drives[d], at)) (*rows)[d] = std::move(*there);
+    });
+    return bases;
+}
+
+void drive(Columns columns, const Replays& replays, Drives drives, const Deviation& at, const Wanted& wanted,
+           const std::vector<Base>& bases, const std::function<void(double)>& progress) {
+    const std::vector<Column> all = columnsToDrive(replays, drives, at, wanted, bases);
+    std::vector<std::filesystem::path> kept(drives.size());
+    for (std::size_t d = 0; d < drives.size() && at.isZero(0); ++d)
+        kept[d] = columnFolder(replays, drives[d], bases[d].subject);
+    std::mutex guard;
+    double done = 0;
+    drivenTogether(all.size(), replays.threads, [&](std::size_t i) {
+        const Column& one = all[i];
+        const RecordedDrive& drive = drives[one.drive];
+        const Base& base = bases[one.drive];
+        bool made = false;
+        const DrivenColumn column =
+            keptColumn(kept[one.drive], replays.parameters[one.parameter], one.by, base.rows.size(), [&] {
+                made = true;
+                return difference(replays, drive, one, base);
+            });
+        // A kept column counts like a new one: the answer does not depend on what was kept.
+        if (!made) replays.simulations.add(column.simulations);
+        if (column.values) columns.at(one.drive, one.wanted) = *column.values;
+        const std::scoped_lock lock(guard);
+        progress(++done / static_cast<double>(all.size()));
+    });
+    repeatsAnswerAlike(replays, drives, wanted.parameters, columns);
 }
 
 }  // namespace
@@ -85,39 +131,26 @@ Sensitivities sensitivities(const Replays& replays, Drives drives, const Deviati
                             const std::function<void(double)>& progress) {
     const std::size_t n = drives.size();
     Sensitivities result{at, Rows(n), std::vector<Eigen::MatrixXd>(n)};
-    std::vector<Base> bases(n);
-    drivenTogether(n, replays.threads, [&](std::size_t d) {
-        bases[d] = baseOf(replays, drives[d], replays.subjectAt(at, drives[d]));
-        result.columns[d] = Eigen::MatrixXd::Zero(drives[d].rows(), at.size());
-        if (wanted.elsewhere) result.columns[d] = wanted.elsewhere->columns[d];
-        if (wanted.rows) result.rows[d] = (*wanted.rows)[d];
-        else if (std::optional<Eigen::VectorXd> rows = rowsOf(replays, drives[d], at))
-            result.rows[d] = std::move(*rows);
-    });
-
-    const std::vector<Column> columns = columnsToDrive(replays, drives, at, wanted, bases);
-    std::vector<std::filesystem::path> kept(n);
-    for (std::size_t d = 0; d < n && at.isZero(0); ++d) kept[d] = columnFolder(replays, drives[d], bases[d].subject);
-    std::mutex guard;
-    double done = 0;
-    drivenTogether(columns.size(), replays.threads, [&](std::size_t i) {
-        const Column& one = columns[i];
-        const RecordedDrive& drive = drives[one.drive];
-        const Base& base = bases[one.drive];
-        bool made = false;
-        const DrivenColumn column =
-            keptColumn(kept[one.drive], replays.parameters[one.parameter], one.by, base.rows.size(), [&] {
-                made = true;
-                return difference(replays, drive, one, base);
-            });
-        // A kept column counts like a new one: the answer does not depend on what was kept.
-        if (!made) replays.simulations.add(column.simulations);
-        if (column.values) result.columns[one.drive].col(one.parameter) = *column.values;
-        const std::scoped_lock lock(guard);
-        progress(++done / static_cast<double>(columns.size()));
-    });
-    repeatsAnswerAlike(replays, drives, wanted.parameters, result);
+    if (wanted.rows) result.rows = *wanted.rows;
+    const std::vector<Base> bases = basesAt(replays, drives, at, wanted.rows ? nullptr : &result.rows);
+    for (std::size_t d = 0; d < n; ++d)
+        result.columns[d] =
+            wanted.elsewhere ? wanted.elsewhere->columns[d] : Eigen::MatrixXd::Zero(drives[d].rows(), at.size()).eval();
+    drive({result.columns, wanted.parameters}, replays, drives, at, wanted, bases, progress);
     return result;
+}
+
+std::vector<Eigen::MatrixXd> columnsAt(const Replays& replays, Drives drives, const Deviation& at,
+                                       const std::vector<Eigen::Index>& parameters, double step) {
+    std::vector<Eigen::MatrixXd> columns;
+    for (const RecordedDrive& one : drives)
+        columns.emplace_back(Eigen::MatrixXd::Zero(one.rows(), std::ssize(parameters)));
+    if (parameters.empty()) return columns;
+    std::vector<Eigen::Index> places(parameters.size());
+    std::iota(places.begin(), places.end(), 0);
+    drive({columns, std::move(places)}, replays, drives, at, {.parameters = parameters, .step = step},
+          basesAt(replays, drives, at), [](double) {});
+    return columns;
 }
 
 Base baseOf(const Replays& replays, const RecordedDrive& drive, Subject subject) {

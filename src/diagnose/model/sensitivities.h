@@ -36,6 +36,10 @@ Sensitivities sensitivities(
     const Replays& replays, Drives drives, const Deviation& at, const Wanted& wanted,
     const std::function<void(double)>& progress = [](double) {});
 
+// The columns of these parameters alone, in this order, per drive.
+std::vector<Eigen::MatrixXd> columnsAt(const Replays& replays, Drives drives, const Deviation& at,
+                                       const std::vector<Eigen::Index>& parameters, double step);
+
 // m/s: standard deviation of the start speed, which is estimated by a line through the first speeds, and step of the
 // finite difference for its sensitivity. It decides no verdict: half and double change none of the development cases.
 inline constexpr double kStartSpeedStep = 0.1;

@@ -192,7 +192,8 @@ std::vector<CandidateFitter::Found> CandidateFitter::settledFits(const Linearisa
                                                                  const Candidate& than, double far_behind) {
     return together(attempts.size(), [&](double& best, std::size_t i) {
         Found one = fitBeside(best, about, attempts[i]);
-        if (one && one->log_evidence > than.log_evidence - far_behind) settleBeside(best, *one);
+        if (one && one->log_evidence > std::max(than.log_evidence - far_behind, attempts[i].settled))
+            settleBeside(best, *one);
         return one;
     });
 }

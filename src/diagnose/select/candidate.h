@@ -31,6 +31,7 @@ SharedLinearisation linearisationAbout(const Calibration& car, const Candidate& 
 struct Attempt {
     std::vector<std::size_t> effects;
     Start from;
+    double settled = -kInfinity;  // evidence over none, nats, with which these effects have been settled before
 };
 
 // Fits candidates about the calibrated car and about each other. Fits that will stay far behind the best one so far are
@@ -67,7 +68,8 @@ public:
     // of the calibrated car.
     SharedLinearisation settle(Candidate& candidate);
 
-    // Sets of effects from these starts; those that do not stay this far behind `than` are settled.
+    // Sets of effects from these starts; those that do not stay this far behind `than` are settled, unless they are no
+    // better than when they were settled before.
     std::vector<Found> settledFits(const Linearisation& about, const std::vector<Attempt>& attempts,
                                    const Candidate& than, double far_behind);
 

@@ -147,30 +147,25 @@ struct Fitter {
             for (const model::Share& share : of) nuisances.push_back(share.of);
         std::sort(nuisances.begin(), nuisances.end());
         nuisances.erase(std::unique(nuisances.begin(), nuisances.end()), nuisances.end());
-        const auto renewed = [&](const std::vector<Eigen::Index>& parameters, double step) {
-            if (parameters.empty()) return std::vector<Eigen::MatrixXd>(drives.size());
-            return model::sensitivities(replays, drives, fit.at,
-                                        {.parameters = parameters, .step = step, .rows = &fit.of_car})
-                .columns;
-        };
-        const std::vector<Eigen::MatrixXd> of_own = renewed(own, model::kEffectStep),
-                                           of_nuisances = renewed(nuisances, model::kNuisanceStep);
+        const std::vector<Eigen::MatrixXd> of_own = model::columnsAt(replays, drives, fit.at, own, model::kEffectStep),
+                                           of_nuisances = model::columnsAt(replays, drives, fit.at, nuisances,
+                                                                           model::kNuisanceStep);
+        std::vector<Eigen::Index> renewed;
+        for (const Eigen::Index one : model::joined(nuisances, knobs)) renewed.push_back(placeOf(one));
         inParallel(drives.size(), replays.threads, [&](std::size_t d) {
             const auto column = [&](Eigen::Index parameter) { return fit.columns[d].col(placeOf(parameter)); };
-            for (const Eigen::Index knob : own) column(knob) = uncertainty.noise[d].over(of_own[d].col(knob));
-            for (const Eigen::Index one : nuisances) column(one) = uncertainty.noise[d].over(of_nuisances[d].col(one));
+            for (std::size_t i = 0; i < own.size(); ++i) column(own[i]) = uncertainty.noise[d].over(of_own[d].col(i));
+            for (std::size_t i = 0; i < nuisances.size(); ++i)
+                column(nuisances[i]) = uncertainty.noise[d].over(of_nuisances[d].col(i));
             for (std::size_t k = 0; k < mixed.size(); ++k) {
                 column(mixed[k]).setZero();
                 for (const model::Share& share : shares[k]) column(mixed[k]) += share.units * column(share.of);
             }
-            Eigen::MatrixXd all(fit.columns[d].rows(), fit.columns[d].cols() + 1);
-            all << fit.columns[d], model::residual(drives, uncertainty, fit.rows, d);
-            const Eigen::Index kept = nuisances.empty() ? std::ssize(free) - std::ssize(knobs) : 0;
-            fit.products[d] =
-                inference::extended(inference::firstColumns(fit.products[d], kept), fit.columns[d].leftCols(kept),
-                                    uncertainty.directions[d], all.rightCols(all.cols() - kept));
+            inference::replaceColumns(fit.products[d], fit.columns[d],
+                                      model::residual(drives, uncertainty, fit.rows, d), renewed,
+                                      uncertainty.directions[d]);
+            now.marginal[d].replaceColumns(fit.products[d], renewed);
         });
-        marginalise(now);
     }
 
     Eigen::Index placeOf(Eigen::Index parameter) const {

@@ -233,6 +233,7 @@ private:
             for (const std::size_t out : from.effects) {
                 attempts.push_back({from.effects, without(out, from.fit)});
                 std::erase(attempts.back().effects, out);
+                attempts.back().settled = settledWith(attempts.back().effects);
             }
             std::optional<Candidate> best;
             for (std::optional<Candidate>& less :
@@ -244,6 +245,13 @@ private:
             if (!best) return;
             from = std::move(*best);
         }
+    }
+
+    // Evidence of a set that has been settled, nats.
+    double settledWith(const Effects& effects) const {
+        const auto known = std::find_if(found_.begin(), found_.end(),
+                                        [&](const Candidate& one) { return one.about && one.of(effects); });
+        return known == found_.end() ? -kInfinity : known->log_evidence;
     }
 
     // The end of a fit, with an effect taken out.
@@ -280,22 +288,23 @@ private:
     // their effects do. Effects that can imitate it, or a rival as probable, are fitted even where the screen promises
     // little of them. `start`: of the candidate; the knobs of each rival take the place of its own.
     void fitRivals(const Candidate& best, const Linearisation& here, const Start& start) {
-        std::vector<Candidate> rivals;
+        std::vector<const Candidate*> rivals;
         for (const Candidate& one : found_)
             if (one.fitted && !one.of(best.effects) &&
                 (logProbability(one) > logProbability(best) - kFarBehind || canImitate(one, best)))
-                rivals.push_back(one);
-        std::stable_sort(rivals.begin(), rivals.end(),
-                         [&](const Candidate& a, const Candidate& b) { return logProbability(a) > logProbability(b); });
+                rivals.push_back(&one);
+        std::stable_sort(rivals.begin(), rivals.end(), [&](const Candidate* a, const Candidate* b) {
+            return logProbability(*a) > logProbability(*b);
+        });
         if (rivals.size() > kMostRivals) rivals.resize(kMostRivals);
         for (const Candidate& one : found_)
-            if (!one.fitted && canImitateOneNear(one, best)) rivals.push_back(one);
+            if (!one.fitted && canImitateOneNear(one, best)) rivals.push_back(&one);
         std::vector<Attempt> attempts;
-        for (const Candidate& rival : rivals) {
-            attempts.push_back({rival.effects, start});
+        for (const Candidate* rival : rivals) {
+            attempts.push_back({rival->effects, start});
             Deviation& at = attempts.back().from.at;
             at(best.fit.knobs).setZero();
-            at(rival.fit.knobs) = rival.fit.at(rival.fit.knobs);
+            at(rival->fit.knobs) = rival->fit.at(rival->fit.knobs);
         }
         keepBetter(fitter_.fits(here, attempts));
     }
