@@ -281,7 +281,7 @@ void simulate(const VehicleParams& params, const Scenario& scenario, const Recor
 
 Settled settledAtStart(const VehicleParams& params, const Scenario& scenario) {
     const std::unique_ptr<Road> road = makeRoad(scenario.road);
-    return settledAtStart(prepare(params), scenario, *road, MovedBy::bullet, nullptr);
+    return settledAtStart(prepare(params), scenario, *road, MovedBy::itself, nullptr);
 }
 
 std::vector<Column> recordedColumns(const std::vector<std::string>& patterns) {
