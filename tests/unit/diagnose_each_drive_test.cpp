@@ -80,6 +80,10 @@ TEST(Wind, OfADriveChangesTheRowsOfThatDriveAloneAndCostsNoReplayOfTheOthers) {
         sensitivities(problem.replays, problem.drives, problem.replays.origin(), {.parameters = winds});
     EXPECT_EQ(problem.replays.simulations.value() - before, 2 * 2 + 4)
         << "each drive with the usual step and a coarse one, and each wind in its drive";
+    const std::vector<Eigen::MatrixXd> alone =
+        columnsAt(problem.replays, problem.drives, problem.replays.origin(), winds, diagnose::model::kNuisanceStep);
+    for (std::size_t d = 0; d < 2; ++d) EXPECT_EQ(alone[d], about.columns[d](Eigen::all, winds)) << d;
+    EXPECT_EQ(problem.replays.simulations.value() - before, 2 * 2 + 4 + 2 + 4) << "no drive with the usual step";
     for (const Eigen::Index p : winds) {
         const Parameter& wind = problem.replays.parameters[p];
         for (std::size_t d = 0; d < 2; ++d) {

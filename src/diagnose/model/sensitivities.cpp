@@ -94,8 +94,9 @@ std::vector<Base> basesAt(const Replays& replays, Drives drives, const Deviation
     return bases;
 }
 
-void drive(Columns columns, const Replays& replays, Drives drives, const Deviation& at, const Wanted& wanted,
-           const std::vector<Base>& bases, const std::function<void(double)>& progress) {
+// Computes the columns that are wanted; the others stay.
+void fill(Columns columns, const Replays& replays, Drives drives, const Deviation& at, const Wanted& wanted,
+          const std::vector<Base>& bases, const std::function<void(double)>& progress) {
     const std::vector<Column> all = columnsToDrive(replays, drives, at, wanted, bases);
     std::vector<std::filesystem::path> kept(drives.size());
     for (std::size_t d = 0; d < drives.size() && at.isZero(0); ++d)
@@ -136,7 +137,7 @@ Sensitivities sensitivities(const Replays& replays, Drives drives, const Deviati
     for (std::size_t d = 0; d < n; ++d)
         result.columns[d] =
             wanted.elsewhere ? wanted.elsewhere->columns[d] : Eigen::MatrixXd::Zero(drives[d].rows(), at.size()).eval();
-    drive({result.columns, wanted.parameters}, replays, drives, at, wanted, bases, progress);
+    fill({result.columns, wanted.parameters}, replays, drives, at, wanted, bases, progress);
     return result;
 }
 
@@ -148,8 +149,8 @@ std::vector<Eigen::MatrixXd> columnsAt(const Replays& replays, Drives drives, co
     if (parameters.empty()) return columns;
     std::vector<Eigen::Index> places(parameters.size());
     std::iota(places.begin(), places.end(), 0);
-    drive({columns, std::move(places)}, replays, drives, at, {.parameters = parameters, .step = step},
-          basesAt(replays, drives, at), [](double) {});
+    fill({columns, std::move(places)}, replays, drives, at, {.parameters = parameters, .step = step},
+         basesAt(replays, drives, at), [](double) {});
     return columns;
 }
 
