@@ -131,41 +131,61 @@ struct Fitter {
         return squares;
     }
 
-    // Computes the columns of the knobs again by finite differences. Those of knobs that only mix nuisances follow from
-    // the columns of these, which are computed again instead: the data cannot tell the one from the others.
+    // Computes the columns of the knobs again by finite differences.
     void renewKnobs(Moving& now) const {
         Fit& fit = now.fit;
-        const std::vector<Eigen::Index> numbers(free.begin(), free.begin() + fit.numbers());
-        std::vector<Eigen::Index> own, mixed, nuisances;
-        std::vector<std::vector<model::Share>> shares;
-        for (const Eigen::Index knob : knobs) {
-            std::vector<model::Share> of = model::mixture(replays.parameters[knob], replays.parameters, numbers);
-            if (of.empty()) own.push_back(knob);
-            else mixed.push_back(knob), shares.push_back(std::move(of));
-        }
-        for (const std::vector<model::Share>& of : shares)
-            for (const model::Share& share : of) nuisances.push_back(share.of);
-        std::sort(nuisances.begin(), nuisances.end());
-        nuisances.erase(std::unique(nuisances.begin(), nuisances.end()), nuisances.end());
-        const std::vector<Eigen::MatrixXd> of_own = model::columnsAt(replays, drives, fit.at, own, model::kEffectStep),
-                                           of_nuisances = model::columnsAt(replays, drives, fit.at, nuisances,
-                                                                           model::kNuisanceStep);
-        std::vector<Eigen::Index> renewed;
-        for (const Eigen::Index one : model::joined(nuisances, knobs)) renewed.push_back(placeOf(one));
+        const Renewed renewed = columnsToRenew(fit.numbers());
+        const std::vector<Eigen::MatrixXd> of_knobs =
+            model::columnsAt(replays, drives, fit.at, renewed.knobs, model::kEffectStep);
+        const std::vector<Eigen::MatrixXd> of_nuisances =
+            model::columnsAt(replays, drives, fit.at, renewed.nuisances, model::kNuisanceStep);
+        const std::vector<Eigen::Index> all = placesOf(model::joined(renewed.nuisances, knobs));
         inParallel(drives.size(), replays.threads, [&](std::size_t d) {
-            const auto column = [&](Eigen::Index parameter) { return fit.columns[d].col(placeOf(parameter)); };
-            for (std::size_t i = 0; i < own.size(); ++i) column(own[i]) = uncertainty.noise[d].over(of_own[d].col(i));
-            for (std::size_t i = 0; i < nuisances.size(); ++i)
-                column(nuisances[i]) = uncertainty.noise[d].over(of_nuisances[d].col(i));
-            for (std::size_t k = 0; k < mixed.size(); ++k) {
-                column(mixed[k]).setZero();
-                for (const model::Share& share : shares[k]) column(mixed[k]) += share.units * column(share.of);
+            Eigen::MatrixXd& columns = fit.columns[d];
+            columns(Eigen::all, placesOf(renewed.knobs)) = uncertainty.noise[d].over(of_knobs[d]);
+            columns(Eigen::all, placesOf(renewed.nuisances)) = uncertainty.noise[d].over(of_nuisances[d]);
+            for (const Mixed& one : renewed.mixed) {
+                auto column = columns.col(placeOf(one.knob));
+                column.setZero();
+                for (const model::Share& share : one.shares) column += share.units * columns.col(placeOf(share.of));
             }
-            inference::replaceColumns(fit.products[d], fit.columns[d],
-                                      model::residual(drives, uncertainty, fit.rows, d), renewed,
+            inference::replaceColumns(fit.products[d], columns, model::residual(drives, uncertainty, fit.rows, d), all,
                                       uncertainty.directions[d]);
-            now.marginal[d].replaceColumns(fit.products[d], renewed);
+            now.marginal[d].replaceColumns(fit.products[d], all);
         });
+    }
+
+    // A knob that only mixes nuisances.
+    struct Mixed {
+        Eigen::Index knob;
+        std::vector<model::Share> shares;
+    };
+    struct Renewed {
+        std::vector<Eigen::Index> knobs, nuisances;
+        std::vector<Mixed> mixed;
+    };
+
+    // Columns of knobs that only mix nuisances follow from the columns of these, which are renewed instead: the data
+    // cannot tell the one from the others. `numbers`: of the nuisances that are numbers, the first of `free`.
+    Renewed columnsToRenew(Eigen::Index numbers) const {
+        const std::vector<Eigen::Index> nuisances(free.begin(), free.begin() + numbers);
+        Renewed renewed;
+        for (const Eigen::Index knob : knobs) {
+            std::vector<model::Share> shares = model::mixture(replays.parameters[knob], replays.parameters, nuisances);
+            for (const model::Share& share : shares) renewed.nuisances.push_back(share.of);
+            if (shares.empty()) renewed.knobs.push_back(knob);
+            else renewed.mixed.push_back({knob, std::move(shares)});
+        }
+        std::sort(renewed.nuisances.begin(), renewed.nuisances.end());
+        const auto end = std::unique(renewed.nuisances.begin(), renewed.nuisances.end());
+        renewed.nuisances.erase(end, renewed.nuisances.end());
+        return renewed;
+    }
+
+    std::vector<Eigen::Index> placesOf(const std::vector<Eigen::Index>& parameters) const {
+        std::vector<Eigen::Index> all;
+        for (const Eigen::Index parameter : parameters) all.push_back(placeOf(parameter));
+        return all;
     }
 
     Eigen::Index placeOf(Eigen::Index parameter) const {
