@@ -1,6 +1,5 @@
 // Every kind of page, written by the program for files whose names, titles and units are markup, and opened in a
 // browser.
-#include <algorithm>
 #include <cstdlib>
 
 #include "cli/answered_check.h"
