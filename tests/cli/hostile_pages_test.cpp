@@ -1,11 +1,10 @@
 // Every kind of page, written by the program for files whose names, titles and units are markup, and opened in a
 // browser.
-#include <cstdlib>
-
 #include "cli/answered_check.h"
 #include "cli/logs.h"
 #include "cli/tread_run.h"
 #include "log/csv.h"
+#include "shared/browser.h"
 
 namespace tread::hostile_pages_test {
 namespace {
@@ -15,21 +14,6 @@ namespace fs = std::filesystem;
 // What marks the body of a page if a browser takes it for markup: also as the name of a file, which has no slash.
 const std::string kName = "<img src=x onerror=document.body.id='ran'>";
 const std::string kText = "</script><script>document.body.id='ran'</script>" + kName;
-
-bool browserIsThere() {
-    return std::system("command -v chromium >/dev/null 2>&1") == 0;
-}
-
-// The page as the browser has it once its scripts have run.
-std::string opened(const std::string& page) {
-    const Scratch scratch;
-    const std::string dom = scratch.path("dom.html");
-    const std::string command =
-        "timeout 120 chromium --headless --no-sandbox --disable-gpu --virtual-time-budget=3000 --dump-dom 'file://" +
-        page + "' >'" + dom + "' 2>/dev/null";
-    EXPECT_EQ(std::system(command.c_str()), 0) << page;
-    return contentOf(dom);
-}
 
 bool ranIn(const std::string& dom) {
     return dom.find("id=\"ran\"") != std::string::npos || dom.find("<img") != std::string::npos;
@@ -56,7 +40,7 @@ protected:
         EXPECT_EQ(html.find("<img src=x"), std::string::npos);
         EXPECT_EQ(html.find("</script><script>document"), std::string::npos);
         if (!browserIsThere()) return;
-        const std::string dom = opened(scratch.path(page));
+        const std::string dom = openedInBrowser(scratch.path(page));
         EXPECT_NE(dom.find("</main>"), std::string::npos) << "the browser shows the page";
         EXPECT_FALSE(ranIn(dom)) << page;
     }
@@ -65,7 +49,7 @@ protected:
 TEST_F(HostilePage, WouldRunInABrowserIfItWereMarkup) {
     if (!browserIsThere()) GTEST_SKIP() << "chromium is not installed";
     for (const std::string& text : {kName, kText})
-        EXPECT_TRUE(ranIn(opened(scratch.file("page.html", "<body><main>" + text + "</main></body>"))));
+        EXPECT_TRUE(ranIn(openedInBrowser(scratch.file("page.html", "<body><main>" + text + "</main></body>"))));
 }
 
 TEST_F(HostilePage, OfARun) {

@@ -1,13 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "report/embedded.h"
 #include "report/html.h"
+#include "shared/browser.h"
 #include "shared/scratch.h"
 
 namespace tread::page_scripts_test {
@@ -31,7 +30,7 @@ TEST(PageScripts, EveryScriptParses) {
 
 // What a browser makes of a page: its scripts run under the page's policy, and nothing else does.
 TEST(PageScripts, ABrowserRunsThemAndNoOthers) {
-    if (shell("command -v chromium") != 0) GTEST_SKIP() << "chromium is not installed";
+    if (!browserIsThere()) GTEST_SKIP() << "chromium is not installed";
     const Scratch scratch;
     const std::string hostile = "<img src=x onerror=\"document.body.id='broken'\">";
     const std::vector<double> time{0, 1, 2}, values{0, 0.04, -0.04};
@@ -43,14 +42,7 @@ TEST(PageScripts, ABrowserRunsThemAndNoOthers) {
                       .curves = {{.name = hostile, .values = values, .scale = 100}}}});
     std::string html = page.finish();
     html.insert(html.find("</main>"), "<script>document.body.id = 'foreign';</script>");
-    const std::string file = scratch.file("page.html", html), dom = scratch.path("dom.html");
-    ASSERT_EQ(
-        std::system(("timeout 60 chromium --headless --no-sandbox --virtual-time-budget=3000 --dump-dom 'file://" +
-                     file + "' >'" + dom + "' 2>/dev/null")
-                        .c_str()),
-        0);
-    std::ifstream stream(dom);
-    const std::string drawn{std::istreambuf_iterator<char>(stream), {}};
+    const std::string drawn = openedInBrowser(scratch.file("page.html", html));
     EXPECT_NE(drawn.find("<canvas"), std::string::npos) << "the chart is drawn";
     EXPECT_EQ(drawn.find("<img"), std::string::npos) << "the unit is text";
     EXPECT_EQ(drawn.find("id=\"broken\""), std::string::npos);
